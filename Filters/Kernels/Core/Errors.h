@@ -1,0 +1,33 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace shape
+{
+
+/**
+ * The input cannot be used. The message states the fact about the input (with a count or the first
+ * id) and the remedy; the filter that reports it puts its own name in front.
+ */
+class InvalidInput : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The input is sound but the computation did not reach its goal. The message says how far it got.
+class SolveFailure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Thrown out of a kernel when its Progress was told to stop. Not an error.
+class Aborted : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "aborted"; }
+};
+
+} // namespace shape

@@ -1,0 +1,100 @@
+#include "Core/Mesh.h"
+
+#include <Eigen/Geometry>
+
+namespace shape
+{
+
+double LongestSide(const Eigen::MatrixXd& points)
+{
+  return points.rows() == 0
+    ? 0.0
+    : (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+}
+
+Eigen::MatrixXd AreaVectors(const Mesh& mesh)
+{
+  Eigen::MatrixXd vectors(mesh.Triangles.rows(), 3);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = mesh.Points.row(mesh.Triangles(t, 0));
+    const Eigen::RowVector3d b = mesh.Points.row(mesh.Triangles(t, 1));
+    const Eigen::RowVector3d c = mesh.Points.row(mesh.Triangles(t, 2));
+    vectors.row(t) = (b - a).cross(c - a);
+  }
+  return vectors;
+}
+
+Eigen::MatrixXd PointNormals(const Mesh& mesh)
+{
+  const Eigen::MatrixXd vectors = AreaVectors(mesh);
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      normals.row(mesh.Triangles(t, corner)) += vectors.row(t);
+    }
+  }
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    const double length = normals.row(i).norm();
+    if (length > 0.0)
+    {
+      normals.row(i) /= length;
+    }
+  }
+  return normals;
+}
+
+Eigen::VectorXd PointAreas(const Mesh& mesh)
+{
+  const Eigen::VectorXd sixths = AreaVectors(mesh).rowwise().norm() / 6.0;
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.Points.rows());
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      areas(mesh.Triangles(t, corner)) += sixths(t);
+    }
+  }
+  return areas;
+}
+
+double EnclosedVolume(const Mesh& mesh)
+{
+  // Tetrahedra over the first point instead of the origin: no cancellation far from the origin.
+  if (mesh.Triangles.rows() == 0)
+  {
+    return 0.0;
+  }
+  const Eigen::RowVector3d apex = mesh.Points.row(0);
+  double sixVolumes = 0.0;
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = mesh.Points.row(mesh.Triangles(t, 0)) - apex;
+    const Eigen::RowVector3d b = mesh.Points.row(mesh.Triangles(t, 1)) - apex;
+    const Eigen::RowVector3d c = mesh.Points.row(mesh.Triangles(t, 2)) - apex;
+    sixVolumes += a.dot(b.cross(c));
+  }
+  return sixVolumes / 6.0;
+}
+
+Eigen::MatrixXd Centroids(const Mesh& mesh)
+{
+  return CornerMeans(mesh.Triangles, mesh.Points);
+}
+
+Eigen::MatrixXd CornerMeans(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
+{
+  Eigen::MatrixXd means(triangles.rows(), values.cols());
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    means.row(t) =
+      (values.row(triangles(t, 0)) + values.row(triangles(t, 1)) + values.row(triangles(t, 2))) /
+      3.0;
+  }
+  return means;
+}
+
+} // namespace shape

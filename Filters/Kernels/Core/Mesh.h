@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/**
+ * A triangulated surface.
+ *
+ * Points: n x 3, in the model's units. Triangles: m x 3 indices into Points, counter-clockwise when
+ * seen from outside.
+ */
+struct Mesh
+{
+  Eigen::MatrixXd Points;
+  Eigen::MatrixXi Triangles;
+};
+
+/// The longest side of the points' axis-aligned bounding box: the size that errors are divided by.
+double LongestSide(const Eigen::MatrixXd& points);
+
+/// Twice-area vectors of the triangles (m x 3): the cross product of two edges, pointing outwards.
+Eigen::MatrixXd AreaVectors(const Mesh& mesh);
+
+/// Unit normals of the points (n x 3), area-weighted; zero at points of no or only flat triangles.
+Eigen::MatrixXd PointNormals(const Mesh& mesh);
+
+/// A third of the area of the triangles around each point (n).
+Eigen::VectorXd PointAreas(const Mesh& mesh);
+
+/// Volume enclosed by a closed surface; negative when its triangles face inwards.
+double EnclosedVolume(const Mesh& mesh);
+
+/// Centroids of the triangles (m x 3).
+Eigen::MatrixXd Centroids(const Mesh& mesh);
+
+/// Means over each triangle's corners (m x d) of values given at the points (n x d).
+Eigen::MatrixXd CornerMeans(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
+
+} // namespace shape

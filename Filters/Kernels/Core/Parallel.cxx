@@ -1,0 +1,47 @@
+#include "Core/Parallel.h"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+namespace shape
+{
+
+int ThreadCount()
+{
+  const char* limit = std::getenv("VTK_SMP_MAX_THREADS");
+  const int asked = limit ? std::atoi(limit) : 0;
+  return asked > 0 ? asked : oneapi::tbb::info::default_concurrency();
+}
+
+void ParallelFor(int count, int grain, const std::function<void(int begin, int end)>& body,
+  const Progress& progress)
+{
+  const int threads = ThreadCount();
+  oneapi::tbb::task_arena arena(threads);
+  const int chunks = (count + grain - 1) / grain;
+  const auto runChunk = [&](int chunk)
+  { body(chunk * grain, std::min(count, (chunk + 1) * grain)); };
+
+  // Batches grow until one takes about a tenth of a second: often enough for progress and abort.
+  int batch = threads;
+  for (int first = 0; first < chunks;)
+  {
+    const int last = std::min(chunks, first + batch);
+    const auto start = std::chrono::steady_clock::now();
+    arena.execute([&] { oneapi::tbb::parallel_for(first, last, runChunk); });
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (seconds.count() < 0.1)
+    {
+      batch = std::min(2 * batch, chunks);
+    }
+    first = last;
+    progress(static_cast<double>(first) / chunks);
+  }
+}
+
+} // namespace shape

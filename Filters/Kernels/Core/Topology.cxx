@@ -1,0 +1,307 @@
+#include "Core/Topology.h"
+
+#include "Core/Errors.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace shape
+{
+namespace
+{
+
+/// Sets of connected items, merged pair by pair.
+class DisjointSets
+{
+public:
+  explicit DisjointSets(int count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  int Find(int item)
+  {
+    while (this->Parent[item] != item)
+    {
+      item = this->Parent[item] = this->Parent[this->Parent[item]];
+    }
+    return item;
+  }
+  void Merge(int a, int b) { this->Parent[this->Find(a)] = this->Find(b); }
+
+private:
+  std::vector<int> Parent;
+};
+
+/// One triangle's side, from Begin to End.
+struct HalfEdge
+{
+  int Begin;
+  int End;
+  int Triangle;
+  int Low() const { return std::min(this->Begin, this->End); }
+  int High() const { return std::max(this->Begin, this->End); }
+};
+
+std::vector<HalfEdge> SortedHalfEdges(const Mesh& mesh)
+{
+  std::vector<HalfEdge> sides;
+  sides.reserve(3 * mesh.Triangles.rows());
+  for (int t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      sides.push_back({ mesh.Triangles(t, corner), mesh.Triangles(t, (corner + 1) % 3), t });
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+    [](const HalfEdge& a, const HalfEdge& b)
+    {
+      return std::array<int, 3>{ a.Low(), a.High(), a.Triangle } <
+        std::array<int, 3>{ b.Low(), b.High(), b.Triangle };
+    });
+  return sides;
+}
+
+void CheckIndices(const Mesh& mesh)
+{
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corners = mesh.Triangles.row(t);
+    if (corners.minCoeff() < 0 || corners.maxCoeff() >= mesh.Points.rows())
+    {
+      throw InvalidInput("triangle " + std::to_string(t) + " uses a point that does not exist; " +
+        "the surface has " + std::to_string(mesh.Points.rows()) + " points");
+    }
+    if (corners(0) == corners(1) || corners(1) == corners(2) || corners(2) == corners(0))
+    {
+      throw InvalidInput("triangle " + std::to_string(t) + " uses point " +
+        std::to_string(corners(0) == corners(1) ? corners(0) : corners(2)) +
+        " twice; remove such triangles with Clean");
+    }
+  }
+}
+
+/// Every point must have one fan of triangles: count the groups of triangles around it that hang
+/// together by edges at the point.
+void CountPinchedPoints(const Mesh& mesh, const std::vector<HalfEdge>& sides, Topology& topology)
+{
+  // A corner is 3 * triangle + corner; corners of one point are joined across a shared edge.
+  DisjointSets fans(static_cast<int>(3 * mesh.Triangles.rows()));
+  const auto cornerOf = [&](int triangle, int point)
+  {
+    const auto row = mesh.Triangles.row(triangle);
+    return 3 * triangle + (row(0) == point ? 0 : row(1) == point ? 1 : 2);
+  };
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+  {
+    const HalfEdge& a = sides[i];
+    const HalfEdge& b = sides[i + 1];
+    if (a.Low() == b.Low() && a.High() == b.High())
+    {
+      fans.Merge(cornerOf(a.Triangle, a.Low()), cornerOf(b.Triangle, a.Low()));
+      fans.Merge(cornerOf(a.Triangle, a.High()), cornerOf(b.Triangle, a.High()));
+    }
+  }
+  std::vector<int> fanOfPoint(mesh.Points.rows(), -1);
+  std::vector<char> pinched(mesh.Points.rows(), 0);
+  for (int t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int point = mesh.Triangles(t, corner);
+      const int fan = fans.Find(3 * t + corner);
+      if (fanOfPoint[point] == -1)
+      {
+        fanOfPoint[point] = fan;
+      }
+      pinched[point] = pinched[point] || fanOfPoint[point] != fan;
+    }
+  }
+  for (int i = 0; i < mesh.Points.rows(); ++i)
+  {
+    if (pinched[i])
+    {
+      topology.FirstPinchedPoint =
+        topology.NonManifoldPoints++ == 0 ? i : topology.FirstPinchedPoint;
+    }
+  }
+}
+
+void CountComponents(const Mesh& mesh, Topology& topology)
+{
+  DisjointSets pieces(static_cast<int>(mesh.Points.rows()));
+  topology.ComponentId = Eigen::VectorXi::Constant(mesh.Points.rows(), -1);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    pieces.Merge(mesh.Triangles(t, 0), mesh.Triangles(t, 1));
+    pieces.Merge(mesh.Triangles(t, 1), mesh.Triangles(t, 2));
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      topology.ComponentId(mesh.Triangles(t, corner)) = 0;
+    }
+  }
+  std::vector<int> idOfRoot(mesh.Points.rows(), -1);
+  for (int i = 0; i < mesh.Points.rows(); ++i)
+  {
+    if (topology.ComponentId(i) == 0)
+    {
+      int& id = idOfRoot[pieces.Find(i)];
+      id = id == -1 ? topology.Components++ : id;
+      topology.ComponentId(i) = id;
+    }
+  }
+}
+
+/// "the boundary has 3 open loops (first at point 118)"
+std::string Found(const std::string& name, int count, const std::string& singular,
+  const std::string& plural, int first)
+{
+  return name + " has " + std::to_string(count) + " " + (count == 1 ? singular : plural) +
+    " (first at point " + std::to_string(first) + "); ";
+}
+
+} // namespace
+
+Topology SurfaceTopology(const Mesh& mesh)
+{
+  CheckIndices(mesh);
+  Topology topology;
+  CountComponents(mesh, topology);
+  const std::vector<HalfEdge> sides = SortedHalfEdges(mesh);
+  DisjointSets loops(static_cast<int>(mesh.Points.rows()));
+  std::vector<char> open(mesh.Points.rows(), 0);
+  int edges = 0;
+  for (std::size_t i = 0; i < sides.size();)
+  {
+    std::size_t next = i + 1;
+    while (next < sides.size() && sides[next].Low() == sides[i].Low() &&
+      sides[next].High() == sides[i].High())
+    {
+      ++next;
+    }
+    ++edges;
+    const int sharing = static_cast<int>(next - i);
+    if (sharing == 1)
+    {
+      loops.Merge(sides[i].Begin, sides[i].End);
+      open[sides[i].Begin] = open[sides[i].End] = 1;
+    }
+    else if (sharing > 2)
+    {
+      topology.FirstNonManifold =
+        topology.NonManifoldEdges++ == 0 ? sides[i].Low() : topology.FirstNonManifold;
+    }
+    else if (sides[i].Begin == sides[i + 1].Begin)
+    {
+      topology.FirstMisoriented =
+        topology.MisorientedEdges++ == 0 ? sides[i].Low() : topology.FirstMisoriented;
+    }
+    i = next;
+  }
+  for (int i = 0; i < mesh.Points.rows(); ++i)
+  {
+    if (open[i])
+    {
+      topology.OpenLoops += loops.Find(i) == i;
+      topology.FirstOpenPoint = topology.FirstOpenPoint == -1 ? i : topology.FirstOpenPoint;
+    }
+  }
+  CountPinchedPoints(mesh, sides, topology);
+  const int usedPoints = static_cast<int>((topology.ComponentId.array() >= 0).count());
+  topology.EulerNumber = usedPoints - edges + static_cast<int>(mesh.Triangles.rows());
+  return topology;
+}
+
+Topology RequireClosedSurface(const Mesh& mesh, const std::string& name)
+{
+  if (mesh.Triangles.rows() == 0)
+  {
+    throw InvalidInput(name + " has no triangles; give a closed surface");
+  }
+  RequireFinite(mesh.Points, name);
+  Topology topology = SurfaceTopology(mesh);
+  if (topology.OpenLoops > 0)
+  {
+    throw InvalidInput(
+      Found(name, topology.OpenLoops, "open loop", "open loops", topology.FirstOpenPoint) +
+      "close it with Fill Holes, or merge its duplicate points with Clean");
+  }
+  if (topology.NonManifoldEdges > 0)
+  {
+    throw InvalidInput(Found(name, topology.NonManifoldEdges, "edge with three or more triangles",
+                         "edges with three or more triangles", topology.FirstNonManifold) +
+      "keep the outer surface alone");
+  }
+  if (topology.NonManifoldPoints > 0)
+  {
+    throw InvalidInput(Found(name, topology.NonManifoldPoints, "point where two sheets touch",
+                         "points where two sheets touch", topology.FirstPinchedPoint) +
+      "duplicate them, one for each sheet");
+  }
+  if (topology.MisorientedEdges > 0)
+  {
+    throw InvalidInput(
+      Found(name, topology.MisorientedEdges, "edge between triangles of opposite orientation",
+        "edges between triangles of opposite orientation", topology.FirstMisoriented) +
+      "make them agree with Generate Surface Normals (Consistency on)");
+  }
+  return topology;
+}
+
+void RequireFinite(const Eigen::MatrixXd& values, const std::string& name)
+{
+  if (values.allFinite())
+  {
+    return;
+  }
+  int count = 0;
+  Eigen::Index first = -1;
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
+  {
+    if (!values.row(i).allFinite())
+    {
+      first = count++ == 0 ? i : first;
+    }
+  }
+  throw InvalidInput(name + " has " + std::to_string(count) + (count == 1 ? " point" : " points") +
+    " with a value that is not finite (first at point " + std::to_string(first) +
+    "); remove or repair " + (count == 1 ? "it" : "them"));
+}
+
+std::vector<std::vector<int>> PointNeighbours(const Mesh& mesh)
+{
+  std::vector<std::vector<int>> neighbours(mesh.Points.rows());
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int a = mesh.Triangles(t, corner);
+      const int b = mesh.Triangles(t, (corner + 1) % 3);
+      neighbours[a].push_back(b);
+      neighbours[b].push_back(a);
+    }
+  }
+  for (std::vector<int>& list : neighbours)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return neighbours;
+}
+
+std::vector<std::vector<int>> PointTriangles(const Mesh& mesh)
+{
+  std::vector<std::vector<int>> around(mesh.Points.rows());
+  for (int t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      around[mesh.Triangles(t, corner)].push_back(t);
+    }
+  }
+  return around;
+}
+
+} // namespace shape

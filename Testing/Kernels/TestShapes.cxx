@@ -1,0 +1,111 @@
+#include "TestShapes.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace shapetest
+{
+
+shape::Mesh Icosphere(int level)
+{
+  const double golden = (1.0 + std::sqrt(5.0)) / 2.0;
+  std::vector<Eigen::RowVector3d> points = { { -1, golden, 0 }, { 1, golden, 0 },
+    { -1, -golden, 0 }, { 1, -golden, 0 }, { 0, -1, golden }, { 0, 1, golden }, { 0, -1, -golden },
+    { 0, 1, -golden }, { golden, 0, -1 }, { golden, 0, 1 }, { -golden, 0, -1 }, { -golden, 0, 1 } };
+  std::vector<Eigen::RowVector3i> triangles = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 },
+    { 0, 7, 10 }, { 0, 10, 11 }, { 1, 5, 9 }, { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 },
+    { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 }, { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 },
+    { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } };
+  for (int round = 0; round < level; ++round)
+  {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b)
+    {
+      const auto [place, isNew] =
+        middles.try_emplace(std::minmax(a, b), static_cast<int>(points.size()));
+      if (isNew)
+      {
+        points.push_back(points[a] + points[b]);
+      }
+      return place->second;
+    };
+    std::vector<Eigen::RowVector3i> finer;
+    for (auto& point : points)
+    {
+      point.normalize();
+    }
+    for (const auto& t : triangles)
+    {
+      const int ab = middle(t(0), t(1)), bc = middle(t(1), t(2)), ca = middle(t(2), t(0));
+      finer.insert(
+        finer.end(), { { t(0), ab, ca }, { t(1), bc, ab }, { t(2), ca, bc }, { ab, bc, ca } });
+    }
+    triangles = std::move(finer);
+  }
+  shape::Mesh mesh{ Eigen::MatrixXd(points.size(), 3), Eigen::MatrixXi(triangles.size(), 3) };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh.Points.row(i) = points[i].normalized();
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    mesh.Triangles.row(t) = triangles[t];
+  }
+  return mesh;
+}
+
+shape::Mesh Torus(double majorRadius, double minorRadius, int around, int across)
+{
+  shape::Mesh mesh{ Eigen::MatrixXd(around * across, 3), Eigen::MatrixXi(2 * around * across, 3) };
+  for (int i = 0; i < around; ++i)
+  {
+    for (int j = 0; j < across; ++j)
+    {
+      const double u = 2.0 * M_PI * i / around, v = 2.0 * M_PI * j / across;
+      const double radius = majorRadius + minorRadius * std::cos(v);
+      const int here = i * across + j;
+      mesh.Points.row(here) << radius * std::cos(u), radius * std::sin(u),
+        minorRadius * std::sin(v);
+      const int right = (i + 1) % around * across + j;
+      const int up = i * across + (j + 1) % across;
+      const int diagonal = (i + 1) % around * across + (j + 1) % across;
+      mesh.Triangles.row(2 * here) << here, right, diagonal;
+      mesh.Triangles.row(2 * here + 1) << here, diagonal, up;
+    }
+  }
+  return mesh;
+}
+
+shape::Mesh ReadOff(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string word;
+  int points = 0, triangles = 0, edges = 0;
+  if (!(file >> word >> points >> triangles >> edges) || word != "OFF")
+  {
+    throw std::runtime_error("cannot read " + path);
+  }
+  shape::Mesh mesh{ Eigen::MatrixXd(points, 3), Eigen::MatrixXi(triangles, 3) };
+  for (int i = 0; i < points; ++i)
+  {
+    file >> mesh.Points(i, 0) >> mesh.Points(i, 1) >> mesh.Points(i, 2);
+  }
+  for (int t = 0; t < triangles; ++t)
+  {
+    int corners = 0;
+    file >> corners >> mesh.Triangles(t, 0) >> mesh.Triangles(t, 1) >> mesh.Triangles(t, 2);
+    if (!file || corners != 3)
+    {
+      throw std::runtime_error("cannot read triangle " + std::to_string(t) + " of " + path);
+    }
+  }
+  return mesh;
+}
+
+} // namespace shapetest

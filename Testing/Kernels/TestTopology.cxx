@@ -1,0 +1,109 @@
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+
+shape::Mesh WithoutTriangles(shape::Mesh mesh, int count)
+{
+  mesh.Triangles.conservativeResize(mesh.Triangles.rows() - count, 3);
+  return mesh;
+}
+
+std::string Refusal(const shape::Mesh& mesh)
+{
+  try
+  {
+    shape::RequireClosedSurface(mesh, "the surface");
+  }
+  catch (const shape::InvalidInput& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(Topology, EulerNumberIsTwoMinusTwiceTheGenus)
+{
+  EXPECT_EQ(shape::SurfaceTopology(shapetest::Icosphere(2)).EulerNumber, 2);
+  EXPECT_EQ(shape::SurfaceTopology(shapetest::Torus(1.0, 0.3, 20, 10)).EulerNumber, 0);
+}
+
+TEST(Topology, CountsComponentsAndIgnoresUnusedPoints)
+{
+  const shape::Mesh one = shapetest::Icosphere(1);
+  const Eigen::Index n = one.Points.rows(), m = one.Triangles.rows();
+  shape::Mesh two{ Eigen::MatrixXd(2 * n + 1, 3), Eigen::MatrixXi(2 * m, 3) };
+  two.Points << one.Points, one.Points.array() + 5.0, Eigen::RowVector3d::Zero();
+  two.Triangles << one.Triangles, one.Triangles.array() + static_cast<int>(n);
+  const shape::Topology topology = shape::SurfaceTopology(two);
+  EXPECT_EQ(topology.Components, 2);
+  EXPECT_EQ(topology.EulerNumber, 4);
+  EXPECT_EQ(topology.ComponentId(0), 0);
+  EXPECT_EQ(topology.ComponentId(n), 1);
+  EXPECT_EQ(topology.ComponentId(2 * n), -1);
+}
+
+TEST(Topology, AnOpenLoopIsRefusedWithItsFirstPoint)
+{
+  const shape::Mesh open = WithoutTriangles(shapetest::Icosphere(1), 1);
+  const shape::Topology topology = shape::SurfaceTopology(open);
+  EXPECT_EQ(topology.OpenLoops, 1);
+  EXPECT_EQ(topology.EulerNumber, 1);
+  EXPECT_NE(Refusal(open).find(
+              "1 open loop (first at point " + std::to_string(topology.FirstOpenPoint) + ")"),
+    std::string::npos)
+    << Refusal(open);
+}
+
+TEST(Topology, AFlippedTriangleIsRefused)
+{
+  shape::Mesh mesh = shapetest::Icosphere(1);
+  std::swap(mesh.Triangles(7, 0), mesh.Triangles(7, 1));
+  EXPECT_EQ(shape::SurfaceTopology(mesh).MisorientedEdges, 3);
+  EXPECT_NE(Refusal(mesh).find("opposite orientation"), std::string::npos) << Refusal(mesh);
+}
+
+TEST(Topology, AnEdgeOfThreeTrianglesIsRefused)
+{
+  shape::Mesh mesh = shapetest::Icosphere(0);
+  mesh.Triangles.conservativeResize(22, 3);
+  mesh.Triangles.row(20) << 0, 11, 3;
+  mesh.Triangles.row(21) << 11, 0, 3;
+  EXPECT_EQ(shape::SurfaceTopology(mesh).NonManifoldEdges, 1);
+}
+
+TEST(Topology, TwoSheetsThatTouchAtAPointAreRefused)
+{
+  const shape::Mesh one = shapetest::Icosphere(0);
+  shape::Mesh pinched{ Eigen::MatrixXd(24, 3), Eigen::MatrixXi(40, 3) };
+  pinched.Points << one.Points, one.Points.array() + 5.0;
+  pinched.Triangles << one.Triangles, one.Triangles.array() + 12;
+  pinched.Triangles = (pinched.Triangles.array() == 12).select(3, pinched.Triangles);
+  const shape::Topology topology = shape::SurfaceTopology(pinched);
+  EXPECT_EQ(topology.NonManifoldPoints, 1);
+  EXPECT_EQ(topology.FirstPinchedPoint, 3);
+  EXPECT_NE(Refusal(pinched).find("touch"), std::string::npos) << Refusal(pinched);
+}
+
+TEST(Topology, NotANumberIsRefusedWithItsPoint)
+{
+  shape::Mesh mesh = shapetest::Icosphere(1);
+  mesh.Points(17, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(Refusal(mesh).find("first at point 17"), std::string::npos) << Refusal(mesh);
+}
+
+TEST(Topology, AClosedSurfaceHasDirectedAreaZeroAndItsVolume)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(4);
+  EXPECT_LT(shape::AreaVectors(sphere).colwise().sum().norm(), 1e-12);
+  EXPECT_NEAR(shape::EnclosedVolume(sphere), 4.0 / 3.0 * M_PI, 0.01);
+  EXPECT_NEAR(shape::PointAreas(sphere).sum(), 4.0 * M_PI, 0.03);
+}
