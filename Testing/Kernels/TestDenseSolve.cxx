@@ -29,7 +29,7 @@ TEST(SingularValues, TheThresholdGivesTheLeastNormSolutionOfASingularSystem)
 
 TEST(SingularValues, RefusesWhatIsNotFinite)
 {
-  EXPECT_THROW(shape::SingularValues(Eigen::MatrixXd()), shape::InvalidInput);
+  EXPECT_THROW(shape::SingularValues(Eigen::MatrixXd(0, 0)), shape::InvalidInput);
   EXPECT_THROW(shape::SingularValues(
                  Eigen::MatrixXd::Constant(2, 2, std::numeric_limits<double>::quiet_NaN())),
     shape::InvalidInput);

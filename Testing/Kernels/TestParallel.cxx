@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cblas.h>
 #include <cstdlib>
 #include <vector>
 
@@ -77,4 +78,16 @@ TEST(Parallel, TheEnvironmentLimitsTheThreads)
   EXPECT_EQ(shape::ThreadCount(), 3);
   unsetenv("VTK_SMP_MAX_THREADS");
   EXPECT_GE(shape::ThreadCount(), 1);
+}
+
+TEST(Parallel, BlasUsesAsManyThreadsAndThenAsBefore)
+{
+  const int before = openblas_get_num_threads();
+  setenv("VTK_SMP_MAX_THREADS", "1", 1);
+  {
+    const shape::BlasThreads threads;
+    EXPECT_EQ(openblas_get_num_threads(), 1);
+  }
+  unsetenv("VTK_SMP_MAX_THREADS");
+  EXPECT_EQ(openblas_get_num_threads(), before);
 }

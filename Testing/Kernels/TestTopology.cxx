@@ -107,3 +107,13 @@ TEST(Topology, AClosedSurfaceHasDirectedAreaZeroAndItsVolume)
   EXPECT_NEAR(shape::EnclosedVolume(sphere), 4.0 / 3.0 * M_PI, 0.01);
   EXPECT_NEAR(shape::PointAreas(sphere).sum(), 4.0 * M_PI, 0.03);
 }
+
+TEST(Topology, ASurfaceThatFacesInwardsIsTurned)
+{
+  shape::Mesh mesh = shapetest::Icosphere(1);
+  const double volume = shape::EnclosedVolume(mesh);
+  mesh.Triangles.col(0).swap(mesh.Triangles.col(1));
+  EXPECT_LT(shape::EnclosedVolume(mesh), 0.0);
+  EXPECT_DOUBLE_EQ(shape::EnclosedVolume(shape::FacingOutwards(mesh)), volume);
+  EXPECT_DOUBLE_EQ(shape::EnclosedVolume(shape::FacingOutwards(shapetest::Icosphere(1))), volume);
+}

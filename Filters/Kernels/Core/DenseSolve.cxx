@@ -1,9 +1,11 @@
 #include "Core/DenseSolve.h"
 
 #include "Core/Errors.h"
+#include "Core/Parallel.h"
 
 #include <algorithm>
 #include <lapacke.h>
+#include <new>
 #include <string>
 
 namespace shape
@@ -21,9 +23,14 @@ SingularValues::SingularValues(Eigen::MatrixXd a)
   this->U.resize(rows, rank);
   this->S.resize(rank);
   this->Vt.resize(rank, columns);
+  const BlasThreads threads;
   const lapack_int status = LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', rows, columns, a.data(), rows,
     this->S.data(), this->U.data(), rows, this->Vt.data(), rank);
-  if (status != 0)
+  if (status < 0)
+  {
+    throw std::bad_alloc(); // the arguments are right, so LAPACKE had no memory for its own room
+  }
+  if (status > 0)
   {
     throw SolveFailure("the singular value decomposition of a " + std::to_string(rows) + " x " +
       std::to_string(columns) + " matrix did not converge; change the number of sources");

@@ -14,8 +14,8 @@ namespace shape
 class SingularValues
 {
 public:
-  /// A: m x n. Throws SolveFailure where the decomposition does not converge, InvalidInput where A
-  /// is empty or not finite.
+  /// A: m x n, min(m, n) <= 23000. Throws std::bad_alloc, SolveFailure where the decomposition does
+  /// not converge, InvalidInput where A is empty or not finite.
   explicit SingularValues(Eigen::MatrixXd a);
 
   /// x (n x k) = V diag(1/S) U^T b over the singular values >= threshold; b: m x k.

@@ -80,6 +80,15 @@ double EnclosedVolume(const Mesh& mesh)
   return sixVolumes / 6.0;
 }
 
+Mesh FacingOutwards(Mesh mesh)
+{
+  if (EnclosedVolume(mesh) < 0.0)
+  {
+    mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
+  }
+  return mesh;
+}
+
 Eigen::MatrixXd Centroids(const Mesh& mesh)
 {
   return CornerMeans(mesh.Triangles, mesh.Points);

@@ -32,6 +32,9 @@ Eigen::VectorXd PointAreas(const Mesh& mesh);
 /// Volume enclosed by a closed surface; negative when its triangles face inwards.
 double EnclosedVolume(const Mesh& mesh);
 
+/// The same closed surface with all triangles turned where it faces inwards.
+Mesh FacingOutwards(Mesh mesh);
+
 /// Centroids of the triangles (m x 3).
 Eigen::MatrixXd Centroids(const Mesh& mesh);
 

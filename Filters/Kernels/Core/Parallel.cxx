@@ -5,6 +5,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <cblas.h>
 #include <chrono>
 #include <cstdlib>
 
@@ -16,6 +17,17 @@ int ThreadCount()
   const char* limit = std::getenv("VTK_SMP_MAX_THREADS");
   const int asked = limit ? std::atoi(limit) : 0;
   return asked > 0 ? asked : oneapi::tbb::info::default_concurrency();
+}
+
+BlasThreads::BlasThreads()
+  : Before(openblas_get_num_threads())
+{
+  openblas_set_num_threads(ThreadCount());
+}
+
+BlasThreads::~BlasThreads()
+{
+  openblas_set_num_threads(this->Before);
 }
 
 void ParallelFor(int count, int grain, const std::function<void(int begin, int end)>& body,

@@ -12,6 +12,22 @@ namespace shape
 int ThreadCount();
 
 /**
+ * Lets BLAS use ThreadCount() threads while it lives: its own number is one setting of the whole
+ * process, which is put back afterwards.
+ */
+class BlasThreads
+{
+public:
+  BlasThreads();
+  ~BlasThreads();
+  BlasThreads(const BlasThreads&) = delete;
+  BlasThreads& operator=(const BlasThreads&) = delete;
+
+private:
+  int Before;
+};
+
+/**
  * Calls body(begin, end) for the chunks [0, grain), [grain, 2 grain), ... of [0, count).
  *
  * The chunks do not depend on the number of threads, so a result that each chunk writes to its own

@@ -1,6 +1,7 @@
 #include "Core/SparseSolve.h"
 
 #include "Core/Errors.h"
+#include "Core/Parallel.h"
 
 #ifdef SHAPEMAP_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -35,6 +36,7 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 void SparseCholesky::Factorize(const Eigen::SparseMatrix<double>& a)
 {
+  const BlasThreads threads;
   if (!this->Impl->Analysed)
   {
     this->Impl->Solver.analyzePattern(a);
@@ -49,6 +51,7 @@ void SparseCholesky::Factorize(const Eigen::SparseMatrix<double>& a)
 
 Eigen::MatrixXd SparseCholesky::Solve(const Eigen::MatrixXd& b) const
 {
+  const BlasThreads threads;
   return this->Impl->Solver.solve(b);
 }
 

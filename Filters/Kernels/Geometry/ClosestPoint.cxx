@@ -1,0 +1,183 @@
+#include "Geometry/ClosestPoint.h"
+
+#include "Core/Errors.h"
+#include "Core/Parallel.h"
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+using Eigen::RowVector3d;
+
+/// Barycentric coordinates of the point of the segment from corner i to corner j closest to p.
+RowVector3d OnSegment(const Eigen::Matrix3d& corners, int i, int j, const RowVector3d& p)
+{
+  const RowVector3d edge = corners.row(j) - corners.row(i);
+  const double length2 = edge.squaredNorm();
+  const double along =
+    length2 > 0.0 ? std::min(1.0, std::max(0.0, (p - corners.row(i)).dot(edge) / length2)) : 0.0;
+  RowVector3d barycentric = RowVector3d::Zero();
+  barycentric(i) = 1.0 - along;
+  barycentric(j) += along;
+  return barycentric;
+}
+
+/// Barycentric coordinates of the point of a triangle (one corner a row) closest to p.
+RowVector3d OnTriangle(const Eigen::Matrix3d& corners, const RowVector3d& p)
+{
+  const RowVector3d normal = RowVector3d(corners.row(1) - corners.row(0))
+                               .cross(RowVector3d(corners.row(2) - corners.row(0)));
+  const double area2 = normal.squaredNorm();
+  RowVector3d barycentric;
+  bool inside = area2 > 0.0;
+  for (int k = 0; k < 3 && inside; ++k)
+  {
+    const RowVector3d a = corners.row((k + 1) % 3), b = corners.row((k + 2) % 3);
+    barycentric(k) = (b - a).cross(p - a).dot(normal) / area2;
+    inside = barycentric(k) > 0.0;
+  }
+  if (inside)
+  {
+    return barycentric / barycentric.sum();
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k)
+  {
+    const RowVector3d candidate = OnSegment(corners, k, (k + 1) % 3, p);
+    const double distance2 = (candidate * corners - p).squaredNorm();
+    if (distance2 < best)
+    {
+      best = distance2;
+      barycentric = candidate;
+    }
+  }
+  return barycentric;
+}
+
+Eigen::Matrix3d Corners(const Mesh& mesh, int triangle)
+{
+  Eigen::Matrix3d corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners.row(k) = mesh.Points.row(mesh.Triangles(triangle, k));
+  }
+  return corners;
+}
+
+/// What Eigen's branch and bound minimises: the squared distance from Place to a triangle.
+struct Nearest
+{
+  using Scalar = double;
+  const Mesh& Surface;
+  RowVector3d Place;
+  double Distance2 = std::numeric_limits<double>::infinity();
+  int Triangle = -1;
+  RowVector3d Barycentric = RowVector3d::Zero();
+
+  // Eigen's search calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
+  double minimumOnVolume(const Eigen::AlignedBox3d& box) const
+  {
+    return box.squaredExteriorDistance(this->Place.transpose());
+  }
+  double minimumOnObject(int triangle)
+  {
+    const Eigen::Matrix3d corners = Corners(this->Surface, triangle);
+    const RowVector3d barycentric = OnTriangle(corners, this->Place);
+    const double distance2 = (barycentric * corners - this->Place).squaredNorm();
+    if (distance2 < this->Distance2 || this->Triangle < 0)
+    {
+      this->Distance2 = distance2;
+      this->Triangle = triangle;
+      this->Barycentric = barycentric;
+    }
+    return distance2;
+  }
+  // NOLINTEND(readability-identifier-naming)
+};
+
+} // namespace
+
+struct SurfaceLocator::Locator
+{
+  Mesh Surface;
+  Eigen::KdBVH<double, 3, int> Tree;
+};
+
+SurfaceLocator::SurfaceLocator(const Mesh& mesh)
+  : Impl(std::make_unique<Locator>())
+{
+  if (mesh.Triangles.rows() == 0)
+  {
+    throw InvalidInput("the surface to search has no triangle");
+  }
+  this->Impl->Surface = mesh;
+  std::vector<int> triangles(mesh.Triangles.rows());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(triangles.size());
+  for (const int t : triangles)
+  {
+    const Eigen::Matrix3d corners = Corners(mesh, t);
+    boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
+  }
+  this->Impl->Tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+}
+
+SurfaceLocator::~SurfaceLocator() = default;
+SurfaceLocator::SurfaceLocator(SurfaceLocator&&) noexcept = default;
+SurfaceLocator& SurfaceLocator::operator=(SurfaceLocator&&) noexcept = default;
+
+const Mesh& SurfaceLocator::Surface() const
+{
+  return this->Impl->Surface;
+}
+
+ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  const Eigen::Index n = points.rows();
+  ClosestPoints result{ Eigen::VectorXi(n), Eigen::MatrixXd(n, 3), Eigen::MatrixXd(n, 3),
+    Eigen::VectorXd(n) };
+  ParallelFor(
+    static_cast<int>(n), 256,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        Nearest nearest{ this->Impl->Surface, points.row(i) };
+        Eigen::BVMinimize(this->Impl->Tree, nearest);
+        result.Triangles(i) = nearest.Triangle;
+        result.Barycentrics.row(i) = nearest.Barycentric;
+        result.Positions.row(i) =
+          nearest.Barycentric * Corners(this->Impl->Surface, nearest.Triangle);
+        result.Distances(i) = (result.Positions.row(i) - nearest.Place).norm();
+      }
+    },
+    progress);
+  return result;
+}
+
+Eigen::MatrixXd Interpolate(
+  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values, const ClosestPoints& places)
+{
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(places.Triangles.size(), values.cols());
+  for (Eigen::Index i = 0; i < result.rows(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      result.row(i) += places.Barycentrics(i, k) * values.row(triangles(places.Triangles(i), k));
+    }
+  }
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+
+#include <memory>
+
+namespace shape
+{
+
+/// Where on a surface the closest points to n points lie.
+struct ClosestPoints
+{
+  Eigen::VectorXi Triangles;    ///< n: the triangle
+  Eigen::MatrixXd Barycentrics; ///< n x 3: the place in it; exactly 0 opposite an edge it lies on
+  Eigen::MatrixXd Positions;    ///< n x 3
+  Eigen::VectorXd Distances;    ///< n: >= 0
+};
+
+/// Finds the closest points of a triangulated surface; built once, queried from any thread.
+class SurfaceLocator
+{
+public:
+  /// Keeps a copy of `mesh`. Throws InvalidInput where it has no triangle.
+  explicit SurfaceLocator(const Mesh& mesh);
+  ~SurfaceLocator();
+  SurfaceLocator(SurfaceLocator&&) noexcept;
+  SurfaceLocator& operator=(SurfaceLocator&&) noexcept;
+
+  /// points: n x 3, finite. Throws Aborted.
+  ClosestPoints Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
+
+  const Mesh& Surface() const; ///< the mesh that is searched
+
+private:
+  struct Locator;
+  std::unique_ptr<Locator> Impl;
+};
+
+/// Values given at the points of a surface (n x d), interpolated linearly at places on it.
+Eigen::MatrixXd Interpolate(
+  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values, const ClosestPoints& places);
+
+} // namespace shape

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "Geometry/ClosestPoint.h"
+
+namespace shape
+{
+
+/**
+ * The distance to a closed surface, negative inside it.
+ *
+ * The sign is that of the angle-weighted pseudonormal at the closest point (Baerentzen and Aanaes,
+ * "Signed distance computation using the angle weighted pseudonormal", 2005), right wherever the
+ * surface is closed, outward facing and does not cross itself.
+ */
+class SignedDistance
+{
+public:
+  /// surface: closed, triangles counter-clockwise when seen from outside (the caller has checked).
+  explicit SignedDistance(const Mesh& surface);
+
+  struct Result
+  {
+    Eigen::VectorXd Distances; ///< n: negative inside
+    ClosestPoints Closest;     ///< of the surface
+  };
+
+  /// points: n x 3, finite. Throws Aborted.
+  Result Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
+
+  const SurfaceLocator& Locator() const { return this->Surface; }
+
+private:
+  SurfaceLocator Surface;
+  Eigen::MatrixXd TriangleNormals; ///< m x 3
+  Eigen::MatrixXd EdgeNormals;     ///< 3m x 3: row 3 t + k is the edge opposite corner k of t
+  Eigen::MatrixXd PointNormals;    ///< n x 3, angle-weighted
+};
+
+} // namespace shape

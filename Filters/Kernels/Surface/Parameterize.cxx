@@ -1,0 +1,58 @@
+#include "Surface/Parameterize.h"
+
+#include "Core/Errors.h"
+#include "Quality/ConformalDistortion.h"
+#include "Surface/SphereMap.h"
+
+namespace shape
+{
+namespace
+{
+
+const char* Word(SphereMapMethod method)
+{
+  switch (method)
+  {
+    case SphereMapMethod::ConformalFlow:
+      return "ConformalFlow";
+    case SphereMapMethod::PositiveFlow:
+      return "PositiveFlow";
+    case SphereMapMethod::GlobalReinsertion:
+      break;
+  }
+  return "GlobalReinsertion";
+}
+
+SphereMapOptions ForSphere(const ParameterizeOptions& options)
+{
+  if (!(options.AreaWeight >= 0.0))
+  {
+    throw InvalidInput("AreaWeight is " + std::to_string(options.AreaWeight) +
+      "; give 0 for angles, or a positive number for areas");
+  }
+  SphereMapOptions sphere;
+  if (options.AreaWeight > 0.0)
+  {
+    sphere.First = SphereMapMethod::GlobalReinsertion;
+    sphere.AreaWeight = options.AreaWeight;
+  }
+  return sphere;
+}
+
+} // namespace
+
+ParameterizeResult Parameterize(
+  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+{
+  const SphereMapResult map = SphereMap(surface, ForSphere(options), progress);
+  ParameterizeResult result;
+  result.Positions = map.Points;
+  result.Method = Word(map.Method);
+  result.Iterations = map.Iterations;
+  result.ReinsertedPoints = map.Reinserted;
+  const Eigen::VectorXd areas = AreaVectors(surface).rowwise().norm();
+  result.ConformalDistortion = areas.dot(ConformalDistortion(surface, map.Points)) / areas.sum();
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,60 @@
+#include "Volume/HarmonicVolumeMap.h"
+
+#include "Volume/Solvers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+
+namespace
+{
+
+/// Charges about as far from the boundary as its collocation points are from each other: nearer,
+/// the map swings between those points; farther, it cannot follow the boundary's detail. The
+/// farthest is the paper's.
+double AutomaticOffset(const Mesh& boundary, double collocationRatio)
+{
+  const double area = PointAreas(boundary).sum();
+  const double spacing = std::sqrt(area / (collocationRatio * boundary.Points.rows()));
+  return std::clamp(1.25 * spacing, 0.01, 0.15);
+}
+
+} // namespace
+
+HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::MatrixXd& targets,
+  const VolumeFeatures& features, const HarmonicVolumeMapOptions& given, const Progress& progress)
+{
+  RequireUsable(features, given);
+  const ScaledBoundary scaled = ScaleBoundary(boundary, targets);
+  HarmonicVolumeMapOptions options = given;
+  if (options.OffsetDistance == 0.0)
+  {
+    options.OffsetDistance = AutomaticOffset(scaled.Surface, options.CollocationRatio);
+  }
+  BoundaryProblem problem(scaled, features, options, progress.Part(0.0, 0.05));
+  HarmonicVolumeMapResult result;
+  result.OffsetDistance = options.OffsetDistance;
+  result.Levels.push_back(problem.Errors());
+  if (result.Levels.front().RMSEInside <= options.Tolerance &&
+    problem.FeatureError() <= options.Tolerance)
+  {
+    result.Reason = HarmonicVolumeMapResult::Stop::Tolerance;
+  }
+  else if (options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot)
+  {
+    SolveSingleShot(problem, options, result, progress.Part(0.05, 1.0));
+  }
+  else
+  {
+    SolveMultiLevel(problem, options, result, progress.Part(0.05, 1.0));
+  }
+  result.Map = problem.Map();
+  result.RMSEInside = problem.Errors().RMSEInside;
+  result.RMSEFeatures = problem.FeatureError();
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+#include "Volume/ChargeSet.h"
+#include "Volume/Sampling.h"
+
+#include <vector>
+
+namespace shape
+{
+
+struct HarmonicVolumeMapOptions
+{
+  /// 0 is kept for a solver that is not built from dense decompositions.
+  enum class MethodType
+  {
+    MultiLevel = 1, ///< a sum of harmonic maps, each fitted to what the ones before left over
+    SingleShot = 2  ///< one map, from one decomposition of all sources and collocation points
+  };
+  MethodType Method = MethodType::MultiLevel;
+  double Tolerance = 1e-4; ///< stop when RMSEInside is no more; >= 0
+  int MaximumLevels = 12;  ///< MultiLevel: most maps that are fitted; >= 1
+  /// MultiLevel: the sources are dealt into so many levels, at least 16 to each; >= 1.
+  int SourceSubsets = 4;
+  double FeatureWeight = 20.0;   ///< of features that bring no weights; > 0
+  double CollocationRatio = 0.4; ///< points where the map is fitted / points of the boundary; > 0
+  double SourceRatio = 0.8;      ///< charges placed at the start / points of the boundary; > 0
+  /// Of the charges from the boundary / its longest side; 0 = by the spacing of the points where
+  /// the map is fitted.
+  double OffsetDistance = 0.0;
+  SamplingMode CollocationSampling = SamplingMode::GeometryAdaptive;
+  SamplingMode SourceSampling = SamplingMode::GeometryAdaptive;
+  double SingularValueThreshold = 1e-5; ///< where the boundary's longest side is 1; > 0
+  double MaximumMemory = 4.0;           ///< GiB that one decomposition may take; > 0
+  unsigned int Seed = 1;                ///< of the random points of uniform sampling
+};
+
+/// Points inside the domain whose images are wanted, in the least-squares sense.
+struct VolumeFeatures
+{
+  Eigen::MatrixXd Points = Eigen::MatrixXd(0, 3);  ///< k x 3
+  Eigen::MatrixXd Targets = Eigen::MatrixXd(0, 3); ///< k x 3
+  Eigen::VectorXd Weights; ///< k, > 0: weight w counts as w equal rows; empty = FeatureWeight
+};
+
+struct HarmonicVolumeMapResult
+{
+  enum class Stop
+  {
+    Tolerance,    ///< RMSEInside reached the tolerance
+    Levels,       ///< every level asked for was fitted
+    NoImprovement ///< no subset of the sources lowered the residual any more
+  };
+  /// One fitted map. Errors are those of the sum so far, over the whole boundary, divided by the
+  /// longest side of the targets' box.
+  struct Level
+  {
+    int Number = 0;            ///< 0: the affine map alone
+    int Sources = 0;           ///< columns of the system
+    int Collocations = 0;      ///< rows of the system, features included
+    double RMSEVertices = 0.0; ///< at the boundary's points
+    double RMSEInside = 0.0;   ///< at the triangles' centroids, against the means of the corners'
+    double Maximum = 0.0;      ///< over both
+    double Seconds = 0.0;
+    bool Kept = true; ///< false: no factor of it lowers what is left, so it is not in the sum
+  };
+  ChargeSet Map; ///< in the coordinates of the input
+  std::vector<Level> Levels;
+  Stop Reason = Stop::Levels;
+  double OffsetDistance = 0.0; ///< that was used / the longest side of the boundary
+  double RMSEInside = 0.0;     ///< of Map
+  double RMSEFeatures = 0.0;   ///< of Map at the features, unweighted; 0 without features
+  int DeletedSources = 0;      ///< left out of later levels because they were redundant
+  int InsertedSources = 0;     ///< added where the fit was worst
+};
+
+/**
+ * The harmonic map of a solid whose values on the boundary are given, by the method of fundamental
+ * solutions: charges outside the solid, fitted so that the sum of their potentials meets the
+ * boundary map (Li, Xu, Wan, Yin and Yu, "Feature-aligned harmonic volumetric mapping using MFS",
+ * Computers & Graphics 34, 2010). The affine part is fitted first, so affine maps are exact.
+ *
+ * The paper's offset is 0.15 of the size; by default it is 1.25 times the spacing of the points
+ * where the map is fitted, between 0.01 and 0.15. RMSEInside of MultiLevel at 0.8, 1.25 and 2 times
+ * the spacing: dented ball of 2562 points to ball 7.0e-4, 6.3e-4, 1.3e-3, and back 5.0e-4, 2.6e-4,
+ * 1.7e-4. Each fitted map is added with the factor, one for each coordinate, that leaves the least
+ * over at triangle centroids and features: it differs from 1 where the fit swings between the
+ * collocation points, as SingleShot's can with more sources than those.
+ *
+ * boundary: one closed surface in the space of the domain; facing inwards is allowed. targets
+ * (n x 3): the image of each of its points. Throws InvalidInput for a surface that is not closed,
+ * has several components, values that are not finite, options out of range, a feature outside the
+ * domain or a decomposition beyond MaximumMemory; SolveFailure where LAPACK's does not converge;
+ * Aborted. A decomposition and a simplification are single library calls that cannot be
+ * interrupted.
+ */
+HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::MatrixXd& targets,
+  const VolumeFeatures& features = {}, const HarmonicVolumeMapOptions& options = {},
+  const Progress& progress = {});
+
+} // namespace shape

@@ -1,0 +1,65 @@
+#include "Core/Errors.h"
+#include "Surface/Parameterize.h"
+#include "TestShapes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+TEST(Parameterize, OntoTheSphereFlipsNoTriangleAndSaysHow)
+{
+  shape::Mesh mesh = shapetest::Icosphere(3);
+  mesh.Points.col(0) *= 2.0;
+  const shape::ParameterizeResult map = shape::Parameterize(mesh);
+  const shape::Mesh image{ map.Positions, mesh.Triangles };
+  for (Eigen::Index t = 0; t < image.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = image.Points.row(image.Triangles(t, 0));
+    const Eigen::RowVector3d b = image.Points.row(image.Triangles(t, 1));
+    const Eigen::RowVector3d c = image.Points.row(image.Triangles(t, 2));
+    EXPECT_GT(a.dot(b.cross(c)), 0.0);
+  }
+  EXPECT_LT((map.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
+  EXPECT_EQ(map.Method, "ConformalFlow");
+  EXPECT_EQ(map.ReinsertedPoints, 0);
+  EXPECT_GT(map.Iterations, 0);
+}
+
+TEST(Parameterize, OfAnEllipsoidIsNearlyConformalWhereRadialProjectionIsNot)
+{
+  shape::Mesh mesh = shapetest::Icosphere(4);
+  mesh.Points.col(0) *= 3.0;
+  EXPECT_LT(shape::Parameterize(mesh).ConformalDistortion, 1.02);
+}
+
+TEST(Parameterize, AHandleIsRefusedWithTheEulerNumber)
+{
+  try
+  {
+    shape::Parameterize(shapetest::Torus(1.0, 0.3, 20, 10));
+    FAIL() << "a torus was mapped to the sphere";
+  }
+  catch (const shape::InvalidInput& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("Euler number 0"), std::string::npos);
+  }
+}
+
+TEST(Parameterize, AreaWeightKeepsTheTriangleOfALimbLarger)
+{
+  // A sphere with a long arm: the conformal image of the arm's tip is tiny.
+  shape::Mesh mesh = shapetest::Icosphere(4);
+  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
+  {
+    const double up = mesh.Points(i, 2);
+    mesh.Points(i, 2) += up > 0.9 ? 30.0 * (up - 0.9) : 0.0;
+  }
+  const auto smallest = [&](double areaWeight)
+  {
+    shape::ParameterizeOptions options;
+    options.AreaWeight = areaWeight;
+    const shape::Mesh image{ shape::Parameterize(mesh, options).Positions, mesh.Triangles };
+    return shape::AreaVectors(image).rowwise().norm().minCoeff();
+  };
+  EXPECT_GT(smallest(1.0), 10.0 * smallest(0.0));
+  EXPECT_THROW(smallest(-1.0), shape::InvalidInput);
+}

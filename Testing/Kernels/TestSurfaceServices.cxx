@@ -1,0 +1,168 @@
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Geometry/Decimate.h"
+#include "Geometry/IsoSurface.h"
+#include "Geometry/SignedDistance.h"
+#include "TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace
+{
+
+Eigen::MatrixXd RandomPoints(int count, double halfSide)
+{
+  std::mt19937_64 generator(7);
+  Eigen::MatrixXd points(count, 3);
+  for (double& value : points.reshaped())
+  {
+    value = halfSide * (2.0 * static_cast<double>(generator() >> 11) * 0x1p-53 - 1.0);
+  }
+  return points;
+}
+
+/// The least distance to any edge, and to the plane of any triangle that lies below the point.
+double BruteForceDistance(const shape::Mesh& mesh, const Eigen::RowVector3d& p)
+{
+  double best = std::numeric_limits<double>::infinity();
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    Eigen::RowVector3d corner[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      corner[k] = mesh.Points.row(mesh.Triangles(t, k));
+    }
+    const Eigen::RowVector3d normal =
+      (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
+    bool above = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::RowVector3d a = corner[k], edge = corner[(k + 1) % 3] - a;
+      const double along = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+      best = std::min(best, (p - a - along * edge).norm());
+      above = above && edge.cross(p - a).dot(normal) >= 0.0;
+    }
+    if (above)
+    {
+      best = std::min(best, std::abs((p - corner[0]).dot(normal)));
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+TEST(ClosestPoint, AgreesWithTheSearchOfEveryTriangle)
+{
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 24, 12);
+  const Eigen::MatrixXd points = RandomPoints(500, 2.0);
+  const shape::ClosestPoints found = shape::SurfaceLocator(torus).Find(points);
+  const Eigen::MatrixXd positions = shape::Interpolate(torus.Triangles, torus.Points, found);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    EXPECT_NEAR(found.Distances(i), BruteForceDistance(torus, points.row(i)), 1e-12);
+    EXPECT_NEAR((positions.row(i) - points.row(i)).norm(), found.Distances(i), 1e-12);
+    EXPECT_GE(found.Barycentrics.row(i).minCoeff(), 0.0);
+    EXPECT_NEAR(found.Barycentrics.row(i).sum(), 1.0, 1e-14);
+  }
+}
+
+TEST(ClosestPoint, ATriangleWithoutAreaIsItsLongestEdge)
+{
+  shape::Mesh mesh{ Eigen::MatrixXd(3, 3), Eigen::MatrixXi(1, 3) };
+  mesh.Points << 0, 0, 0, 0, 0, 0, 2, 0, 0;
+  mesh.Triangles << 0, 1, 2;
+  Eigen::MatrixXd points(2, 3);
+  points << 1.5, 1, 0, -3, 0, 4;
+  const shape::ClosestPoints found = shape::SurfaceLocator(mesh).Find(points);
+  EXPECT_NEAR(found.Distances(0), 1.0, 1e-15);
+  EXPECT_NEAR(found.Distances(1), 5.0, 1e-15);
+  mesh.Triangles.resize(0, 3);
+  EXPECT_THROW(shape::SurfaceLocator{ mesh }, shape::InvalidInput);
+}
+
+TEST(SignedDistance, OfASphereAndATorusIsTheClosedFormUpToTheFacets)
+{
+  const Eigen::MatrixXd points = RandomPoints(2000, 1.6);
+  // A facet's middle lies the sagitta below the smooth surface: h^2 / (8 r).
+  const Eigen::VectorXd sphere =
+    shape::SignedDistance(shapetest::Icosphere(4)).Evaluate(points).Distances;
+  const Eigen::VectorXd torus =
+    shape::SignedDistance(shapetest::Torus(1.0, 0.4, 120, 60)).Evaluate(points).Distances;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    const Eigen::RowVector3d p = points.row(i);
+    EXPECT_NEAR(sphere(i), p.norm() - 1.0, 2e-3);
+    EXPECT_NEAR(torus(i), std::hypot(p.head<2>().norm() - 1.0, p(2)) - 0.4, 2e-3);
+  }
+}
+
+TEST(SignedDistance, HasTheRightSignWhereTheClosestPointIsAnEdgeOrACorner)
+{
+  // A thin wedge: the nearest face alone would give the wrong sign behind its sharp edge.
+  shape::Mesh wedge{ Eigen::MatrixXd(4, 3), Eigen::MatrixXi(4, 3) };
+  wedge.Points << 0, 0, -1, 0, 0, 1, 4, 0.1, 0, 4, -0.1, 0;
+  wedge.Triangles << 0, 1, 2, 1, 0, 3, 0, 2, 3, 1, 3, 2;
+  if (shape::EnclosedVolume(wedge) < 0.0)
+  {
+    wedge.Triangles.col(1).swap(wedge.Triangles.col(2));
+  }
+  Eigen::MatrixXd outside = RandomPoints(300, 0.9);
+  outside.col(0).array() -= 0.9;
+  EXPECT_GT(shape::SignedDistance(wedge).Evaluate(outside).Distances.minCoeff(), 0.0);
+  Eigen::MatrixXd inside(1, 3);
+  inside << 3.0, 0.0, 0.0;
+  EXPECT_LT(shape::SignedDistance(wedge).Evaluate(inside).Distances(0), 0.0);
+}
+
+TEST(IsoSurface, OfASphereIsClosedFacesOutwardsAndHasItsVolume)
+{
+  shape::SampledGrid grid;
+  grid.Origin = Eigen::RowVector3d::Constant(-1.25);
+  grid.Spacing = 0.1;
+  grid.Counts = Eigen::RowVector3i::Constant(26);
+  grid.Values.resize(grid.Counts.prod());
+  for (int z = 0; z < 26; ++z)
+  {
+    for (int y = 0; y < 26; ++y)
+    {
+      for (int x = 0; x < 26; ++x)
+      {
+        grid.Values(grid.Index(x, y, z)) = grid.Point(x, y, z).norm();
+      }
+    }
+  }
+  const shape::Mesh surface = shape::IsoSurface(grid, 1.0);
+  EXPECT_EQ(shape::RequireClosedSurface(surface, "the iso-surface").EulerNumber, 2);
+  EXPECT_NEAR(shape::EnclosedVolume(surface), 4.0 / 3.0 * M_PI, 0.03);
+  EXPECT_EQ(shape::IsoSurface(grid, 9.0).Triangles.rows(), 0);
+}
+
+TEST(Decimate, ReachesTheBudgetAndStaysNearTheSurface)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(4);
+  const shape::Mesh coarse = shape::Decimate(sphere, 300);
+  EXPECT_NEAR(coarse.Points.rows(), 300, 9);
+  EXPECT_EQ(shape::RequireClosedSurface(coarse, "the surface").EulerNumber, 2);
+  EXPECT_LT((coarse.Points.rowwise().norm().array() - 1.0).abs().maxCoeff(), 0.03);
+  EXPECT_EQ(shape::Decimate(sphere, 5000).Points.rows(), sphere.Points.rows());
+  EXPECT_THROW(shape::Decimate(sphere, 3), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::Decimate(sphere, 300, shape::Progress([](double) { return false; })), shape::Aborted);
+}
+
+TEST(Subdivide, KeepsTheSurfaceAndItsTopology)
+{
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 12, 8);
+  const shape::Mesh finer = shape::Subdivide(torus);
+  EXPECT_EQ(finer.Triangles.rows(), 4 * torus.Triangles.rows());
+  EXPECT_EQ(shape::RequireClosedSurface(finer, "the surface").EulerNumber, 0);
+  EXPECT_NEAR(shape::EnclosedVolume(finer), shape::EnclosedVolume(torus), 1e-12);
+}
