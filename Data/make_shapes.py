@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""Writes the shapes that tests and examples use, each with its map as the point array TargetPosition.
+
+    make_shapes.py OUTPUT_FOLDER [--large]
+
+Needs numpy and VTK's Python modules. The small set is the one that is committed beside this script.
+"""
+
+import argparse
+import math
+import pathlib
+
+from shapes.bars import bar, bar_solid
+from shapes.dented_sphere import dented_sphere
+from shapes.files import write_solid, write_surface
+from shapes.phantom import brain, head, skull
+from shapes.solids import ball, cube
+from shapes.two_torus import two_torus
+
+BEND = (math.pi / 2, 0.0)
+BEND_AND_TWIST = (2 * math.pi / 3, math.pi / 2)
+
+SMALL = {
+    "DentedSphere600.vtp": lambda: dented_sphere(8),
+    "TwoTorusSmall.vtp": lambda: two_torus(5),
+    "BentBarSmall.vtp": lambda: bar(6, *BEND),
+    "TwistedBarSmall.vtp": lambda: bar(6, *BEND_AND_TWIST),
+    "PhantomHeadSmall.vtp": lambda: head(16),
+    "PhantomSkullSmall.vtp": lambda: skull(2),
+    "PhantomBrainSmall.vtp": lambda: brain(16),
+    "BentBarSmall.vtu": lambda: bar_solid(6, *BEND),
+    "TwistedBarSmall.vtu": lambda: bar_solid(6, *BEND_AND_TWIST),
+    "BallSmall.vtu": lambda: ball(12),
+    "CubeSmall.vtu": lambda: cube(8, 0.55),
+}
+
+LARGE = {
+    "DentedSphere3k.vtp": lambda: dented_sphere(17),
+    "DentedSphere10k.vtp": lambda: dented_sphere(32),
+    "DentedSphere40k.vtp": lambda: dented_sphere(63),
+    "DentedSphere100k.vtp": lambda: dented_sphere(100),
+    "TwoTorus.vtp": lambda: two_torus(10),
+    "BentBar.vtp": lambda: bar(20, *BEND),
+    "TwistedBar.vtp": lambda: bar(20, *BEND_AND_TWIST),
+    "PhantomHead.vtp": lambda: head(48),
+    "PhantomSkull.vtp": lambda: skull(5),
+    "PhantomBrain.vtp": lambda: brain(44),
+    "BentBar.vtu": lambda: bar_solid(20, *BEND),
+    "TwistedBar.vtu": lambda: bar_solid(20, *BEND_AND_TWIST),
+    "Ball.vtu": lambda: ball(40),
+    "Cube.vtu": lambda: cube(32, 0.55),
+}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("output_folder", type=pathlib.Path)
+    parser.add_argument("--large", action="store_true", help="the small set and the large one")
+    arguments = parser.parse_args()
+    arguments.output_folder.mkdir(parents=True, exist_ok=True)
+    for name, make in {**SMALL, **(LARGE if arguments.large else {})}.items():
+        write = write_surface if name.endswith(".vtp") else write_solid
+        write(arguments.output_folder / name, *make())
+
+
+if __name__ == "__main__":
+    main()
