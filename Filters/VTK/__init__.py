@@ -1,0 +1,2 @@
+"""ShapeMap's filters as VTK classes: shapemap.vtkShapeParameterize() and so on."""
+from .vtkShapeFilters import *

@@ -1,0 +1,259 @@
+#include "vtkShapeAlgorithm.h"
+
+#include "vtkShapeGather.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTypes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkVersionMacros.h"
+
+#include "Core/Errors.h"
+
+#include <algorithm>
+#include <cctype>
+
+struct vtkShapeAlgorithm::InputPort
+{
+  std::string Name;
+  PortData Data;
+  PortUse Use;
+  std::vector<std::string> Types;
+};
+
+vtkShapeAlgorithm::vtkShapeAlgorithm()
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(0);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkShapeAlgorithm::~vtkShapeAlgorithm()
+{
+  this->SetController(nullptr);
+}
+
+vtkCxxSetObjectMacro(vtkShapeAlgorithm, Controller, vtkMultiProcessController);
+
+vtkMultiProcessController* vtkShapeAlgorithm::GetController()
+{
+  return this->Controller;
+}
+
+std::string vtkShapeAlgorithm::GetLabel()
+{
+  std::string label;
+  for (const char letter : std::string(this->GetClassName()).substr(3))
+  {
+    if (!label.empty() && std::isupper(static_cast<unsigned char>(letter)))
+    {
+      label += ' ';
+    }
+    label += letter;
+  }
+  return label;
+}
+
+void vtkShapeAlgorithm::DeclareInput(
+  const std::string& name, PortData data, PortUse use, const std::vector<std::string>& types)
+{
+  this->InputPorts.push_back({ name, data, use, types });
+  this->SetNumberOfInputPorts(static_cast<int>(this->InputPorts.size()));
+}
+
+void vtkShapeAlgorithm::DeclareOutput(const std::string& type)
+{
+  this->OutputTypes.push_back(type);
+  this->SetNumberOfOutputPorts(static_cast<int>(this->OutputTypes.size()));
+}
+
+int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const InputPort& declared = this->InputPorts[port];
+  for (const std::string& type : declared.Types)
+  {
+    info->Append(INPUT_REQUIRED_DATA_TYPE(), type.c_str());
+  }
+  info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(INPUT_IS_OPTIONAL(), declared.Use != PortUse::Required);
+  info->Set(INPUT_IS_REPEATABLE(), declared.Use == PortUse::OptionalRepeatable);
+  return 1;
+}
+
+int vtkShapeAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const std::string& type = this->OutputTypes[port];
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), type.empty() ? "vtkDataObject" : type.c_str());
+  return 1;
+}
+
+vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->CreateOutputs(inputs, outputs);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->Run(outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+namespace
+{
+
+/// The class of an output that is like `input`, but whose points may be anywhere.
+std::string TypeLike(vtkDataObject* input)
+{
+  if (vtkDataObjectTree::SafeDownCast(input) || vtkPointSet::SafeDownCast(input))
+  {
+    return input->GetClassName();
+  }
+  return vtkCompositeDataSet::SafeDownCast(input) ? "vtkMultiBlockDataSet" : "vtkStructuredGrid";
+}
+
+} // namespace
+
+int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+    const std::string type =
+      this->OutputTypes[port].empty() ? TypeLike(input) : this->OutputTypes[port];
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    if (!output || type != output->GetClassName())
+    {
+      vtkSmartPointer<vtkDataObject> created;
+      created.TakeReference(vtkDataObjectTypes::NewDataObject(type.c_str()));
+      outputs->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), created);
+    }
+  }
+  return 1;
+}
+
+void vtkShapeAlgorithm::PrepareInputs()
+{
+  this->Wholes.assign(this->InputPorts.size(), {});
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    const InputPort& declared = this->InputPorts[port];
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* input = this->GetInputDataObject(port, i);
+      if (vtkShapeGather::CountPoints(input, this->Controller) == 0)
+      {
+        throw shape::InvalidInput(
+          "the input '" + declared.Name + "' has no points; connect data that has some");
+      }
+      if (declared.Data != PortData::Pieces)
+      {
+        WholeInput whole;
+        whole.Data = vtkShapeGather::Gather(input, declared.Name,
+          declared.Data == PortData::WholeSurface, this->Controller, whole.OwnPoints);
+        this->Wholes[port].push_back(whole);
+      }
+    }
+  }
+}
+
+const vtkShapeAlgorithm::WholeInput& vtkShapeAlgorithm::GetWhole(int port, int connection) const
+{
+  return this->Wholes[port][connection];
+}
+
+shape::Progress vtkShapeAlgorithm::MakeProgress()
+{
+  return shape::Progress(
+    [this](double fraction)
+    {
+      // Progress only rises: what is done is done, even where a part was estimated wrongly.
+      this->UpdateProgress(std::clamp(fraction, this->GetProgress(), 1.0));
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
+      return !this->CheckAbort();
+#else
+      return !this->GetAbortExecute();
+#endif
+    });
+}
+
+bool vtkShapeAlgorithm::WouldFailAgain()
+{
+  // ParaView asks a failed filter again for every view, widget and table.
+  vtkMTimeType changed = this->GetMTime();
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* input = this->GetInputDataObject(port, i);
+      changed = std::max({ changed, input->GetMTime(), input->GetUpdateTime() });
+    }
+  }
+  const bool unchanged = changed < this->FailureTime.GetMTime();
+  return vtkShapeGather::Everywhere(this->Controller, unchanged);
+}
+
+int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
+{
+  if (this->WouldFailAgain())
+  {
+    return 0;
+  }
+  bool stopped = true;
+  std::string message; // stays empty where the user stopped it
+  try
+  {
+    this->UpdateProgress(0.0);
+    this->PrepareInputs();
+    this->Execute(this->MakeProgress());
+    stopped = false;
+  }
+  catch (const shape::Aborted&)
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+    message = "out of memory; use a coarser input or lower ratios";
+  }
+  catch (const std::exception& error)
+  {
+    message = error.what();
+  }
+  this->Wholes.clear();
+  vtkShapeGather::AgreeOnFailure(this->Controller, stopped, message);
+  if (!stopped)
+  {
+    this->UpdateProgress(1.0);
+    return 1;
+  }
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  if (message.empty())
+  {
+    return 1;
+  }
+  this->FailureTime.Modified();
+  vtkErrorMacro(<< this->GetLabel() << ": " << message);
+  return 0;
+}
+
+void vtkShapeAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Label: " << this->GetLabel() << "\n";
+  for (const InputPort& port : this->InputPorts)
+  {
+    os << indent << "Input: " << port.Name << "\n";
+  }
+}

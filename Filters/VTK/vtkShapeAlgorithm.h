@@ -1,0 +1,148 @@
+/**
+ * @class   vtkShapeAlgorithm
+ * @brief   base of every ShapeMap filter
+ *
+ * A filter declares its ports in its constructor and overrides Execute. This class does the rest:
+ * port information, output types, progress, abort, errors, distributed inputs.
+ *
+ * - A Pieces port hands Execute what this process has. A Whole port hands it the complete data: the
+ *   blocks of a composite dataset, and in parallel the pieces of all processes, are gathered into
+ *   one vtkPolyData before Execute, so that Execute itself communicates nothing. Every port takes
+ *   composite data itself: else the pipeline would run the filter once for each block, which
+ *   processes have different numbers of.
+ * - Execute throws shape::InvalidInput or shape::SolveFailure. Here that becomes one error event
+ *   whose text starts with the filter's label; every output is left empty and the pipeline is told
+ *   that the request failed. Where one process fails, all of them do. What failed is not tried
+ *   again before the filter or an input has changed.
+ * - An output like the input has the type of the first input, except that image data and
+ *   rectilinear grids become structured grids, since their points move.
+ */
+#ifndef vtkShapeAlgorithm_h
+#define vtkShapeAlgorithm_h
+
+#include "vtkAlgorithm.h"
+#include "vtkShapeFiltersModule.h" // for the export macro
+#include "vtkSmartPointer.h"       // for the gathered inputs
+#include "vtkTimeStamp.h"          // for the time of a failure
+
+#include "Core/Progress.h" // for shape::Progress
+
+#include <string> // for names
+#include <vector> // for ports
+
+class vtkMultiProcessController;
+class vtkPolyData;
+
+/// Set/Get a field of this->Options that is a number, a truth value or a small vector of them.
+#define vtkShapeOption(name, type)                                                                 \
+  virtual void Set##name(type value)                                                               \
+  {                                                                                                \
+    if (this->Options.name != value)                                                               \
+    {                                                                                              \
+      this->Options.name = value;                                                                  \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  virtual type Get##name()                                                                         \
+  {                                                                                                \
+    return this->Options.name;                                                                     \
+  }
+
+/// Set/Get a field of this->Options that is an enumeration, as the integers from first to last.
+#define vtkShapeEnumOption(name, type, first, last)                                                \
+  virtual void Set##name(int value)                                                                \
+  {                                                                                                \
+    if (value < static_cast<int>(first) || value > static_cast<int>(last))                         \
+    {                                                                                              \
+      vtkErrorMacro(<< this->GetLabel() << ": " #name " " << value                                 \
+                    << " does not exist; it ranges "                                               \
+                    << "from " << static_cast<int>(first) << " to " << static_cast<int>(last));    \
+    }                                                                                              \
+    else if (this->Options.name != static_cast<type>(value))                                       \
+    {                                                                                              \
+      this->Options.name = static_cast<type>(value);                                               \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  virtual int Get##name()                                                                          \
+  {                                                                                                \
+    return static_cast<int>(this->Options.name);                                                   \
+  }
+
+class VTKSHAPEFILTERS_EXPORT vtkShapeAlgorithm : public vtkAlgorithm
+{
+public:
+  vtkTypeMacro(vtkShapeAlgorithm, vtkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The name that ParaView shows: "Shape Harmonic Volume Map" for vtkShapeHarmonicVolumeMap.
+  std::string GetLabel();
+
+  ///@{
+  /// The processes whose pieces belong together; the global controller at first. With nullptr, or
+  /// with one process, nothing is communicated; else every process must update the filter.
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) final;
+
+protected:
+  vtkShapeAlgorithm();
+  ~vtkShapeAlgorithm() override;
+
+  enum class PortData
+  {
+    Pieces,      ///< this process's part, also composite
+    Whole,       ///< one vtkPolyData with the data of every block and process
+    WholeSurface ///< the same, with points at the same place joined where pieces meet
+  };
+  enum class PortUse
+  {
+    Required,
+    Optional,
+    OptionalRepeatable
+  };
+
+  /// Appends an input port; `types` are the class names accepted, alone or as blocks.
+  void DeclareInput(
+    const std::string& name, PortData data, PortUse use, const std::vector<std::string>& types);
+  /// Appends an output port of a class, or like the first input where the name is empty.
+  void DeclareOutput(const std::string& type = "");
+
+  /// Computes the outputs from inputs that are there and have points. Throws shape::InvalidInput,
+  /// shape::SolveFailure, shape::Aborted.
+  virtual void Execute(const shape::Progress& progress) = 0;
+
+  /// A Whole input, and for each point that this process has, its index in the whole.
+  struct WholeInput
+  {
+    vtkSmartPointer<vtkPolyData> Data;
+    std::vector<int> OwnPoints;
+  };
+  /// Valid during Execute. `connection` counts up to GetNumberOfInputConnections(port) - 1.
+  const WholeInput& GetWhole(int port, int connection = 0) const;
+
+  int FillInputPortInformation(int port, vtkInformation* info) final;
+  int FillOutputPortInformation(int port, vtkInformation* info) final;
+
+private:
+  vtkShapeAlgorithm(const vtkShapeAlgorithm&) = delete;
+  void operator=(const vtkShapeAlgorithm&) = delete;
+
+  struct InputPort;
+  int CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  int Run(vtkInformationVector* outputs);
+  void PrepareInputs();
+  bool WouldFailAgain();
+  shape::Progress MakeProgress();
+
+  std::vector<InputPort> InputPorts;
+  std::vector<std::string> OutputTypes;
+  std::vector<std::vector<WholeInput>> Wholes;
+  vtkMultiProcessController* Controller = nullptr;
+  vtkTimeStamp FailureTime;
+};
+
+#endif

@@ -1,0 +1,307 @@
+#include "vtkShapeConvert.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStringArray.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTriangleFilter.h"
+
+#include "Core/Errors.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace
+{
+
+/// A polygon or strip of n points makes n - 2 triangles.
+vtkIdType CountTriangles(vtkPolyData* surface)
+{
+  vtkIdType count = 0;
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      count += std::max<vtkIdType>(cells->GetCellSize(cell) - 2, 0);
+    }
+  }
+  return count;
+}
+
+/// The active normals, and what is called so.
+void RemoveNormals(vtkDataSetAttributes* attributes)
+{
+  for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (array == attributes->GetNormals() || name == "Normals")
+    {
+      attributes->RemoveArray(i);
+    }
+  }
+}
+
+} // namespace
+
+std::vector<vtkDataSet*> vtkShapeConvert::Leaves(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> leaves;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+      {
+        leaves.push_back(leaf);
+      }
+    }
+  }
+  else if (auto* leaf = vtkDataSet::SafeDownCast(data))
+  {
+    leaves.push_back(leaf);
+  }
+  return leaves;
+}
+
+shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& name)
+{
+  if (surface->GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    throw shape::InvalidInput(name + " has more than 2^31 points; simplify it with Decimate");
+  }
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(surface);
+  triangulate->PassVertsOff();
+  triangulate->PassLinesOff();
+  triangulate->Update();
+  vtkCellArray* polys = triangulate->GetOutput()->GetPolys();
+  if (polys->GetNumberOfCells() != CountTriangles(surface))
+  {
+    throw shape::InvalidInput(name +
+      " has a polygon that cannot be cut into triangles; repair it, "
+      "or apply Triangulate and look at what is missing");
+  }
+  shape::Mesh mesh{ ToPoints(surface), Eigen::MatrixXi(polys->GetNumberOfCells(), 3) };
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < polys->GetNumberOfCells(); ++t)
+  {
+    polys->GetCellAtId(t, corners);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      mesh.Triangles(t, corner) = static_cast<int>(corners->GetId(corner));
+    }
+  }
+  return mesh;
+}
+
+Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
+{
+  Eigen::MatrixXd points(data->GetNumberOfPoints(), 3);
+  Eigen::RowVector3d point;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    data->GetPoint(i, point.data());
+    points.row(i) = point;
+  }
+  return points;
+}
+
+Eigen::MatrixXd vtkShapeConvert::ToPointArray(
+  vtkDataSet* data, const std::string& array, int components, const std::string& name)
+{
+  vtkDataArray* values = data->GetPointData()->GetArray(array.c_str());
+  if (!values)
+  {
+    std::string present;
+    for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      const char* other = data->GetPointData()->GetArrayName(i);
+      present += (present.empty() ? "" : ", ") + std::string(other ? other : "(unnamed)");
+    }
+    throw shape::InvalidInput(name + " has no point array '" + array + "'" +
+      (present.empty() ? ", nor any other" : "; it has " + present));
+  }
+  if (values->GetNumberOfComponents() != components)
+  {
+    throw shape::InvalidInput("the point array '" + array + "' of " + name + " has " +
+      std::to_string(values->GetNumberOfComponents()) + " components, not " +
+      std::to_string(components) + "; choose another array");
+  }
+  if (values->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    throw shape::InvalidInput("the point array '" + array + "' of " + name + " has " +
+      std::to_string(values->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(data->GetNumberOfPoints()) + " points; give one for each point");
+  }
+  Eigen::MatrixXd matrix(values->GetNumberOfTuples(), components);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      matrix(i, c) = values->GetComponent(i, c);
+    }
+  }
+  return matrix;
+}
+
+vtkSmartPointer<vtkDoubleArray> vtkShapeConvert::ToArray(
+  const Eigen::MatrixXd& values, const std::string& array)
+{
+  auto tuples = vtkSmartPointer<vtkDoubleArray>::New();
+  tuples->SetName(array.c_str());
+  tuples->SetNumberOfComponents(static_cast<int>(values.cols()));
+  tuples->SetNumberOfTuples(values.rows());
+  for (vtkIdType i = 0; i < values.rows(); ++i)
+  {
+    for (int c = 0; c < values.cols(); ++c)
+    {
+      tuples->SetTypedComponent(i, c, values(i, c));
+    }
+  }
+  return tuples;
+}
+
+vtkSmartPointer<vtkIntArray> vtkShapeConvert::ToIntegers(
+  const Eigen::VectorXi& values, const std::string& array)
+{
+  auto tuples = vtkSmartPointer<vtkIntArray>::New();
+  tuples->SetName(array.c_str());
+  tuples->SetNumberOfTuples(values.size());
+  std::copy(values.begin(), values.end(), tuples->GetPointer(0));
+  return tuples;
+}
+
+Eigen::MatrixXd vtkShapeConvert::Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows)
+{
+  Eigen::MatrixXd chosen(rows.size(), values.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    chosen.row(i) = values.row(rows[i]);
+  }
+  return chosen;
+}
+
+void vtkShapeConvert::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output)
+{
+  auto* moved = vtkPointSet::SafeDownCast(output);
+  if (auto* image = vtkImageData::SafeDownCast(input))
+  {
+    vtkStructuredGrid::SafeDownCast(output)->SetExtent(image->GetExtent());
+  }
+  else if (auto* grid = vtkRectilinearGrid::SafeDownCast(input))
+  {
+    vtkStructuredGrid::SafeDownCast(output)->SetExtent(grid->GetExtent());
+  }
+  else
+  {
+    moved->CopyStructure(input);
+  }
+  vtkNew<vtkPoints> positions;
+  positions->SetData(ToArray(points, "Points"));
+  moved->SetPoints(positions);
+  moved->GetPointData()->PassData(input->GetPointData());
+  moved->GetCellData()->PassData(input->GetCellData());
+  moved->GetFieldData()->PassData(input->GetFieldData());
+  RemoveNormals(moved->GetPointData());
+  RemoveNormals(moved->GetCellData());
+}
+
+void vtkShapeConvert::ForEachLeaf(vtkDataObject* input, vtkDataObject* output,
+  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& move)
+{
+  const auto newLike = [](vtkDataSet* leaf)
+  {
+    vtkSmartPointer<vtkDataSet> created;
+    if (vtkPointSet::SafeDownCast(leaf))
+    {
+      created.TakeReference(leaf->NewInstance());
+    }
+    else
+    {
+      created = vtkSmartPointer<vtkStructuredGrid>::New();
+    }
+    return created;
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    move(vtkDataSet::SafeDownCast(input), vtkDataSet::SafeDownCast(output));
+    return;
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(output);
+  const bool sameTree = input->IsA(output->GetClassName());
+  if (sameTree)
+  {
+    tree->CopyStructure(composite);
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> it;
+  it.TakeReference(composite->NewIterator());
+  unsigned int block = 0;
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
+    if (!leaf)
+    {
+      throw shape::InvalidInput(std::string("a block is a ") +
+        it->GetCurrentDataObject()->GetClassName() +
+        ", which has no points to move; leave it out with Extract Block");
+    }
+    const vtkSmartPointer<vtkDataSet> moved = newLike(leaf);
+    move(leaf, moved);
+    if (sameTree)
+    {
+      tree->SetDataSet(it, moved);
+    }
+    else
+    {
+      vtkMultiBlockDataSet::SafeDownCast(output)->SetBlock(block++, moved);
+    }
+  }
+  output->GetFieldData()->PassData(input->GetFieldData());
+}
+
+void vtkShapeConvert::FromMesh(const shape::Mesh& mesh, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(ToArray(mesh.Points, "Points"));
+  vtkNew<vtkCellArray> polys;
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    polys->InsertNextCell({ mesh.Triangles(t, 0), mesh.Triangles(t, 1), mesh.Triangles(t, 2) });
+  }
+  output->SetPoints(points);
+  output->SetPolys(polys);
+}
+
+void vtkShapeConvert::AddFact(vtkDataObject* output, const std::string& name, double value)
+{
+  output->GetFieldData()->AddArray(ToArray(Eigen::MatrixXd::Constant(1, 1, value), name));
+}
+
+void vtkShapeConvert::AddFact(
+  vtkDataObject* output, const std::string& name, const std::string& words)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(words);
+  output->GetFieldData()->AddArray(array);
+}

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "Core/Mesh.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+class vtkDoubleArray;
+class vtkIntArray;
+class vtkPolyData;
+
+/**
+ * The only place that turns VTK data sets into kernel types and back. `name` is what an error calls
+ * the data: "the boundary".
+ */
+namespace vtkShapeConvert
+{
+
+/// The data set itself, or the blocks of a composite one that are there.
+std::vector<vtkDataSet*> Leaves(vtkDataObject* data);
+
+/// The surface's polygons and strips as triangles over the same points. Throws shape::InvalidInput
+/// where a polygon cannot be triangulated.
+shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
+
+/// The points of any data set (n x 3).
+Eigen::MatrixXd ToPoints(vtkDataSet* data);
+
+/// A point array (n x components). Throws shape::InvalidInput where it is missing or has another
+/// number of components or tuples; the message lists the arrays that are there.
+Eigen::MatrixXd ToPointArray(
+  vtkDataSet* data, const std::string& array, int components, const std::string& name);
+
+/// Rows of `values` as tuples.
+vtkSmartPointer<vtkDoubleArray> ToArray(const Eigen::MatrixXd& values, const std::string& array);
+
+/// Entries of `values` as tuples of one component.
+vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std::string& array);
+
+/// Rows `rows` of `values`, in order.
+Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows);
+
+/**
+ * Makes `output` the data set `input` with its points at `points` and its attributes passed on,
+ * without Normals, which no longer fit. Image data and rectilinear grids become structured grids:
+ * see vtkShapeAlgorithm.
+ */
+void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
+
+/**
+ * Makes `output` like `input`, and calls `move` with each data set in `input` and the one that
+ * takes its place in `output`. `output` has the type that vtkShapeAlgorithm gives an output like
+ * its input. Throws shape::InvalidInput where a
+ * block is no data set.
+ */
+void ForEachLeaf(vtkDataObject* input, vtkDataObject* output,
+  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& move);
+
+/// A mesh as a surface.
+void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);
+
+/// Field data: one number, or words.
+void AddFact(vtkDataObject* output, const std::string& name, double value);
+void AddFact(vtkDataObject* output, const std::string& name, const std::string& words);
+
+} // namespace vtkShapeConvert

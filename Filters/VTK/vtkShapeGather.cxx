@@ -1,0 +1,269 @@
+#include "vtkShapeGather.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommunicator.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkShapeConvert.h"
+#include "vtkStaticPointLocator.h"
+#include "vtkUnsignedCharArray.h"
+
+#include "Core/Errors.h"
+
+#include <functional>
+#include <new>
+#include <numeric>
+
+namespace
+{
+
+bool IsParallel(vtkMultiProcessController* controller)
+{
+  return controller && controller->GetNumberOfProcesses() > 1;
+}
+
+/// The surface without ghost cells; its points stay as they are.
+vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
+{
+  auto kept = vtkSmartPointer<vtkPolyData>::New();
+  vtkUnsignedCharArray* ghosts = piece->GetCellGhostArray();
+  if (!ghosts)
+  {
+    kept->ShallowCopy(piece);
+    return kept;
+  }
+  kept->SetPoints(piece->GetPoints());
+  kept->GetPointData()->ShallowCopy(piece->GetPointData());
+  kept->GetCellData()->CopyAllocate(piece->GetCellData());
+  kept->AllocateCopy(piece);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < piece->GetNumberOfCells(); ++cell)
+  {
+    if ((ghosts->GetValue(cell) &
+          (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL)) == 0)
+    {
+      piece->GetCellPoints(cell, corners);
+      const vtkIdType id = kept->InsertNextCell(piece->GetCellType(cell), corners);
+      kept->GetCellData()->CopyData(piece->GetCellData(), cell, id);
+    }
+  }
+  return kept;
+}
+
+/// For each point the first one at its place, or itself.
+std::vector<vtkIdType> FirstAtPlace(vtkPolyData* data, bool weld)
+{
+  std::vector<vtkIdType> first(data->GetNumberOfPoints());
+  std::iota(first.begin(), first.end(), 0);
+  if (weld && !first.empty())
+  {
+    vtkNew<vtkStaticPointLocator> locator;
+    locator->SetDataSet(data);
+    locator->BuildLocator();
+    locator->MergePoints(0.0, first.data());
+  }
+  return first;
+}
+
+/// One surface of several. pointMap: for each point of the inputs, in order, its point in it.
+vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces,
+  bool weld, std::vector<vtkIdType>& pointMap)
+{
+  auto merged = vtkSmartPointer<vtkPolyData>::New();
+  if (pieces.empty())
+  {
+    pointMap.clear();
+    return merged;
+  }
+  vtkNew<vtkAppendPolyData> append;
+  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (vtkPolyData* piece : pieces)
+  {
+    append->AddInputData(piece);
+  }
+  append->Update();
+  vtkPolyData* all = append->GetOutput();
+
+  const std::vector<vtkIdType> first = FirstAtPlace(all, weld);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  merged->GetPointData()->CopyAllocate(all->GetPointData());
+  pointMap.assign(first.size(), -1);
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    vtkIdType& place = pointMap[first[i]];
+    if (place == -1)
+    {
+      const auto point = static_cast<vtkIdType>(i);
+      place = points->InsertNextPoint(all->GetPoint(point));
+      merged->GetPointData()->CopyData(all->GetPointData(), point, place);
+    }
+    pointMap[i] = place;
+  }
+  merged->SetPoints(points);
+  merged->AllocateCopy(all);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < all->GetNumberOfCells(); ++cell)
+  {
+    all->GetCellPoints(cell, corners);
+    for (vtkIdType corner = 0; corner < corners->GetNumberOfIds(); ++corner)
+    {
+      corners->SetId(corner, pointMap[corners->GetId(corner)]);
+    }
+    merged->InsertNextCell(all->GetCellType(cell), corners);
+  }
+  merged->GetCellData()->ShallowCopy(all->GetCellData());
+  return merged;
+}
+
+/// Does `work` on every process; where it throws on one, throws on all: no process may wait in the
+/// next collective call for one that has failed.
+void TogetherOrNotAtAll(vtkMultiProcessController* controller, const std::function<void()>& work)
+{
+  bool failed = true;
+  std::string message;
+  try
+  {
+    work();
+    failed = false;
+  }
+  catch (const std::bad_alloc&)
+  {
+    message = "out of memory while the pieces were joined; use more memory for each process";
+  }
+  catch (const std::exception& error)
+  {
+    message = error.what();
+  }
+  vtkShapeGather::AgreeOnFailure(controller, failed, message);
+  if (failed)
+  {
+    throw shape::InvalidInput(message);
+  }
+}
+
+/// The blocks, which must be surfaces.
+std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const std::string& name)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(data))
+  {
+    auto* surface = vtkPolyData::SafeDownCast(leaf);
+    if (!surface)
+    {
+      throw shape::InvalidInput("the input '" + name + "' holds a " + leaf->GetClassName() +
+        ", which is no surface; apply Extract Surface first");
+    }
+    surfaces.push_back(WithoutGhostCells(surface));
+  }
+  return surfaces;
+}
+
+} // namespace
+
+vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessController* controller)
+{
+  vtkIdType own = 0;
+  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(data))
+  {
+    own += leaf->GetNumberOfPoints();
+  }
+  vtkIdType sum = own;
+  if (IsParallel(controller))
+  {
+    controller->AllReduce(&own, &sum, 1, vtkCommunicator::SUM_OP);
+  }
+  return sum;
+}
+
+vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const std::string& name,
+  bool weld, vtkMultiProcessController* controller, std::vector<int>& ownPoints)
+{
+  vtkSmartPointer<vtkPolyData> whole;
+  std::vector<vtkIdType> pointMap;
+  TogetherOrNotAtAll(controller,
+    [&]
+    {
+      const std::vector<vtkSmartPointer<vtkPolyData>> pieces = Surfaces(data, name);
+      whole = pieces.size() == 1 ? pieces[0] : Merge(pieces, weld, pointMap);
+      if (pieces.size() == 1)
+      {
+        pointMap.resize(whole->GetNumberOfPoints());
+        std::iota(pointMap.begin(), pointMap.end(), 0);
+      }
+    });
+  if (IsParallel(controller))
+  {
+    std::vector<vtkSmartPointer<vtkDataObject>> received;
+    controller->GetCommunicator()->Gather(whole.Get(), received, 0);
+    std::vector<vtkIdType> mapOfAll;
+    vtkNew<vtkPolyData> merged;
+    const int rank = controller->GetLocalProcessId();
+    TogetherOrNotAtAll(controller,
+      [&]
+      {
+        if (rank == 0)
+        {
+          std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+          for (vtkDataObject* piece : received)
+          {
+            surfaces.push_back(vtkPolyData::SafeDownCast(piece));
+          }
+          merged->ShallowCopy(Merge(surfaces, weld, mapOfAll));
+        }
+      });
+    controller->Broadcast(merged.Get(), 0);
+    const vtkIdType count = whole->GetNumberOfPoints();
+    std::vector<vtkIdType> counts(controller->GetNumberOfProcesses());
+    controller->AllGather(&count, counts.data(), 1);
+    mapOfAll.resize(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)));
+    controller->Broadcast(mapOfAll.data(), static_cast<vtkIdType>(mapOfAll.size()), 0);
+    const vtkIdType first = std::accumulate(counts.begin(), counts.begin() + rank, vtkIdType(0));
+    for (vtkIdType& point : pointMap)
+    {
+      point = mapOfAll[first + point];
+    }
+    whole = merged;
+  }
+  ownPoints.assign(pointMap.begin(), pointMap.end());
+  return whole;
+}
+
+bool vtkShapeGather::Everywhere(vtkMultiProcessController* controller, bool holds)
+{
+  int own = holds ? 1 : 0;
+  int all = own;
+  if (IsParallel(controller))
+  {
+    controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
+  }
+  return all == 1;
+}
+
+void vtkShapeGather::AgreeOnFailure(
+  vtkMultiProcessController* controller, bool& failed, std::string& message)
+{
+  if (!IsParallel(controller))
+  {
+    return;
+  }
+  const int processes = controller->GetNumberOfProcesses();
+  int own = failed ? controller->GetLocalProcessId() : processes;
+  int first = processes;
+  controller->AllReduce(&own, &first, 1, vtkCommunicator::MIN_OP);
+  failed = first < processes;
+  if (failed)
+  {
+    int length = static_cast<int>(message.size());
+    controller->Broadcast(&length, 1, first);
+    message.resize(length);
+    controller->Broadcast(message.data(), length, first);
+  }
+}

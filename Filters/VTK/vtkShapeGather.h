@@ -1,0 +1,42 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkMultiProcessController;
+class vtkPolyData;
+
+/**
+ * What the processes of a parallel ParaView tell each other. Every function is collective: all
+ * processes of the controller call it, in the same order. With a null controller or one process
+ * nothing is sent.
+ */
+namespace vtkShapeGather
+{
+
+/// The number of points of `data`, its blocks included, over all processes.
+vtkIdType CountPoints(vtkDataObject* data, vtkMultiProcessController* controller);
+
+/**
+ * All blocks of `data` of all processes as one vtkPolyData, the same on every process.
+ *
+ * weld: points that several blocks or processes have at exactly the same coordinates become one,
+ * so that the pieces of a surface hang together; else every point stays. Ghost
+ * cells are left out. A block that is not vtkPolyData raises shape::InvalidInput, on every process;
+ * `name` is what its message calls the data. ownPoints: for each point of this process's blocks, in
+ * order, its index in the whole.
+ */
+vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name, bool weld,
+  vtkMultiProcessController* controller, std::vector<int>& ownPoints);
+
+/// Whether `holds` is true on every process.
+bool Everywhere(vtkMultiProcessController* controller, bool holds);
+
+/// Sets `failed` on every process where it is set on one, and `message` to that of the first that
+/// failed.
+void AgreeOnFailure(vtkMultiProcessController* controller, bool& failed, std::string& message);
+
+} // namespace vtkShapeGather

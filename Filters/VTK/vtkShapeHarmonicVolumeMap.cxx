@@ -1,0 +1,193 @@
+#include "vtkShapeHarmonicVolumeMap.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Geometry/SignedDistance.h"
+#include "Volume/OutsideDomain.h"
+
+#include <algorithm>
+#include <utility>
+
+vtkStandardNewMacro(vtkShapeHarmonicVolumeMap);
+
+vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
+{
+  this->DeclareInput("Domain", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
+  // Any data set, although a surface is needed: ParaView offers the filter in its menu only where
+  // the selection suits the input that comes first in the alphabet, and users select the solid.
+  this->DeclareInput("Boundary", PortData::WholeSurface, PortUse::Required, { "vtkDataSet" });
+  this->DeclareInput("Features", PortData::Whole, PortUse::OptionalRepeatable, { "vtkPolyData" });
+  this->DeclareOutput();
+  this->DeclareOutput("vtkPolyData");
+  this->DeclareOutput("vtkTable");
+}
+
+void vtkShapeHarmonicVolumeMap::AddFeatures(vtkAlgorithmOutput* feature)
+{
+  this->AddInputConnection(2, feature);
+}
+
+void vtkShapeHarmonicVolumeMap::RemoveAllFeatures()
+{
+  this->SetInputConnection(2, nullptr);
+}
+
+namespace
+{
+
+/// The charge set as points with `Charge`, inside the surface that bounds its domain.
+void WriteCharges(const shape::ChargeSet& map, const shape::Mesh& boundary, vtkPolyData* output)
+{
+  // The charges come first, then the boundary's points, which carry no charge.
+  const Eigen::Index charges = map.Points.rows();
+  shape::Mesh mesh{ Eigen::MatrixXd(charges + boundary.Points.rows(), 3),
+    boundary.Triangles.array() + static_cast<int>(charges) };
+  mesh.Points << map.Points, boundary.Points;
+  Eigen::MatrixXd charge = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
+  charge.topRows(charges) = map.Charges;
+  vtkShapeConvert::FromMesh(mesh, output);
+  output->GetPointData()->AddArray(vtkShapeConvert::ToArray(charge, "Charge"));
+  output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(map.Affine, "Affine"));
+}
+
+void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult::Level>& levels, vtkTable* output)
+{
+  Eigen::MatrixXd columns(levels.size(), 8);
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    const auto& level = levels[i];
+    columns.row(i) << level.Number, level.Sources, level.Collocations, level.RMSEVertices,
+      level.RMSEInside, level.Maximum, level.Seconds, level.Kept;
+  }
+  const char* names[] = { "Level", "Sources", "Collocations", "RMSEVertices", "RMSEInside",
+    "Maximum", "Seconds", "Kept" };
+  for (int c = 0; c < columns.cols(); ++c)
+  {
+    output->AddColumn(vtkShapeConvert::ToArray(columns.col(c), names[c]));
+  }
+}
+
+const char* Word(shape::HarmonicVolumeMapResult::Stop reason)
+{
+  switch (reason)
+  {
+    case shape::HarmonicVolumeMapResult::Stop::Tolerance:
+      return "Tolerance";
+    case shape::HarmonicVolumeMapResult::Stop::NoImprovement:
+      return "NoImprovement";
+    case shape::HarmonicVolumeMapResult::Stop::Levels:
+      break;
+  }
+  return "Levels";
+}
+
+/// Appends a feature's points, their targets and weights to `all`.
+void AppendFeature(vtkPolyData* feature, const std::string& mapArray, double defaultWeight,
+  const std::string& name, shape::VolumeFeatures& all)
+{
+  const Eigen::MatrixXd points = vtkShapeConvert::ToPoints(feature);
+  const Eigen::MatrixXd targets = vtkShapeConvert::ToPointArray(feature, mapArray, 3, name);
+  shape::RequireFinite(targets, "the map array of " + name);
+  const Eigen::VectorXd weights = feature->GetPointData()->HasArray("Weight")
+    ? vtkShapeConvert::ToPointArray(feature, "Weight", 1, name)
+    : Eigen::MatrixXd::Constant(points.rows(), 1, defaultWeight);
+  Eigen::Index first = 0;
+  if (!(weights.minCoeff(&first) > 0.0))
+  {
+    throw shape::InvalidInput(name + " has a Weight that is not greater than 0 (first at point " +
+      std::to_string(first) + "); leave that point out or give it a positive weight");
+  }
+  const Eigen::Index before = all.Points.rows(), count = before + points.rows();
+  all.Points.conservativeResize(count, 3);
+  all.Targets.conservativeResize(count, 3);
+  all.Weights.conservativeResize(count);
+  all.Points.bottomRows(points.rows()) = points;
+  all.Targets.bottomRows(points.rows()) = targets;
+  all.Weights.tail(points.rows()) = weights;
+}
+
+} // namespace
+
+void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
+{
+  vtkDataObject* domain = this->GetInputDataObject(0, 0);
+  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
+  {
+    shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
+  }
+  vtkPolyData* boundary = this->GetWhole(1).Data;
+  const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
+  const Eigen::MatrixXd targets =
+    vtkShapeConvert::ToPointArray(boundary, this->MapArray, 3, "the Boundary");
+  shape::VolumeFeatures features;
+  for (int i = 0; i < this->GetNumberOfInputConnections(2); ++i)
+  {
+    AppendFeature(this->GetWhole(2, i).Data, this->MapArray, this->Options.FeatureWeight,
+      "feature " + std::to_string(i), features);
+  }
+  const shape::HarmonicVolumeMapResult result =
+    shape::HarmonicVolumeMap(mesh, targets, features, this->Options, progress.Part(0.0, 0.8));
+
+  const double farthest = 0.5 * result.OffsetDistance * shape::LongestSide(mesh.Points);
+  const shape::SignedDistance distance(shape::FacingOutwards(mesh));
+  int outsidePoints = 0;
+  double done = 0.8;
+  vtkDataObject* moved = this->GetOutputDataObject(0);
+  const double share =
+    0.2 / std::max<vtkIdType>(1, domain->GetNumberOfElements(vtkDataObject::POINT));
+  vtkShapeConvert::ForEachLeaf(domain, moved,
+    [&](vtkDataSet* input, vtkDataSet* output)
+    {
+      const Eigen::MatrixXd sources = vtkShapeConvert::ToPoints(input);
+      const double next = done + share * sources.rows();
+      const double middle = (done + next) / 2.0;
+      const Eigen::VectorXi outside =
+        shape::OutsideDomain(distance, sources, farthest, progress.Part(done, middle));
+      Eigen::MatrixXd points = shape::Evaluate(result.Map, sources, progress.Part(middle, next));
+      done = next;
+      points = outside.replicate(1, 3).array().select(sources, points);
+      if (!points.allFinite())
+      {
+        throw shape::SolveFailure(
+          "the map is not finite at a point of the Domain; move the charges "
+          "away with a larger OffsetDistance");
+      }
+      outsidePoints += outside.sum();
+      vtkShapeConvert::Move(input, points, output);
+      output->GetPointData()->AddArray(vtkShapeConvert::ToArray(sources, "SourcePosition"));
+      output->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(outside, "OutsideDomain"));
+    });
+
+  // Every process has found the same map: one of them hands it on.
+  if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
+  {
+    WriteCharges(result.Map, mesh, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+    WriteLevels(result.Levels, vtkTable::SafeDownCast(this->GetOutputDataObject(2)));
+  }
+  // The last level's errors are those of the whole sum, whether it was kept or not.
+  const auto& last = result.Levels.back();
+  for (vtkDataObject* output : { moved, this->GetOutputDataObject(1) })
+  {
+    const std::pair<const char*, double> facts[] = { { "RMSEVertices", last.RMSEVertices },
+      { "RMSEInside", last.RMSEInside }, { "Maximum", last.Maximum },
+      { "RMSEFeatures", result.RMSEFeatures }, { "OffsetDistance", result.OffsetDistance },
+      { "OutsidePoints", outsidePoints }, { "DeletedSources", result.DeletedSources },
+      { "InsertedSources", result.InsertedSources } };
+    for (const auto& [fact, value] : facts)
+    {
+      vtkShapeConvert::AddFact(output, std::string("HarmonicVolumeMap.") + fact, value);
+    }
+    vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.Stop", Word(result.Reason));
+  }
+}

@@ -1,0 +1,129 @@
+/**
+ * @class   vtkShapeHarmonicVolumeMap
+ * @brief   carries a solid onto another by the harmonic map that a boundary map determines
+ *
+ * Each coordinate of the map is harmonic inside the boundary surface and takes the values of the
+ * boundary's map array on it; it is found as the potential of point charges outside the solid
+ * (the method of fundamental solutions).
+ *
+ * Inputs
+ * - Domain: what is carried: points or cells of any dataset, also composite or distributed.
+ * - Boundary: the closed surface of the solid, with the map array (double, 3) at its points.
+ * - Features (optional, repeatable): points, lines or surfaces inside, with the map array, and
+ *   `Weight` (one component; FeatureWeight where absent): places that the map should also send
+ *   where the array says, in the least-squares sense.
+ *
+ * Outputs
+ * - 0: the domain moved, with `SourcePosition` (double, 3) and `OutsideDomain` (1 at points outside
+ *   the boundary, which keep their place). Point normals are dropped.
+ * - 1: the charge set: the map as a formula, evaluable anywhere inside: points with `Charge`
+ *   (double, 3), field data `Affine` (3 x 4).
+ * - 2: a table of levels: Level, Sources, Collocations, RMSEVertices, RMSEInside, Maximum, Seconds,
+ *   Kept (0: the level lowered nothing and is not in the map). Errors are of the whole
+ * boundary, at its points and inside its triangles, divided by the longest side of the target's
+ * box.
+ *
+ * Field data of outputs 0 and 1: HarmonicVolumeMap.RMSEVertices, .RMSEInside, .Maximum,
+ * .RMSEFeatures (0 without features), .OffsetDistance (that was used), .OutsidePoints (of this
+ * process), .DeletedSources, .InsertedSources, and in words .Stop: Tolerance (reached), Levels (all
+ * that were asked for were fitted), NoImprovement (no subset of the sources lowers the error).
+ *
+ * A singular value decomposition and a simplification of the surface are single library calls: an
+ * abort takes effect at their end.
+ *
+ * The mathematics: shape::HarmonicVolumeMap.
+ */
+#ifndef vtkShapeHarmonicVolumeMap_h
+#define vtkShapeHarmonicVolumeMap_h
+
+#include "vtkShapeAlgorithm.h"
+
+#include "Volume/HarmonicVolumeMap.h" // for the options
+
+class VTKSHAPEFILTERS_EXPORT vtkShapeHarmonicVolumeMap : public vtkShapeAlgorithm
+{
+public:
+  static vtkShapeHarmonicVolumeMap* New();
+  vtkTypeMacro(vtkShapeHarmonicVolumeMap, vtkShapeAlgorithm);
+
+  ///@{
+  /// The feature inputs.
+  void AddFeatures(vtkAlgorithmOutput* feature);
+  void RemoveAllFeatures();
+  ///@}
+
+  ///@{
+  /// The point array of Boundary and Features that says where each point goes.
+  vtkSetStdStringFromCharMacro(MapArray);
+  vtkGetCharFromStdStringMacro(MapArray);
+  ///@}
+
+  ///@{
+  /// How the charges are found. 1 = MultiLevel: a sum of maps, each fitted to what the ones before
+  /// left over. 2 = SingleShot: one map, from one decomposition. Default: MultiLevel.
+  vtkShapeEnumOption(Method, shape::HarmonicVolumeMapOptions::MethodType,
+    shape::HarmonicVolumeMapOptions::MethodType::MultiLevel,
+    shape::HarmonicVolumeMapOptions::MethodType::SingleShot);
+  ///@}
+
+  ///@{
+  /// MultiLevel stops when RMSEInside, divided by the longest side of the target's box, is no more.
+  vtkShapeOption(Tolerance, double);
+  ///@}
+
+  ///@{
+  /// MultiLevel: how many maps are fitted at most, and among how many of them the sources are
+  /// dealt.
+  vtkShapeOption(MaximumLevels, int);
+  vtkShapeOption(SourceSubsets, int);
+  ///@}
+
+  ///@{
+  /// The weight of features without a `Weight` array: weight w counts as w equal equations.
+  vtkShapeOption(FeatureWeight, double);
+  ///@}
+
+  ///@{
+  /// How many collocation points and sources there are for each point of the boundary.
+  vtkShapeOption(CollocationRatio, double);
+  vtkShapeOption(SourceRatio, double);
+  ///@}
+
+  ///@{
+  /// How far outside the boundary the sources lie, divided by the longest side of its box; 0 = 1.25
+  /// times the spacing of the points where the map is fitted, between 0.01 and 0.15. Default: 0.
+  vtkShapeOption(OffsetDistance, double);
+  ///@}
+
+  ///@{
+  /// How collocation points and sources are spread: 0 = Uniform, 1 = GeometryAdaptive.
+  vtkShapeEnumOption(CollocationSampling, shape::SamplingMode, shape::SamplingMode::Uniform,
+    shape::SamplingMode::GeometryAdaptive);
+  vtkShapeEnumOption(SourceSampling, shape::SamplingMode, shape::SamplingMode::Uniform,
+    shape::SamplingMode::GeometryAdaptive);
+  ///@}
+
+  ///@{
+  /// Singular values below it are left out, where the boundary's longest side counts as 1.
+  vtkShapeOption(SingularValueThreshold, double);
+  ///@}
+
+  ///@{
+  /// GiB that one decomposition may take; a larger system is refused.
+  vtkShapeOption(MaximumMemory, double);
+  ///@}
+
+protected:
+  vtkShapeHarmonicVolumeMap();
+  ~vtkShapeHarmonicVolumeMap() override = default;
+  void Execute(const shape::Progress& progress) override;
+
+private:
+  vtkShapeHarmonicVolumeMap(const vtkShapeHarmonicVolumeMap&) = delete;
+  void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
+
+  std::string MapArray = "TargetPosition";
+  shape::HarmonicVolumeMapOptions Options;
+};
+
+#endif

@@ -1,0 +1,58 @@
+#include "vtkShapeParameterize.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkShapeParameterize);
+
+vtkShapeParameterize::vtkShapeParameterize()
+{
+  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareOutput();
+  this->DeclareOutput();
+}
+
+void vtkShapeParameterize::Execute(const shape::Progress& progress)
+{
+  const WholeInput& whole = this->GetWhole(0);
+  const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  const shape::ParameterizeResult map = shape::Parameterize(mesh, this->Options, progress);
+
+  // This process's points come block by block.
+  const Eigen::MatrixXd positions = vtkShapeConvert::Rows(map.Positions, whole.OwnPoints);
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  vtkDataObject* surface = this->GetOutputDataObject(0);
+  vtkDataObject* image = this->GetOutputDataObject(1);
+  vtkIdType first = 0;
+  vtkShapeConvert::ForEachLeaf(input, surface,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const vtkIdType count = from->GetNumberOfPoints();
+      to->ShallowCopy(from);
+      to->GetPointData()->AddArray(
+        vtkShapeConvert::ToArray(positions.middleRows(first, count), "TargetPosition"));
+      first += count;
+    });
+  first = 0;
+  vtkShapeConvert::ForEachLeaf(input, image,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const vtkIdType count = from->GetNumberOfPoints();
+      vtkShapeConvert::Move(from, positions.middleRows(first, count), to);
+      to->GetPointData()->AddArray(
+        vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
+      first += count;
+    });
+
+  for (vtkDataObject* output : { surface, image })
+  {
+    vtkShapeConvert::AddFact(output, "Parameterize.Method", map.Method);
+    vtkShapeConvert::AddFact(output, "Parameterize.Iterations", map.Iterations);
+    vtkShapeConvert::AddFact(output, "Parameterize.ReinsertedPoints", map.ReinsertedPoints);
+    vtkShapeConvert::AddFact(output, "Parameterize.ConformalDistortion", map.ConformalDistortion);
+  }
+}
