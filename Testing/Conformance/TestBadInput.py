@@ -1,0 +1,66 @@
+"""Input that cannot be used gives an error that names the filter, empty outputs and no crash; and the
+same object works again once the input is mended."""
+import numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkTable
+
+import filters
+import shapetesting
+
+
+def refused(name, algorithm, what, named):
+    """Runs; the error must contain `named`, and every output must be empty."""
+    messages = shapetesting.run(algorithm)
+    assert any(named in message for message in messages), '%s with %s: errors %s' % (
+        name, what, messages)
+    for port in range(algorithm.GetNumberOfOutputPorts()):
+        output = algorithm.GetOutputDataObject(port)
+        assert output is None or output.GetNumberOfElements(output.POINT) == 0, \
+            '%s with %s: output %d is not empty' % (name, what, port)
+        assert output is None or output.GetNumberOfElements(output.ROW) == 0, \
+            '%s with %s: output %d is not empty' % (name, what, port)
+
+
+def spoiled(value):
+    """The good surface with one coordinate that is not finite."""
+    surface = shapetesting.copy(filters.good_input())
+    coordinates = shapetesting.points(surface)
+    coordinates[17, 1] = value
+    shapetesting.set_points(surface, coordinates)
+    return surface
+
+
+for name in filters.names():
+    for port in filters.required_ports(filters.new(name)):
+        label = filters.label(name)
+
+        missing = filters.with_good_inputs(name)
+        missing.RemoveAllInputConnections(port)
+        refused(name, missing, 'nothing on port %d' % port, 'vtk' + name)
+
+        wrong = filters.with_good_inputs(name)
+        wrong.SetInputDataObject(port, vtkTable())
+        refused(name, wrong, 'a table on port %d' % port, 'vtk' + name)
+
+        for what, data in (('an empty surface', vtkPolyData()),
+                           ('a NaN', spoiled(numpy.nan)),
+                           ('an infinity', spoiled(numpy.inf))):
+            bad = filters.with_good_inputs(name)
+            bad.SetInputDataObject(port, data)
+            refused(name, bad, '%s on port %d' % (what, port), label + ': ')
+            again = shapetesting.run(bad)
+            assert not any(label + ': ' in message for message in again), \
+                '%s computes and complains again although nothing changed' % name
+            bad.SetInputDataObject(port, filters.good_input())
+            messages = shapetesting.run(bad)
+            assert not messages, '%s after %s on port %d: %s' % (name, what, port, messages)
+            assert bad.GetOutputDataObject(0).GetNumberOfElements(vtkPolyData.POINT) > 0
+    # A bad block spoils the whole, whichever comes first: no part of an output may be left.
+    for order in ((filters.good_input(), spoiled(numpy.nan)),
+                  (spoiled(numpy.nan), filters.good_input())):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, order[0])
+        blocks.SetBlock(1, order[1])
+        half = filters.with_good_inputs(name)
+        half.SetInputDataObject(0, blocks)
+        refused(name, half, 'a bad block', label + ': ')
+    print(name, 'refuses bad input')

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# What `cmake --install` gives works on its own: the plugin in a stock ParaView, the Python package in
+# the system's Python, the CMake package in somebody else's project. TestInstall.sh BUILD
+set -euo pipefail
+build=$1
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+prefix=$(mktemp -d)
+trap 'rm -rf "$prefix"' EXIT
+unset PV_PLUGIN_PATH PYTHONPATH LD_LIBRARY_PATH
+cmake --install "$build" --prefix "$prefix" >"$prefix/log" || { cat "$prefix/log"; exit 1; }
+
+echo "the plugin:"
+PV_PLUGIN_PATH=$(dirname "$(find "$prefix" -name ShapeMap.so)") pvpython - <<'PY'
+from paraview.simple import *
+sphere = ShapeParameterize(Input=Sphere(ThetaResolution=16))
+sphere.UpdatePipeline()
+low, high = OutputPort(sphere, 1).GetDataInformation().GetBounds()[:2]
+assert 1.9 < high - low <= 2.0, (low, high)
+print('ShapeParameterize found and run')
+PY
+
+echo "the Python package:"
+PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 - <<'PY'
+import shapemap
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+source = vtkSphereSource()
+sphere = shapemap.vtkShapeParameterize()
+sphere.SetInputConnection(source.GetOutputPort())
+sphere.Update()
+assert sphere.GetOutputDataObject(1).GetNumberOfPoints() == 50
+print(shapemap.__file__.split('/')[-2], 'imported and run')
+PY
+
+echo "the CMake package:"
+cmake -G Ninja -S "$here/Consumer" -B "$prefix/consumer" -DCMAKE_PREFIX_PATH="$prefix" \
+  >"$prefix/log" 2>&1 || { cat "$prefix/log"; exit 1; }
+cmake --build "$prefix/consumer" >"$prefix/log" 2>&1 || { cat "$prefix/log"; exit 1; }
+"$prefix/consumer/Consumer"
+
+if grep -rl --exclude-dir=consumer --exclude=log "$build" "$prefix"; then
+  echo "these installed files name the build folder"
+  exit 1
+fi

@@ -1,0 +1,63 @@
+"""A filter is called what its class is called, and everything about it is documented.
+
+ParaView names its Python functions and properties by label, so the label without spaces must be the
+name, and the name that of the C++ Set and Get."""
+import filters
+
+
+def check(condition, *words):
+    if not condition:
+        raise AssertionError(' '.join(str(word) for word in words))
+
+
+def port_of(property, fresh):
+    """The input port that an input property fills: a command of its own belongs to the first
+    repeatable port that no other property names."""
+    if property.GetCommand() == 'SetInputConnection':
+        return property.GetPortIndex()
+    return next(port for port in range(fresh.GetNumberOfInputPorts())
+                if fresh.GetInputPortInformation(port).Get(fresh.INPUT_IS_REPEATABLE()))
+
+
+for name in filters.names():
+    proxy = filters.proxy(name)
+    fresh = filters.new(name)
+    check(proxy.GetXMLLabel() == fresh.GetLabel(),
+          name, 'is labelled', proxy.GetXMLLabel(), 'instead of', fresh.GetLabel())
+    check(proxy.GetXMLLabel().replace(' ', '') == name, 'the label of', name, 'is not its name')
+    check(proxy.GetVTKClassName() == 'vtk' + name, name, 'makes a', proxy.GetVTKClassName())
+    documentation = proxy.GetDocumentation()
+    for part in ('Description', 'ShortHelp', 'LongHelp'):
+        text = getattr(documentation, 'Get' + part)()
+        check(text and len(text.strip()) > 20, name, 'has no', part)
+    hints = proxy.GetHints()
+    menu = hints.FindNestedElementByName('ShowInMenu') if hints else None
+    check(menu and menu.GetAttribute('category') == 'ShapeMap',
+          name, 'is not in the menu Filters > ShapeMap')
+    ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
+    check(len(ports) == fresh.GetNumberOfOutputPorts(), name, 'names the outputs', ports,
+          'but has', fresh.GetNumberOfOutputPorts())
+    check(0 in filters.required_ports(fresh), name, 'does not require its first input')
+    inputs = 0
+    for key, property in filters.properties(proxy):
+        if property.GetInformationOnly():
+            continue
+        where = name + '.' + key
+        check(property.GetXMLLabel().replace(' ', '') == key,
+              where, 'is labelled', property.GetXMLLabel())
+        text = property.GetDocumentation().GetDescription() if property.GetDocumentation() else None
+        check(text and len(text.strip()) > 10, where, 'has no documentation')
+        if property.IsA('vtkSMInputProperty'):
+            inputs += 1
+            hints = property.GetHints()
+            optional = hints is not None and hints.FindNestedElementByName('Optional') is not None
+            port = fresh.GetInputPortInformation(port_of(property, fresh))
+            check(optional == bool(port.Get(fresh.INPUT_IS_OPTIONAL())), where,
+                  'is optional in XML or in C++, but not in both')
+            check(hasattr(fresh, property.GetCommand()), where, 'calls', property.GetCommand())
+        else:
+            check(property.GetCommand() == 'Set' + key, where, 'calls', property.GetCommand())
+            check(hasattr(fresh, 'Get' + key), where, 'has no Get' + key)
+    check(inputs == fresh.GetNumberOfInputPorts(), name, 'has properties for', inputs, 'of',
+          fresh.GetNumberOfInputPorts(), 'input ports')
+    print(name, 'is named and documented')

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# ShapeMap without ParaView: the filters and their Python package against plain VTK.
+# TestPlainVTK.sh BUILD VTK_DIR
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+plain=$1/plain-vtk
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+launcher=$(command -v ccache || true)
+cmake -G Ninja -S "$root" -B "$plain" -DCMAKE_BUILD_TYPE=Release -DSHAPEMAP_PARAVIEW=OFF \
+  -DSHAPEMAP_TESTS=OFF -DSHAPEMAP_TETGEN=OFF -DSHAPEMAP_CHOLMOD=OFF -DVTK_DIR="$2" \
+  -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" >"$log" 2>&1 || { cat "$log"; exit 1; }
+cmake --build "$plain" >"$log" 2>&1 || { cat "$log"; exit 1; }
+if find "$plain" -name 'ShapeMap.so' | grep .; then
+  echo "there is a plugin in a build without ParaView"
+  exit 1
+fi
+PYTHONPATH=$plain/lib/python3/dist-packages /usr/bin/python3 - <<'PY'
+import shapemap
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+source = vtkSphereSource()
+sphere = shapemap.vtkShapeParameterize()
+sphere.SetInputConnection(source.GetOutputPort())
+volume = shapemap.vtkShapeHarmonicVolumeMap()
+volume.SetInputConnection(0, source.GetOutputPort())
+volume.SetInputConnection(1, sphere.GetOutputPort(0))
+volume.Update()
+assert volume.GetOutputDataObject(0).GetNumberOfPoints() == 50
+print('the filters run without ParaView, TetGen and CHOLMOD')
+PY

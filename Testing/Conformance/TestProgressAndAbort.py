@@ -1,0 +1,43 @@
+"""Progress rises from 0 to 1; an abort stops the filter, leaves its outputs empty without an error,
+and the filter can be used again."""
+import filters
+import shapetesting
+
+for name in filters.names():
+    algorithm = filters.with_good_inputs(name)
+    seen = []
+    tag = algorithm.AddObserver('ProgressEvent', lambda *_: seen.append(algorithm.GetProgress()))
+    assert not shapetesting.run(algorithm)
+    algorithm.RemoveObserver(tag)
+    assert seen == sorted(seen), name + ': progress falls'
+    # The executive itself ends every run at 1: the filter must have said so before.
+    assert seen[-2:] == [1.0, 1.0], '%s: progress ends at %s' % (name, seen[-3:])
+    inner = [value for value in seen if 0.0 < value < 1.0]
+    assert len(inner) >= 3, '%s reports only %s' % (name, seen)
+    size = algorithm.GetOutputDataObject(0).GetNumberOfElements(0)
+    assert size > 0, name + ' made nothing'
+
+    # Abort at the third report of a new run: no more than a few may follow.
+    reports = []
+
+    def abort(*_):
+        reports.append(algorithm.GetProgress())
+        if len(reports) == 3:
+            algorithm.SetAbortExecuteAndUpdateTime()
+
+    algorithm.Modified()
+    tag = algorithm.AddObserver('ProgressEvent', abort)
+    messages = shapetesting.run(algorithm)
+    algorithm.RemoveObserver(tag)
+    assert not messages, '%s calls an abort an error: %s' % (name, messages)
+    assert len(reports) <= 5 and reports[-2] < 1.0, '%s went on after an abort: %s' % (name, reports)
+    for port in range(algorithm.GetNumberOfOutputPorts()):
+        output = algorithm.GetOutputDataObject(port)
+        assert output.GetNumberOfElements(0) == 0 and output.GetNumberOfElements(6) == 0, \
+            '%s: output %d is not empty after an abort' % (name, port)
+
+    algorithm.SetAbortExecute(0)
+    assert not shapetesting.run(algorithm)
+    assert algorithm.GetOutputDataObject(0).GetNumberOfElements(0) == size, \
+        name + ' does not work after an abort'
+    print(name, 'reports', len(seen), 'times, aborts and works again')

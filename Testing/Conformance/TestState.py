@@ -1,0 +1,69 @@
+"""A state file saved and loaded gives back every property of every filter."""
+import os
+import tempfile
+
+from paraview import simple
+
+import filters
+import shapetesting
+
+
+def other_value(property, index):
+    """A value that is not the property's current one, and that it can have."""
+    value = property.GetElement(index)
+    domain = property.FindDomain('vtkSMEnumerationDomain')
+    if domain:
+        values = [domain.GetEntryValue(i) for i in range(domain.GetNumberOfEntries())]
+        return next((v for v in values if v != value), value)
+    if property.FindDomain('vtkSMBooleanDomain'):
+        return 1 - value
+    if property.IsA('vtkSMStringVectorProperty'):
+        return 'SourcePosition' if value != 'SourcePosition' else 'TargetPosition'
+    return value + 1 if property.IsA('vtkSMIntVectorProperty') else 0.5 * value + 0.125
+
+
+def values_of(smproxy):
+    values = {}
+    for key, property in filters.properties(smproxy):
+        if property.IsA('vtkSMInputProperty') or property.GetInformationOnly():
+            continue
+        values[key] = [property.GetElement(i) for i in range(property.GetNumberOfElements())]
+    return values
+
+
+for name in filters.names():
+    source = simple.XMLPolyDataReader(
+        FileName=[shapetesting.data_file('DentedSphere600.vtp')])
+    inputs = {key: source for key, property in filters.properties(filters.proxy(name))
+              if property.IsA('vtkSMInputProperty')}
+    made = getattr(simple, name)(registrationName='saved', **inputs)
+    changed = 0
+    for key, property in filters.properties(made.SMProxy):
+        if property.IsA('vtkSMInputProperty') or property.GetInformationOnly():
+            continue
+        for i in range(property.GetNumberOfElements()):
+            value = other_value(property, i)
+            changed += value != property.GetElement(i)
+            property.SetElement(i, value)
+    made.SMProxy.UpdateVTKObjects()
+    before = values_of(made.SMProxy)
+    before_inputs = {key: made.GetProperty(key).SMProperty.GetNumberOfProxies() for key in inputs}
+    path = os.path.join(tempfile.mkdtemp(), name + '.pvsm')
+    simple.SaveState(path)
+    simple.ResetSession()
+    simple.LoadState(path)
+    loaded = simple.FindSource('saved')
+    assert loaded is not None, name + ' was not in the state file'
+    after = values_of(loaded.SMProxy)
+    assert before == after, '%s: saved %s, loaded %s' % (name, before, after)
+    after_inputs = {key: loaded.GetProperty(key).SMProperty.GetNumberOfProxies() for key in inputs}
+    assert before_inputs == after_inputs and all(after_inputs.values()), '%s: inputs %s, %s' % (
+        name, before_inputs, after_inputs)
+    # The object itself must have received them.
+    held = loaded.SMProxy.GetClientSideObject()
+    for key, saved in before.items():
+        value = getattr(held, 'Get' + key)()
+        value = list(value) if isinstance(value, (tuple, list)) else [value]
+        assert all(type(b)(a) == b for a, b in zip(saved, value)), '%s.%s' % (name, key)
+    simple.ResetSession()
+    print('%s: %d of %d properties changed, saved and loaded' % (name, changed, len(before)))

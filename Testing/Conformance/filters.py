@@ -1,0 +1,65 @@
+"""Every ShapeMap filter that the plugin brings, with inputs that each of its ports takes.
+
+A new filter is found by its proxy's name and tested without a line here, as long as a closed
+surface with TargetPosition suits every port that it requires."""
+from paraview import servermanager
+from paraview.simple import GetActiveSource  # connects to the built-in server
+import shapemap.vtkShapeFilters as module
+
+import shapetesting
+
+GetActiveSource()
+
+
+def names():
+    """The proxies' names: ShapeX."""
+    session = servermanager.ActiveConnection.Session
+    definitions = session.GetProxyDefinitionManager().NewSingleGroupIterator('filters')
+    found = []
+    definitions.InitTraversal()
+    while not definitions.IsDoneWithTraversal():
+        if hasattr(module, 'vtk' + definitions.GetProxyName()):
+            found.append(definitions.GetProxyName())
+        definitions.GoToNextItem()
+    assert len(found) >= 2, 'the plugin is not loaded: %s' % found
+    return sorted(found)
+
+
+def proxy(name):
+    return servermanager.ProxyManager().NewProxy('filters', name)
+
+
+def properties(smproxy):
+    """(name, property) of every property of a server-manager proxy."""
+    iterator = smproxy.NewPropertyIterator()
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        yield iterator.GetKey(), iterator.GetProperty()
+        iterator.Next()
+
+
+def new(name):
+    """A fresh C++ object."""
+    return getattr(module, 'vtk' + name)()
+
+
+def good_input():
+    return shapetesting.read('DentedSphere600.vtp')
+
+
+def required_ports(algorithm):
+    """The ports that must be connected."""
+    return [port for port in range(algorithm.GetNumberOfInputPorts())
+            if not algorithm.GetInputPortInformation(port).Get(algorithm.INPUT_IS_OPTIONAL())]
+
+
+def with_good_inputs(name):
+    """A fresh C++ object whose required ports are connected to data that it can work on."""
+    algorithm = new(name)
+    for port in required_ports(algorithm):
+        algorithm.SetInputDataObject(port, good_input())
+    return algorithm
+
+
+def label(name):
+    return new(name).GetLabel()

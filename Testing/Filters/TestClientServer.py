@@ -1,0 +1,54 @@
+"""The filters run on a server, of one process or two, and the client gets the result:
+TestClientServer.py pvserver, or TestClientServer.py mpiexec -n 2 pvserver"""
+import os
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy
+from paraview import simple
+
+import shapetesting
+from shapetesting import array
+
+with socket.socket() as free:
+    free.bind(('localhost', 0))
+    port = free.getsockname()[1]
+# This process is an MPI process itself: what it inherited would make mpiexec refuse.
+environment = {key: value for key, value in os.environ.items()
+               if not key.startswith(('OMPI_', 'PMIX_', 'PRTE_', 'ORTE_'))}
+log = tempfile.NamedTemporaryFile('w+')
+server = subprocess.Popen(sys.argv[1:] + ['--server-port=%d' % port], stdout=log,
+                          stderr=subprocess.STDOUT, env=environment)
+try:
+    while 'Accepting connection' not in open(log.name).read():
+        assert server.poll() is None, 'the server ended: ' + open(log.name).read()
+        time.sleep(0.2)
+    simple.Connect('localhost', port)
+    session = simple.servermanager.ActiveConnection
+    assert session.IsRemote(), 'the session is not remote'
+    print('connected to', session.GetNumberOfDataPartitions(), 'process(es)')
+
+    model = simple.XMLPolyDataReader(FileName=[shapetesting.data_file('DentedSphere600.vtp')])
+    sphere = simple.ShapeParameterize(Input=model)
+    assert sphere.SMProxy.GetClientSideObject() is None, 'the filter lives in the client'
+    sphere.UpdatePipeline()
+    mapped = simple.servermanager.Fetch(sphere)
+    assert mapped.GetNumberOfPoints() == 642
+    assert abs(numpy.linalg.norm(array(mapped, 'TargetPosition'), axis=1) - 1.0).max() < 1e-12
+
+    ball = simple.XMLUnstructuredGridReader(FileName=[shapetesting.data_file('BallSmall.vtu')])
+    volume = simple.ShapeHarmonicVolumeMap(
+        Domain=ball, Boundary=simple.OutputPort(sphere, 1), MapArray='SourcePosition')
+    volume.UpdatePipeline()
+    carried = simple.servermanager.Fetch(volume)
+    if carried.IsA('vtkMultiBlockDataSet'):
+        carried = simple.servermanager.Fetch(simple.MergeBlocks(volume))
+    assert carried.GetNumberOfCells() == 864
+    assert volume.FieldData['HarmonicVolumeMap.RMSEInside'].GetRange()[0] < 0.05
+    simple.Disconnect()
+finally:
+    server.kill()
+print('the client got what the server made')

@@ -1,0 +1,206 @@
+"""Shape Harmonic Volume Map: a solid carried by the harmonic map that a map of its boundary gives.
+
+As an example: Domain is what is carried, Boundary the closed surface around it with the map array."""
+import numpy
+from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonCore import vtkPoints
+import shapemap
+
+import shapetesting
+from shapetesting import add_array, array, copy, fact, points, read
+
+
+def error_of(algorithm):
+    messages = shapetesting.run(algorithm)
+    for port in range(3):
+        output = algorithm.GetOutputDataObject(port)
+        assert output.GetNumberOfElements(output.POINT) == 0
+    return ' '.join(messages)
+
+
+def new(domain, boundary):
+    algorithm = shapemap.vtkShapeHarmonicVolumeMap()
+    algorithm.SetInputDataObject(0, domain)
+    algorithm.SetInputDataObject(1, boundary)
+    return algorithm
+
+
+def with_targets(surface, targets):
+    result = copy(surface)
+    add_array(result, targets, 'TargetPosition')
+    return result
+
+
+# The example: the ball of hexahedra into the dented sphere, by the inverse of its known map.
+model = simple.XMLPolyDataReader(FileName=[shapetesting.data_file('DentedSphere600.vtp')])
+image = simple.OutputPort(simple.ShapeParameterize(Input=model), 1)
+ball = simple.XMLUnstructuredGridReader(FileName=[shapetesting.data_file('BallSmall.vtu')])
+carried = simple.ShapeHarmonicVolumeMap(
+    Domain=ball, Boundary=image, MapArray='SourcePosition', Method='MultiLevel',
+    OffsetDistance=0.15)
+carried.UpdatePipeline()
+solid = shapetesting.output(carried, 0)
+levels = shapetesting.output(carried, 2)
+assert solid.GetNumberOfCells() == 864 and solid.GetCellType(0) == 12, 'hexahedra stay hexahedra'
+assert fact(solid, 'HarmonicVolumeMap.OutsidePoints') == 0
+assert fact(solid, 'HarmonicVolumeMap.RMSEInside') < 5e-3, fact(
+    solid, 'HarmonicVolumeMap.RMSEInside')
+assert [levels.GetColumnName(i) for i in range(levels.GetNumberOfColumns())] == [
+    'Level', 'Sources', 'Collocations', 'RMSEVertices', 'RMSEInside', 'Maximum', 'Seconds', 'Kept']
+errors = [levels.GetValueByName(i, 'RMSEInside').ToDouble()
+          for i in range(levels.GetNumberOfRows())]
+assert errors == sorted(errors, reverse=True), 'a level made the map worse'
+assert errors[-1] == fact(solid, 'HarmonicVolumeMap.RMSEInside')
+
+# An affine map of the boundary is the same affine map inside, to rounding.
+surface = read('DentedSphere600.vtp')
+linear = numpy.array([[1.2, 0.3, 0.0], [-0.1, 0.9, 0.2], [0.0, 0.4, 1.1]])
+moved_boundary = with_targets(surface, points(surface) @ linear.T + [3.0, -2.0, 1.0])
+inside = copy(read('BallSmall.vtu'))
+shapetesting.set_points(inside, 0.3 * points(inside))
+affine = new(inside, moved_boundary)
+assert not shapetesting.run(affine)
+result = affine.GetOutputDataObject(0)
+expected = points(inside) @ linear.T + [3.0, -2.0, 1.0]
+assert abs(points(result) - expected).max() < 1e-12, 'affine data are not reproduced'
+assert (array(result, 'SourcePosition') == points(inside)).all()
+
+# The charge set is the map as a formula: evaluated here by numpy, it gives the same points.
+maker = new(inside, with_targets(surface, array(surface, 'TargetPosition')))
+assert not shapetesting.run(maker)
+charges = maker.GetOutputDataObject(1)
+matrix = shapetesting.vtk_to_numpy(charges.GetFieldData().GetArray('Affine')).reshape(3, 4)
+charge = array(charges, 'Charge')
+used = abs(charge).max(axis=1) > 0.0
+distances = numpy.linalg.norm(
+    points(inside)[:, None, :] - points(charges)[None, used, :], axis=2)
+by_hand = points(inside) @ matrix[:, :3].T + matrix[:, 3] + (
+    1.0 / (4.0 * numpy.pi * distances)) @ charge[used]
+assert abs(by_hand - points(maker.GetOutputDataObject(0))).max() < 1e-10
+
+# The interior of a harmonic map stays within the range of its boundary (maximum principle).
+assert abs(points(maker.GetOutputDataObject(0))).max() < 1.0
+
+# Image data become a structured grid; points outside the boundary keep their place and are counted.
+grid = vtkImageData()
+grid.SetDimensions(9, 9, 9)
+grid.SetOrigin(-2.0, -2.0, -2.0)
+grid.SetSpacing(0.5, 0.5, 0.5)
+lattice = new(grid, moved_boundary)
+assert not shapetesting.run(lattice)
+output = lattice.GetOutputDataObject(0)
+assert output.GetClassName() == 'vtkStructuredGrid' and output.GetExtent() == (0, 8, 0, 8, 0, 8)
+outside = array(output, 'OutsideDomain') == 1
+assert outside.sum() == fact(output, 'HarmonicVolumeMap.OutsidePoints')
+assert 0 < outside.sum() < 729
+assert (points(output)[outside] == array(output, 'SourcePosition')[outside]).all()
+assert abs(points(output)[~outside] - (
+    array(output, 'SourcePosition')[~outside] @ linear.T + [3.0, -2.0, 1.0])).max() < 1e-12
+
+# A boundary that faces inwards bounds the same solid.
+turned = copy(moved_boundary)
+turned.BuildCells()
+for cell in range(turned.GetNumberOfCells()):
+    turned.ReverseCell(cell)
+inwards = new(inside, turned)
+assert not shapetesting.run(inwards)
+assert fact(inwards.GetOutputDataObject(0), 'HarmonicVolumeMap.OutsidePoints') == 0
+assert abs(points(inwards.GetOutputDataObject(0)) - expected).max() < 1e-12
+
+# Composite domains keep their blocks; each is carried by the one map.
+blocks = vtkMultiBlockDataSet()
+blocks.SetBlock(0, inside)
+blocks.SetBlock(2, grid)
+composite = new(blocks, moved_boundary)
+assert not shapetesting.run(composite)
+tree = composite.GetOutputDataObject(0)
+assert tree.GetNumberOfBlocks() == 3 and tree.GetBlock(1) is None
+assert (points(tree.GetBlock(0)) == points(result)).all()
+assert (points(tree.GetBlock(2)) == points(output)).all()
+
+# Features: a point inside is drawn to where its array says, more so with a larger weight.
+feature = vtkPolyData()
+feature.SetPoints(vtkPoints())
+feature.GetPoints().InsertNextPoint(0.1, 0.0, 0.0)
+add_array(feature, numpy.array([[0.25, 0.1, 0.0]]), 'TargetPosition')
+identity = with_targets(surface, points(surface))
+misses = []
+for weight in (1.0, 20.0, 400.0):
+    pulled = new(feature, identity)
+    pulled.AddInputDataObject(2, feature)
+    pulled.SetFeatureWeight(weight)
+    assert not shapetesting.run(pulled)
+    misses.append(numpy.linalg.norm(points(pulled.GetOutputDataObject(0)) - [0.25, 0.1, 0.0]))
+    assert abs(fact(pulled.GetOutputDataObject(0), 'HarmonicVolumeMap.RMSEFeatures') *
+               numpy.ptp(points(surface), axis=0).max() - misses[-1]) < 1e-9
+assert misses[0] > misses[1] > misses[2], misses
+pulled.RemoveAllFeatures()
+assert not shapetesting.run(pulled)
+assert numpy.linalg.norm(points(pulled.GetOutputDataObject(0)) - points(feature)) < 1e-12
+two = new(feature, identity)
+near = vtkPolyData()
+near.SetPoints(vtkPoints())
+near.GetPoints().InsertNextPoint(-0.1, 0.0, 0.0)
+add_array(near, numpy.array([[-0.2, 0.0, 0.0]]), 'TargetPosition')
+two.AddInputDataObject(2, feature)
+two.AddInputDataObject(2, near)
+assert not shapetesting.run(two)
+assert points(two.GetOutputDataObject(0))[0, 0] > 0.1, 'the first of two features has no effect'
+
+# Features at the same place with different targets both count, in one input or in two.
+pair = vtkMultiBlockDataSet()
+for block, target in enumerate(([0.3, 0.0, 0.0], [0.1, 0.0, 0.0])):
+    one = copy(feature)
+    add_array(one, numpy.array([target]), 'TargetPosition')
+    pair.SetBlock(block, one)
+places = []
+for inputs in ([pair], [pair.GetBlock(0), pair.GetBlock(1)]):
+    both = new(feature, identity)
+    for data in inputs:
+        both.AddInputDataObject(2, data)
+    assert not shapetesting.run(both)
+    places.append(points(both.GetOutputDataObject(0)))
+assert (places[0] == places[1]).all(), places
+
+# Normals no longer fit what has moved, whether they are active or only called so.
+shaded = copy(inside)
+add_array(shaded, points(inside), 'Normals')
+add_array(shaded, points(inside), 'Direction')
+shaded.GetPointData().SetActiveNormals('Direction')
+bent = new(shaded, moved_boundary)
+assert not shapetesting.run(bent)
+kept = bent.GetOutputDataObject(0).GetPointData()
+assert not kept.HasArray('Normals') and not kept.HasArray('Direction')
+
+# Wrong inputs: the error names the filter, the fact and what is there instead.
+wrong = new(inside, moved_boundary)
+wrong.SetMapArray('Elsewhere')
+message = error_of(wrong)
+assert "Shape Harmonic Volume Map: the Boundary has no point array 'Elsewhere'" in message, message
+assert 'TargetPosition' in message
+solid_boundary = error_of(new(inside, inside))
+assert "the input 'Boundary' holds a vtkUnstructuredGrid" in solid_boundary, solid_boundary
+short = copy(feature)
+short.GetPoints().InsertNextPoint(0.0, 0.1, 0.0)
+unpaired = new(inside, moved_boundary)
+unpaired.AddInputDataObject(2, short)
+assert "has 1 tuples for 2 points" in error_of(unpaired)
+weightless = copy(feature)
+add_array(weightless, numpy.array([0.0]), 'Weight')
+unweighted = new(inside, moved_boundary)
+unweighted.AddInputDataObject(2, weightless)
+assert "feature 0 has a Weight that is not greater than 0" in error_of(unweighted)
+tables = vtkMultiBlockDataSet()
+tables.SetBlock(0, inside)
+tables.SetBlock(1, vtkTable())
+assert 'a block is a vtkTable' in error_of(new(tables, moved_boundary))
+open_boundary = copy(moved_boundary)
+open_boundary.BuildLinks()
+open_boundary.DeleteCell(3)
+open_boundary.RemoveDeletedCells()
+assert '1 open loop' in error_of(new(inside, open_boundary))
+not_finite = array(moved_boundary, 'TargetPosition').copy()
+not_finite[5] = numpy.nan
+assert 'first at point 5' in error_of(new(inside, with_targets(surface, not_finite)))
+print('solids follow their boundary')

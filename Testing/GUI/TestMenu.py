@@ -1,0 +1,54 @@
+"""Filters > ShapeMap lists every filter under its label, and Shape Parameterize works from there."""
+import glob
+import os
+from xml.etree import ElementTree
+
+import shapetesting
+import window
+
+filters = [proxy for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*.xml'))
+           for proxy in ElementTree.parse(path).iter('SourceProxy')
+           if proxy.find('Hints/ShowInMenu') is not None]
+assert len(filters) >= 2
+
+w = window.Window()
+
+# With a solid selected, which is what users have, the volume map is offered.
+w.open('BallSmall.vtu')
+w.filter('Shape Harmonic Volume Map')
+w.check(window.DIALOG + 'buttonFrame/Domain', 'text', 'Domain')
+w.click(window.DIALOG + 'buttonBox/1QPushButton1')
+w.click(window.PANEL + 'Delete')
+
+w.open('DentedSphere600.vtp')
+for proxy in filters:
+    w.filter(proxy.get('label'))
+    if len(proxy.findall('InputProperty')) > 1:
+        # The window asks what goes into which port: OK is the first button, Cancel the second.
+        for port in proxy.findall('InputProperty'):
+            w.check(window.DIALOG + 'buttonFrame/' + port.get('name'), 'text', port.get('label'))
+        w.click(window.DIALOG + 'buttonBox/1QPushButton1')
+    else:
+        w.python('''
+            made = GetActiveSource()
+            assert made.GetXMLName() == %r, made.GetXMLName()''' % proxy.get('name'))
+        w.click(window.PANEL + 'Delete')
+w.python('assert len(GetSources()) == 1, GetSources()')
+
+w.filter('Shape Parameterize')
+w.apply()
+w.select('/0/0|0')
+w.python('assert GetActiveSource().GetXMLName() == "XMLPolyDataReader", GetActiveSource().GetXMLName()')
+w.select('/0/0/0|0')
+w.python('''
+    made = GetActiveSource()
+    assert made.GetXMLName() == 'ShapeParameterize', made.GetXMLName()
+    assert GetRepresentation(made).Visibility == 1
+    shown = [p for p in GetActiveView().Representations if getattr(p, 'Visibility', 0)]
+    assert len(shown) == 1, 'the image covers the surface'
+    names = [key[0] for key in GetSources()]
+    assert sorted(names) == ['DentedSphere600.vtp', 'ShapeParameterize1'], names''')
+w.event('variableToolbar/displayColor/Variables', 'activated', 'TargetPosition')
+w.event('variableToolbar/displayColor/Components', 'activated', 'X')
+w.picture('GUIParameterize.png')
+w.run()

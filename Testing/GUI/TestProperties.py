@@ -1,0 +1,82 @@
+"""Shape Harmonic Volume Map in the window: both inputs from the dialog, every property under its
+label, the words of the enumerations, Apply, undo and redo."""
+import os
+from xml.etree import ElementTree
+
+import shapetesting
+import window
+
+xml = ElementTree.parse(
+    os.path.join(shapetesting.ROOT, 'Filters', 'VTK', 'vtkShapeHarmonicVolumeMap.xml'))
+properties = [item for item in xml.getroot().iter()
+              if item.tag.endswith('VectorProperty') and item.get('panel_visibility') != 'never']
+assert len(properties) >= 10
+
+
+def check_labels(w, shown):
+    """The panel has these rows from top to bottom."""
+    for row, item in enumerate(shown):
+        w.check(window.PROPERTIES + '1QLabel%d' % row, 'text', '<p>%s</p>' % item.get('label'))
+        w.check(window.PROPERTIES + item.get('name'), 'visible', 'true')
+
+
+w = window.Window()
+w.open('DentedSphere600.vtp')
+w.filter('Shape Parameterize')
+w.apply()
+w.open('BallSmall.vtu')
+
+# ParaView offers a filter where the active data suit its first input by name: here, Boundary.
+w.select('/0/0/0/1|0')
+w.filter('Shape Harmonic Volume Map')
+w.click(window.DIALOG + 'buttonFrame/Domain')
+w.event(window.DIALOG + 'pipelineView', 'currentChanged', '/0/1|0')
+w.click(window.DIALOG + 'buttonFrame/Boundary')
+w.event(window.DIALOG + 'pipelineView', 'currentChanged', '/0/0/0/1|0')
+w.click(window.DIALOG + 'buttonBox/1QPushButton0')
+
+check_labels(w, [item for item in properties if item.get('panel_visibility') != 'advanced'])
+w.event(window.PANEL + 'SearchBox/AdvancedButton', 'set_boolean', 'true')
+check_labels(w, properties)
+
+for item in properties:
+    for entry in sorted(item.iter('Entry'), key=lambda e: e.get('value') == item.get('default_values')):
+        w.choose(window.PROPERTIES + item.get('name') + '/ComboBox', entry.get('text'))
+
+# Apply: the ball fills the dented sphere.
+w.choose(window.PROPERTIES + 'MapArray/ComboBox', 'SourcePosition')
+w.apply()
+w.python('''
+    import numpy
+    made = GetActiveSource()
+    assert made.GetXMLName() == 'ShapeHarmonicVolumeMap', made.GetXMLName()
+    assert made.MapArray == 'SourcePosition' and made.Method == 'MultiLevel'
+    assert GetRepresentation(made).Visibility == 1
+    moved = numpy.array(made.GetDataInformation().GetBounds())
+    wanted = numpy.array(FindSource('DentedSphere600.vtp').GetDataInformation().GetBounds())
+    assert abs(moved - wanted).max() < 0.05, (moved, wanted)
+    render = [view for view in GetViews() if view.GetXMLName() == 'RenderView']
+    assert len(render) == 1
+    SetActiveView(render[0])
+    for port in range(1, 3):
+        Hide(OutputPort(made, port))
+    Hide(OutputPort(FindSource('ShapeParameterize1'), 0))
+    Hide(OutputPort(FindSource('ShapeParameterize1'), 1))''')
+w.select('/0/2/0|0')
+w.event('variableToolbar/displayColor/Variables', 'activated', 'SourcePosition')
+w.event('variableToolbar/displayColor/Components', 'activated', 'X')
+w.picture('GUIHarmonicVolumeMap.png')
+
+# Undo and redo.
+tolerance = window.PROPERTIES + 'Tolerance/DoubleLineEdit0'
+w.check(tolerance, 'text', '0.0001')
+w.event(tolerance, 'set_string', '0.02')
+w.apply()
+w.event('menubar/menu_Edit', 'activate', 'actionEditUndo')
+w.check(tolerance, 'text', '0.0001')
+w.event('menubar/menu_Edit', 'activate', 'actionEditRedo')
+w.check(tolerance, 'text', '0.02')
+w.python('''
+    tolerance = GetActiveSource().Tolerance
+    assert tolerance == 0.02, tolerance''')
+w.run()

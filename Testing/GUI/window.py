@@ -1,0 +1,125 @@
+"""Drives the real ParaView window as a user does: menus, buttons, dialogs, and questions put to its
+Python shell. Steps are collected, then run() plays them in a fresh window that knows no settings of
+any user, and raises if a widget is missing, a check differs, a step raises or the window hangs.
+
+Widgets are named by their path of Qt object names; a missing one is reported with those that exist."""
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import textwrap
+from xml.etree import ElementTree
+
+import shapetesting
+
+MAIN = 'pqClientMainWindow/'
+PANEL = 'propertiesDock/propertiesPanel/'
+PROPERTIES = PANEL + ('scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/'
+                      'PropertiesFrame/ProxyPanel/')
+DIALOG = 'SelectInputDialog/'
+MESSAGES = 'outputWidgetDock/outputWidget/'
+BROWSER = 'pipelineBrowserDock/pipelineBrowser'
+
+
+class Window:
+    def __init__(self):
+        self.folder = tempfile.mkdtemp(prefix='shapemap-window-')
+        self.events = ElementTree.Element('pqevents')
+        self.steps = 0
+
+    def file(self, name):
+        """A path in the window's own folder, which run() empties at its end."""
+        return os.path.join(self.folder, name)
+
+    def event(self, widget, command, argument=''):
+        ElementTree.SubElement(self.events, 'pqevent', object=MAIN + widget, command=command,
+                               arguments=argument)
+
+    def check(self, widget, attribute, value):
+        """The widget has this value of this Qt property."""
+        ElementTree.SubElement(self.events, 'pqcheck', object=MAIN + widget, property=attribute,
+                               arguments=value)
+
+    def click(self, widget):
+        self.event(widget, 'activate')
+
+    def choose(self, widget, word):
+        """Picks an entry of a combo box and makes sure that it is there."""
+        self.event(widget, 'set_string', word)
+        self.check(widget, 'currentText', word)
+
+    def open(self, name):
+        """Opens a file of Data/ through the dialog of File > Open, and applies."""
+        self.click('MainControlsToolbar/actionOpenData')
+        self.event('FileOpenDialog', 'filesSelected', shapetesting.data_file(name))
+        self.apply()
+
+    def filter(self, label):
+        """Filters > ShapeMap > label."""
+        self.event('menubar', 'activate', 'menuFilters')
+        self.event('menubar/menuFilters/ShapeMap', 'activate', label)
+
+    def apply(self):
+        self.click(PANEL + 'Accept')
+
+    def select(self, item):
+        """Makes an item of the pipeline browser the active one: '/0/1|0' is the second
+        child of the first row, in column 0."""
+        self.event(BROWSER, 'currentChanged', item)
+
+    def python(self, source):
+        """Runs Python in the window's shell; what it raises, run() raises."""
+        self.steps += 1
+        with open(self.file('step%d.py' % self.steps), 'w') as script:
+            script.write('from paraview.simple import *\n' + textwrap.dedent(source))
+        self.event('pythonShellDock/pythonShell/consoleWidget', 'executeCommand', textwrap.dedent('''
+            def shapemap_step(path):
+                import traceback
+                result = 'done'
+                try:
+                    exec(compile(open(path + '.py').read(), path, 'exec'), {})
+                except BaseException:
+                    result = traceback.format_exc()
+                with open(path + '.txt', 'w') as file:
+                    file.write(result)
+
+            shapemap_step(%r)''' % self.file('step%d' % self.steps)))
+
+    def picture(self, baseline):
+        """The active view looks like Testing/Baselines/`baseline`."""
+        picture = os.path.join(shapetesting.BUILD, 'Testing', 'Temporary', baseline)
+        os.makedirs(os.path.dirname(picture), exist_ok=True)
+        self.python('''
+            import shapetesting
+            SaveScreenshot(%r, GetActiveView(), ImageResolution=[400, 300])
+            shapetesting.compare_picture(%r, %r)''' % (picture, picture, baseline))
+
+    def run(self, seconds=120):
+        """Plays the steps and returns what the window printed."""
+        script = self.file('events.xml')
+        ElementTree.ElementTree(self.events).write(script)
+        environment = dict(
+            os.environ, HOME=self.folder, XDG_CONFIG_HOME=self.folder, XDG_RUNTIME_DIR=self.folder)
+        with open(self.file('output.txt'), 'w+') as output:
+            window = subprocess.Popen(
+                ['paraview', '--dr', '--test-script=' + script, '--exit'], env=environment,
+                stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
+                start_new_session=True)
+            try:
+                status = 'ended with %d' % window.wait(seconds)
+            except subprocess.TimeoutExpired:
+                os.killpg(window.pid, signal.SIGKILL)
+                window.wait()
+                status = 'hung'
+            output.seek(0)
+            printed = output.read()
+        results = []
+        for step in range(1, self.steps + 1):
+            path = self.file('step%d.txt' % step)
+            results.append(open(path).read() if os.path.exists(path) else 'step %d did not run' % step)
+        shutil.rmtree(self.folder)
+        for result in results:
+            assert result == 'done', '%s\nThe window %s and printed:\n%s' % (result, status, printed)
+        assert status == 'ended with 0', 'the window %s and printed:\n%s' % (status, printed)
+        return printed

@@ -1,0 +1,106 @@
+"""What the Python tests share: data, running a filter while its errors are caught, pictures."""
+import os
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+BUILD = os.environ.get('SHAPEMAP_BUILD', os.path.join(ROOT, 'build'))
+
+
+def data_file(name):
+    """A file of Data/, or of the larger ones that the build makes."""
+    committed = os.path.join(ROOT, 'Data', name)
+    return committed if os.path.exists(committed) else os.path.join(BUILD, 'Data', name)
+
+
+def read(name):
+    """A data set of data_file(name)."""
+    reader = vtkXMLPolyDataReader() if name.endswith('.vtp') else vtkXMLUnstructuredGridReader()
+    reader.SetFileName(data_file(name))
+    reader.Update()
+    assert reader.GetOutput().GetNumberOfPoints() > 0, 'cannot read ' + data_file(name)
+    return reader.GetOutput()
+
+
+def output(proxy, port=0):
+    """What an updated ParaView filter of the built-in server has on a port: Fetch knows only the
+    first one."""
+    return proxy.SMProxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def copy(data):
+    result = data.NewInstance()
+    result.DeepCopy(data)
+    return result
+
+
+def points(data):
+    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def array(data, name):
+    values = data.GetPointData().GetArray(name)
+    assert values is not None, 'there is no point array ' + name
+    return vtk_to_numpy(values)
+
+
+def fact(data, name):
+    """A number or words in the field data."""
+    values = data.GetFieldData().GetAbstractArray(name)
+    assert values is not None, 'there is no field data ' + name
+    return values.GetValue(0)
+
+
+def triangles(surface):
+    return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def set_points(data, coordinates):
+    data.GetPoints().SetData(numpy_to_vtk(numpy.ascontiguousarray(coordinates), deep=True))
+
+
+def add_array(data, values, name):
+    values = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+    values.SetName(name)
+    data.GetPointData().AddArray(values)
+
+
+def run(algorithm):
+    """Updates an algorithm; returns its error messages and those of its executive."""
+    from vtkmodules.vtkCommonCore import vtkCommand
+    from vtkmodules.util.misc import calldata_type
+    from vtkmodules.util.vtkConstants import VTK_STRING
+    messages = []
+
+    @calldata_type(VTK_STRING)
+    def record(caller, event, message):
+        messages.append(message)
+
+    tags = [(source, source.AddObserver('ErrorEvent', record))
+            for source in (algorithm, algorithm.GetExecutive())]
+    algorithm.Update()
+    for source, tag in tags:
+        source.RemoveObserver(tag)
+    return messages
+
+
+def compare_picture(picture, baseline):
+    """Raises unless the PNG file `picture` shows what Testing/Baselines/`baseline` shows: at most
+    one pixel in 200 may differ by more than 24 of 255 levels in a colour. Rendering in software gives
+    the same bits on every machine tried; the margin is for another version of the rasterizer."""
+    from vtkmodules.vtkIOImage import vtkPNGReader
+    images = []
+    for path in (picture, os.path.join(ROOT, 'Testing', 'Baselines', baseline)):
+        assert os.path.exists(path), 'there is no ' + path
+        reader = vtkPNGReader()
+        reader.SetFileName(path)
+        reader.Update()
+        image = reader.GetOutput()
+        colours = vtk_to_numpy(image.GetPointData().GetScalars())
+        images.append((image.GetDimensions(), colours.astype(int)[:, :3]))
+    assert images[0][0] == images[1][0], 'sizes differ: %s and %s' % (images[0][0], images[1][0])
+    off = numpy.abs(images[0][1] - images[1][1]).max(axis=1) > 24
+    assert off.mean() < 0.005, '%s differs from its baseline in %.2f %% of the pixels' % (
+        picture, 100.0 * off.mean())

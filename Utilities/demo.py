@@ -1,0 +1,175 @@
+"""Maps a solid ball onto a model and draws it: pvpython demo.py MODEL.off OUTPUT_FOLDER.
+
+1. The model's surface is mapped onto the unit sphere (Shape Parameterize). A conformal map shrinks a
+   long thin part, like the bunny's ears, exponentially with its length, until no hexahedron of the
+   ball would reach into it; Area Weight keeps it large enough.
+2. The sphere with the model's points as its map array is the boundary of the solid ball: Shape
+   Harmonic Volume Map carries the ball's hexahedra, and the distance to its boundary, into the model.
+3. What came out is written and drawn.
+
+It raises where a triangle of the sphere is flipped or a filter fails.
+"""
+import os
+import sys
+import time
+
+import numpy
+from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+import off
+import pictures
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+BALL = os.path.join(os.environ.get('SHAPEMAP_PREFIX', os.path.join(ROOT, 'build')),
+                    'Data', 'Ball.vtu')
+START = time.time()
+AREA_WEIGHT = 3.0
+
+
+def say(text):
+    print('%6.1f s  %s' % (time.time() - START, text), flush=True)
+
+
+def update(filter, what):
+    """Runs a filter, with its progress on one line, and returns its outputs. UpdatePipeline does
+    not raise where a filter fails, but then the output is empty."""
+    algorithm = filter.GetClientSideObject()
+    begin = time.time()
+
+    shown = [-1]
+
+    def report(*_):
+        percent = int(100.0 * algorithm.GetProgress())
+        if percent != shown[0]:
+            shown[0] = percent
+            print('\r%6.1f s  %s: %3d %%' % (time.time() - START, what, percent), end='', flush=True)
+
+    observer = algorithm.AddObserver('ProgressEvent', report)
+    filter.UpdatePipeline()
+    algorithm.RemoveObserver(observer)
+    outputs = [algorithm.GetOutputDataObject(port)
+               for port in range(algorithm.GetNumberOfOutputPorts())]
+    print(end='\r')
+    if outputs[0].GetNumberOfPoints() == 0:
+        raise RuntimeError(what + ' failed')
+    seconds = time.time() - begin
+    say('%s: done in %.1f s' % (what, seconds))
+    return outputs, seconds
+
+
+def points(data):
+    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def triangles(surface):
+    return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def area_vectors(coordinates, corners):
+    a, b, c = (coordinates[corners[:, k]] for k in range(3))
+    return 0.5 * numpy.cross(b - a, c - a)
+
+
+def write(data, path):
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(data)
+    writer.SetFileName(path)
+    if not writer.Write():
+        raise RuntimeError('cannot write ' + path)
+
+
+def fact(data, name):
+    return data.GetFieldData().GetAbstractArray(name).GetValue(0)
+
+
+def smallest_share(model, sphere, corners, share):
+    """How much of the sphere the most shrunk triangles get that make up a share of the model."""
+    areas = [numpy.linalg.norm(area_vectors(x, corners), axis=1) for x in (model, sphere)]
+    areas = [area / area.sum() for area in areas]
+    order = numpy.argsort(areas[1] / areas[0])
+    last = numpy.searchsorted(numpy.cumsum(areas[0][order]), share)
+    return areas[1][order][:last + 1].sum()
+
+
+def map_to_sphere(reader, area_weight):
+    """Shape Parameterize, the image's points, the number of flipped triangles, and seconds."""
+    parameterize = simple.ShapeParameterize(Input=reader, AreaWeight=area_weight)
+    outputs, seconds = update(parameterize, 'sphere map, area weight %g' % area_weight)
+    sphere, corners = points(outputs[1]), triangles(outputs[1])
+    volumes = numpy.einsum('ij,ij->i', sphere[corners[:, 0]],
+                           numpy.cross(sphere[corners[:, 1]], sphere[corners[:, 2]]))
+    flipped = int((volumes <= 0.0).sum())
+    if flipped:
+        raise RuntimeError('%d triangles of the sphere map are flipped' % flipped)
+    return parameterize, sphere, flipped, seconds
+
+
+def main(model_path, folder):
+    def path(name):
+        return os.path.join(folder, name)
+
+    os.makedirs(folder, exist_ok=True)
+    surface = off.read(model_path)
+    model, corners = points(surface), triangles(surface)
+    write(surface, path('model.vtp'))
+    reader = simple.XMLPolyDataReader(FileName=[path('model.vtp')])
+    say('read %d points and %d triangles' % (len(model), len(corners)))
+
+    _, conformal, _, _ = map_to_sphere(reader, 0.0)
+    conformal_share = smallest_share(model, conformal, corners, 0.05)
+    parameterize, sphere, flipped, sphere_seconds = map_to_sphere(reader, AREA_WEIGHT)
+    share = smallest_share(model, sphere, corners, 0.05)
+    simple.SaveData(path('surface.vtp'), proxy=parameterize)
+    simple.SaveData(path('sphere.vtp'), proxy=simple.OutputPort(parameterize, 1))
+
+    # The solid ball into the model.
+    ball = simple.XMLUnstructuredGridReader(FileName=[BALL])
+    harmonic = simple.ShapeHarmonicVolumeMap(
+        Domain=ball, Boundary=simple.OutputPort(parameterize, 1), MapArray='SourcePosition',
+        Method='MultiLevel', CollocationRatio=0.2, SourceRatio=0.25, SourceSubsets=8,
+        MaximumLevels=16)
+    outputs, map_seconds = update(harmonic, 'harmonic map of the ball')
+    errors = [fact(outputs[0], 'HarmonicVolumeMap.' + name)
+              for name in ('RMSEVertices', 'RMSEInside', 'Maximum')]
+
+    # Quality of the hexahedra, and the ball's distance field, which each point has brought along.
+    quality = simple.MeshQuality(Input=harmonic, HexQualityMeasure='Scaled Jacobian')
+    named = simple.Calculator(Input=quality, AttributeType='Cell Data', Function='Quality',
+                              ResultArrayName='ScaledJacobian')
+    carried = simple.Calculator(Input=named, Function='1 - mag(SourcePosition)',
+                                ResultArrayName='BoundaryDistance')
+    hexahedra = update(carried, 'quality and distance')[0][0]
+    jacobians = vtk_to_numpy(hexahedra.GetCellData().GetArray('ScaledJacobian'))
+    simple.SaveData(path('hexahedra.vtu'), proxy=carried)
+    simple.SaveData(path('charges.vtp'), proxy=simple.OutputPort(harmonic, 1))
+    simple.SaveData(path('levels.csv'), proxy=simple.OutputPort(harmonic, 2))
+    ball_distance = simple.Calculator(Input=ball, Function='1 - mag(coords)',
+                                      ResultArrayName='BoundaryDistance')
+    simple.SaveData(path('ball.vtu'), proxy=ball_distance)
+    say('wrote the results')
+
+    begin = time.time()
+    pictures.draw(folder, say)
+    picture_seconds = time.time() - begin
+
+    moves = numpy.abs(vtk_to_numpy(outputs[1].GetPointData().GetArray('Charge'))).max(axis=1)
+    charges = int((moves > 0.0).sum())
+    print('''
+Model        %d points, %d triangles
+Sphere map   %d triangles flipped; the 5 %% of the surface shrunk most have %.1e of the sphere
+             (%.1e of it in the conformal map, area weight 0)
+Boundary     error %.2e at points, %.2e inside triangles, at most %.2e
+             (of the longest side; root mean square, root mean square, largest)
+Hexahedra    %d; scaled Jacobian %.2f at least, %.3f in the mean; %d inverted (%.2f %%)
+Charges      %d in %d levels
+Seconds      sphere map %.1f, volume map %.1f, pictures %.1f, all %.1f
+Results      %s''' % (
+        len(model), len(corners), flipped, share, conformal_share, *errors, len(jacobians),
+        jacobians.min(), jacobians.mean(), (jacobians <= 0).sum(), 100.0 * (jacobians <= 0).mean(),
+        charges, outputs[2].GetNumberOfRows() - 1, sphere_seconds,
+        map_seconds, picture_seconds, time.time() - START, folder), flush=True)
+
+
+main(*sys.argv[1:])
