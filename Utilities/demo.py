@@ -76,8 +76,15 @@ def write(data, path):
     writer = vtkXMLPolyDataWriter()
     writer.SetInputData(data)
     writer.SetFileName(path)
+    writer.SetDataModeToBinary()
     if not writer.Write():
         raise RuntimeError('cannot write ' + path)
+
+
+def save(proxy, path):
+    """Binary is base64: raw appended data, the default, are not XML, and Debian's present expat does
+    not let ParaView 5.11 read them."""
+    simple.SaveData(path, proxy=proxy, DataMode='Binary')
 
 
 def fact(data, name):
@@ -121,8 +128,8 @@ def main(model_path, folder):
     conformal_share = smallest_share(model, conformal, corners, 0.05)
     parameterize, sphere, flipped, sphere_seconds = map_to_sphere(reader, AREA_WEIGHT)
     share = smallest_share(model, sphere, corners, 0.05)
-    simple.SaveData(path('surface.vtp'), proxy=parameterize)
-    simple.SaveData(path('sphere.vtp'), proxy=simple.OutputPort(parameterize, 1))
+    save(parameterize, path('surface.vtp'))
+    save(simple.OutputPort(parameterize, 1), path('sphere.vtp'))
 
     # The solid ball into the model.
     ball = simple.XMLUnstructuredGridReader(FileName=[BALL])
@@ -142,12 +149,12 @@ def main(model_path, folder):
                                 ResultArrayName='BoundaryDistance')
     hexahedra = update(carried, 'quality and distance')[0][0]
     jacobians = vtk_to_numpy(hexahedra.GetCellData().GetArray('ScaledJacobian'))
-    simple.SaveData(path('hexahedra.vtu'), proxy=carried)
-    simple.SaveData(path('charges.vtp'), proxy=simple.OutputPort(harmonic, 1))
+    save(carried, path('hexahedra.vtu'))
+    save(simple.OutputPort(harmonic, 1), path('charges.vtp'))
     simple.SaveData(path('levels.csv'), proxy=simple.OutputPort(harmonic, 2))
     ball_distance = simple.Calculator(Input=ball, Function='1 - mag(coords)',
                                       ResultArrayName='BoundaryDistance')
-    simple.SaveData(path('ball.vtu'), proxy=ball_distance)
+    save(ball_distance, path('ball.vtu'))
     say('wrote the results')
 
     begin = time.time()

@@ -303,10 +303,12 @@ TEST(HarmonicVolumeMap, RefusesWithTheFactAndTheRemedy)
   features.Points.resize(2, 3);
   features.Points << 0, 0, 0, 3, 0, 0;
   features.Targets = features.Points;
-  EXPECT_NE(map(sphere, sphere.Points, features).find("first at feature 1"), std::string::npos);
+  EXPECT_NE(
+    map(sphere, sphere.Points, features).find("first at feature point 1"), std::string::npos);
   features.Points(1, 0) = 0.5;
   features.Weights = Eigen::Vector2d(1.0, -1.0);
-  EXPECT_NE(map(sphere, sphere.Points, features).find("first at feature 1"), std::string::npos);
+  EXPECT_NE(
+    map(sphere, sphere.Points, features).find("first at feature point 1"), std::string::npos);
 
   shape::HarmonicVolumeMapOptions options;
   options.OffsetDistance = -0.1;
