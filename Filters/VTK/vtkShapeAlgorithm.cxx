@@ -186,28 +186,8 @@ shape::Progress vtkShapeAlgorithm::MakeProgress()
     });
 }
 
-bool vtkShapeAlgorithm::WouldFailAgain()
-{
-  // ParaView asks a failed filter again for every view, widget and table.
-  vtkMTimeType changed = this->GetMTime();
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
-    {
-      vtkDataObject* input = this->GetInputDataObject(port, i);
-      changed = std::max({ changed, input->GetMTime(), input->GetUpdateTime() });
-    }
-  }
-  const bool unchanged = changed < this->FailureTime.GetMTime();
-  return vtkShapeGather::Everywhere(this->Controller, unchanged);
-}
-
 int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
 {
-  if (this->WouldFailAgain())
-  {
-    return 0;
-  }
   bool stopped = true;
   std::string message; // stays empty where the user stopped it
   try
@@ -243,7 +223,6 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   {
     return 1;
   }
-  this->FailureTime.Modified();
   vtkErrorMacro(<< this->GetLabel() << ": " << message);
   return 0;
 }

@@ -12,8 +12,7 @@
  *   processes have different numbers of.
  * - Execute throws shape::InvalidInput or shape::SolveFailure. Here that becomes one error event
  *   whose text starts with the filter's label; every output is left empty and the pipeline is told
- *   that the request failed. Where one process fails, all of them do. What failed is not tried
- *   again before the filter or an input has changed.
+ *   that the request failed. Where one process fails, all of them do.
  * - An output like the input has the type of the first input, except that image data and
  *   rectilinear grids become structured grids, since their points move.
  */
@@ -23,7 +22,6 @@
 #include "vtkAlgorithm.h"
 #include "vtkShapeFiltersModule.h" // for the export macro
 #include "vtkSmartPointer.h"       // for the gathered inputs
-#include "vtkTimeStamp.h"          // for the time of a failure
 
 #include "Core/Progress.h" // for shape::Progress
 
@@ -135,14 +133,12 @@ private:
   int CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   int Run(vtkInformationVector* outputs);
   void PrepareInputs();
-  bool WouldFailAgain();
   shape::Progress MakeProgress();
 
   std::vector<InputPort> InputPorts;
   std::vector<std::string> OutputTypes;
   std::vector<std::vector<WholeInput>> Wholes;
   vtkMultiProcessController* Controller = nullptr;
-  vtkTimeStamp FailureTime;
 };
 
 #endif

@@ -236,17 +236,6 @@ vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const s
   return whole;
 }
 
-bool vtkShapeGather::Everywhere(vtkMultiProcessController* controller, bool holds)
-{
-  int own = holds ? 1 : 0;
-  int all = own;
-  if (IsParallel(controller))
-  {
-    controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
-  }
-  return all == 1;
-}
-
 void vtkShapeGather::AgreeOnFailure(
   vtkMultiProcessController* controller, bool& failed, std::string& message)
 {

@@ -32,9 +32,6 @@ vtkIdType CountPoints(vtkDataObject* data, vtkMultiProcessController* controller
 vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name, bool weld,
   vtkMultiProcessController* controller, std::vector<int>& ownPoints);
 
-/// Whether `holds` is true on every process.
-bool Everywhere(vtkMultiProcessController* controller, bool holds);
-
 /// Sets `failed` on every process where it is set on one, and `message` to that of the first that
 /// failed.
 void AgreeOnFailure(vtkMultiProcessController* controller, bool& failed, std::string& message);

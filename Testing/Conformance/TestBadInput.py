@@ -55,8 +55,10 @@ for name in filters.names():
             assert not messages, '%s after %s on port %d: %s' % (name, what, port, messages)
             assert bad.GetOutputDataObject(0).GetNumberOfElements(vtkPolyData.POINT) > 0
     # A bad block spoils the whole, whichever comes first: no part of an output may be left.
+    # A table is met only when the blocks before it are done.
     for order in ((filters.good_input(), spoiled(numpy.nan)),
-                  (spoiled(numpy.nan), filters.good_input())):
+                  (spoiled(numpy.nan), filters.good_input()),
+                  (filters.good_input(), vtkTable())):
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, order[0])
         blocks.SetBlock(1, order[1])
