@@ -1,18 +1,14 @@
 #include "vtkShapeAlgorithm.h"
 
+#include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
 
-#include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkStructuredGrid.h"
 #include "vtkVersionMacros.h"
 
 #include "Core/Errors.h"
@@ -108,28 +104,13 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
-namespace
-{
-
-/// The class of an output that is like `input`, but whose points may be anywhere.
-std::string TypeLike(vtkDataObject* input)
-{
-  if (vtkDataObjectTree::SafeDownCast(input) || vtkPointSet::SafeDownCast(input))
-  {
-    return input->GetClassName();
-  }
-  return vtkCompositeDataSet::SafeDownCast(input) ? "vtkMultiBlockDataSet" : "vtkStructuredGrid";
-}
-
-} // namespace
-
 int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
     const std::string type =
-      this->OutputTypes[port].empty() ? TypeLike(input) : this->OutputTypes[port];
+      this->OutputTypes[port].empty() ? vtkShapeConvert::MovedType(input) : this->OutputTypes[port];
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
     if (!output || type != output->GetClassName())
     {

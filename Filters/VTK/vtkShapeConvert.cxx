@@ -5,6 +5,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -200,6 +201,15 @@ Eigen::MatrixXd vtkShapeConvert::Rows(const Eigen::MatrixXd& values, const std::
   return chosen;
 }
 
+std::string vtkShapeConvert::MovedType(vtkDataObject* input)
+{
+  if (vtkDataObjectTree::SafeDownCast(input) || vtkPointSet::SafeDownCast(input))
+  {
+    return input->GetClassName();
+  }
+  return vtkCompositeDataSet::SafeDownCast(input) ? "vtkMultiBlockDataSet" : "vtkStructuredGrid";
+}
+
 void vtkShapeConvert::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output)
 {
   auto* moved = vtkPointSet::SafeDownCast(output);
@@ -228,19 +238,6 @@ void vtkShapeConvert::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtk
 void vtkShapeConvert::ForEachLeaf(vtkDataObject* input, vtkDataObject* output,
   const std::function<void(vtkDataSet* input, vtkDataSet* output)>& move)
 {
-  const auto newLike = [](vtkDataSet* leaf)
-  {
-    vtkSmartPointer<vtkDataSet> created;
-    if (vtkPointSet::SafeDownCast(leaf))
-    {
-      created.TakeReference(leaf->NewInstance());
-    }
-    else
-    {
-      created = vtkSmartPointer<vtkStructuredGrid>::New();
-    }
-    return created;
-  };
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
   {
@@ -265,7 +262,9 @@ void vtkShapeConvert::ForEachLeaf(vtkDataObject* input, vtkDataObject* output,
         it->GetCurrentDataObject()->GetClassName() +
         ", which has no points to move; leave it out with Extract Block");
     }
-    const vtkSmartPointer<vtkDataSet> moved = newLike(leaf);
+    vtkSmartPointer<vtkDataSet> moved;
+    moved.TakeReference(
+      vtkDataSet::SafeDownCast(vtkDataObjectTypes::NewDataObject(MovedType(leaf).c_str())));
     move(leaf, moved);
     if (sameTree)
     {

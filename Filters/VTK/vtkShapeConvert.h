@@ -45,6 +45,10 @@ vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std
 /// Rows `rows` of `values`, in order.
 Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows);
 
+/// The class of a data object like `input` whose points may be anywhere: image data and rectilinear
+/// grids become structured grids, composites that are no trees multiblocks.
+std::string MovedType(vtkDataObject* input);
+
 /**
  * Makes `output` the data set `input` with its points at `points` and its attributes passed on,
  * without Normals, which no longer fit. Image data and rectilinear grids become structured grids:

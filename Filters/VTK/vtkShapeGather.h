@@ -24,10 +24,10 @@ vtkIdType CountPoints(vtkDataObject* data, vtkMultiProcessController* controller
  * All blocks of `data` of all processes as one vtkPolyData, the same on every process.
  *
  * weld: points that several blocks or processes have at exactly the same coordinates become one,
- * so that the pieces of a surface hang together; else every point stays. Ghost
- * cells are left out. A block that is not vtkPolyData raises shape::InvalidInput, on every process;
- * `name` is what its message calls the data. ownPoints: for each point of this process's blocks, in
- * order, its index in the whole.
+ * so that the pieces of a surface hang together; else every point stays. Ghost cells are left out.
+ * A block that is not vtkPolyData raises shape::InvalidInput, on every process; `name` is what its
+ * message calls the data. ownPoints: for each point of this process's blocks, in order, its index
+ * in the whole.
  */
 vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name, bool weld,
   vtkMultiProcessController* controller, std::vector<int>& ownPoints);

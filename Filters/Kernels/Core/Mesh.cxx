@@ -25,28 +25,6 @@ Eigen::MatrixXd AreaVectors(const Mesh& mesh)
   return vectors;
 }
 
-Eigen::MatrixXd PointNormals(const Mesh& mesh)
-{
-  const Eigen::MatrixXd vectors = AreaVectors(mesh);
-  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
-  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      normals.row(mesh.Triangles(t, corner)) += vectors.row(t);
-    }
-  }
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
-  {
-    const double length = normals.row(i).norm();
-    if (length > 0.0)
-    {
-      normals.row(i) /= length;
-    }
-  }
-  return normals;
-}
-
 Eigen::VectorXd PointAreas(const Mesh& mesh)
 {
   const Eigen::VectorXd sixths = AreaVectors(mesh).rowwise().norm() / 6.0;

@@ -23,9 +23,6 @@ double LongestSide(const Eigen::MatrixXd& points);
 /// Twice-area vectors of the triangles (m x 3): the cross product of two edges, pointing outwards.
 Eigen::MatrixXd AreaVectors(const Mesh& mesh);
 
-/// Unit normals of the points (n x 3), area-weighted; zero at points of no or only flat triangles.
-Eigen::MatrixXd PointNormals(const Mesh& mesh);
-
 /// A third of the area of the triangles around each point (n).
 Eigen::VectorXd PointAreas(const Mesh& mesh);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <vector>
 
 namespace shape
 {
@@ -268,40 +269,6 @@ void RequireFinite(const Eigen::MatrixXd& values, const std::string& name)
   throw InvalidInput(name + " has " + std::to_string(count) + (count == 1 ? " point" : " points") +
     " with a value that is not finite (first at point " + std::to_string(first) +
     "); remove or repair " + (count == 1 ? "it" : "them"));
-}
-
-std::vector<std::vector<int>> PointNeighbours(const Mesh& mesh)
-{
-  std::vector<std::vector<int>> neighbours(mesh.Points.rows());
-  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const int a = mesh.Triangles(t, corner);
-      const int b = mesh.Triangles(t, (corner + 1) % 3);
-      neighbours[a].push_back(b);
-      neighbours[b].push_back(a);
-    }
-  }
-  for (std::vector<int>& list : neighbours)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-  return neighbours;
-}
-
-std::vector<std::vector<int>> PointTriangles(const Mesh& mesh)
-{
-  std::vector<std::vector<int>> around(mesh.Points.rows());
-  for (int t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      around[mesh.Triangles(t, corner)].push_back(t);
-    }
-  }
-  return around;
 }
 
 } // namespace shape

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 
 #include <string>
-#include <vector>
 
 namespace shape
 {
@@ -38,11 +37,5 @@ Topology RequireClosedSurface(const Mesh& mesh, const std::string& name);
 /// Throws InvalidInput where `values` has a NaN or an infinity: "`name` has 3 values that are not
 /// finite (first at point 17)".
 void RequireFinite(const Eigen::MatrixXd& values, const std::string& name);
-
-/// The points that share an edge with each point, ascending.
-std::vector<std::vector<int>> PointNeighbours(const Mesh& mesh);
-
-/// The triangles around each point, ascending.
-std::vector<std::vector<int>> PointTriangles(const Mesh& mesh);
 
 } // namespace shape

@@ -51,7 +51,6 @@ HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::Mat
     SolveMultiLevel(problem, options, result, progress.Part(0.05, 1.0));
   }
   result.Map = problem.Map();
-  result.RMSEInside = problem.Errors().RMSEInside;
   result.RMSEFeatures = problem.FeatureError();
   progress(1.0);
   return result;

@@ -65,11 +65,10 @@ struct HarmonicVolumeMapResult
     double Seconds = 0.0;
     bool Kept = true; ///< false: no factor of it lowers what is left, so it is not in the sum
   };
-  ChargeSet Map; ///< in the coordinates of the input
-  std::vector<Level> Levels;
+  ChargeSet Map;             ///< in the coordinates of the input
+  std::vector<Level> Levels; ///< the last one's errors are those of Map
   Stop Reason = Stop::Levels;
   double OffsetDistance = 0.0; ///< that was used / the longest side of the boundary
-  double RMSEInside = 0.0;     ///< of Map
   double RMSEFeatures = 0.0;   ///< of Map at the features, unweighted; 0 without features
   int DeletedSources = 0;      ///< left out of later levels because they were redundant
   int InsertedSources = 0;     ///< added where the fit was worst
