@@ -57,6 +57,11 @@ std::string vtkShapeAlgorithm::GetLabel()
   return label;
 }
 
+std::string vtkShapeAlgorithm::GetInputName(int port)
+{
+  return this->InputPorts[port].Name;
+}
+
 void vtkShapeAlgorithm::DeclareInput(
   const std::string& name, PortData data, PortUse use, const std::vector<std::string>& types)
 {
@@ -68,6 +73,17 @@ void vtkShapeAlgorithm::DeclareOutput(const std::string& type)
 {
   this->OutputTypes.push_back(type);
   this->SetNumberOfOutputPorts(static_cast<int>(this->OutputTypes.size()));
+}
+
+void vtkShapeAlgorithm::DeclareOutputLikeInput()
+{
+  this->DeclareOutput("");
+}
+
+void vtkShapeAlgorithm::DeclareMovedOutput()
+{
+  this->MovedOutputs.insert(static_cast<int>(this->OutputTypes.size()));
+  this->DeclareOutput("");
 }
 
 int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -109,8 +125,14 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-    const std::string type =
-      this->OutputTypes[port].empty() ? vtkShapeConvert::MovedType(input) : this->OutputTypes[port];
+    std::string type = this->OutputTypes[port];
+    if (type.empty())
+    {
+      // Without an input the pipeline stops after this, and says so.
+      const auto points = this->MovedOutputs.count(port) ? vtkShapeConvert::Points::Moved
+                                                         : vtkShapeConvert::Points::Kept;
+      type = input ? vtkShapeConvert::TypeLike(input, points) : "vtkPolyData";
+    }
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
     if (!output || type != output->GetClassName())
     {

@@ -13,8 +13,7 @@
  * - Execute throws shape::InvalidInput or shape::SolveFailure. Here that becomes one error event
  *   whose text starts with the filter's label; every output is left empty and the pipeline is told
  *   that the request failed. Where one process fails, all of them do.
- * - An output like the input has the type of the first input, except that image data and
- *   rectilinear grids become structured grids, since their points move.
+ * - An output like the input has the type of the first input.
  */
 #ifndef vtkShapeAlgorithm_h
 #define vtkShapeAlgorithm_h
@@ -25,6 +24,7 @@
 
 #include "Core/Progress.h" // for shape::Progress
 
+#include <set>    // for ports
 #include <string> // for names
 #include <vector> // for ports
 
@@ -76,6 +76,9 @@ public:
   /// The name that ParaView shows: "Shape Harmonic Volume Map" for vtkShapeHarmonicVolumeMap.
   std::string GetLabel();
 
+  /// What an input port is called, in errors and in ParaView: "Domain".
+  std::string GetInputName(int port);
+
   ///@{
   /// The processes whose pieces belong together; the global controller at first. With nullptr, or
   /// with one process, nothing is communicated; else every process must update the filter.
@@ -106,8 +109,14 @@ protected:
   /// Appends an input port; `types` are the class names accepted, alone or as blocks.
   void DeclareInput(
     const std::string& name, PortData data, PortUse use, const std::vector<std::string>& types);
-  /// Appends an output port of a class, or like the first input where the name is empty.
-  void DeclareOutput(const std::string& type = "");
+  /// Appends an output port of a class.
+  void DeclareOutput(const std::string& type);
+  ///@{
+  /// Appends an output port like the first input, whose points are kept, or moved: then image data
+  /// and rectilinear grids become structured grids.
+  void DeclareOutputLikeInput();
+  void DeclareMovedOutput();
+  ///@}
 
   /// Computes the outputs from inputs that are there and have points. Throws shape::InvalidInput,
   /// shape::SolveFailure, shape::Aborted.
@@ -136,7 +145,8 @@ private:
   shape::Progress MakeProgress();
 
   std::vector<InputPort> InputPorts;
-  std::vector<std::string> OutputTypes;
+  std::vector<std::string> OutputTypes; ///< empty: like the first input
+  std::set<int> MovedOutputs;
   std::vector<std::vector<WholeInput>> Wholes;
   vtkMultiProcessController* Controller = nullptr;
 };

@@ -201,13 +201,14 @@ Eigen::MatrixXd vtkShapeConvert::Rows(const Eigen::MatrixXd& values, const std::
   return chosen;
 }
 
-std::string vtkShapeConvert::MovedType(vtkDataObject* input)
+std::string vtkShapeConvert::TypeLike(vtkDataObject* input, Points points)
 {
-  if (vtkDataObjectTree::SafeDownCast(input) || vtkPointSet::SafeDownCast(input))
+  if (vtkCompositeDataSet::SafeDownCast(input))
   {
-    return input->GetClassName();
+    return vtkDataObjectTree::SafeDownCast(input) ? input->GetClassName() : "vtkMultiBlockDataSet";
   }
-  return vtkCompositeDataSet::SafeDownCast(input) ? "vtkMultiBlockDataSet" : "vtkStructuredGrid";
+  const bool keeps = points == Points::Kept || vtkPointSet::SafeDownCast(input);
+  return keeps ? input->GetClassName() : "vtkStructuredGrid";
 }
 
 void vtkShapeConvert::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output)
@@ -235,13 +236,13 @@ void vtkShapeConvert::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtk
   RemoveNormals(moved->GetCellData());
 }
 
-void vtkShapeConvert::ForEachLeaf(vtkDataObject* input, vtkDataObject* output,
-  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& move)
+void vtkShapeConvert::ForEachLeaf(vtkDataObject* input, vtkDataObject* output, Points points,
+  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   if (!composite)
   {
-    move(vtkDataSet::SafeDownCast(input), vtkDataSet::SafeDownCast(output));
+    fill(vtkDataSet::SafeDownCast(input), vtkDataSet::SafeDownCast(output));
     return;
   }
   auto* tree = vtkDataObjectTree::SafeDownCast(output);
@@ -260,19 +261,19 @@ void vtkShapeConvert::ForEachLeaf(vtkDataObject* input, vtkDataObject* output,
     {
       throw shape::InvalidInput(std::string("a block is a ") +
         it->GetCurrentDataObject()->GetClassName() +
-        ", which has no points to move; leave it out with Extract Block");
+        ", which has no points; leave it out with Extract Block");
     }
-    vtkSmartPointer<vtkDataSet> moved;
-    moved.TakeReference(
-      vtkDataSet::SafeDownCast(vtkDataObjectTypes::NewDataObject(MovedType(leaf).c_str())));
-    move(leaf, moved);
+    vtkSmartPointer<vtkDataSet> filled;
+    filled.TakeReference(
+      vtkDataSet::SafeDownCast(vtkDataObjectTypes::NewDataObject(TypeLike(leaf, points).c_str())));
+    fill(leaf, filled);
     if (sameTree)
     {
-      tree->SetDataSet(it, moved);
+      tree->SetDataSet(it, filled);
     }
     else
     {
-      vtkMultiBlockDataSet::SafeDownCast(output)->SetBlock(block++, moved);
+      vtkMultiBlockDataSet::SafeDownCast(output)->SetBlock(block++, filled);
     }
   }
   output->GetFieldData()->PassData(input->GetFieldData());

@@ -45,9 +45,15 @@ vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std
 /// Rows `rows` of `values`, in order.
 Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows);
 
-/// The class of a data object like `input` whose points may be anywhere: image data and rectilinear
-/// grids become structured grids, composites that are no trees multiblocks.
-std::string MovedType(vtkDataObject* input);
+/// Whether an output like an input keeps its points.
+enum class Points
+{
+  Kept,
+  Moved ///< anywhere: image data and rectilinear grids become structured grids
+};
+
+/// The class of a data object like `input`; composites that are no trees become multiblocks.
+std::string TypeLike(vtkDataObject* input, Points points);
 
 /**
  * Makes `output` the data set `input` with its points at `points` and its attributes passed on,
@@ -57,13 +63,12 @@ std::string MovedType(vtkDataObject* input);
 void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
 
 /**
- * Makes `output` like `input`, and calls `move` with each data set in `input` and the one that
- * takes its place in `output`. `output` has the type that vtkShapeAlgorithm gives an output like
- * its input. Throws shape::InvalidInput where a
+ * Makes `output`, a TypeLike(input, points), like `input`, and calls `fill` with each data set in
+ * `input` and the empty one that takes its place in `output`. Throws shape::InvalidInput where a
  * block is no data set.
  */
-void ForEachLeaf(vtkDataObject* input, vtkDataObject* output,
-  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& move);
+void ForEachLeaf(vtkDataObject* input, vtkDataObject* output, Points points,
+  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill);
 
 /// A mesh as a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);

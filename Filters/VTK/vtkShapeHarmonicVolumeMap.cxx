@@ -28,7 +28,7 @@ vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
   // the selection suits the input that comes first in the alphabet, and users select the solid.
   this->DeclareInput("Boundary", PortData::WholeSurface, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("Features", PortData::Whole, PortUse::OptionalRepeatable, { "vtkPolyData" });
-  this->DeclareOutput();
+  this->DeclareMovedOutput();
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkTable");
 }
@@ -146,7 +146,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   vtkDataObject* moved = this->GetOutputDataObject(0);
   const double share =
     0.2 / std::max<vtkIdType>(1, domain->GetNumberOfElements(vtkDataObject::POINT));
-  vtkShapeConvert::ForEachLeaf(domain, moved,
+  vtkShapeConvert::ForEachLeaf(domain, moved, vtkShapeConvert::Points::Moved,
     [&](vtkDataSet* input, vtkDataSet* output)
     {
       const Eigen::MatrixXd sources = vtkShapeConvert::ToPoints(input);

@@ -12,8 +12,8 @@ vtkStandardNewMacro(vtkShapeParameterize);
 vtkShapeParameterize::vtkShapeParameterize()
 {
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
-  this->DeclareOutput();
-  this->DeclareOutput();
+  this->DeclareOutputLikeInput();
+  this->DeclareMovedOutput();
 }
 
 void vtkShapeParameterize::Execute(const shape::Progress& progress)
@@ -28,7 +28,7 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
   vtkDataObject* surface = this->GetOutputDataObject(0);
   vtkDataObject* image = this->GetOutputDataObject(1);
   vtkIdType first = 0;
-  vtkShapeConvert::ForEachLeaf(input, surface,
+  vtkShapeConvert::ForEachLeaf(input, surface, vtkShapeConvert::Points::Kept,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const vtkIdType count = from->GetNumberOfPoints();
@@ -38,7 +38,7 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
       first += count;
     });
   first = 0;
-  vtkShapeConvert::ForEachLeaf(input, image,
+  vtkShapeConvert::ForEachLeaf(input, image, vtkShapeConvert::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const vtkIdType count = from->GetNumberOfPoints();

@@ -20,13 +20,13 @@ def refused(name, algorithm, what, named):
             '%s with %s: output %d is not empty' % (name, what, port)
 
 
-def spoiled(value):
-    """The good surface with one coordinate that is not finite."""
-    surface = shapetesting.copy(filters.good_input())
-    coordinates = shapetesting.points(surface)
+def spoiled(name, port, value):
+    """The good input with one coordinate that is not finite."""
+    data = shapetesting.copy(filters.good_input(name, port))
+    coordinates = shapetesting.points(data)
     coordinates[17, 1] = value
-    shapetesting.set_points(surface, coordinates)
-    return surface
+    shapetesting.set_points(data, coordinates)
+    return data
 
 
 for name in filters.names():
@@ -42,23 +42,22 @@ for name in filters.names():
         refused(name, wrong, 'a table on port %d' % port, 'vtk' + name)
 
         for what, data in (('an empty surface', vtkPolyData()),
-                           ('a NaN', spoiled(numpy.nan)),
-                           ('an infinity', spoiled(numpy.inf))):
+                           ('a NaN', spoiled(name, port, numpy.nan)),
+                           ('an infinity', spoiled(name, port, numpy.inf))):
             bad = filters.with_good_inputs(name)
             bad.SetInputDataObject(port, data)
             refused(name, bad, '%s on port %d' % (what, port), label + ': ')
             again = shapetesting.run(bad)
             assert not any(label + ': ' in message for message in again), \
                 '%s computes and complains again although nothing changed' % name
-            bad.SetInputDataObject(port, filters.good_input())
+            bad.SetInputDataObject(port, filters.good_input(name, port))
             messages = shapetesting.run(bad)
             assert not messages, '%s after %s on port %d: %s' % (name, what, port, messages)
             assert bad.GetOutputDataObject(0).GetNumberOfElements(vtkPolyData.POINT) > 0
     # A bad block spoils the whole, whichever comes first: no part of an output may be left.
     # A table is met only when the blocks before it are done.
-    for order in ((filters.good_input(), spoiled(numpy.nan)),
-                  (spoiled(numpy.nan), filters.good_input()),
-                  (filters.good_input(), vtkTable())):
+    good, bad = filters.good_input(name, 0), spoiled(name, 0, numpy.nan)
+    for order in ((good, bad), (bad, good), (good, vtkTable())):
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, order[0])
         blocks.SetBlock(1, order[1])

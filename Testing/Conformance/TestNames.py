@@ -10,15 +10,6 @@ def check(condition, *words):
         raise AssertionError(' '.join(str(word) for word in words))
 
 
-def port_of(property, fresh):
-    """The input port that an input property fills: a command of its own belongs to the first
-    repeatable port that no other property names."""
-    if property.GetCommand() == 'SetInputConnection':
-        return property.GetPortIndex()
-    return next(port for port in range(fresh.GetNumberOfInputPorts())
-                if fresh.GetInputPortInformation(port).Get(fresh.INPUT_IS_REPEATABLE()))
-
-
 for name in filters.names():
     proxy = filters.proxy(name)
     fresh = filters.new(name)
@@ -51,7 +42,13 @@ for name in filters.names():
             inputs += 1
             hints = property.GetHints()
             optional = hints is not None and hints.FindNestedElementByName('Optional') is not None
-            port = fresh.GetInputPortInformation(port_of(property, fresh))
+            ports = [i for i in range(fresh.GetNumberOfInputPorts()) if fresh.GetInputName(i) == key]
+            check(len(ports) == 1, where, 'names no input port')
+            own_command = property.GetCommand() != 'SetInputConnection'
+            check(own_command or property.GetPortIndex() == ports[0], where, 'fills another port')
+            port = fresh.GetInputPortInformation(ports[0])
+            check(own_command == bool(port.Get(fresh.INPUT_IS_REPEATABLE())), where,
+                  'needs a command of its own exactly where the port is repeatable')
             check(optional == bool(port.Get(fresh.INPUT_IS_OPTIONAL())), where,
                   'is optional in XML or in C++, but not in both')
             check(hasattr(fresh, property.GetCommand()), where, 'calls', property.GetCommand())

@@ -1,12 +1,15 @@
 """Every ShapeMap filter that the plugin brings, with inputs that each of its ports takes.
 
 A new filter is found by its proxy's name and tested without a line here, as long as a closed
-surface with TargetPosition suits every port that it requires."""
+surface with TargetPosition suits every port that it requires; else OTHER_INPUTS says what does."""
 from paraview import servermanager
 from paraview.simple import GetActiveSource  # connects to the built-in server
 import shapemap.vtkShapeFilters as module
 
 import shapetesting
+
+# What a port that it requires takes in place of the closed surface: (filter, input) -> file of Data/.
+OTHER_INPUTS = {}
 
 GetActiveSource()
 
@@ -43,8 +46,10 @@ def new(name):
     return getattr(module, 'vtk' + name)()
 
 
-def good_input():
-    return shapetesting.read('DentedSphere600.vtp')
+def good_input(name, port):
+    """Data that the port of a filter can work on."""
+    key = name, new(name).GetInputName(port)
+    return shapetesting.read(OTHER_INPUTS.get(key, 'DentedSphere600.vtp'))
 
 
 def required_ports(algorithm):
@@ -57,7 +62,7 @@ def with_good_inputs(name):
     """A fresh C++ object whose required ports are connected to data that it can work on."""
     algorithm = new(name)
     for port in required_ports(algorithm):
-        algorithm.SetInputDataObject(port, good_input())
+        algorithm.SetInputDataObject(port, good_input(name, port))
     return algorithm
 
 
