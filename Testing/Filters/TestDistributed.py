@@ -67,10 +67,18 @@ carried = volume.GetOutputDataObject(0)
 assert volume.GetOutputDataObject(1).GetNumberOfPoints() > 0 or rank > 0
 assert volume.GetOutputDataObject(1).GetNumberOfPoints() == 0 or rank == 0, 'charges come once'
 
+# The distance of the pieces of a solid to the whole surface.
+distance = shapemap.vtkShapeBoundaryDistance()
+distance.SetInputDataObject(0, ball)
+distance.SetInputDataObject(1, surface)
+assert not shapetesting.run(distance)
+measured = distance.GetOutputDataObject(0)
+
 if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),
-                sources=array(carried, 'SourcePosition'), moved=points(carried))
+                sources=array(carried, 'SourcePosition'), moved=points(carried),
+                measured=points(measured), distances=array(measured, 'BoundaryDistance'))
     print('one process wrote the truth')
 else:
     truth = numpy.load(os.path.join(folder, 'truth.npz'))
@@ -79,7 +87,9 @@ else:
             (points(mapped), array(mapped, 'TargetPosition'),
              by_place(truth['places'], truth['targets'])),
             (array(carried, 'SourcePosition'), points(carried),
-             by_place(truth['sources'], truth['moved']))):
+             by_place(truth['sources'], truth['moved'])),
+            (points(measured), array(measured, 'BoundaryDistance'),
+             by_place(truth['measured'], truth['distances']))):
         found = by_place(places, values)
         assert found.keys() <= expected.keys()
         worst = max(abs(found[key] - expected[key]).max() for key in found)

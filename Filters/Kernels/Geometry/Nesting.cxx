@@ -1,0 +1,205 @@
+#include "Geometry/Nesting.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+using Eigen::RowVector3d;
+
+Eigen::Matrix3d Corners(const Mesh& mesh, int triangle)
+{
+  Eigen::Matrix3d corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners.row(k) = mesh.Points.row(mesh.Triangles(triangle, k));
+  }
+  return corners;
+}
+
+/// A connected piece of the surface.
+struct Component
+{
+  std::vector<int> Triangles;
+  Eigen::AlignedBox3d Box;
+  Eigen::KdBVH<double, 3, int> Tree; ///< of triangles
+};
+
+std::vector<Component> Split(const Mesh& mesh, const Topology& topology)
+{
+  std::vector<Component> components(topology.Components);
+  for (int t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    components[topology.ComponentId(mesh.Triangles(t, 0))].Triangles.push_back(t);
+  }
+  for (Component& component : components)
+  {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    boxes.reserve(component.Triangles.size());
+    for (const int t : component.Triangles)
+    {
+      const Eigen::Matrix3d corners = Corners(mesh, t);
+      boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
+      component.Box.extend(boxes.back());
+    }
+    component.Tree.init(
+      component.Triangles.begin(), component.Triangles.end(), boxes.begin(), boxes.end());
+  }
+  return components;
+}
+
+/// Six times the volume of a tetrahedron, positive where a, b, c turn counter-clockwise seen from
+/// the side of the triangle that d is not on.
+double SixVolumes(
+  const RowVector3d& a, const RowVector3d& b, const RowVector3d& c, const RowVector3d& d)
+{
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+/// Whether a side of triangle `one` meets triangle `other`, its rim included.
+bool SideMeets(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other)
+{
+  const RowVector3d a = other.row(0), b = other.row(1), c = other.row(2);
+  Eigen::RowVector3d heights;
+  for (int k = 0; k < 3; ++k)
+  {
+    heights(k) = SixVolumes(a, b, c, one.row(k));
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const RowVector3d p = one.row(k), q = one.row((k + 1) % 3);
+    const double here = heights(k), there = heights((k + 1) % 3);
+    if ((here > 0.0 && there > 0.0) || (here < 0.0 && there < 0.0) || (here == 0.0 && there == 0.0))
+    {
+      continue;
+    }
+    const Eigen::RowVector3d turns(
+      SixVolumes(p, q, a, b), SixVolumes(p, q, b, c), SixVolumes(p, q, c, a));
+    if ((turns.minCoeff() >= 0.0 || turns.maxCoeff() <= 0.0) && !turns.isZero(0.0))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Asks Eigen's walk through two trees whether a triangle of one meets a triangle of the other.
+struct Meeting
+{
+  const Mesh& Surface;
+  const Progress& Report;
+  double Done; ///< what is reported while the search lasts
+  bool Found = false;
+  int Visits = 0;
+
+  // Eigen's search calls these by their names. NOLINTBEGIN(readability-identifier-naming)
+  bool intersectVolumeVolume(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
+  {
+    if (++this->Visits % 65536 == 0)
+    {
+      this->Report(this->Done);
+    }
+    return a.intersects(b);
+  }
+  bool intersectVolumeObject(const Eigen::AlignedBox3d& box, int triangle) const
+  {
+    const Eigen::Matrix3d corners = Corners(this->Surface, triangle);
+    return box.intersects({ corners.colwise().minCoeff(), corners.colwise().maxCoeff() });
+  }
+  bool intersectObjectVolume(int triangle, const Eigen::AlignedBox3d& box) const
+  {
+    return this->intersectVolumeObject(box, triangle);
+  }
+  bool intersectObjectObject(int a, int b)
+  {
+    const Eigen::Matrix3d one = Corners(this->Surface, a), other = Corners(this->Surface, b);
+    this->Found = SideMeets(one, other) || SideMeets(other, one);
+    return this->Found; // true ends the search
+  }
+  // NOLINTEND(readability-identifier-naming)
+};
+
+/// How often the component winds around a place: 0 outside, +1 or -1 inside.
+double WindingNumber(const Mesh& mesh, const Component& component, const RowVector3d& place)
+{
+  double halfAngles = 0.0;
+  for (const int t : component.Triangles)
+  {
+    const Eigen::Matrix3d corners = Corners(mesh, t).rowwise() - place;
+    const RowVector3d a = corners.row(0), b = corners.row(1), c = corners.row(2);
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    halfAngles +=
+      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return halfAngles / (2.0 * M_PI);
+}
+
+/// Whether a component faces outwards; `apex` is one of its points.
+bool FacesOutwards(const Mesh& mesh, const Component& component, const RowVector3d& apex)
+{
+  double sixVolumes = 0.0;
+  for (const int t : component.Triangles)
+  {
+    const Eigen::Matrix3d corners = Corners(mesh, t).rowwise() - apex;
+    sixVolumes += corners.determinant();
+  }
+  return sixVolumes > 0.0;
+}
+
+} // namespace
+
+Mesh OrientedByNesting(const Mesh& mesh, const std::string& name, const Progress& progress)
+{
+  const Topology topology = RequireClosedSurface(mesh, name);
+  const std::vector<Component> components = Split(mesh, topology);
+  Mesh oriented = mesh;
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    const RowVector3d place = mesh.Points.row(mesh.Triangles(components[i].Triangles[0], 0));
+    const double done = static_cast<double>(i) / static_cast<double>(components.size());
+    int depth = 0;
+    for (std::size_t j = 0; j < components.size(); ++j)
+    {
+      if (i == j || !components[i].Box.intersects(components[j].Box))
+      {
+        continue;
+      }
+      Meeting meeting{ mesh, progress, done };
+      if (i < j)
+      {
+        Eigen::BVIntersect(components[i].Tree, components[j].Tree, meeting);
+      }
+      if (meeting.Found)
+      {
+        throw InvalidInput(name + " has components that touch or cross (the ones of points " +
+          std::to_string(mesh.Triangles(components[i].Triangles[0], 0)) + " and " +
+          std::to_string(mesh.Triangles(components[j].Triangles[0], 0)) +
+          "); move them apart, or unite them");
+      }
+      depth += components[j].Box.contains(components[i].Box) &&
+        std::abs(WindingNumber(mesh, components[j], place)) > 0.5;
+    }
+    if (FacesOutwards(mesh, components[i], place) != (depth % 2 == 0))
+    {
+      for (const int t : components[i].Triangles)
+      {
+        std::swap(oriented.Triangles(t, 1), oriented.Triangles(t, 2));
+      }
+    }
+    progress(static_cast<double>(i + 1) / static_cast<double>(components.size()));
+  }
+  return oriented;
+}
+
+} // namespace shape

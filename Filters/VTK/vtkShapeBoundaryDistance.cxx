@@ -1,0 +1,41 @@
+#include "vtkShapeBoundaryDistance.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkShapeBoundaryDistance);
+
+vtkShapeBoundaryDistance::vtkShapeBoundaryDistance()
+{
+  this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
+  this->DeclareInput("Surface", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareOutputLikeInput();
+}
+
+void vtkShapeBoundaryDistance::Execute(const shape::Progress& progress)
+{
+  const shape::Mesh surface = vtkShapeConvert::ToMesh(this->GetWhole(1).Data, "the Surface");
+  progress(0.1);
+  const shape::BoundaryDistance distance(surface, this->Options, progress.Part(0.1, 0.3));
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  const double share =
+    0.7 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
+  double done = 0.3;
+  vtkShapeConvert::ForEachLeaf(input, this->GetOutputDataObject(0), vtkShapeConvert::Points::Kept,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const double next = done + share * from->GetNumberOfPoints();
+      const Eigen::VectorXd values =
+        distance.Evaluate(vtkShapeConvert::ToPoints(from), progress.Part(done, next));
+      done = next;
+      to->ShallowCopy(from);
+      to->GetPointData()->AddArray(vtkShapeConvert::ToArray(values, "BoundaryDistance"));
+    });
+}
