@@ -9,6 +9,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVersionMacros.h"
 
 #include "Core/Errors.h"
@@ -113,11 +114,28 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   {
     return this->CreateOutputs(inputs, outputs);
   }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    this->DescribeOutputs(inputs, outputs);
+  }
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()) ||
+    request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    this->RequestInputs(inputs, outputs);
+  }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
     return this->Run(outputs);
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+void vtkShapeAlgorithm::DescribeOutputs(vtkInformationVector**, vtkInformationVector*)
+{
+}
+
+void vtkShapeAlgorithm::RequestInputs(vtkInformationVector**, vtkInformationVector*)
+{
 }
 
 int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs)

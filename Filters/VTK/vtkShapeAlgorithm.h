@@ -122,6 +122,14 @@ protected:
   /// shape::SolveFailure, shape::Aborted.
   virtual void Execute(const shape::Progress& progress) = 0;
 
+  ///@{
+  /// For filters that know time: what the outputs offer (TIME_RANGE), called before anything is
+  /// made; and what the inputs are asked for (UPDATE_TIME_STEP). The pipeline's own answer, which
+  /// hands everything through, is there already.
+  virtual void DescribeOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  virtual void RequestInputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  ///@}
+
   /// A Whole input, and for each point that this process has, its index in the whole.
   struct WholeInput
   {
