@@ -20,6 +20,17 @@ def refused(name, algorithm, what, named):
             '%s with %s: output %d is not empty' % (name, what, port)
 
 
+def without_good_map(name, spoil):
+    """The filter with good inputs but for their map arrays, which `spoil` has worked on."""
+    algorithm = filters.new(name)
+    for port in filters.required_ports(algorithm):
+        data = shapetesting.copy(filters.good_input(name, port))
+        if data.GetPointData().HasArray(algorithm.GetMapArray()):
+            spoil(data)
+        algorithm.SetInputDataObject(port, data)
+    return algorithm
+
+
 def spoiled(name, port, value):
     """The good input with one coordinate that is not finite."""
     data = shapetesting.copy(filters.good_input(name, port))
@@ -64,4 +75,15 @@ for name in filters.names():
         half = filters.with_good_inputs(name)
         half.SetInputDataObject(0, blocks)
         refused(name, half, 'a bad block', label + ': ')
+    if hasattr(filters.new(name), 'GetMapArray'):
+        array = filters.new(name).GetMapArray()
+
+        def spoil(data):
+            values = shapetesting.array(data, array).copy()
+            values[17, 1] = numpy.nan
+            shapetesting.add_array(data, values, array)
+
+        refused(name, without_good_map(name, spoil), 'a NaN in the map array', 'first at point 17')
+        missing = without_good_map(name, lambda data: data.GetPointData().RemoveArray(array))
+        refused(name, missing, 'no map array', "no point array '%s'" % array)
     print(name, 'refuses bad input')
