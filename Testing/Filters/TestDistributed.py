@@ -74,6 +74,14 @@ distance.SetInputDataObject(1, surface)
 assert not shapetesting.run(distance)
 measured = distance.GetOutputDataObject(0)
 
+# Half way to where the map goes.
+morph = shapemap.vtkShapeMorph()
+morph.SetInputConnection(sphere.GetOutputPort(0))
+morph.UpdateTimeStep(0.5)
+halfway = morph.GetOutputDataObject(0)
+assert abs(points(halfway) - 0.5 * points(mapped) - 0.5 * array(
+    mapped, 'TargetPosition')).max() < 1e-15
+
 if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),
