@@ -113,11 +113,11 @@ def deform(points):
     for a, b in BONES:
         gap = points - a - foot_on(a, b, points)[:, None] * (b - a)
         held *= 1 - np.exp(-(gap**2).sum(axis=1) / MARROW**2)
-    y = y + FLESH * (1 - 2 * step((0.56 - z) / 0.16)) * held
+    y = y + FLESH * (1 - 2 * step((0.68 - z) / 0.26)) * held
     y = y * (1 + 0.25 * step((0.70 - z) / 0.15) * step((z - 0.30) / 0.20))
     x, z = raise_arms(x, z)
-    # Hips broader by 0.5, less down the legs; legs shorter by 0.2. Both are linear along the legs' bones.
-    broader = 1 + 0.5 * step((0.72 - z) / 0.20) - 0.036 * ramp((0.52 - z) / 0.04)
+    # Hips broader by 0.28, less down the legs; legs shorter by 0.2. Both are linear along the legs' bones.
+    broader = 1 + 0.28 * step((0.78 - z) / 0.26) - 0.02 * ramp((0.52 - z) / 0.04)
     return np.stack([x * broader, y, z + 0.2 * 0.06 * ramp((0.54 - z) / 0.06)], axis=1)
 
 
