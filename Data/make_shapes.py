@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the shapes that tests and examples use, each with its map as the point array TargetPosition.
+"""Writes the shapes that tests and examples use, with their maps as the point array TargetPosition.
 
     make_shapes.py OUTPUT_FOLDER [--large]
 
@@ -11,8 +11,10 @@ import math
 import pathlib
 
 from shapes.bars import bar, bar_solid
+from shapes.charges import dented_sphere_charges
 from shapes.dented_sphere import dented_sphere
-from shapes.files import write_solid, write_surface
+from shapes.figures import figure_a, figure_b, skeleton_a, skeleton_b
+from shapes.files import write_charges, write_curves, write_solid, write_surface
 from shapes.phantom import brain, head, skull
 from shapes.solids import ball, cube
 from shapes.two_torus import two_torus
@@ -28,6 +30,11 @@ SMALL = {
     "PhantomHeadSmall.vtp": lambda: head(16),
     "PhantomSkullSmall.vtp": lambda: skull(2),
     "PhantomBrainSmall.vtp": lambda: brain(16),
+    "FigureASmall.vtp": lambda: figure_a(0.034),
+    "FigureBSmall.vtp": lambda: figure_b(0.034),
+    "FigureASkeleton.vtp": skeleton_a,
+    "FigureBSkeleton.vtp": skeleton_b,
+    "DentedSphereCharges.vtp": lambda: dented_sphere_charges(8),
     "BentBarSmall.vtu": lambda: bar_solid(6, *BEND),
     "TwistedBarSmall.vtu": lambda: bar_solid(6, *BEND_AND_TWIST),
     "BallSmall.vtu": lambda: ball(12),
@@ -45,11 +52,21 @@ LARGE = {
     "PhantomHead.vtp": lambda: head(48),
     "PhantomSkull.vtp": lambda: skull(5),
     "PhantomBrain.vtp": lambda: brain(44),
+    "FigureA.vtp": lambda: figure_a(0.0146),
+    "FigureB.vtp": lambda: figure_b(0.0146),
     "BentBar.vtu": lambda: bar_solid(20, *BEND),
     "TwistedBar.vtu": lambda: bar_solid(20, *BEND_AND_TWIST),
     "Ball.vtu": lambda: ball(40),
     "Cube.vtu": lambda: cube(32, 0.55),
 }
+
+
+def writer(name):
+    """What writes a file of this name."""
+    for ending, write in (("Skeleton.vtp", write_curves), ("Charges.vtp", write_charges), (".vtp", write_surface)):
+        if name.endswith(ending):
+            return write
+    return write_solid
 
 
 def main():
@@ -59,8 +76,7 @@ def main():
     arguments = parser.parse_args()
     arguments.output_folder.mkdir(parents=True, exist_ok=True)
     for name, make in {**SMALL, **(LARGE if arguments.large else {})}.items():
-        write = write_surface if name.endswith(".vtp") else write_solid
-        write(arguments.output_folder / name, *make())
+        writer(name)(arguments.output_folder / name, *make())
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
     python3 TestData.py GENERATED_FOLDER COMMITTED_FOLDER
 
 GENERATED_FOLDER holds the small set and the large one; each committed file must equal its generated twin.
+COMMITTED_FOLDER is the one of the generator, whose deformation of the figures is a formula that is checked here, too.
 """
 
 import pathlib
@@ -36,6 +37,8 @@ SURFACES = {
     "PhantomBrainSmall": (1538, 2, "brain"),
     "PhantomBrain": (11618, 2, "brain"),
 }
+# Of each pair of figures: points.
+FIGURES = {"Small": 1134, "": 6310}
 # Of each solid: points, hexahedra, a lower bound on the scaled Jacobian.
 SOLIDS = {
     "BentBarSmall": (1225, 864, 0.99),
@@ -76,6 +79,8 @@ def read(path):
     reader.SetFileName(str(path))
     reader.Update()
     data = reader.GetOutput()
+    if path.stem.endswith("Skeleton"):
+        return read_curves(path.name, data)
     cells = data.GetPolys() if path.suffix == ".vtp" else data.GetCells()
     corners = 3 if path.suffix == ".vtp" else 8
     assert data.GetNumberOfCells() > 0, f"{path.name} is empty or cannot be read"
@@ -91,6 +96,24 @@ def read(path):
         assert array.dtype == np.float64 and array.shape == points.shape, f"{path.name}: not double x 3"
         assert np.isfinite(array).all(), f"{path.name}: not finite"
     return points, vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, corners).astype(np.int64), target
+
+
+def read_curves(name, data):
+    """Points, how many points each curve has, and no target."""
+    lines = data.GetLines()
+    assert data.GetNumberOfCells() == lines.GetNumberOfCells() > 0, f"{name}: not polylines"
+    ids = vtk_to_numpy(lines.GetConnectivityArray())
+    assert (ids == np.arange(data.GetNumberOfPoints())).all(), f"{name}: curves share points"
+    return vtk_to_numpy(data.GetPoints().GetData()), np.diff(vtk_to_numpy(lines.GetOffsetsArray())), None
+
+
+def read_array(path, name, field=False):
+    """A point array or field data of a .vtp file."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    data = reader.GetOutput()
+    return vtk_to_numpy((data.GetFieldData() if field else data.GetPointData()).GetArray(name))
 
 
 def triple(a, b, c):
@@ -261,6 +284,86 @@ def check_surface(name, points, triangles, target):
         assert abs(bent(name, target) - points).max() < 1e-12, f"{name}: not the bend of its target"
 
 
+def jacobians(move, points):
+    """The determinant of the map `move` at each point, by central differences."""
+    step = 1e-6 * np.eye(3)
+    columns = [(move(points + e) - move(points - e)) / 2e-6 for e in step]
+    return triple(*columns)
+
+
+def grid_inside(points, triangles, cells, gap):
+    """The points of a grid over the surface's box that lie deeper than `gap` inside."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    grid = low + (np.argwhere(np.ones((cells, cells, cells))) + 0.5) / cells * (high - low)
+    return grid[signed_distance(points, triangles, grid) < -gap]
+
+
+def at_share(curve, shares):
+    """The points of a polyline at shares of its length."""
+    length = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1))])
+    return np.stack([np.interp(shares * length[-1], length, column) for column in curve.T], axis=1)
+
+
+def check_figures(folder, deform):
+    """Each figure B is the one-to-one image of its figure A; the skeletons lie inside and correspond by arc length."""
+    skeletons = [read(folder / f"Figure{figure}Skeleton.vtp") for figure in "AB"]
+    for size, count in FIGURES.items():
+        a, triangles, target = read(folder / f"FigureA{size}.vtp")
+        b, triangles_b, no_target = read(folder / f"FigureB{size}.vtp")
+        name = f"figures{size}"
+        assert len(a) == count and (triangles == triangles_b).all() and no_target is None, f"{name}: {len(a)} points"
+        assert (target == b).all() and (read_array(folder / f"FigureB{size}.vtp", "SourcePosition") == a).all(), name
+        assert abs(deform(a) - b).max() < 1e-12, f"{name}: not the deformation"
+        assert_closed_manifold(name, triangles, count, 2)
+        for points, (curves, _, _) in zip((a, b), skeletons):
+            assert volume(points, triangles) > 0.03, f"{name}: oriented inward"
+            assert piercings(points, triangles) == 0, f"{name}: a figure meets itself"
+            # No triangle is turned against those around it.
+            normals = doubled_normals(points, triangles)
+            normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+            around = sum(np.stack([np.bincount(corner, column, count) for column in normals.T], axis=1)
+                         for corner in triangles.T)
+            around /= np.linalg.norm(around, axis=1, keepdims=True)
+            agreement = np.einsum("tij,tj->ti", around[triangles], normals).min()
+            assert agreement > 0.7, f"{name}: normals at a point as far apart as {np.degrees(np.arccos(agreement))}"
+            depth = -signed_distance(points, triangles, curves[::4]).max()
+            assert depth > 0.01, f"{name}: the skeleton is {depth} inside"
+            longest = np.linalg.norm(points[triangles] - points[np.roll(triangles, -1, axis=1)], axis=2).max()
+            assert longest < 3 * (0.034 if size else 0.0146), f"{name}: a side of {longest}"
+        # One-to-one on the boundary and locally inside: one-to-one.
+        if size:
+            least = jacobians(deform, grid_inside(a, triangles, 24, 0)).min()
+            assert least > 0.1, f"{name}: the deformation's determinant falls to {least}"
+    shares = np.linspace(0, 1, 101)
+    curves = [np.split(points, np.cumsum(counts)[:-1]) for points, counts, _ in skeletons]
+    assert len(curves[0]) == len(curves[1]) == 5, "the skeletons have not five curves each"
+    for i, (one, other) in enumerate(zip(*curves)):
+        assert len(one) != len(other), f"curve {i}: the samples correspond"
+        gap = np.linalg.norm(deform(at_share(one, shares)) - at_share(other, shares), axis=1).max()
+        assert gap < 1e-5, f"curve {i}: equal shares of arc length are {gap} apart"
+
+
+def check_charges(folder):
+    """The charge set's surface is the dented sphere's; it has no charge inside, and its map is one-to-one."""
+    points, triangles, _ = read(folder / "DentedSphereCharges.vtp")
+    charges = read_array(folder / "DentedSphereCharges.vtp", "Charge")
+    affine = read_array(folder / "DentedSphereCharges.vtp", "Affine", field=True)
+    surface, surface_triangles, _ = read(folder / "DentedSphere600.vtp")
+    assert charges.shape == points.shape and affine.shape == (3, 4), "shapes of the charge set"
+    count = len(points) - len(surface)
+    assert (points[count:] == surface).all() and (triangles == surface_triangles + count).all(), "another surface"
+    assert (charges[count:] == 0).all() and (charges[:count] != 0).all() and count == 12, "charges on the surface"
+    assert signed_distance(surface, surface_triangles, points[:count]).min() > 0.3, "a charge near the domain"
+
+    def move(y):
+        distances = np.linalg.norm(y[:, None, :] - points[:count], axis=2)
+        return y @ affine[:, :3].T + affine[:, 3] + (1 / (4 * np.pi * distances)) @ charges[:count]
+    least = jacobians(move, grid_inside(surface, surface_triangles, 16, 0)).min()
+    assert least > 0.3, f"the charge set's determinant falls to {least}"
+    image = move(surface)
+    assert piercings(image, surface_triangles) == 0 and volume(image, surface_triangles) > 0, "the image meets itself"
+
+
 def boundary_quads(hexahedra):
     """The faces that one hexahedron has and no other; no face has more than two."""
     faces = hexahedra[:, [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]]
@@ -344,6 +447,8 @@ def main(generated, committed):
     for name in SOLIDS:
         path = generated / f"{name}.vtu"
         check_solid(path, *read(path))
+    check_figures(generated, figures.deform)
+    check_charges(generated)
     for size in ("Small", ""):
         head, skull, brain = (shapes[f"Phantom{part}{size}"] for part in ("Head", "Skull", "Brain"))
         for space, column in (("source", 0), ("target", 2)):
@@ -358,4 +463,6 @@ def main(generated, committed):
 
 
 if __name__ == "__main__":
+    sys.path.insert(0, sys.argv[2])
+    from shapes import figures
     main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
