@@ -79,6 +79,11 @@ public:
   ///@}
 
   ///@{
+  /// MultiLevel stops where two levels in a row lower what is left over by less than this share.
+  vtkShapeOption(LeastGain, double);
+  ///@}
+
+  ///@{
   /// The weight of features without a `Weight` array: weight w counts as w equal equations.
   vtkShapeOption(FeatureWeight, double);
   ///@}

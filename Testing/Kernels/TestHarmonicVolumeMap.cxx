@@ -289,9 +289,11 @@ TEST(HarmonicVolumeMap, RefusesWithTheFactAndTheRemedy)
   EXPECT_NE(map(open, sphere.Points).find("1 open loop"), std::string::npos);
 
   shape::Mesh two{ Eigen::MatrixXd(2 * 162, 3), Eigen::MatrixXi(2 * 320, 3) };
-  two.Points << sphere.Points, 0.5 * sphere.Points;
+  two.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(3, 0, 0);
   two.Triangles << sphere.Triangles, sphere.Triangles.array() + 162;
-  EXPECT_NE(map(two, two.Points).find("2 components"), std::string::npos);
+  EXPECT_NE(map(two, two.Points).find("2 solids"), std::string::npos);
+  two.Points.bottomRows(162).rowwise() -= Eigen::RowVector3d(2, 0, 0);
+  EXPECT_NE(map(two, two.Points).find("touch or cross"), std::string::npos);
 
   EXPECT_NE(map(sphere, sphere.Points.topRows(7)).find("7 rows"), std::string::npos);
   Eigen::MatrixXd broken = sphere.Points;

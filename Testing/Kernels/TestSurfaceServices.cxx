@@ -1,6 +1,5 @@
 #include "Core/Errors.h"
 #include "Core/Topology.h"
-#include "Geometry/Decimate.h"
 #include "Geometry/IsoSurface.h"
 #include "Geometry/SignedDistance.h"
 #include "TestShapes.h"
@@ -143,26 +142,4 @@ TEST(IsoSurface, OfASphereIsClosedFacesOutwardsAndHasItsVolume)
   EXPECT_EQ(shape::RequireClosedSurface(surface, "the iso-surface").EulerNumber, 2);
   EXPECT_NEAR(shape::EnclosedVolume(surface), 4.0 / 3.0 * M_PI, 0.03);
   EXPECT_EQ(shape::IsoSurface(grid, 9.0).Triangles.rows(), 0);
-}
-
-TEST(Decimate, ReachesTheBudgetAndStaysNearTheSurface)
-{
-  const shape::Mesh sphere = shapetest::Icosphere(4);
-  const shape::Mesh coarse = shape::Decimate(sphere, 300);
-  EXPECT_NEAR(coarse.Points.rows(), 300, 9);
-  EXPECT_EQ(shape::RequireClosedSurface(coarse, "the surface").EulerNumber, 2);
-  EXPECT_LT((coarse.Points.rowwise().norm().array() - 1.0).abs().maxCoeff(), 0.03);
-  EXPECT_EQ(shape::Decimate(sphere, 5000).Points.rows(), sphere.Points.rows());
-  EXPECT_THROW(shape::Decimate(sphere, 3), shape::InvalidInput);
-  EXPECT_THROW(
-    shape::Decimate(sphere, 300, shape::Progress([](double) { return false; })), shape::Aborted);
-}
-
-TEST(Subdivide, KeepsTheSurfaceAndItsTopology)
-{
-  const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 12, 8);
-  const shape::Mesh finer = shape::Subdivide(torus);
-  EXPECT_EQ(finer.Triangles.rows(), 4 * torus.Triangles.rows());
-  EXPECT_EQ(shape::RequireClosedSurface(finer, "the surface").EulerNumber, 0);
-  EXPECT_NEAR(shape::EnclosedVolume(finer), shape::EnclosedVolume(torus), 1e-12);
 }

@@ -215,6 +215,22 @@ Topology SurfaceTopology(const Mesh& mesh)
   return topology;
 }
 
+std::vector<Mesh> SplitComponents(const Mesh& mesh)
+{
+  const Topology topology = SurfaceTopology(mesh);
+  std::vector<std::vector<int>> triangles(topology.Components);
+  for (int t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    triangles[topology.ComponentId(mesh.Triangles(t, 0))].push_back(t);
+  }
+  std::vector<Mesh> components;
+  for (const std::vector<int>& rows : triangles)
+  {
+    components.push_back({ mesh.Points, mesh.Triangles(rows, Eigen::all) });
+  }
+  return components;
+}
+
 Topology RequireClosedSurface(const Mesh& mesh, const std::string& name)
 {
   if (mesh.Triangles.rows() == 0)

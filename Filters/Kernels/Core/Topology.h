@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 namespace shape
 {
@@ -27,6 +28,9 @@ struct Topology
 
 /// Throws InvalidInput where a triangle has an index out of range or uses a point twice.
 Topology SurfaceTopology(const Mesh& mesh);
+
+/// The components of a surface in the order of ComponentId, each with all of its points.
+std::vector<Mesh> SplitComponents(const Mesh& mesh);
 
 /**
  * Throws InvalidInput unless every coordinate is finite and `mesh` is a closed, consistently

@@ -78,8 +78,9 @@ Eigen::Matrix3d Corners(const Mesh& mesh, int triangle)
 struct Nearest
 {
   using Scalar = double;
-  const Mesh& Surface;
+  const std::vector<Eigen::Matrix3d>& Corners; ///< of the triangles
   RowVector3d Place;
+  double Bound2; ///< no less than the least squared distance: boxes farther away are not opened
   double Distance2 = std::numeric_limits<double>::infinity();
   int Triangle = -1;
   RowVector3d Barycentric = RowVector3d::Zero();
@@ -87,11 +88,12 @@ struct Nearest
   // Eigen's search calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
   double minimumOnVolume(const Eigen::AlignedBox3d& box) const
   {
-    return box.squaredExteriorDistance(this->Place.transpose());
+    const double distance2 = box.squaredExteriorDistance(this->Place.transpose());
+    return distance2 <= this->Bound2 ? distance2 : std::numeric_limits<double>::infinity();
   }
   double minimumOnObject(int triangle)
   {
-    const Eigen::Matrix3d corners = Corners(this->Surface, triangle);
+    const Eigen::Matrix3d& corners = this->Corners[triangle];
     const RowVector3d barycentric = OnTriangle(corners, this->Place);
     const double distance2 = (barycentric * corners - this->Place).squaredNorm();
     if (distance2 < this->Distance2 || this->Triangle < 0)
@@ -110,6 +112,7 @@ struct Nearest
 struct SurfaceLocator::Locator
 {
   Mesh Surface;
+  std::vector<Eigen::Matrix3d> Corners; ///< of the triangles, side by side for the search
   Eigen::KdBVH<double, 3, int> Tree;
 };
 
@@ -125,9 +128,10 @@ SurfaceLocator::SurfaceLocator(const Mesh& mesh)
   std::iota(triangles.begin(), triangles.end(), 0);
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(triangles.size());
+  this->Impl->Corners.reserve(triangles.size());
   for (const int t : triangles)
   {
-    const Eigen::Matrix3d corners = Corners(mesh, t);
+    const Eigen::Matrix3d& corners = this->Impl->Corners.emplace_back(Corners(mesh, t));
     boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
   }
   this->Impl->Tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
@@ -151,15 +155,22 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
     static_cast<int>(n), 256,
     [&](int begin, int end)
     {
+      // Points that follow each other are mostly neighbours: what is closest to the one before is a
+      // good bound, and with a margin for rounding it changes no result.
+      constexpr double margin = 1.0 + 1e-9;
+      RowVector3d before = RowVector3d::Constant(std::numeric_limits<double>::quiet_NaN());
       for (int i = begin; i < end; ++i)
       {
-        Nearest nearest{ this->Impl->Surface, points.row(i) };
+        const RowVector3d place = points.row(i);
+        const double bound2 = i == begin ? std::numeric_limits<double>::infinity()
+                                         : margin * (place - before).squaredNorm();
+        Nearest nearest{ this->Impl->Corners, place, bound2 };
         Eigen::BVMinimize(this->Impl->Tree, nearest);
         result.Triangles(i) = nearest.Triangle;
         result.Barycentrics.row(i) = nearest.Barycentric;
-        result.Positions.row(i) =
-          nearest.Barycentric * Corners(this->Impl->Surface, nearest.Triangle);
-        result.Distances(i) = (result.Positions.row(i) - nearest.Place).norm();
+        before = nearest.Barycentric * this->Impl->Corners[nearest.Triangle];
+        result.Positions.row(i) = before;
+        result.Distances(i) = (before - place).norm();
       }
     },
     progress);

@@ -102,15 +102,20 @@ BoundaryProblem::BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatu
     (features.Targets.rowwise() - scaled.TargetOrigin) / scaled.TargetSize;
   this->Sum.Affine = AffineFit(surface.Points, scaled.Targets, PointAreas(surface));
   this->Residual -= Evaluate(this->Sum, this->Probes);
+  this->Places.resize(0, 3);
+  this->PlaceResidual.resize(0, 3);
 }
 
-BoundaryProblem::Collocations BoundaryProblem::PlacesOnBoundary(
-  const Eigen::MatrixXd& points, const Progress& progress) const
+void BoundaryProblem::Collocate(const Eigen::MatrixXd& points, const Progress& progress)
 {
   const ClosestPoints places = this->Field.Locator().Find(points, progress.Part(0.0, 0.5));
-  return { places.Positions,
+  const Eigen::Index before = this->Places.rows();
+  this->Places.conservativeResize(before + points.rows(), 3);
+  this->Places.bottomRows(points.rows()) = places.Positions;
+  this->PlaceResidual.conservativeResize(before + points.rows(), 3);
+  this->PlaceResidual.bottomRows(points.rows()) =
     Interpolate(this->Scaled.Surface.Triangles, this->Scaled.Targets, places) -
-      Evaluate(this->Sum, places.Positions, progress.Part(0.5, 1.0)) };
+    Evaluate(this->Sum, places.Positions, progress.Part(0.5, 1.0));
 }
 
 void BoundaryProblem::RequireMemory(int boundaryRows, int sources) const
@@ -131,15 +136,14 @@ void BoundaryProblem::RequireMemory(int boundaryRows, int sources) const
 }
 
 BoundaryProblem::Fit BoundaryProblem::Solve(
-  const Collocations& places, const Eigen::MatrixXd& sources, const Progress& progress) const
+  int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const
 {
-  const Eigen::Index boundaryRows = places.Points.rows();
   const Eigen::Index featureRows = this->RootWeights.size();
   const Eigen::Index rows = boundaryRows + featureRows;
-  this->RequireMemory(static_cast<int>(boundaryRows), static_cast<int>(sources.rows()));
+  this->RequireMemory(boundaryRows, static_cast<int>(sources.rows()));
   Eigen::MatrixXd points(rows, 3), rightSide(rows, 3);
-  points << places.Points, this->Probes.bottomRows(featureRows);
-  rightSide << places.Residual,
+  points << this->Places.topRows(boundaryRows), this->Probes.bottomRows(featureRows);
+  rightSide << this->PlaceResidual.topRows(boundaryRows),
     this->RootWeights.asDiagonal() * this->Residual.bottomRows(featureRows);
   Eigen::MatrixXd matrix = PotentialMatrix(points, sources, progress.Part(0.0, 0.1));
   matrix.bottomRows(featureRows) =
@@ -162,18 +166,18 @@ BoundaryProblem::Fit BoundaryProblem::Solve(
   return fit;
 }
 
-bool BoundaryProblem::Add(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
-  int boundaryRows, const Progress& progress)
+double BoundaryProblem::Add(
+  const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress)
 {
   const Eigen::Index n = this->Scaled.Surface.Points.rows();
   const Eigen::Index m = this->Scaled.Surface.Triangles.rows();
   ChargeSet step{ sources, charges };
   step.Affine.setZero();
-  const Eigen::MatrixXd change = Evaluate(step, this->Probes, progress);
+  const Eigen::MatrixXd change = Evaluate(step, this->Probes, progress.Part(0.0, 0.8));
 
   // The least-squares factor of the step for each coordinate, over the weighted probes.
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(this->Probes.rows());
-  weights.segment(n, m).setConstant(static_cast<double>(boundaryRows) / m);
+  weights.segment(n, m).setConstant(static_cast<double>(this->Places.rows()) / m);
   weights.tail(this->RootWeights.size()) = this->RootWeights.cwiseAbs2();
   const auto inner = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
   { return Eigen::RowVector3d(weights.transpose() * a.cwiseProduct(b)); };
@@ -184,15 +188,18 @@ bool BoundaryProblem::Add(const Eigen::MatrixXd& sources, const Eigen::MatrixXd&
       .max(0.0);
   if (factors.maxCoeff() == 0.0)
   {
-    return false;
+    return 0.0;
   }
+  const double left = inner(this->Residual, this->Residual).sum();
   this->Residual -= change * factors.asDiagonal();
+  this->PlaceResidual -=
+    Evaluate(step, this->Places, progress.Part(0.8, 1.0)) * factors.asDiagonal();
   const Eigen::Index before = this->Sum.Points.rows();
   this->Sum.Points.conservativeResize(before + sources.rows(), 3);
   this->Sum.Charges.conservativeResize(before + sources.rows(), 3);
   this->Sum.Points.bottomRows(sources.rows()) = sources;
   this->Sum.Charges.bottomRows(sources.rows()) = charges * factors.asDiagonal();
-  return true;
+  return 1.0 - std::sqrt(inner(this->Residual, this->Residual).sum() / left);
 }
 
 Eigen::MatrixXd BoundaryProblem::WorstPoints(int count, double spacing) const

@@ -17,24 +17,19 @@ public:
   BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatures& features,
     const HarmonicVolumeMapOptions& options, const Progress& progress);
 
-  /// Places on the boundary and what is left over there.
-  struct Collocations
-  {
-    Eigen::MatrixXd Points;   ///< c x 3
-    Eigen::MatrixXd Residual; ///< c x 3
-  };
-
   const Mesh& Boundary() const { return this->Scaled.Surface; } ///< longest side 1
   const SignedDistance& Distance() const { return this->Field; }
 
-  /// Places on the boundary closest to `points`, with what the sum so far leaves over there.
-  Collocations PlacesOnBoundary(const Eigen::MatrixXd& points, const Progress& progress) const;
+  /// Appends the boundary's places closest to `points` (n x 3) to those where maps are fitted.
+  void Collocate(const Eigen::MatrixXd& points, const Progress& progress);
+  int Collocations() const { return static_cast<int>(this->Places.rows()); }
 
   /// Throws InvalidInput where a system of `boundaryRows` places and `sources` charges is too
   /// large.
   void RequireMemory(int boundaryRows, int sources) const;
 
-  /// Fits charges at `sources` to the residual at `places` and at the features.
+  /// Fits charges at `sources` to what is left over at the first `boundaryRows` collocations and
+  /// at the features.
   struct Fit
   {
     Eigen::MatrixXd Charges; ///< s x 3
@@ -42,14 +37,13 @@ public:
     /// The source that dominates each right singular vector below the threshold, ascending.
     std::vector<int> Redundant;
   };
-  Fit Solve(
-    const Collocations& places, const Eigen::MatrixXd& sources, const Progress& progress) const;
+  Fit Solve(int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const;
 
   /// Adds the charges to the sum, times the factor for each coordinate, at least 0, that leaves the
-  /// least at centroids and features, weighted as in a system of `boundaryRows` boundary rows;
-  /// returns whether one of the factors was greater than 0.
-  bool Add(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, int boundaryRows,
-    const Progress& progress);
+  /// least at centroids and features. Returns by how much less that is: its square root before and
+  /// after, as a share of before; 0 where no factor is greater than 0.
+  double Add(
+    const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress);
 
   /// The up to `count` boundary points where most is left over, no two within `spacing`.
   Eigen::MatrixXd WorstPoints(int count, double spacing) const;
@@ -63,11 +57,13 @@ public:
 
 private:
   ScaledBoundary Scaled;
-  SignedDistance Field;        ///< of the scaled boundary
-  Eigen::VectorXd RootWeights; ///< of the features
-  Eigen::MatrixXd Probes;      ///< boundary points, centroids, features
-  Eigen::MatrixXd Residual;    ///< at the probes
-  ChargeSet Sum;               ///< scaled
+  SignedDistance Field;          ///< of the scaled boundary
+  Eigen::VectorXd RootWeights;   ///< of the features
+  Eigen::MatrixXd Probes;        ///< boundary points, centroids, features
+  Eigen::MatrixXd Residual;      ///< at the probes
+  Eigen::MatrixXd Places;        ///< of the collocations
+  Eigen::MatrixXd PlaceResidual; ///< there
+  ChargeSet Sum;                 ///< scaled
   double Threshold = 0.0, MaximumMemory = 0.0;
 };
 

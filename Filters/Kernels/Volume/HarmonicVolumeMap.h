@@ -22,7 +22,10 @@ struct HarmonicVolumeMapOptions
   double Tolerance = 1e-4; ///< stop when RMSEInside is no more; >= 0
   int MaximumLevels = 12;  ///< MultiLevel: most maps that are fitted; >= 1
   /// MultiLevel: the sources are dealt into so many levels, at least 16 to each; >= 1.
-  int SourceSubsets = 4;
+  int SourceSubsets = 8;
+  /// MultiLevel: stop where two levels in a row lower what is left over by less than this share;
+  /// >= 0, < 1.
+  double LeastGain = 0.02;
   double FeatureWeight = 20.0;   ///< of features that bring no weights; > 0
   double CollocationRatio = 0.4; ///< points where the map is fitted / points of the boundary; > 0
   double SourceRatio = 0.8;      ///< charges placed at the start / points of the boundary; > 0
@@ -50,7 +53,7 @@ struct HarmonicVolumeMapResult
   {
     Tolerance,    ///< RMSEInside reached the tolerance
     Levels,       ///< every level asked for was fitted
-    NoImprovement ///< no subset of the sources lowered the residual any more
+    NoImprovement ///< what was left over became hardly less
   };
   /// One fitted map. Errors are those of the sum so far, over the whole boundary, divided by the
   /// longest side of the targets' box.
@@ -68,10 +71,12 @@ struct HarmonicVolumeMapResult
   ChargeSet Map;             ///< in the coordinates of the input
   std::vector<Level> Levels; ///< the last one's errors are those of Map
   Stop Reason = Stop::Levels;
-  double OffsetDistance = 0.0; ///< that was used / the longest side of the boundary
-  double RMSEFeatures = 0.0;   ///< of Map at the features, unweighted; 0 without features
-  int DeletedSources = 0;      ///< left out of later levels because they were redundant
-  int InsertedSources = 0;     ///< added where the fit was worst
+  /// Of the charges nearest to the boundary / its longest side. In a void they may be nearer than
+  /// was asked for.
+  double OffsetDistance = 0.0;
+  double RMSEFeatures = 0.0; ///< of Map at the features, unweighted; 0 without features
+  int DeletedSources = 0;    ///< left out of later levels because they were redundant
+  int InsertedSources = 0;   ///< added where the fit was worst
 };
 
 /**
@@ -82,17 +87,17 @@ struct HarmonicVolumeMapResult
  *
  * The paper's offset is 0.15 of the size; by default it is 1.25 times the spacing of the points
  * where the map is fitted, between 0.01 and 0.15. RMSEInside of MultiLevel at 0.8, 1.25 and 2 times
- * the spacing: dented ball of 2562 points to ball 7.0e-4, 6.3e-4, 1.3e-3, and back 5.0e-4, 2.6e-4,
- * 1.7e-4. Each fitted map is added with the factor, one for each coordinate, that leaves the least
+ * the spacing: dented ball of 2892 points to ball 1.6e-3, 2.8e-3, 6.2e-3, and back 4.1e-4, 2.7e-4,
+ * 2.2e-4. Each fitted map is added with the factor, one for each coordinate, that leaves the least
  * over at triangle centroids and features: it differs from 1 where the fit swings between the
  * collocation points, as SingleShot's can with more sources than those.
  *
- * boundary: one closed surface in the space of the domain; facing inwards is allowed. targets
- * (n x 3): the image of each of its points. Throws InvalidInput for a surface that is not closed,
- * has several components, values that are not finite, options out of range, a feature outside the
- * domain or a decomposition beyond MaximumMemory; SolveFailure where LAPACK's does not converge;
- * Aborted. A decomposition and a simplification are single library calls that cannot be
- * interrupted.
+ * boundary: the closed surface of one solid in the space of the domain, and of its voids, facing
+ * any way; charges sit in the voids, too (SourceShells). targets (n x 3): the image of each of its
+ * points. Throws InvalidInput for a surface that is not closed or bounds several solids, values
+ * that are not finite, options out of range, a feature outside the domain or a decomposition beyond
+ * MaximumMemory; SolveFailure where LAPACK's does not converge; Aborted. A decomposition is a
+ * single library call that cannot be interrupted.
  */
 HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::MatrixXd& targets,
   const VolumeFeatures& features = {}, const HarmonicVolumeMapOptions& options = {},

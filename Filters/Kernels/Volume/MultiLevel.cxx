@@ -1,5 +1,6 @@
 #include "Volume/OffsetSurface.h"
 #include "Volume/Solvers.h"
+#include "Volume/SourceShells.h"
 
 #include <algorithm>
 #include <chrono>
@@ -36,6 +37,42 @@ std::vector<Eigen::MatrixXd> Deal(const Eigen::MatrixXd& sources, int subsets)
   return dealt;
 }
 
+/// Moves sources to `factor` times their distance from the boundary. Those that meet another part
+/// of it on the way stay where they are.
+void MoveAway(
+  Eigen::MatrixXd& sources, const SignedDistance& field, double factor, const Progress& progress)
+{
+  const Eigen::VectorXd wanted =
+    factor * field.Evaluate(sources, progress.Part(0.0, 0.2)).Distances;
+  Eigen::MatrixXd moved = sources;
+  MoveToDistance(moved, field, wanted, progress.Part(0.2, 0.8));
+  const Eigen::VectorXd reached = field.Evaluate(moved, progress.Part(0.8, 1.0)).Distances;
+  constexpr double slack = 0.1; // of the distance
+  const Eigen::Array<bool, Eigen::Dynamic, 1> there =
+    (reached - wanted).array().abs() <= slack * wanted.array();
+  sources = there.replicate(1, 3).select(moved, sources);
+}
+
+/// `points` with a coarse sample of them first.
+Eigen::MatrixXd CoarseFirst(const Eigen::MatrixXd& points, int coarse, double area)
+{
+  if (coarse >= points.rows())
+  {
+    return points;
+  }
+  const Eigen::VectorXi chosen = EliminateSamples(
+    points, Eigen::VectorXd::Constant(points.rows(), PackingRadius(area, coarse)), coarse);
+  std::vector<int> order(chosen.begin(), chosen.end());
+  for (int i = 0; i < points.rows(); ++i)
+  {
+    if (!std::binary_search(chosen.begin(), chosen.end(), i))
+    {
+      order.push_back(i);
+    }
+  }
+  return points(order, Eigen::all);
+}
+
 Eigen::MatrixXd WithoutRows(const Eigen::MatrixXd& matrix, const std::vector<int>& rows)
 {
   std::vector<int> kept;
@@ -66,48 +103,51 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
   constexpr int fewest = 16; // sources of a subset
   const int subsets = std::clamp(options.SourceSubsets, 1, std::max(1, sourceCount / fewest));
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
-  const Mesh outer = OffsetSurface(
-    problem.Distance(), options.OffsetDistance, OffsetSurfaceOptions(), progress.Part(0.0, 0.1));
-  const SurfaceLocator outerLocator(outer);
+  const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
+  result.OffsetDistance = shells.Nearest();
   std::vector<Eigen::MatrixXd> sources =
-    Deal(PlaceSources(problem, outer, options, progress.Part(0.1, 0.2)), subsets);
-  const double area = 0.5 * AreaVectors(outer).rowwise().norm().sum();
-  const double spacing = std::sqrt(area / sourceCount);
-  const auto sample = [&](int count, const Progress& part)
+    Deal(shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)),
+      subsets);
+  for (int s = 0; s + 1 < subsets; ++s)
   {
-    return SampleSurface(
-      problem.Boundary(), count, options.CollocationSampling, options.Seed, part);
-  };
+    const double finer = static_cast<double>(s) / (subsets - 1);
+    MoveAway(sources[s], problem.Distance(), std::pow(subsets, 0.5 * (1.0 - finer)),
+      progress.Part(0.15 + 0.05 * s / subsets, 0.15 + 0.05 * (s + 1) / subsets));
+  }
   const int coarseRows =
     std::min(rows, CoarseRowsPerSource * static_cast<int>(sources.front().rows()));
-  Eigen::MatrixXd places = sample(coarseRows, progress.Part(0.2, 0.25));
+  problem.Collocate(CoarseFirst(SampleBoundary(problem, options, progress.Part(0.2, 0.25)),
+                      coarseRows, PointAreas(problem.Boundary()).sum()),
+    Progress());
 
-  int failures = 0;
+  int idle = 0; // levels in a row that gained too little
   for (int number = 1; number <= options.MaximumLevels; ++number)
   {
     const double share = 0.75 / options.MaximumLevels;
     const Progress part = progress.Part(0.25 + (number - 1) * share, 0.25 + number * share);
     Eigen::MatrixXd& subset = sources[(number - 1) % subsets];
-    const BoundaryProblem::Collocations collocations =
-      problem.PlacesOnBoundary(places, part.Part(0.0, 0.1));
-    const BoundaryProblem::Fit fit = problem.Solve(collocations, subset, part.Part(0.1, 0.7));
-    const bool kept = problem.Add(
-      subset, fit.Charges, static_cast<int>(collocations.Points.rows()), part.Part(0.7, 0.8));
+    const BoundaryProblem::Fit fit =
+      problem.Solve(number == 1 ? coarseRows : problem.Collocations(), subset, part.Part(0.0, 0.8));
+    const double gain = problem.Add(subset, fit.Charges, part.Part(0.8, 1.0));
 
     HarmonicVolumeMapResult::Level level = problem.Errors();
     level.Number = number;
     level.Sources = static_cast<int>(subset.rows());
     level.Collocations = fit.Rows;
-    level.Kept = kept;
+    level.Kept = gain > 0.0;
     const auto now = std::chrono::steady_clock::now();
     level.Seconds = std::chrono::duration<double>(now - start).count();
     start = now;
     result.Levels.push_back(level);
-    failures = kept ? 0 : failures + 1;
-    if (level.RMSEInside <= options.Tolerance || failures == subsets)
+    if (level.RMSEInside <= options.Tolerance)
     {
-      result.Reason = failures > 0 ? HarmonicVolumeMapResult::Stop::NoImprovement
-                                   : HarmonicVolumeMapResult::Stop::Tolerance;
+      result.Reason = HarmonicVolumeMapResult::Stop::Tolerance;
+      return;
+    }
+    idle = gain < options.LeastGain ? idle + 1 : 0;
+    if (idle == std::min(2, subsets))
+    {
+      result.Reason = HarmonicVolumeMapResult::Stop::NoImprovement;
       return;
     }
 
@@ -117,17 +157,14 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
       subset = WithoutRows(subset, fit.Redundant);
       result.DeletedSources += static_cast<int>(fit.Redundant.size());
     }
-    if (number == 1)
-    {
-      places = sample(rows, part.Part(0.8, 1.0));
-    }
     // After a map that was left out the worst points are those that were treated already.
-    if (kept)
+    if (level.Kept)
     {
+      const double spacing = std::sqrt(shells.Area() / sourceCount);
       const int inserted = static_cast<int>(InsertedShare * sourceCount / subsets);
       const Eigen::MatrixXd worst = problem.WorstPoints(inserted, spacing);
-      AppendRows(sources[number % subsets], outerLocator.Find(worst).Positions);
-      AppendRows(places, worst);
+      AppendRows(sources[number % subsets], shells.Project(worst));
+      problem.Collocate(worst, Progress());
       result.InsertedSources += static_cast<int>(worst.rows());
     }
   }

@@ -8,7 +8,7 @@ namespace shape
 struct OffsetSurfaceOptions
 {
   /// Grid cells along the offset distance: more gives a finer surface.
-  double CellsPerDistance = 3.0;
+  double CellsPerDistance = 2.0;
   /// Most samples the grid may have. The cells grow up to the offset distance to stay below.
   double MaximumSamples = 2e7;
 };
@@ -20,16 +20,19 @@ struct OffsetSurfaceOptions
  *
  * The signed distance is sampled on a grid, only near the level wanted: a distance changes by no
  * more than one takes steps, so a block of cells whose centre is farther from the level than from
- * its own corners is skipped. The points are then moved to their exact distance.
+ * its own corners is skipped; else it is halved, and its parts are asked. Interpolation between the
+ * samples takes the surface off its distance by up to a tenth; MoveToDistance mends that.
  *
- * distance: > 0, in the surface's units. Throws InvalidInput where it is not, or where the grid
+ * distance: > 0, in the surface's units. Empty where the surface faces inwards and encloses no
+ * point at that distance. Throws InvalidInput where it is not, or where the grid
  * would need more samples than allowed; Aborted.
  */
 Mesh OffsetSurface(const SignedDistance& field, double distance,
   const OffsetSurfaceOptions& options = {}, const Progress& progress = {});
 
-/// Moves points near a surface to `distance` from it, outwards, away from their closest points.
-void MoveToDistance(Eigen::MatrixXd& points, const SignedDistance& field, double distance,
-  const Progress& progress = {});
+/// Moves points (n x 3) near a surface outwards to the given distances (n) from it, away from their
+/// closest points. Where another part of the surface is nearer than that, they may end elsewhere.
+void MoveToDistance(Eigen::MatrixXd& points, const SignedDistance& field,
+  const Eigen::VectorXd& distances, const Progress& progress = {});
 
 } // namespace shape

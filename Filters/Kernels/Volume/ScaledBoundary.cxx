@@ -2,6 +2,9 @@
 
 #include "Core/Errors.h"
 #include "Core/Topology.h"
+#include "Geometry/Nesting.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -54,6 +57,28 @@ Eigen::MatrixXi Sorted(const Eigen::MatrixXi& triangles)
   return sorted;
 }
 
+/// Throws InvalidInput unless one component alone faces outwards: the others bound voids.
+void RequireOneSolid(const Mesh& oriented)
+{
+  const Topology topology = SurfaceTopology(oriented);
+  Eigen::VectorXd volumes = Eigen::VectorXd::Zero(topology.Components);
+  for (Eigen::Index t = 0; t < oriented.Triangles.rows(); ++t)
+  {
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners.row(k) = oriented.Points.row(oriented.Triangles(t, k));
+    }
+    volumes(topology.ComponentId(oriented.Triangles(t, 0))) += corners.determinant();
+  }
+  const auto solids = (volumes.array() > 0.0).count();
+  if (solids != 1)
+  {
+    throw InvalidInput("the boundary bounds " + std::to_string(solids) +
+      " solids that do not touch; map each by itself (Connectivity separates them)");
+  }
+}
+
 } // namespace
 
 void RequireUsable(const VolumeFeatures& features, const HarmonicVolumeMapOptions& options)
@@ -81,6 +106,7 @@ void RequireUsable(const VolumeFeatures& features, const HarmonicVolumeMapOption
   };
   notNegative(options.Tolerance, "Tolerance");
   notNegative(options.OffsetDistance, "OffsetDistance");
+  notNegative(options.LeastGain, "LeastGain");
   const Eigen::Index count = features.Points.rows();
   if (features.Targets.rows() != count || features.Points.cols() != 3 ||
     features.Targets.cols() != 3 ||
@@ -107,11 +133,6 @@ void RequireUsable(const VolumeFeatures& features, const HarmonicVolumeMapOption
 ScaledBoundary ScaleBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets)
 {
   const Topology topology = RequireClosedSurface(boundary, "the boundary");
-  if (topology.Components != 1)
-  {
-    throw InvalidInput("the boundary has " + std::to_string(topology.Components) +
-      " components; keep the outer surface and give the inner ones as features");
-  }
   if (targets.rows() != boundary.Points.rows() || targets.cols() != 3)
   {
     throw InvalidInput("the boundary has " + std::to_string(boundary.Points.rows()) +
@@ -133,8 +154,9 @@ ScaledBoundary ScaleBoundary(const Mesh& boundary, const Eigen::MatrixXd& target
   scaled.Origin = surface.Points.colwise().minCoeff();
   scaled.Size = LongestSide(surface.Points);
   surface.Points = (surface.Points.rowwise() - scaled.Origin) / scaled.Size;
-  surface = FacingOutwards(std::move(surface));
+  surface = OrientedByNesting(surface, "the boundary");
   surface.Triangles = Sorted(surface.Triangles);
+  RequireOneSolid(surface);
   if (!(EnclosedVolume(surface) > 1e-12))
   {
     throw InvalidInput("the boundary encloses no volume; give the surface of a solid");

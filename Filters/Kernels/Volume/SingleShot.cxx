@@ -1,5 +1,6 @@
-#include "Volume/OffsetSurface.h"
+#include "Core/Topology.h"
 #include "Volume/Solvers.h"
+#include "Volume/SourceShells.h"
 
 #include <algorithm>
 #include <chrono>
@@ -15,13 +16,13 @@ int SampleCount(const BoundaryProblem& problem, double ratio)
     std::clamp(std::round(ratio * problem.Boundary().Points.rows()), least, most));
 }
 
-Eigen::MatrixXd PlaceSources(const BoundaryProblem& problem, const Mesh& outer,
-  const HarmonicVolumeMapOptions& options, const Progress& progress)
+Eigen::MatrixXd SampleBoundary(
+  const BoundaryProblem& problem, const HarmonicVolumeMapOptions& options, const Progress& progress)
 {
-  Eigen::MatrixXd sources = SampleSurface(outer, SampleCount(problem, options.SourceRatio),
-    options.SourceSampling, options.Seed, progress.Part(0.0, 0.8));
-  MoveToDistance(sources, problem.Distance(), options.OffsetDistance, progress.Part(0.8, 1.0));
-  return sources;
+  constexpr int least = 48;
+  return SampleSurfaces(SplitComponents(problem.Boundary()),
+    SampleCount(problem, options.CollocationRatio), least, options.CollocationSampling,
+    options.Seed, progress);
 }
 
 void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
@@ -29,17 +30,16 @@ void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
 {
   const auto start = std::chrono::steady_clock::now();
   const int rows = SampleCount(problem, options.CollocationRatio);
-  problem.RequireMemory(rows, SampleCount(problem, options.SourceRatio));
-  const Mesh outer = OffsetSurface(
-    problem.Distance(), options.OffsetDistance, OffsetSurfaceOptions(), progress.Part(0.0, 0.1));
-  const Eigen::MatrixXd sources = PlaceSources(problem, outer, options, progress.Part(0.1, 0.15));
-  const BoundaryProblem::Collocations places =
-    problem.PlacesOnBoundary(SampleSurface(problem.Boundary(), rows, options.CollocationSampling,
-                               options.Seed, progress.Part(0.15, 0.2)),
-      Progress());
-  const BoundaryProblem::Fit fit = problem.Solve(places, sources, progress.Part(0.2, 0.95));
-  const bool kept = problem.Add(
-    sources, fit.Charges, static_cast<int>(places.Points.rows()), progress.Part(0.95, 1.0));
+  const int sourceCount = SampleCount(problem, options.SourceRatio);
+  problem.RequireMemory(rows, sourceCount);
+  const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
+  result.OffsetDistance = shells.Nearest();
+  const Eigen::MatrixXd sources =
+    shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15));
+  problem.Collocate(SampleBoundary(problem, options, progress.Part(0.15, 0.2)), Progress());
+  const BoundaryProblem::Fit fit =
+    problem.Solve(problem.Collocations(), sources, progress.Part(0.2, 0.95));
+  const bool kept = problem.Add(sources, fit.Charges, progress.Part(0.95, 1.0)) > 0.0;
   HarmonicVolumeMapResult::Level level = problem.Errors();
   level.Number = 1;
   level.Sources = static_cast<int>(sources.rows());

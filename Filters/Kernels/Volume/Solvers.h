@@ -13,9 +13,13 @@ void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
  * A sum of maps (Li et al. 2010, sections 3.3 and 4.1.2): the first from a coarse boundary map,
  * each later one from the finer map less the sum so far. Each uses one even subset of the sources,
  * in turn. Sources that a decomposition shows to be redundant are deleted, new ones are placed over
- * the points fitted worst, which become collocation points too. A map that does not lower the
- * residual is left out; after as many of those in a row as there are subsets it stops. Adds its
- * levels to `result`.
+ * the points fitted worst, which become collocation points too.
+ *
+ * Beyond the paper: the first subset lies farther from the boundary than the last, as much as it is
+ * coarser than all of them, and those between in geometric steps. Charges at the distance that
+ * suits all of them together are too near for a few: their fields are bumps, of which no smooth
+ * map can be made. Stops where neither of two levels in a row lowers what is left by the least
+ * gain. Adds its levels to `result`.
  */
 void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress);
@@ -23,8 +27,8 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
 /// How many points a ratio of the boundary's asks for, at least 16.
 int SampleCount(const BoundaryProblem& problem, double ratio);
 
-/// Places of charges: samples of the offset surface `outer`, at the offset distance.
-Eigen::MatrixXd PlaceSources(const BoundaryProblem& problem, const Mesh& outer,
+/// So many collocation points, and more where a component would have less than 48.
+Eigen::MatrixXd SampleBoundary(const BoundaryProblem& problem,
   const HarmonicVolumeMapOptions& options, const Progress& progress);
 
 } // namespace shape

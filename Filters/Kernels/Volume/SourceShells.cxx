@@ -1,0 +1,97 @@
+#include "Volume/SourceShells.h"
+
+#include "Core/Topology.h"
+#include "Volume/OffsetSurface.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+/// How far from its wall the inside of a void reaches, by a lattice of points in its box.
+double Depth(const Mesh& component, const SignedDistance& field, const Progress& progress)
+{
+  constexpr int side = 16;
+  const Eigen::MatrixXd corners = component.Points(component.Triangles.reshaped(), Eigen::all);
+  const Eigen::RowVector3d low = corners.colwise().minCoeff();
+  const Eigen::RowVector3d step = (corners.colwise().maxCoeff() - low) / side;
+  Eigen::MatrixXd lattice(side * side * side, 3);
+  for (int i = 0; i < lattice.rows(); ++i)
+  {
+    const Eigen::RowVector3d cell(i % side, i / side % side, i / (side * side));
+    lattice.row(i) = low + step.cwiseProduct((cell.array() + 0.5).matrix());
+  }
+  return field.Evaluate(lattice, progress).Distances.maxCoeff();
+}
+
+/// One mesh of several.
+Mesh Joined(const std::vector<Mesh>& parts)
+{
+  Eigen::Index points = 0, triangles = 0;
+  for (const Mesh& part : parts)
+  {
+    points += part.Points.rows();
+    triangles += part.Triangles.rows();
+  }
+  Mesh all{ Eigen::MatrixXd(points, 3), Eigen::MatrixXi(triangles, 3) };
+  points = triangles = 0;
+  for (const Mesh& part : parts)
+  {
+    all.Points.middleRows(points, part.Points.rows()) = part.Points;
+    all.Triangles.middleRows(triangles, part.Triangles.rows()) =
+      part.Triangles.array() + static_cast<int>(points);
+    points += part.Points.rows();
+    triangles += part.Triangles.rows();
+  }
+  return all;
+}
+
+} // namespace
+
+SourceShells::SourceShells(const Mesh& boundary, double offset, const Progress& progress)
+  : Offset(offset)
+{
+  const std::vector<Mesh> components = SplitComponents(boundary);
+  const double share = 1.0 / static_cast<double>(components.size());
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    const SignedDistance field(components[c]);
+    const Progress part = progress.Part(share * c, share * (c + 1));
+    double distance = offset;
+    if (EnclosedVolume(components[c]) < 0.0) // a void
+    {
+      distance = std::min(offset, 0.5 * Depth(components[c], field, part.Part(0.0, 0.2)));
+      this->Offset = std::min(this->Offset, distance);
+    }
+    this->Shells.push_back(
+      OffsetSurface(field, distance, OffsetSurfaceOptions(), part.Part(0.2, 1.0)));
+  }
+}
+
+double SourceShells::Area() const
+{
+  double area = 0.0;
+  for (const Mesh& shell : this->Shells)
+  {
+    area += 0.5 * AreaVectors(shell).rowwise().norm().sum();
+  }
+  return area;
+}
+
+Eigen::MatrixXd SourceShells::Sample(
+  int count, SamplingMode mode, unsigned int seed, const Progress& progress) const
+{
+  constexpr int least = 24;
+  return SampleSurfaces(this->Shells, count, least, mode, seed, progress);
+}
+
+Eigen::MatrixXd SourceShells::Project(const Eigen::MatrixXd& points) const
+{
+  return SurfaceLocator(Joined(this->Shells)).Find(points).Positions;
+}
+
+} // namespace shape
