@@ -292,6 +292,8 @@ TEST(TransferFields, RefusesWhatHasNoInterpolant)
   EXPECT_NE(ErrorOf(spoiled).find("first at point 3"), std::string::npos);
   EXPECT_THROW(shape::TransferFields(Block(2, Tetra)).Find(spoiled.Points), shape::InvalidInput);
   EXPECT_THROW(shape::TransferFields(Block(2, Tetra), spoiled.Points, Push()), shape::InvalidInput);
+  EXPECT_THROW(shape::TransferFields(Block(2, Tetra)).Find(Eigen::MatrixXd::Constant(1, 3, 1e200)),
+    shape::InvalidInput);
 }
 
 TEST(TransferFields, ACellWithoutVolumeLeavesNothingUndefined)

@@ -206,6 +206,12 @@ struct CellLocator::SolidSearch : CellLocator::Search
     NearestCell nearest{ this->Grid, cell, place };
     Eigen::BVMinimize(this->Tree, nearest);
     id = nearest.Number;
+    if (id < 0)
+    {
+      throw InvalidInput(
+        "a place is too far from every cell for its distance to be a number; scale "
+        "the shapes to a common size");
+    }
     for (int k = 0; k < 3; ++k)
     {
       weights.emplace_back(row, nearest.Closest.Points(k), nearest.Closest.Barycentrics(k));

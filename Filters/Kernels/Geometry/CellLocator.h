@@ -40,7 +40,7 @@ public:
   CellLocator(CellLocator&&) noexcept;
   CellLocator& operator=(CellLocator&&) noexcept;
 
-  /// places: n x 3, finite. Throws Aborted.
+  /// places: n x 3, finite. Throws InvalidInput where the square of a distance overflows, Aborted.
   CellPlaces Find(const Eigen::MatrixXd& places, const Progress& progress = {}) const;
 
 private:
