@@ -5,11 +5,14 @@
 
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkExtentTranslator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
 #include "Core/Errors.h"
@@ -121,6 +124,7 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()) ||
     request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
+    this->RequestOwnExtents(inputs);
     this->RequestInputs(inputs, outputs);
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
@@ -128,6 +132,30 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
     return this->Run(outputs);
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+void vtkShapeAlgorithm::RequestOwnExtents(vtkInformationVector** inputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 1; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      if (!info->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        continue;
+      }
+      const bool pieces = info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES());
+      int whole[6], own[6];
+      info->Get(Pipeline::WHOLE_EXTENT(), whole);
+      vtkNew<vtkExtentTranslator> translator;
+      translator->PieceToExtentThreadSafe(pieces ? info->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0,
+        pieces ? info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) : 1, 0, whole, own,
+        vtkExtentTranslator::BLOCK_MODE, 0);
+      info->Set(Pipeline::UPDATE_EXTENT(), own, 6);
+    }
+  }
 }
 
 void vtkShapeAlgorithm::DescribeOutputs(vtkInformationVector**, vtkInformationVector*)
@@ -176,7 +204,12 @@ void vtkShapeAlgorithm::PrepareInputs()
         throw shape::InvalidInput(
           "the input '" + declared.Name + "' has no points; connect data that has some");
       }
-      if (declared.Data != PortData::Pieces)
+      if (declared.Data == PortData::WholeGrid)
+      {
+        this->Wholes[port].push_back(
+          { nullptr, {}, vtkShapeGather::GatherGrid(input, this->Controller) });
+      }
+      else if (declared.Data != PortData::Pieces)
       {
         WholeInput whole;
         whole.Data = vtkShapeGather::Gather(input, declared.Name,

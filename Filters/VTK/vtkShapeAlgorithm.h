@@ -7,9 +7,9 @@
  *
  * - A Pieces port hands Execute what this process has. A Whole port hands it the complete data: the
  *   blocks of a composite dataset, and in parallel the pieces of all processes, are gathered into
- *   one vtkPolyData before Execute, so that Execute itself communicates nothing. Every port takes
- *   composite data itself: else the pipeline would run the filter once for each block, which
- *   processes have different numbers of.
+ *   one vtkPolyData or vtkUnstructuredGrid before Execute, so that Execute itself communicates
+ * nothing. Every port takes composite data itself: else the pipeline would run the filter once for
+ * each block, which processes have different numbers of.
  * - Execute throws shape::InvalidInput or shape::SolveFailure. Here that becomes one error event
  *   whose text starts with the filter's label; every output is left empty and the pipeline is told
  *   that the request failed. Where one process fails, all of them do.
@@ -30,6 +30,7 @@
 
 class vtkMultiProcessController;
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 /// Set/Get a field of this->Options that is a number, a truth value or a small vector of them.
 #define vtkShapeOption(name, type)                                                                 \
@@ -95,9 +96,10 @@ protected:
 
   enum class PortData
   {
-    Pieces,      ///< this process's part, also composite
-    Whole,       ///< one vtkPolyData with the data of every block and process
-    WholeSurface ///< the same, with points at the same place joined where pieces meet
+    Pieces,       ///< this process's part, also composite
+    Whole,        ///< one vtkPolyData with the data of every block and process
+    WholeSurface, ///< the same, with points at the same place joined where pieces meet
+    WholeGrid     ///< one vtkUnstructuredGrid, of solid cells, too
   };
   enum class PortUse
   {
@@ -130,11 +132,13 @@ protected:
   virtual void RequestInputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   ///@}
 
-  /// A Whole input, and for each point that this process has, its index in the whole.
+  /// A Whole input, and for each point that this process has, its index in the whole; or a
+  /// WholeGrid one.
   struct WholeInput
   {
     vtkSmartPointer<vtkPolyData> Data;
     std::vector<int> OwnPoints;
+    vtkSmartPointer<vtkUnstructuredGrid> Grid;
   };
   /// Valid during Execute. `connection` counts up to GetNumberOfInputConnections(port) - 1.
   const WholeInput& GetWhole(int port, int connection = 0) const;
@@ -148,6 +152,9 @@ private:
 
   struct InputPort;
   int CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  /// Asks a grid on another port than the first for this process's part of its own extent: the
+  /// pipeline would ask it for the extent of the output, which is the first input's.
+  void RequestOwnExtents(vtkInformationVector** inputs);
   int Run(vtkInformationVector* outputs);
   void PrepareInputs();
   shape::Progress MakeProgress();

@@ -21,6 +21,7 @@
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
 
 #include "Core/Errors.h"
 
@@ -112,6 +113,30 @@ shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& nam
     }
   }
   return mesh;
+}
+
+shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  vtkCellArray* all = grid->GetCells();
+  const vtkIdType count = grid->GetNumberOfCells();
+  const vtkIdType corners = all ? all->GetNumberOfConnectivityIds() : 0;
+  if (std::max(grid->GetNumberOfPoints(), corners) > std::numeric_limits<int>::max())
+  {
+    throw shape::InvalidInput(name + " has more than 2^31 points or corners; use a coarser one");
+  }
+  shape::Cells cells{ ToPoints(grid), Eigen::VectorXi(count), Eigen::VectorXi(count + 1),
+    Eigen::VectorXi(corners) };
+  cells.Offsets(0) = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    cells.Kinds(cell) = grid->GetCellType(cell);
+    all->GetCellAtId(cell, ids);
+    const int first = cells.Offsets(cell);
+    std::copy(ids->begin(), ids->end(), cells.Corners.begin() + first);
+    cells.Offsets(cell + 1) = first + static_cast<int>(ids->GetNumberOfIds());
+  }
+  return cells;
 }
 
 Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)

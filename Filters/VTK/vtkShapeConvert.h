@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Core/Cells.h"
 #include "Core/Mesh.h"
 
 #include "vtkSmartPointer.h"
@@ -13,6 +14,7 @@ class vtkDataSet;
 class vtkDoubleArray;
 class vtkIntArray;
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 /**
  * The only place that turns VTK data sets into kernel types and back. `name` is what an error calls
@@ -27,6 +29,9 @@ std::vector<vtkDataSet*> Leaves(vtkDataObject* data);
 /// The surface's polygons and strips as triangles over the same points. Throws shape::InvalidInput
 /// where a polygon cannot be triangulated.
 shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
+
+/// The grid's cells, of any kinds. Throws shape::InvalidInput where there are too many to number.
+shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
 
 /// The points of any data set (n x 3).
 Eigen::MatrixXd ToPoints(vtkDataSet* data);

@@ -1,5 +1,6 @@
 #include "vtkShapeGather.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -14,6 +15,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkStaticPointLocator.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include "Core/Errors.h"
 
@@ -166,6 +168,27 @@ std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const st
   return surfaces;
 }
 
+/// One grid of several data sets, without those that have no cell.
+vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& pieces)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (vtkDataSet* piece : pieces)
+  {
+    if (piece->GetNumberOfCells() > 0)
+    {
+      append->AddInputData(piece);
+    }
+  }
+  auto merged = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (append->GetNumberOfInputConnections(0) > 0)
+  {
+    append->Update();
+    merged->ShallowCopy(append->GetOutput());
+  }
+  return merged;
+}
+
 } // namespace
 
 vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessController* controller)
@@ -233,6 +256,44 @@ vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const s
     whole = merged;
   }
   ownPoints.assign(pointMap.begin(), pointMap.end());
+  return whole;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
+  vtkDataObject* data, vtkMultiProcessController* controller)
+{
+  vtkSmartPointer<vtkUnstructuredGrid> whole;
+  TogetherOrNotAtAll(controller,
+    [&]
+    {
+      std::vector<vtkSmartPointer<vtkUnstructuredGrid>> grids;
+      std::vector<vtkDataSet*> pieces;
+      for (vtkDataSet* leaf : vtkShapeConvert::Leaves(data))
+      {
+        grids.push_back(Merge(std::vector<vtkDataSet*>{ leaf }));
+        grids.back()->RemoveGhostCells();
+        grids.back()->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+        grids.back()->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+        pieces.push_back(grids.back());
+      }
+      whole = Merge(pieces);
+    });
+  if (IsParallel(controller))
+  {
+    std::vector<vtkSmartPointer<vtkDataObject>> received;
+    controller->GetCommunicator()->Gather(whole.Get(), received, 0);
+    TogetherOrNotAtAll(controller,
+      [&]
+      {
+        std::vector<vtkDataSet*> pieces;
+        for (vtkDataObject* piece : received)
+        {
+          pieces.push_back(vtkDataSet::SafeDownCast(piece));
+        }
+        whole = Merge(pieces); // empty but on the first process
+      });
+    controller->Broadcast(whole.Get(), 0);
+  }
   return whole;
 }
 

@@ -8,6 +8,7 @@
 class vtkDataObject;
 class vtkMultiProcessController;
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 /**
  * What the processes of a parallel ParaView tell each other. Every function is collective: all
@@ -31,6 +32,14 @@ vtkIdType CountPoints(vtkDataObject* data, vtkMultiProcessController* controller
  */
 vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name, bool weld,
   vtkMultiProcessController* controller, std::vector<int>& ownPoints);
+
+/**
+ * All blocks of `data` of all processes as one vtkUnstructuredGrid, the same on every process, with
+ * the arrays that all of them have. Every point stays. Ghost and hidden cells are left out, and so
+ * are the arrays that mark them.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> GatherGrid(
+  vtkDataObject* data, vtkMultiProcessController* controller);
 
 /// Sets `failed` on every process where it is set on one, and `message` to that of the first that
 /// failed.

@@ -9,7 +9,9 @@ import sys
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkExtractCells
+from vtkmodules.vtkFiltersCore import vtkArrayCalculator
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 import shapemap
 
@@ -74,6 +76,45 @@ distance.SetInputDataObject(1, surface)
 assert not shapetesting.run(distance)
 measured = distance.GetOutputDataObject(0)
 
+# Each process has a part of the giver; the receiver's points may lie in another's.
+giver = shapetesting.copy(ball)
+shapetesting.add_array(giver, points(ball) @ [2.0, -3.0, 0.5], 'Temperature')
+receiver = shapetesting.copy(ball)
+shapetesting.add_array(receiver, -1.05 * points(ball), 'TargetPosition')
+transfer = shapemap.vtkShapeTransferFields()
+transfer.SetInputDataObject(0, receiver)
+transfer.SetInputDataObject(1, giver)
+assert not shapetesting.run(transfer)
+received = transfer.GetOutputDataObject(0)
+outside = array(received, 'OutsideDomain')
+assert outside.sum() == shapetesting.fact(received, 'TransferFields.OutsidePoints')
+inner = numpy.linalg.norm(points(received), axis=1) < 0.8
+assert not outside[inner].any() and abs(array(received, 'Temperature') + 1.05 * points(
+    received) @ [2.0, -3.0, 0.5])[inner].max() < 1e-12
+
+# A grid on the second port is cut into the processes' parts, whatever the first port's extent.
+def with_places(extent, name):
+    """An image whose array `name` is where its points are."""
+    image = vtkRTAnalyticSource()
+    image.SetWholeExtent(*extent)
+    calculator = vtkArrayCalculator()
+    calculator.SetInputConnection(image.GetOutputPort())
+    calculator.SetAttributeTypeToPointData()
+    calculator.AddCoordinateVectorVariable('coords', 0, 1, 2)
+    calculator.SetFunction('coords')
+    calculator.SetResultArrayName(name)
+    return calculator
+
+
+both = shapemap.vtkShapeTransferFields()
+small, large = with_places([0, 4] * 3, 'TargetPosition'), with_places([-9, 9] * 3, 'Place')
+both.SetInputConnection(0, small.GetOutputPort())
+both.SetInputConnection(1, large.GetOutputPort())
+both.UpdatePiece(rank, processes, 0)
+carried_image = both.GetOutputDataObject(0)
+assert 50 <= carried_image.GetNumberOfPoints() <= (125 if processes == 1 else 75)
+assert abs(array(carried_image, 'Place') - array(carried_image, 'TargetPosition')).max() < 1e-12
+
 # Half way to where the map goes.
 morph = shapemap.vtkShapeMorph()
 morph.SetInputConnection(sphere.GetOutputPort(0))
@@ -86,6 +127,7 @@ if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),
                 sources=array(carried, 'SourcePosition'), moved=points(carried),
+                received=points(received), temperatures=array(received, 'Temperature'),
                 measured=points(measured), distances=array(measured, 'BoundaryDistance'))
     print('one process wrote the truth')
 else:
@@ -96,6 +138,8 @@ else:
              by_place(truth['places'], truth['targets'])),
             (array(carried, 'SourcePosition'), points(carried),
              by_place(truth['sources'], truth['moved'])),
+            (points(received), array(received, 'Temperature'),
+             by_place(truth['received'], truth['temperatures'])),
             (points(measured), array(measured, 'BoundaryDistance'),
              by_place(truth['measured'], truth['distances']))):
         found = by_place(places, values)

@@ -32,38 +32,6 @@ RowVector3d OnSegment(const Eigen::Matrix3d& corners, int i, int j, const RowVec
   return barycentric;
 }
 
-/// Barycentric coordinates of the point of a triangle (one corner a row) closest to p.
-RowVector3d OnTriangle(const Eigen::Matrix3d& corners, const RowVector3d& p)
-{
-  const RowVector3d normal = RowVector3d(corners.row(1) - corners.row(0))
-                               .cross(RowVector3d(corners.row(2) - corners.row(0)));
-  const double area2 = normal.squaredNorm();
-  RowVector3d barycentric;
-  bool inside = area2 > 0.0;
-  for (int k = 0; k < 3 && inside; ++k)
-  {
-    const RowVector3d a = corners.row((k + 1) % 3), b = corners.row((k + 2) % 3);
-    barycentric(k) = (b - a).cross(p - a).dot(normal) / area2;
-    inside = barycentric(k) > 0.0;
-  }
-  if (inside)
-  {
-    return barycentric / barycentric.sum();
-  }
-  double best = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k)
-  {
-    const RowVector3d candidate = OnSegment(corners, k, (k + 1) % 3, p);
-    const double distance2 = (candidate * corners - p).squaredNorm();
-    if (distance2 < best)
-    {
-      best = distance2;
-      barycentric = candidate;
-    }
-  }
-  return barycentric;
-}
-
 Eigen::Matrix3d Corners(const Mesh& mesh, int triangle)
 {
   Eigen::Matrix3d corners;
@@ -94,7 +62,7 @@ struct Nearest
   double minimumOnObject(int triangle)
   {
     const Eigen::Matrix3d& corners = this->Corners[triangle];
-    const RowVector3d barycentric = OnTriangle(corners, this->Place);
+    const RowVector3d barycentric = ClosestInTriangle(corners, this->Place);
     const double distance2 = (barycentric * corners - this->Place).squaredNorm();
     if (distance2 < this->Distance2 || this->Triangle < 0)
     {
@@ -108,6 +76,37 @@ struct Nearest
 };
 
 } // namespace
+
+RowVector3d ClosestInTriangle(const Eigen::Matrix3d& corners, const RowVector3d& place)
+{
+  const RowVector3d normal = RowVector3d(corners.row(1) - corners.row(0))
+                               .cross(RowVector3d(corners.row(2) - corners.row(0)));
+  const double area2 = normal.squaredNorm();
+  RowVector3d barycentric;
+  bool inside = area2 > 0.0;
+  for (int k = 0; k < 3 && inside; ++k)
+  {
+    const RowVector3d a = corners.row((k + 1) % 3), b = corners.row((k + 2) % 3);
+    barycentric(k) = (b - a).cross(place - a).dot(normal) / area2;
+    inside = barycentric(k) > 0.0;
+  }
+  if (inside)
+  {
+    return barycentric / barycentric.sum();
+  }
+  double best = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k)
+  {
+    const RowVector3d candidate = OnSegment(corners, k, (k + 1) % 3, place);
+    const double distance2 = (candidate * corners - place).squaredNorm();
+    if (distance2 < best)
+    {
+      best = distance2;
+      barycentric = candidate;
+    }
+  }
+  return barycentric;
+}
 
 struct SurfaceLocator::Locator
 {

@@ -17,6 +17,11 @@ struct ClosestPoints
   Eigen::VectorXd Distances;    ///< n: >= 0
 };
 
+/// Barycentric coordinates of the point of a triangle (one corner a row) closest to `place`; those
+/// opposite an edge that it lies on are exactly 0. The triangle may have no area.
+Eigen::RowVector3d ClosestInTriangle(
+  const Eigen::Matrix3d& corners, const Eigen::RowVector3d& place);
+
 /// Finds the closest points of a triangulated surface; built once, queried from any thread.
 class SurfaceLocator
 {

@@ -1,0 +1,248 @@
+"""Shape Transfer Fields: the values of one shape at the corresponding points of another.
+
+As an example: Input receives the arrays of Source. With Direction Pull, Input has the map array that
+leads into Source; with Push, Source has the one that leads into Input."""
+import numpy
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkExtractCells
+from vtkmodules.util.numpy_support import numpy_to_vtk
+import shapemap
+
+import shapetesting
+from shapetesting import add_array, array, copy, fact, points, read
+
+LINEAR = numpy.array([[1.2, 0.3, 0.0], [-0.1, 0.9, 0.2], [0.0, 0.4, 1.1]])
+SHIFT = numpy.array([3.0, -2.0, 1.0])
+
+
+def affine(places):
+    return places @ LINEAR.T + SHIFT
+
+
+def inverse(places):
+    return (places - SHIFT) @ numpy.linalg.inv(LINEAR).T
+
+
+def field(places):
+    return places @ [2.0, -3.0, 0.5] + 7.0
+
+
+def new(receiver, giver, direction='Pull'):
+    algorithm = shapemap.vtkShapeTransferFields()
+    algorithm.SetInputDataObject(0, receiver)
+    algorithm.SetInputDataObject(1, giver)
+    algorithm.SetDirection(['Pull', 'Push'].index(direction))
+    return algorithm
+
+
+def result(*arguments):
+    algorithm = new(*arguments)
+    messages = shapetesting.run(algorithm)
+    assert not messages, messages
+    return algorithm.GetOutputDataObject(0)
+
+
+def error_of(*arguments):
+    algorithm = new(*arguments)
+    messages = shapetesting.run(algorithm)
+    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+    return ' '.join(messages)
+
+
+def lattice(low, high, count):
+    image = vtkImageData()
+    image.SetDimensions(count, count, count)
+    image.SetOrigin(low, low, low)
+    image.SetSpacing(*[(high - low) / (count - 1)] * 3)
+    return image
+
+
+def places_of(data):
+    return numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+
+
+def with_map(data, targets):
+    mapped = copy(data)
+    add_array(mapped, targets, 'TargetPosition')
+    return mapped
+
+
+def add_cells(data, values, name):
+    values = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
+    values.SetName(name)
+    data.GetCellData().AddArray(values)
+
+
+# The example: a bent bar of hexahedra and the straight box that its map leads to. The distance to
+# the box's boundary is drawn in the bar, and the bar's own in the box.
+bar = simple.XMLUnstructuredGridReader(FileName=[shapetesting.data_file('BentBarSmall.vtu')])
+box = simple.Box(XLength=4.0, YLength=1.0, ZLength=1.0)
+box_surface = simple.Clean(Input=box)
+straight = simple.Calculator(Input=bar, CoordinateResults=1, Function='TargetPosition')
+in_box = simple.ShapeBoundaryDistance(Input=straight, Surface=box_surface)
+bent = simple.ShapeTransferFields(Input=bar, Source=in_box, Direction='Pull')
+bent.UpdatePipeline()
+drawn = shapetesting.output(bent)
+targets = array(read('BentBarSmall.vtu'), 'TargetPosition')
+depth = (abs(targets) - [2.0, 0.5, 0.5]).max(axis=1)
+assert abs(array(drawn, 'BoundaryDistance') - depth).max() < 1e-6
+assert fact(drawn, 'TransferFields.OutsidePoints') == 0
+in_bar = simple.ShapeBoundaryDistance(
+    Input=bar, Surface=simple.ExtractSurface(Input=bar), Signed=1)
+back = simple.ShapeTransferFields(Input=straight, Source=in_bar, Direction='Push')
+back.UpdatePipeline()
+assert abs(array(shapetesting.output(back), 'BoundaryDistance') - array(
+    shapetesting.output(in_bar), 'BoundaryDistance')).max() < 1e-6
+
+# A giver with all kinds of arrays.
+ball = read('BallSmall.vtu')
+ball_points = points(ball)
+giver = copy(ball)
+add_array(giver, field(ball_points), 'Temperature')
+add_array(giver, ball_points.astype(numpy.float32), 'Single')
+add_array(giver, numpy.arange(997), 'Number')
+add_array(giver, ball_points, 'Normals')
+words = vtkStringArray()
+words.SetName('Word')
+for i in range(997):
+    words.InsertNextValue('point %d' % i)
+giver.GetPointData().AddArray(words)
+add_cells(giver, numpy.arange(864), 'Cell')
+
+# Pulled through a known affine map a linear field is exact, in an image, which stays one.
+receiver = lattice(-0.4, 0.4, 9)
+inside = places_of(receiver)  # in the ball's space
+pulled = result(with_map(receiver, inside), giver)
+assert pulled.GetClassName() == 'vtkImageData'
+assert abs(array(pulled, 'Temperature') - field(inside)).max() < 1e-12
+assert array(pulled, 'Single').dtype == numpy.float32
+assert abs(array(pulled, 'Single') - inside).max() < 1e-6
+assert fact(pulled, 'TransferFields.OutsidePoints') == 0 == array(pulled, 'OutsideDomain').sum()
+assert not pulled.GetPointData().HasArray('Normals'), 'normals belong to the shape'
+# Whole numbers and words stay what they are: those of a corner of the cell around the place.
+numbers, cells = array(pulled, 'Number'), array(pulled, 'Cell')
+assert numbers.dtype.kind == 'i'
+labels = pulled.GetPointData().GetAbstractArray('Word')
+for i in range(0, 729, 7):
+    corners = [giver.GetCell(int(cells[i])).GetPointId(k) for k in range(8)]
+    assert numbers[i] in corners and labels.GetValue(i) == 'point %d' % numbers[i]
+    low, high = ball_points[corners].min(axis=0), ball_points[corners].max(axis=0)
+    assert (low - 1e-9 <= inside[i]).all() and (inside[i] <= high + 1e-9).all()
+
+# Pushed through it, too; the map array becomes the inverse, which pulls the same values.
+mapped_giver = with_map(giver, affine(ball_points))
+target = copy(ball)
+shapetesting.set_points(target, affine(0.9 * ball_points))
+pushed = result(target, mapped_giver, 'Push')
+assert abs(array(pushed, 'Temperature') - field(0.9 * ball_points)).max() < 1e-12
+assert abs(array(pushed, 'TargetPosition') - 0.9 * ball_points).max() < 1e-12
+assert fact(pushed, 'TransferFields.OutsidePoints') == 0
+again = result(with_map(target, array(pushed, 'TargetPosition')), giver)
+assert abs(array(again, 'Temperature') - array(pushed, 'Temperature')).max() < 1e-12
+# There and back: what was pushed to the target is pulled back to the ball.
+home = copy(ball)
+shapetesting.set_points(home, 0.8 * ball_points)
+home = result(with_map(home, affine(0.8 * ball_points)), pushed)
+assert abs(array(home, 'Temperature') - field(0.8 * ball_points)).max() < 1e-12
+
+# Maps compose: target(receiver) = giver(receiver's target); the first map is kept.
+composed = result(with_map(receiver, 0.5 * inside), mapped_giver)
+assert abs(array(composed, 'TargetPosition') - affine(0.5 * inside)).max() < 1e-12
+assert abs(array(composed, 'ReceiverTargetPosition') - 0.5 * inside).max() == 0
+# There and back is the identity: f, then its inverse.
+loop = result(with_map(ball, affine(0.9 * ball_points)), pushed)
+assert abs(array(loop, 'TargetPosition') - 0.9 * ball_points).max() < 1e-12
+
+# Where names meet nothing is lost: the giver's gets Giver in front, in every block.
+named = with_map(receiver, inside)
+add_array(named, numpy.arange(729.0), 'Temperature')
+add_array(named, numpy.full(729, 5.0), 'OutsideDomain')
+blocks = vtkMultiBlockDataSet()
+blocks.SetBlock(0, named)
+blocks.SetBlock(2, with_map(ball, 0.9 * ball_points))
+tree = result(blocks, giver)
+assert tree.GetNumberOfBlocks() == 3 and tree.GetBlock(1) is None
+first = tree.GetBlock(0)
+assert (array(first, 'Temperature') == numpy.arange(729)).all()
+assert (array(first, 'GiverTemperature') == array(pulled, 'Temperature')).all()
+assert (array(first, 'ReceiverOutsideDomain') == 5.0).all()
+assert abs(array(tree.GetBlock(2), 'GiverTemperature') - field(0.9 * ball_points)).max() < 1e-12
+clash = copy(giver)
+add_cells(clash, numpy.arange(864), 'Temperature')
+both = result(with_map(receiver, inside), clash)
+assert (array(both, 'GiverTemperature') == array(both, 'Cell')).all()
+
+# Points whose place lies beyond the giver take the closest value, are marked and counted; those that
+# another process counts are not.
+far = lattice(-2.0, 2.0, 9)
+beyond = places_of(far)
+wide = result(with_map(far, beyond), giver)
+outside = array(wide, 'OutsideDomain') == 1
+radius = numpy.linalg.norm(beyond, axis=1)
+assert outside[radius > 1.03].all() and not outside[radius < 0.97].any()
+assert fact(wide, 'TransferFields.OutsidePoints') == outside.sum()
+# The value is that of a point of the ball as near as any: one on the ray, up to the facets.
+on_ray = beyond[outside] / radius[outside][:, None]
+spread = abs(array(wide, 'Single')[outside] - on_ray).max()
+assert spread < 0.1, spread
+ghostly = with_map(far, beyond)
+ghosts = numpy.zeros(729, dtype=numpy.uint8)
+ghosts[:100] = vtkDataSetAttributes.DUPLICATEPOINT
+add_array(ghostly, ghosts, 'vtkGhostType')
+assert fact(result(ghostly, giver), 'TransferFields.OutsidePoints') == outside[100:].sum()
+tolerant = new(with_map(far, beyond), giver)
+tolerant.SetTolerance(10.0)
+assert not shapetesting.run(tolerant)
+assert fact(tolerant.GetOutputDataObject(0), 'TransferFields.OutsidePoints') == 0
+
+# A giver in blocks, as an image, or as tetrahedra of its hexahedra gives what it gives whole; cells
+# that are hidden or belong to another process do not count.
+halves = vtkMultiBlockDataSet()
+for side in range(2):
+    extract = vtkExtractCells()
+    extract.SetInputData(giver)
+    extract.AddCellRange(432 * side, 432 * side + 431)
+    extract.Update()
+    halves.SetBlock(side, extract.GetOutput())
+parts = result(with_map(receiver, inside), halves)
+assert abs(array(parts, 'Temperature') - field(inside)).max() < 1e-12
+ghost_cells = copy(giver)
+marks = numpy.zeros(864, dtype=numpy.uint8)
+marks[cells[0]] = vtkDataSetAttributes.HIDDENCELL
+marks[cells[1]] = vtkDataSetAttributes.DUPLICATECELL
+add_cells(ghost_cells, marks, 'vtkGhostType')
+rest = result(with_map(receiver, inside), ghost_cells)
+assert not numpy.isin(array(rest, 'Cell'), [cells[0], cells[1]]).any()
+assert not rest.GetPointData().HasArray('vtkGhostType')
+grid = lattice(-1.0, 1.0, 6)
+add_array(grid, field(places_of(grid)), 'Temperature')
+assert abs(array(result(with_map(receiver, inside), grid), 'Temperature') -
+           field(inside)).max() < 1e-12
+
+# A surface gives at the closest place; the map of Shape Parameterize and its inverse are one map.
+surface = read('DentedSphere600.vtp')
+image = copy(surface)
+shapetesting.set_points(image, array(surface, 'TargetPosition'))
+add_array(image, points(surface), 'SourcePosition')
+round_trip = result(surface, image)
+assert abs(array(round_trip, 'SourcePosition') - points(surface)).max() < 1e-12
+assert fact(round_trip, 'TransferFields.OutsidePoints') == 0
+
+# What cannot be done is named.
+message = error_of(receiver, giver)
+assert "Shape Transfer Fields: the Input has no point array 'TargetPosition'" in message, message
+message = error_of(target, giver, 'Push')
+assert "the Source has no point array 'TargetPosition'; it has Temperature" in message, message
+cloud = vtkPolyData()
+cloud.SetPoints(vtkPoints())
+cloud.GetPoints().InsertNextPoint(0, 0, 0)
+message = error_of(with_map(receiver, inside), cloud)
+assert 'in the Source there is no polygon and no solid cell' in message, message
+not_finite = affine(ball_points)
+not_finite[5] = numpy.nan
+message = error_of(target, with_map(giver, not_finite), 'Push')
+assert 'the map array of the Source' in message and 'first at point 5' in message, message
+print('fields are carried both ways, exactly where they are linear')
