@@ -9,6 +9,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Topology.h"
+#include "Volume/ApplyVolumeMap.h"
 #include "Volume/InverseMap.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
     const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     {
       const shape::InverseMap::Result found = inverse.Find(points, part);
-      return vtkShapeChargeSet::Places{ found.Points, found.States };
+      return shape::MovedPoints{ found.Points, found.States };
     };
     counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.3, 1.0));
   }
@@ -61,7 +62,7 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
   {
     const shape::SignedDistance boundary(shape::FacingOutwards(set.Surface));
     const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    { return vtkShapeChargeSet::Apply(set.Map, boundary, set.Farthest, points, part); };
+    { return shape::ApplyVolumeMap(set.Map, boundary, set.Farthest, points, part); };
     counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.05, 1.0));
   }
   vtkShapeConvert::AddFact(moved, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));

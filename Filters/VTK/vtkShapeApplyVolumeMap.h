@@ -22,7 +22,7 @@
  * Field data: ApplyVolumeMap.OutsidePoints and ApplyVolumeMap.NotInverted count the points with 1
  * and with 2 (of this process; ghosts are the other's).
  *
- * The mathematics: shape::Evaluate, shape::InverseMap.
+ * The mathematics: shape::ApplyVolumeMap, shape::InverseMap.
  */
 #ifndef vtkShapeApplyVolumeMap_h
 #define vtkShapeApplyVolumeMap_h

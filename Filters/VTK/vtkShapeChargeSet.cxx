@@ -13,7 +13,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Topology.h"
-#include "Volume/OutsideDomain.h"
+#include "Geometry/ClosestPoint.h"
 
 #include <algorithm>
 #include <vector>
@@ -135,25 +135,9 @@ void vtkShapeChargeSet::Write(
   output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(map.Affine, "Affine"));
 }
 
-vtkShapeChargeSet::Places vtkShapeChargeSet::Apply(const shape::ChargeSet& map,
-  const shape::SignedDistance& boundary, double farthest, const Eigen::MatrixXd& points,
-  const shape::Progress& progress)
-{
-  Places places;
-  places.OutsideDomain = shape::OutsideDomain(boundary, points, farthest, progress.Part(0.0, 0.5));
-  const Eigen::MatrixXd values = shape::Evaluate(map, points, progress.Part(0.5, 1.0));
-  places.Points = places.OutsideDomain.replicate(1, 3).array().select(points, values);
-  if (!places.Points.allFinite())
-  {
-    throw shape::SolveFailure("the map is not finite at a point inside its domain; move the "
-                              "charges away with a larger OffsetDistance");
-  }
-  return places;
-}
-
 std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataObject* moved,
-  const std::function<Places(const Eigen::MatrixXd& points, const shape::Progress& progress)>&
-    place,
+  const std::function<shape::MovedPoints(
+    const Eigen::MatrixXd& points, const shape::Progress& progress)>& place,
   const shape::Progress& progress)
 {
   std::array<vtkIdType, 3> counts{};
@@ -165,7 +149,7 @@ std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataO
     {
       const Eigen::MatrixXd sources = vtkShapeConvert::ToPoints(input);
       const double next = std::min(1.0, done + share * sources.rows());
-      const Places places = place(sources, progress.Part(done, next));
+      const shape::MovedPoints places = place(sources, progress.Part(done, next));
       done = next;
       vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
       for (Eigen::Index i = 0; i < sources.rows(); ++i)

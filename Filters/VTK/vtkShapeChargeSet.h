@@ -1,8 +1,8 @@
 #pragma once
 
+#include "Core/Mesh.h"
 #include "Core/Progress.h"
-#include "Geometry/SignedDistance.h"
-#include "Volume/ChargeSet.h"
+#include "Volume/ApplyVolumeMap.h"
 
 #include "vtkType.h"
 
@@ -38,26 +38,14 @@ Contents Read(vtkPolyData* data, const std::string& name);
 /// Makes `output` the charge set; charges of zero are left out.
 void Write(const shape::ChargeSet& map, const shape::Mesh& surface, vtkPolyData* output);
 
-/// Where points go, and the value of `OutsideDomain` (0, 1 or 2) at each.
-struct Places
-{
-  Eigen::MatrixXd Points;
-  Eigen::VectorXi OutsideDomain;
-};
-
-/// The map's values inside `boundary`, which faces outwards; points outside keep their place and
-/// have 1. Throws shape::SolveFailure where the map is not finite, shape::Aborted.
-Places Apply(const shape::ChargeSet& map, const shape::SignedDistance& boundary, double farthest,
-  const Eigen::MatrixXd& points, const shape::Progress& progress);
-
 /**
  * Makes `moved` the data `domain` with every data set's points where `place` puts them, with
- * `SourcePosition` and `OutsideDomain`. Returns how many points have each value of it, but for
- * those that are another process's.
+ * `SourcePosition` and `OutsideDomain` (0, 1 or 2). Returns how many points have each value of it,
+ * but for those that are another process's.
  */
 std::array<vtkIdType, 3> Move(vtkDataObject* domain, vtkDataObject* moved,
-  const std::function<Places(const Eigen::MatrixXd& points, const shape::Progress& progress)>&
-    place,
+  const std::function<shape::MovedPoints(
+    const Eigen::MatrixXd& points, const shape::Progress& progress)>& place,
   const shape::Progress& progress);
 
 } // namespace vtkShapeChargeSet

@@ -14,6 +14,7 @@
 #include "Core/Errors.h"
 #include "Core/Topology.h"
 #include "Geometry/SignedDistance.h"
+#include "Volume/ApplyVolumeMap.h"
 
 #include <algorithm>
 #include <utility>
@@ -129,7 +130,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    { return vtkShapeChargeSet::Apply(result.Map, distance, farthest, points, part); },
+    { return shape::ApplyVolumeMap(result.Map, distance, farthest, points, part); },
     progress.Part(0.8, 1.0));
 
   // Every process has found the same map: one of them hands it on.

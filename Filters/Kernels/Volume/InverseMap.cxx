@@ -21,18 +21,32 @@ namespace
 
 using Indices = std::vector<int>;
 
-/// The nearest of `places` (k x 3, k > 0) to each point: its row.
-Eigen::VectorXi Nearest(
-  const Eigen::MatrixXd& places, const Eigen::MatrixXd& points, const Progress& progress)
+/// Seeds that are tried for one point, nearest first.
+constexpr int MostStarts = 12;
+
+/// The nearest of `places` (k x 3) to each point, nearest first: n x min(count, k) rows of it.
+Eigen::MatrixXi Nearest(
+  const Eigen::MatrixXd& places, const Eigen::MatrixXd& points, int count, const Progress& progress)
 {
-  Eigen::VectorXi nearest(points.rows());
+  const auto k = static_cast<int>(places.rows());
+  Eigen::MatrixXi nearest(points.rows(), std::min(count, k));
   ParallelFor(
     static_cast<int>(points.rows()), 64,
     [&](int begin, int end)
     {
+      std::vector<std::pair<double, int>> byDistance(k);
       for (int i = begin; i < end; ++i)
       {
-        (places.rowwise() - points.row(i)).rowwise().squaredNorm().minCoeff(&nearest(i));
+        for (int j = 0; j < k; ++j)
+        {
+          byDistance[j] = { (places.row(j) - points.row(i)).squaredNorm(), j };
+        }
+        std::partial_sort(
+          byDistance.begin(), byDistance.begin() + nearest.cols(), byDistance.end());
+        for (Eigen::Index c = 0; c < nearest.cols(); ++c)
+        {
+          nearest(i, c) = byDistance[c].second;
+        }
       }
     },
     progress);
@@ -127,37 +141,39 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
   // The image's triangles are the domain's: a place on the one is a place on the other.
   const Eigen::MatrixXd onBoundary =
     Interpolate(image.Triangles, this->Domain.Locator().Surface().Points, at.Closest);
-  const bool seeded = this->Seeds.rows() > 0;
-  Eigen::MatrixXd inner = onBoundary, starts = onBoundary;
-  if (seeded)
+  const Eigen::MatrixXi nearest =
+    Nearest(this->SeedImages, points, MostStarts, progress.Part(0.15, 0.2));
+  const auto startOf = [&](int i, int attempt) -> Eigen::RowVector3d
   {
-    const Eigen::VectorXi nearest = Nearest(this->SeedImages, points, progress.Part(0.15, 0.2));
-    inner = this->Seeds(nearest, Eigen::all);
-    for (int i = 0; i < points.rows(); ++i)
-    {
-      if ((this->SeedImages.row(nearest(i)) - points.row(i)).norm() < std::abs(at.Distances(i)))
-      {
-        starts.row(i) = inner.row(i);
-      }
-    }
-  }
+    const bool onIt = attempt == 0 &&
+      (nearest.cols() == 0 ||
+        std::abs(at.Distances(i)) <= (this->SeedImages.row(nearest(i, 0)) - points.row(i)).norm());
+    return onIt ? onBoundary.row(i) : this->Seeds.row(nearest(i, std::max(0, attempt - 2)));
+  };
 
   const Limits limits{ this->Options.Tolerance * LongestSide(image.Points),
     0.25 * LongestSide(this->Domain.Locator().Surface().Points), this->Options.MaximumIterations };
   Steps steps(progress.Part(0.2, 1.0));
-  for (int attempt = 0; attempt < (seeded ? 3 : 2) && !open.empty(); ++attempt)
+  // First from the nearest start, then walking from the boundary and from the nearest seed, then
+  // from other seeds: where the map folds, those may lie on the right side of it.
+  const int attempts = 2 + static_cast<int>(nearest.cols());
+  for (int attempt = 0; attempt < attempts && !open.empty(); ++attempt)
   {
     const Eigen::MatrixXd targets = points(open, Eigen::all);
-    Search search;
-    if (attempt == 0)
+    Eigen::MatrixXd starts = onBoundary(open, Eigen::all);
+    for (std::size_t i = 0; i < open.size() && attempt != 1; ++i)
     {
-      search = StartAt(this->Map, starts(open, Eigen::all), targets, steps.Next());
-      Newton(this->Map, search, limits, steps);
+      starts.row(i) = startOf(open[i], attempt);
+    }
+    Search search;
+    if (attempt == 1 || attempt == 2)
+    {
+      search = Walk(this->Map, starts, targets, limits, steps);
     }
     else
     {
-      search = Walk(
-        this->Map, (attempt == 1 ? onBoundary : inner)(open, Eigen::all), targets, limits, steps);
+      search = StartAt(this->Map, starts, targets, steps.Next());
+      Newton(this->Map, search, limits, steps);
     }
     const Eigen::VectorXi outside =
       OutsideDomain(this->Domain, search.Places, this->Farthest, steps.Next());

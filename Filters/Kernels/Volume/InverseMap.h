@@ -21,7 +21,8 @@ struct InverseMapOptions
  * It starts from the seed whose image is nearest: a lattice of places in the domain, and the place
  * on the boundary whose image is closest to y. Where that fails, the way is walked in steps: x
  * follows as its image moves in a straight line from the start's to y, first from the boundary,
- * along which no other boundary point's image comes in between, then from the nearest inner seed.
+ * along which no other boundary point's image comes in between, then from the nearest inner seed;
+ * at last, from the next seeds.
  * Where f folds, a point has several preimages: one of them is found, always the same.
  *
  * A point is outside the image where it lies outside the boundary's image (by more than a quarter
