@@ -157,8 +157,25 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
   // First from the nearest start, then walking from the boundary and from the nearest seed, then
   // from other seeds: where the map folds, those may lie on the right side of it.
   const int attempts = 2 + static_cast<int>(nearest.cols());
-  for (int attempt = 0; attempt < attempts && !open.empty(); ++attempt)
+  Indices beyond; // of the boundary's image: reached by folds alone, so no straight way leads there
+  for (int attempt = 0; attempt < attempts; ++attempt)
   {
+    const bool walks = attempt == 1 || attempt == 2;
+    if (attempt == 1)
+    {
+      const auto within = std::stable_partition(
+        open.begin(), open.end(), [&](int i) { return at.Distances(i) <= tolerances(i); });
+      beyond.assign(within, open.end());
+      open.erase(within, open.end());
+    }
+    else if (attempt == 3)
+    {
+      open.insert(open.end(), beyond.begin(), beyond.end());
+    }
+    if (open.empty())
+    {
+      continue;
+    }
     const Eigen::MatrixXd targets = points(open, Eigen::all);
     Eigen::MatrixXd starts = onBoundary(open, Eigen::all);
     for (std::size_t i = 0; i < open.size() && attempt != 1; ++i)
@@ -166,7 +183,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
       starts.row(i) = startOf(open[i], attempt);
     }
     Search search;
-    if (attempt == 1 || attempt == 2)
+    if (walks)
     {
       search = Walk(this->Map, starts, targets, limits, steps);
     }

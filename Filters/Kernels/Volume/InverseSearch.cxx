@@ -124,8 +124,8 @@ void Newton(const ChargeSet& map, Search& search, const Limits& limits, Steps& p
 Search Walk(const ChargeSet& map, const Eigen::MatrixXd& starts, const Eigen::MatrixXd& targets,
   const Limits& limits, Steps& progress)
 {
-  constexpr double Shortest = 1.0 / 1024.0;
-  constexpr int Rounds = 256;
+  constexpr double shortest = 1.0 / 1024.0;
+  constexpr int mostRounds = 256;
   Search search = StartAt(map, starts, targets, progress.Next());
   const Eigen::MatrixXd images = search.Values;
   const Eigen::Index n = targets.rows();
@@ -138,7 +138,7 @@ Search Walk(const ChargeSet& map, const Eigen::MatrixXd& starts, const Eigen::Ma
       active.push_back(i);
     }
   }
-  for (int round = 0; round < Rounds && !active.empty(); ++round)
+  for (int round = 0; round < mostRounds && !active.empty(); ++round)
   {
     const Eigen::VectorXd tried = (shares(active) + steps(active)).cwiseMin(1.0);
     const Eigen::MatrixXd from = images(active, Eigen::all);
@@ -157,7 +157,7 @@ Search Walk(const ChargeSet& map, const Eigen::MatrixXd& starts, const Eigen::Ma
         shares(id) = tried(i);
       }
       steps(id) *= reached ? 2.0 : 0.5;
-      if (shares(id) < 1.0 && steps(id) >= Shortest)
+      if (shares(id) < 1.0 && steps(id) >= shortest)
       {
         next.push_back(id);
       }
