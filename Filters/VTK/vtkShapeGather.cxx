@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -19,6 +20,7 @@
 
 #include "Core/Errors.h"
 
+#include <algorithm>
 #include <functional>
 #include <new>
 #include <numeric>
@@ -42,6 +44,7 @@ vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
     return kept;
   }
   kept->SetPoints(piece->GetPoints());
+  kept->GetFieldData()->ShallowCopy(piece->GetFieldData());
   kept->GetPointData()->ShallowCopy(piece->GetPointData());
   kept->GetCellData()->CopyAllocate(piece->GetCellData());
   kept->AllocateCopy(piece);
@@ -93,14 +96,14 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
   append->Update();
   vtkPolyData* all = append->GetOutput();
 
-  const std::vector<vtkIdType> first = FirstAtPlace(all, weld);
+  const std::vector<vtkIdType> firstAtPlace = FirstAtPlace(all, weld);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   merged->GetPointData()->CopyAllocate(all->GetPointData());
-  pointMap.assign(first.size(), -1);
-  for (std::size_t i = 0; i < first.size(); ++i)
+  pointMap.assign(firstAtPlace.size(), -1);
+  for (std::size_t i = 0; i < firstAtPlace.size(); ++i)
   {
-    vtkIdType& place = pointMap[first[i]];
+    vtkIdType& place = pointMap[firstAtPlace[i]];
     if (place == -1)
     {
       const auto point = static_cast<vtkIdType>(i);
@@ -122,6 +125,10 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
     merged->InsertNextCell(all->GetCellType(cell), corners);
   }
   merged->GetCellData()->ShallowCopy(all->GetCellData());
+  // Pieces of one thing say the same about it; processes without a part of it may say nothing.
+  const auto first = std::find_if(pieces.begin(), pieces.end(),
+    [](vtkPolyData* piece) { return piece->GetNumberOfPoints() > 0; });
+  merged->GetFieldData()->ShallowCopy((first == pieces.end() ? pieces[0] : *first)->GetFieldData());
   return merged;
 }
 

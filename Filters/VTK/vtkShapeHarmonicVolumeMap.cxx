@@ -1,10 +1,10 @@
 #include "vtkShapeHarmonicVolumeMap.h"
 
+#include "vtkShapeChargeSet.h"
 #include "vtkShapeConvert.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -14,7 +14,7 @@
 #include "Core/Errors.h"
 #include "Core/Topology.h"
 #include "Geometry/SignedDistance.h"
-#include "Volume/OutsideDomain.h"
+#include "Volume/ApplyVolumeMap.h"
 
 #include <algorithm>
 #include <utility>
@@ -45,21 +45,6 @@ void vtkShapeHarmonicVolumeMap::RemoveAllFeatures()
 
 namespace
 {
-
-/// The charge set as points with `Charge`, inside the surface that bounds its domain.
-void WriteCharges(const shape::ChargeSet& map, const shape::Mesh& boundary, vtkPolyData* output)
-{
-  // The charges come first, then the boundary's points, which carry no charge.
-  const Eigen::Index charges = map.Points.rows();
-  shape::Mesh mesh{ Eigen::MatrixXd(charges + boundary.Points.rows(), 3),
-    boundary.Triangles.array() + static_cast<int>(charges) };
-  mesh.Points << map.Points, boundary.Points;
-  Eigen::MatrixXd charge = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
-  charge.topRows(charges) = map.Charges;
-  vtkShapeConvert::FromMesh(mesh, output);
-  output->GetPointData()->AddArray(vtkShapeConvert::ToArray(charge, "Charge"));
-  output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(map.Affine, "Affine"));
-}
 
 void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult::Level>& levels, vtkTable* output)
 {
@@ -139,40 +124,20 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   const shape::HarmonicVolumeMapResult result =
     shape::HarmonicVolumeMap(mesh, targets, features, this->Options, progress.Part(0.0, 0.8));
 
-  const double farthest = 0.5 * result.OffsetDistance * shape::LongestSide(mesh.Points);
+  const double farthest = vtkShapeChargeSet::Farthest(result.OffsetDistance, mesh);
   const shape::SignedDistance distance(shape::FacingOutwards(mesh));
-  int outsidePoints = 0;
-  double done = 0.8;
   vtkDataObject* moved = this->GetOutputDataObject(0);
-  const double share =
-    0.2 / std::max<vtkIdType>(1, domain->GetNumberOfElements(vtkDataObject::POINT));
-  vtkShapeConvert::ForEachLeaf(domain, moved, vtkShapeConvert::Points::Moved,
-    [&](vtkDataSet* input, vtkDataSet* output)
-    {
-      const Eigen::MatrixXd sources = vtkShapeConvert::ToPoints(input);
-      const double next = done + share * sources.rows();
-      const double middle = (done + next) / 2.0;
-      const Eigen::VectorXi outside =
-        shape::OutsideDomain(distance, sources, farthest, progress.Part(done, middle));
-      Eigen::MatrixXd points = shape::Evaluate(result.Map, sources, progress.Part(middle, next));
-      done = next;
-      points = outside.replicate(1, 3).array().select(sources, points);
-      if (!points.allFinite())
-      {
-        throw shape::SolveFailure(
-          "the map is not finite at a point of the Domain; move the charges "
-          "away with a larger OffsetDistance");
-      }
-      outsidePoints += outside.sum();
-      vtkShapeConvert::Move(input, points, output);
-      output->GetPointData()->AddArray(vtkShapeConvert::ToArray(sources, "SourcePosition"));
-      output->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(outside, "OutsideDomain"));
-    });
+  const auto counts = vtkShapeChargeSet::Move(
+    domain, moved,
+    [&](const Eigen::MatrixXd& points, const shape::Progress& part)
+    { return shape::ApplyVolumeMap(result.Map, distance, farthest, points, part); },
+    progress.Part(0.8, 1.0));
 
   // Every process has found the same map: one of them hands it on.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
-    WriteCharges(result.Map, mesh, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+    vtkShapeChargeSet::Write(
+      result.Map, mesh, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
     WriteLevels(result.Levels, vtkTable::SafeDownCast(this->GetOutputDataObject(2)));
   }
   // The last level's errors are those of the whole sum, whether it was kept or not.
@@ -182,8 +147,8 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     const std::pair<const char*, double> facts[] = { { "RMSEVertices", last.RMSEVertices },
       { "RMSEInside", last.RMSEInside }, { "Maximum", last.Maximum },
       { "RMSEFeatures", result.RMSEFeatures }, { "OffsetDistance", result.OffsetDistance },
-      { "OutsidePoints", outsidePoints }, { "DeletedSources", result.DeletedSources },
-      { "InsertedSources", result.InsertedSources } };
+      { "OutsidePoints", static_cast<double>(counts[1]) },
+      { "DeletedSources", result.DeletedSources }, { "InsertedSources", result.InsertedSources } };
     for (const auto& [fact, value] : facts)
     {
       vtkShapeConvert::AddFact(output, std::string("HarmonicVolumeMap.") + fact, value);

@@ -25,8 +25,9 @@
  *
  * Field data of outputs 0 and 1: HarmonicVolumeMap.RMSEVertices, .RMSEInside, .Maximum,
  * .RMSEFeatures (0 without features), .OffsetDistance (that was used), .OutsidePoints (of this
- * process), .DeletedSources, .InsertedSources, and in words .Stop: Tolerance (reached), Levels (all
- * that were asked for were fitted), NoImprovement (no subset of the sources lowers the error).
+ * process, without ghosts), .DeletedSources, .InsertedSources, and in words .Stop: Tolerance
+ * (reached), Levels (all that were asked for were fitted), NoImprovement (no subset of the sources
+ * lowers the error).
  *
  * A singular value decomposition and a simplification of the surface are single library calls: an
  * abort takes effect at their end.

@@ -9,7 +9,9 @@ import shapemap.vtkShapeFilters as module
 import shapetesting
 
 # What a port that it requires takes in place of the closed surface: (filter, input) -> file of Data/.
-OTHER_INPUTS = {}
+OTHER_INPUTS = {
+    ('ShapeApplyVolumeMap', 'Map'): 'DentedSphereCharges.vtp',
+}
 
 GetActiveSource()
 

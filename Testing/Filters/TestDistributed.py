@@ -123,6 +123,25 @@ halfway = morph.GetOutputDataObject(0)
 assert abs(points(halfway) - 0.5 * points(mapped) - 0.5 * array(
     mapped, 'TargetPosition')).max() < 1e-15
 
+# Only one process holds the charge set; all move their pieces by it, and back.
+applied = shapemap.vtkShapeApplyVolumeMap()
+applied.SetInputDataObject(0, ball)
+applied.SetInputConnection(1, volume.GetOutputPort(1))
+assert not shapetesting.run(applied)
+moved = applied.GetOutputDataObject(0)
+assert (points(moved) == points(carried)).all(), 'not what the map itself moved'
+assert (array(moved, 'OutsideDomain') == array(carried, 'OutsideDomain')).all()
+back = shapemap.vtkShapeApplyVolumeMap()
+back.SetInputDataObject(0, shapetesting.copy(moved))
+back.SetInputConnection(1, volume.GetOutputPort(1))
+back.InverseOn()
+assert not shapetesting.run(back)
+assert (array(back.GetOutputDataObject(0), 'OutsideDomain') == 0).all()
+# This map folds in places: what was found has the same image.
+applied.SetInputDataObject(0, shapetesting.copy(back.GetOutputDataObject(0)))
+assert not shapetesting.run(applied)
+assert abs(points(applied.GetOutputDataObject(0)) - points(carried)).max() < 1e-10
+
 if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),

@@ -27,6 +27,11 @@ struct ChargeSet
 Eigen::MatrixXd Evaluate(
   const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress = {});
 
+/// The derivative of f at `points`, n x 9: column 3 r + c is d f_r / d y_c. The same bits for any
+/// number of threads; not finite at a charge's own place. Throws Aborted.
+Eigen::MatrixXd Jacobians(
+  const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress = {});
+
 /// The potentials 1 / (4 pi |y_i - x_j|): points' count x sources' count. Throws Aborted.
 Eigen::MatrixXd PotentialMatrix(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources, const Progress& progress = {});

@@ -5,16 +5,13 @@
 namespace shape
 {
 
-Eigen::VectorXi OutsideDomain(const SignedDistance& boundary, const Eigen::MatrixXd& points,
-  double farthest, const Progress& progress)
+Eigen::VectorXd DomainTolerances(const Mesh& surface, const ClosestPoints& closest, double farthest)
 {
-  const Mesh& surface = boundary.Locator().Surface();
   const double least = 1e-6 * LongestSide(surface.Points);
-  const SignedDistance::Result at = boundary.Evaluate(points, progress);
-  Eigen::VectorXi outside(points.rows());
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  Eigen::VectorXd tolerances(closest.Triangles.size());
+  for (Eigen::Index i = 0; i < tolerances.size(); ++i)
   {
-    const int t = at.Closest.Triangles(i);
+    const int t = closest.Triangles(i);
     double longest = 0.0;
     for (int k = 0; k < 3; ++k)
     {
@@ -23,9 +20,18 @@ Eigen::VectorXi OutsideDomain(const SignedDistance& boundary, const Eigen::Matri
           surface.Points.row(surface.Triangles(t, (k + 1) % 3)))
           .norm());
     }
-    outside(i) = at.Distances(i) > std::max(least, std::min(farthest, 0.25 * longest));
+    tolerances(i) = std::max(least, std::min(farthest, 0.25 * longest));
   }
-  return outside;
+  return tolerances;
+}
+
+Eigen::VectorXi OutsideDomain(const SignedDistance& boundary, const Eigen::MatrixXd& points,
+  double farthest, const Progress& progress)
+{
+  const SignedDistance::Result at = boundary.Evaluate(points, progress);
+  const Eigen::VectorXd tolerances =
+    DomainTolerances(boundary.Locator().Surface(), at.Closest, farthest);
+  return (at.Distances.array() > tolerances.array()).cast<int>();
 }
 
 } // namespace shape

@@ -5,6 +5,11 @@
 namespace shape
 {
 
+/// How far outside a closed surface points belong to its domain all the same, given the closest
+/// points of `surface` (n): see OutsideDomain.
+Eigen::VectorXd DomainTolerances(
+  const Mesh& surface, const ClosestPoints& closest, double farthest);
+
 /**
  * Which of `points` (n x 3, finite) lie outside the domain that a closed, outward facing surface
  * bounds: 1 outside, 0 inside or within the tolerance.

@@ -1,0 +1,70 @@
+#include "vtkShapeApplyVolumeMap.h"
+
+#include "vtkShapeChargeSet.h"
+#include "vtkShapeConvert.h"
+
+#include "vtkDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Volume/ApplyVolumeMap.h"
+#include "Volume/InverseMap.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkShapeApplyVolumeMap);
+
+vtkShapeApplyVolumeMap::vtkShapeApplyVolumeMap()
+{
+  this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
+  this->DeclareInput("Map", PortData::Whole, PortUse::Required, { "vtkPolyData" });
+  this->DeclareMovedOutput();
+}
+
+void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
+{
+  vtkDataObject* domain = this->GetInputDataObject(0, 0);
+  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
+  {
+    shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Input");
+  }
+  const std::vector<vtkDataSet*> maps = vtkShapeConvert::Leaves(this->GetInputDataObject(1, 0));
+  const auto count = std::count_if(
+    maps.begin(), maps.end(), [](vtkDataSet* leaf) { return leaf->GetNumberOfPoints() > 0; });
+  if (count > 1)
+  {
+    throw shape::InvalidInput("the Map has " + std::to_string(count) +
+      " blocks; take one charge set out with Extract Block");
+  }
+  const vtkShapeChargeSet::Contents set =
+    vtkShapeChargeSet::Read(this->GetWhole(1).Data, "the Map");
+  progress(0.05);
+
+  std::array<vtkIdType, 3> counts{};
+  vtkDataObject* moved = this->GetOutputDataObject(0);
+  if (this->Inverse)
+  {
+    const shape::InverseMap inverse(
+      set.Map, set.Surface, set.Farthest, {}, progress.Part(0.05, 0.3));
+    const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
+    {
+      const shape::InverseMap::Result found = inverse.Find(points, part);
+      return shape::MovedPoints{ found.Points, found.States };
+    };
+    counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.3, 1.0));
+  }
+  else
+  {
+    const shape::SignedDistance boundary(shape::FacingOutwards(set.Surface));
+    const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
+    { return shape::ApplyVolumeMap(set.Map, boundary, set.Farthest, points, part); };
+    counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.05, 1.0));
+  }
+  vtkShapeConvert::AddFact(moved, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
+  vtkShapeConvert::AddFact(moved, "ApplyVolumeMap.NotInverted", static_cast<double>(counts[2]));
+}
