@@ -57,6 +57,14 @@ assert not shapetesting.run(sphere)
 mapped = sphere.GetOutputDataObject(0)
 assert mapped.GetNumberOfCells() == surface.GetNumberOfCells(), 'a process keeps its own piece'
 
+# The same surface with a hole, to the disk: the loop's first point is found by its place.
+whole = read('DentedSphere600.vtp')
+disk = shapemap.vtkShapeParameterize()
+disk.SetDomain(0)
+disk.SetInputDataObject(piece(shapetesting.without_cells(whole, (17,))))
+assert not shapetesting.run(disk)
+flat = disk.GetOutputDataObject(0)
+
 ball = piece(read('BallSmall.vtu'))
 volume = shapemap.vtkShapeHarmonicVolumeMap()
 volume.SetInputDataObject(0, ball)
@@ -70,6 +78,7 @@ assert volume.GetOutputDataObject(1).GetNumberOfPoints() == 0 or rank == 0, 'cha
 if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),
+                openplaces=points(flat), disk=array(flat, 'TargetPosition'),
                 sources=array(carried, 'SourcePosition'), moved=points(carried))
     print('one process wrote the truth')
 else:
@@ -78,6 +87,8 @@ else:
     for places, values, expected in (
             (points(mapped), array(mapped, 'TargetPosition'),
              by_place(truth['places'], truth['targets'])),
+            (points(flat), array(flat, 'TargetPosition'),
+             by_place(truth['openplaces'], truth['disk'])),
             (array(carried, 'SourcePosition'), points(carried),
              by_place(truth['sources'], truth['moved']))):
         found = by_place(places, values)

@@ -28,6 +28,10 @@ struct Topology
 /// Throws InvalidInput where a triangle has an index out of range or uses a point twice.
 Topology SurfaceTopology(const Mesh& mesh);
 
+/// Throws InvalidInput unless `mesh` has triangles, every coordinate is finite and it is a
+/// consistently oriented 2-manifold, open or closed. `name` is what the message calls it.
+Topology RequireManifold(const Mesh& mesh, const std::string& name);
+
 /**
  * Throws InvalidInput unless every coordinate is finite and `mesh` is a closed, consistently
  * oriented 2-manifold. `name` is what the message calls it: "the boundary", "the surface".
