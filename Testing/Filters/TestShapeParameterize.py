@@ -81,11 +81,12 @@ both.Update()
 assert 'has 2 components' in error_of(both.GetOutput())
 opened = shapetesting.without_cells(mapped, (11,))
 assert '1 open loop' in error_of(opened), error_of(opened)
+
 # The Disk, through ParaView's proxies: the upper half of an ellipsoid.
 half = simple.Clip(Input=surface, ClipType='Plane', Invert=0)
-half.ClipType.Origin = [0.0, 0.0, 0.0]
+half.ClipType.Origin = [0.0, 0.0, 0.013]  # through no point
 half.ClipType.Normal = [0.0, 0.0, 1.0]
-cap = simple.ExtractSurface(Input=half)
+cap = simple.Triangulate(Input=simple.ExtractSurface(Input=half))
 disk_map = simple.ShapeParameterize(Input=cap, Domain='Disk')
 assert disk_map.Weights == 'MeanValue' and disk_map.Outline == 'Circle'
 for weights in ('Uniform', 'MeanValue'):
