@@ -75,10 +75,21 @@ carried = volume.GetOutputDataObject(0)
 assert volume.GetOutputDataObject(1).GetNumberOfPoints() > 0 or rank > 0
 assert volume.GetOutputDataObject(1).GetNumberOfPoints() == 0 or rank == 0, 'charges come once'
 
+# The quality of maps of pieces is that of the whole.
+facts = []
+for data in (mapped, flat, piece(read('TwistedBarSmall.vtu'))):
+    quality = shapemap.vtkShapeMapQuality()
+    quality.SetInputDataObject(data)
+    assert not shapetesting.run(quality)
+    assert (quality.GetOutputDataObject(1).GetNumberOfRows() == 5) == (rank == 0), 'one table'
+    facts += [shapetesting.fact(quality.GetOutputDataObject(0), 'MapQuality.' + name) for name in (
+        'Cells', 'FlippedCells', 'DegenerateCells', 'MinimumJacobianDeterminant', 'MeanARAP',
+        'MeanSymmetricDirichlet', 'MaximumConformalDistortion')]
+
 if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),
-                openplaces=points(flat), disk=array(flat, 'TargetPosition'),
+                facts=facts, openplaces=points(flat), disk=array(flat, 'TargetPosition'),
                 sources=array(carried, 'SourcePosition'), moved=points(carried))
     print('one process wrote the truth')
 else:
@@ -97,6 +108,9 @@ else:
         print('process', rank, 'has', len(found), 'points, off by at most', worst)
         assert worst < 1e-9, worst
 
+    assert numpy.allclose(facts, truth['facts'], rtol=1e-6), (facts, truth['facts'])
+    assert facts[0] == 1280 and facts[7] == 1279, facts
+
     # An empty piece on one process is no empty input.
     alone = shapemap.vtkShapeParameterize()
     alone.SetInputDataObject(read('DentedSphere600.vtp') if rank == 1 else vtkPolyData())
@@ -114,7 +128,19 @@ else:
     block = joined.GetOutputDataObject(0).GetBlock(1)
     assert (block is not None and block.GetNumberOfPoints() == 642) == (rank == 0)
 
+    alone = shapemap.vtkShapeMapQuality()
+    alone.SetInputDataObject(read('DentedSphere600.vtp') if rank == 1 else vtkPolyData())
+    assert not shapetesting.run(alone)
+    assert shapetesting.fact(alone.GetOutputDataObject(0), 'MapQuality.Cells') == 1280
+
     # A fault that only one process can see is an error on both, and nothing hangs.
+    faulty = shapetesting.copy(mapped)
+    if rank == 1:
+        faulty.GetPointData().GetArray('TargetPosition').SetComponent(3, 0, numpy.nan)
+    quality.SetInputDataObject(faulty)
+    messages = shapetesting.run(quality)
+    assert any('has 1 point with a value that is not finite' in m for m in messages), messages
+    assert quality.GetOutputDataObject(0).GetNumberOfPoints() == 0
     spoiled = shapetesting.copy(ball)
     if rank == 1:
         coordinates = points(spoiled)
