@@ -93,12 +93,12 @@ shape::MapExtent ExtentOf(const std::vector<Part>& parts, vtkMultiProcessControl
 void AddOfAllProcesses(shape::MapQualitySums& sums, vtkMultiProcessController* controller)
 {
   using vtkShapeGather::Reduction;
-  constexpr int Count = shape::MapMeasureCount;
-  vtkShapeGather::Reduce(controller, sums.Minima.data(), Count, Reduction::Minimum);
-  vtkShapeGather::Reduce(controller, sums.Maxima.data(), Count, Reduction::Maximum);
+  constexpr int rows = shape::MapMeasureCount;
+  vtkShapeGather::Reduce(controller, sums.Minima.data(), rows, Reduction::Minimum);
+  vtkShapeGather::Reduce(controller, sums.Maxima.data(), rows, Reduction::Maximum);
   for (auto* values : { &sums.Sums, &sums.Weights, &sums.Undefined })
   {
-    vtkShapeGather::Reduce(controller, values->data(), Count, Reduction::Sum);
+    vtkShapeGather::Reduce(controller, values->data(), rows, Reduction::Sum);
   }
   for (double* count : { &sums.Cells, &sums.Flipped, &sums.Degenerate })
   {

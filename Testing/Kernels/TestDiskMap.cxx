@@ -489,7 +489,7 @@ TEST(DiskMap, RefusesWhatIsNoDiskAndSaysWhy)
   shape::Mesh unused = disk;
   unused.Points.conservativeResize(n + 1, 3);
   unused.Points.row(n).setZero();
-  ExpectRefused(unused, "1 points that no triangle uses");
+  ExpectRefused(unused, "1 point that no triangle uses (first at point ");
   shape::Mesh turned = disk;
   turned.Triangles.row(0).reverseInPlace();
   ExpectRefused(turned, "edges between triangles of opposite orientation");

@@ -15,32 +15,32 @@ struct CornerTable
 
 const CornerTable& TableOf(CellShape shape)
 {
-  static const CornerTable Triangle{ { { 0, 1, 2, -1 } }, 1.0 / 2.0 };
-  static const CornerTable Tetrahedron{ { { 0, 1, 2, 3 } }, 1.0 / 6.0 };
-  static const CornerTable Pyramid{
+  static const CornerTable triangle{ { { 0, 1, 2, -1 } }, 1.0 / 2.0 };
+  static const CornerTable tetrahedron{ { { 0, 1, 2, 3 } }, 1.0 / 6.0 };
+  static const CornerTable pyramid{
     { { 0, 1, 3, 4 }, { 1, 2, 0, 4 }, { 2, 3, 1, 4 }, { 3, 0, 2, 4 } }, 1.0 / (4.0 * 3.0)
   };
-  static const CornerTable Wedge{ { { 0, 1, 2, 3 }, { 1, 2, 0, 4 }, { 2, 0, 1, 5 }, { 3, 5, 4, 0 },
+  static const CornerTable wedge{ { { 0, 1, 2, 3 }, { 1, 2, 0, 4 }, { 2, 0, 1, 5 }, { 3, 5, 4, 0 },
                                     { 4, 3, 5, 1 }, { 5, 4, 3, 2 } },
     1.0 / (6.0 * 2.0) };
-  static const CornerTable Hexahedron{ { { 0, 1, 3, 4 }, { 1, 2, 0, 5 }, { 2, 3, 1, 6 },
+  static const CornerTable hexahedron{ { { 0, 1, 3, 4 }, { 1, 2, 0, 5 }, { 2, 3, 1, 6 },
                                          { 3, 0, 2, 7 }, { 4, 7, 5, 0 }, { 5, 4, 6, 1 },
                                          { 6, 5, 7, 2 }, { 7, 6, 4, 3 } },
     1.0 / 8.0 };
   switch (shape)
   {
     case CellShape::Triangle:
-      return Triangle;
+      return triangle;
     case CellShape::Tetrahedron:
-      return Tetrahedron;
+      return tetrahedron;
     case CellShape::Pyramid:
-      return Pyramid;
+      return pyramid;
     case CellShape::Wedge:
-      return Wedge;
+      return wedge;
     case CellShape::Hexahedron:
       break;
   }
-  return Hexahedron;
+  return hexahedron;
 }
 
 } // namespace

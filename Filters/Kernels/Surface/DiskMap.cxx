@@ -47,8 +47,8 @@ void RequireDisk(const Mesh& surface)
     const auto first = std::find(topology.ComponentId.begin(), topology.ComponentId.end(), -1) -
       topology.ComponentId.begin();
     throw InvalidInput("the surface has " + std::to_string(unused) +
-      " points that no triangle uses (first at point " + std::to_string(first) +
-      "); remove them with Clean");
+      (unused == 1 ? " point that no triangle uses" : " points that no triangle uses") +
+      " (first at point " + std::to_string(first) + "); remove with Clean");
   }
 }
 
