@@ -67,6 +67,16 @@ def add_array(data, values, name):
     data.GetPointData().AddArray(values)
 
 
+def without_cells(surface, cells):
+    """A copy without some of its cells; every point stays."""
+    opened = copy(surface)
+    opened.BuildLinks()
+    for cell in cells:
+        opened.DeleteCell(cell)
+    opened.RemoveDeletedCells()
+    return opened
+
+
 def run(algorithm):
     """Updates an algorithm; returns its error messages and those of its executive."""
     from vtkmodules.vtkCommonCore import vtkCommand

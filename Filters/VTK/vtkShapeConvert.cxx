@@ -2,12 +2,14 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
@@ -28,6 +30,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -57,6 +60,54 @@ void RemoveNormals(vtkDataSetAttributes* attributes)
     {
       attributes->RemoveArray(i);
     }
+  }
+}
+
+/// The shape whose corners a cell type has; a voxel has a hexahedron's, in another order.
+bool ShapeOf(int cellType, shape::CellShape& shape)
+{
+  switch (cellType)
+  {
+    case VTK_TRIANGLE:
+      shape = shape::CellShape::Triangle;
+      return true;
+    case VTK_TETRA:
+      shape = shape::CellShape::Tetrahedron;
+      return true;
+    case VTK_PYRAMID:
+      shape = shape::CellShape::Pyramid;
+      return true;
+    case VTK_WEDGE:
+      shape = shape::CellShape::Wedge;
+      return true;
+    case VTK_HEXAHEDRON:
+    case VTK_VOXEL:
+      shape = shape::CellShape::Hexahedron;
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Adds the triangles or tetrahedra that a cell is cut into.
+void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
+{
+  const int corners = cell->GetCellDimension() + 1;
+  if (corners < 3)
+  {
+    return;
+  }
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> places;
+  cell->Triangulate(0, ids, places);
+  for (vtkIdType first = 0; first + corners <= ids->GetNumberOfIds(); first += corners)
+  {
+    int points[4];
+    for (int k = 0; k < corners; ++k)
+    {
+      points[k] = static_cast<int>(ids->GetId(first + k));
+    }
+    cells.Add(corners == 3 ? shape::CellShape::Triangle : shape::CellShape::Tetrahedron, points);
   }
 }
 
@@ -149,6 +200,44 @@ Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
     points.row(i) = point;
   }
   return points;
+}
+
+shape::CellSimplices vtkShapeConvert::ToSimplices(vtkDataSet* data, const std::string& name)
+{
+  if (data->GetNumberOfPoints() > std::numeric_limits<int>::max() ||
+    data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
+  {
+    throw shape::InvalidInput(name +
+      " has more points or cells than 2^31 corners can hold; cut it "
+      "into blocks, or use more processes");
+  }
+  shape::CellSimplices cells;
+  vtkNew<vtkGenericCell> generic;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    const int type = data->GetCellType(cell);
+    shape::CellShape shape;
+    if (ShapeOf(type, shape))
+    {
+      data->GetCellPoints(cell, ids);
+      int points[8];
+      std::copy(ids->begin(), ids->end(), points);
+      if (type == VTK_VOXEL)
+      {
+        std::swap(points[2], points[3]);
+        std::swap(points[6], points[7]);
+      }
+      cells.Add(shape, points);
+    }
+    else
+    {
+      data->GetCell(cell, generic);
+      AddTriangulated(generic, cells);
+    }
+    cells.EndCell();
+  }
+  return cells;
 }
 
 Eigen::MatrixXd vtkShapeConvert::ToPointArray(

@@ -2,6 +2,7 @@
 
 #include "Core/Cells.h"
 #include "Core/Mesh.h"
+#include "Quality/CellSimplices.h"
 
 #include "vtkSmartPointer.h"
 
@@ -35,6 +36,11 @@ shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
 
 /// The points of any data set (n x 3).
 Eigen::MatrixXd ToPoints(vtkDataSet* data);
+
+/// The cells in order, over the same points: tetrahedra, pyramids, wedges, hexahedra, voxels and
+/// triangles by their corners, every other surface or solid cell by the simplices that it is cut
+/// into. Points and lines have none. Throws shape::InvalidInput where there are too many points.
+shape::CellSimplices ToSimplices(vtkDataSet* data, const std::string& name);
 
 /// A point array (n x components). Throws shape::InvalidInput where it is missing or has another
 /// number of components or tuples; the message lists the arrays that are there.

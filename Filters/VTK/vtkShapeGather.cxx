@@ -132,32 +132,6 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
   return merged;
 }
 
-/// Does `work` on every process; where it throws on one, throws on all: no process may wait in the
-/// next collective call for one that has failed.
-void TogetherOrNotAtAll(vtkMultiProcessController* controller, const std::function<void()>& work)
-{
-  bool failed = true;
-  std::string message;
-  try
-  {
-    work();
-    failed = false;
-  }
-  catch (const std::bad_alloc&)
-  {
-    message = "out of memory while the pieces were joined; use more memory for each process";
-  }
-  catch (const std::exception& error)
-  {
-    message = error.what();
-  }
-  vtkShapeGather::AgreeOnFailure(controller, failed, message);
-  if (failed)
-  {
-    throw shape::InvalidInput(message);
-  }
-}
-
 /// The blocks, which must be surfaces.
 std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const std::string& name)
 {
@@ -197,6 +171,52 @@ vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& piece
 }
 
 } // namespace
+
+void vtkShapeGather::TogetherOrNotAtAll(
+  vtkMultiProcessController* controller, const std::function<void()>& work)
+{
+  bool failed = true;
+  std::string message; // stays empty where the user stopped it
+  try
+  {
+    work();
+    failed = false;
+  }
+  catch (const shape::Aborted&)
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+    message = "out of memory; use a coarser input or more memory for each process";
+  }
+  catch (const std::exception& error)
+  {
+    message = error.what();
+  }
+  AgreeOnFailure(controller, failed, message);
+  if (failed && message.empty())
+  {
+    throw shape::Aborted();
+  }
+  if (failed)
+  {
+    throw shape::InvalidInput(message);
+  }
+}
+
+void vtkShapeGather::Reduce(
+  vtkMultiProcessController* controller, double* values, int count, Reduction reduction)
+{
+  if (!IsParallel(controller))
+  {
+    return;
+  }
+  const std::vector<double> own(values, values + count);
+  const int operation = reduction == Reduction::Sum ? vtkCommunicator::SUM_OP
+    : reduction == Reduction::Minimum               ? vtkCommunicator::MIN_OP
+                                                    : vtkCommunicator::MAX_OP;
+  controller->AllReduce(own.data(), values, count, operation);
+}
 
 vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessController* controller)
 {

@@ -2,6 +2,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,21 @@ vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name
  */
 vtkSmartPointer<vtkUnstructuredGrid> GatherGrid(
   vtkDataObject* data, vtkMultiProcessController* controller);
+
+/// Does `work` on every process; where it throws on one, throws on all: what Execute does before a
+/// collective call goes in here, since no process may wait for one that has failed.
+void TogetherOrNotAtAll(vtkMultiProcessController* controller, const std::function<void()>& work);
+
+/// How the processes' values become one.
+enum class Reduction
+{
+  Sum,
+  Minimum,
+  Maximum
+};
+
+/// Reduces `count` values, each with those of the other processes, in place.
+void Reduce(vtkMultiProcessController* controller, double* values, int count, Reduction reduction);
 
 /// Sets `failed` on every process where it is set on one, and `message` to that of the first that
 /// failed.

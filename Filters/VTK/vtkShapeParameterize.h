@@ -2,16 +2,22 @@
  * @class   vtkShapeParameterize
  * @brief   maps a surface onto a simple domain without flipping a triangle
  *
- * Input: a closed surface of genus 0 (polygons are triangulated inside). Blocks and distributed
- * pieces are joined first; each process gets its own back.
+ * Input: for the Sphere a closed surface of genus 0, for the Disk a surface with one open loop and
+ * no handle (polygons are triangulated inside). Blocks and distributed pieces are joined first;
+ * each process gets its own back.
  *
  * Output 0: the same surface with the point array `TargetPosition` (double, 3): where each point
  * goes. Output 1: the image: the same triangles at their target positions with `SourcePosition`.
  *
- * Field data of both: Parameterize.Method (ConformalFlow; where that would flip triangles,
- * PositiveFlow or GlobalReinsertion, which AreaWeight > 0 asks for), Parameterize.Iterations,
- * Parameterize.ReinsertedPoints (how many points needed a new place to end the method's flips),
- * Parameterize.ConformalDistortion (mean over the surface's area; 1 keeps every angle).
+ * Field data of both: Parameterize.Method (Sphere: ConformalFlow; where that would flip triangles,
+ * PositiveFlow or GlobalReinsertion, which AreaWeight > 0 asks for. Disk: the weights),
+ * Parameterize.Iterations, Parameterize.ReinsertedPoints (how many points needed a new place to end
+ * the method's flips), Parameterize.FlippedTriangles (0: a map that flips one is an error),
+ * Parameterize.ConformalDistortion (mean over the surface's area; 1 keeps every angle),
+ * Parameterize.LoopLength (Disk: of the open loop, in the surface's units; Sphere: 0).
+ *
+ * The Disk's factorisation is one library call: an abort takes effect at its end (within a second
+ * at 100,000 points).
  *
  * The mathematics: shape::Parameterize.
  */
@@ -29,16 +35,34 @@ public:
   vtkTypeMacro(vtkShapeParameterize, vtkShapeAlgorithm);
 
   ///@{
-  /// What the surface is mapped onto. 1 = Sphere: the unit sphere, centred so that the mean of the
-  /// image, weighted by the surface's area, is the origin. Default: Sphere.
+  /// What the surface is mapped onto. 0 = Disk: the disk in the plane z = 0, or the square, as
+  /// Outline says; counter-clockwise seen from +z. 1 = Sphere: the unit sphere, centred so that the
+  /// mean of the image, weighted by the surface's area, is the origin. Default: Sphere.
   vtkShapeEnumOption(Domain, shape::ParameterizeOptions::DomainType,
-    shape::ParameterizeOptions::DomainType::Sphere, shape::ParameterizeOptions::DomainType::Sphere);
+    shape::ParameterizeOptions::DomainType::Disk, shape::ParameterizeOptions::DomainType::Sphere);
   ///@}
 
   ///@{
-  /// Equal areas against equal angles. 0 keeps angles alone, and shrinks limbs exponentially with
-  /// their length over their girth; larger keeps areas more, so that the image of a limb stays
-  /// large enough to compute on. Default: 0.
+  /// Disk: each point is the mean of its neighbours, weighted: 0 = Uniform (Tutte) never flips a
+  /// triangle and does not see the shape. 1 = Cotangent (harmonic) keeps angles best; where it
+  /// flips triangles, which obtuse angles allow, that is an error. 2 = MeanValue never flips one
+  /// and keeps angles well. Default: MeanValue.
+  vtkShapeEnumOption(Weights, shape::CombinationWeights, shape::CombinationWeights::Uniform,
+    shape::CombinationWeights::MeanValue);
+  ///@}
+
+  ///@{
+  /// Disk: what the open loop becomes, by arc length. 0 = Circle: the unit circle, from (1, 0) at
+  /// the loop's point of the greatest x on. 1 = Square: the sides of [-1, 1] x [-1, 1], from the
+  /// corner (1, 1) on. Default: Circle.
+  vtkShapeEnumOption(
+    Outline, shape::DiskOutline, shape::DiskOutline::Circle, shape::DiskOutline::Square);
+  ///@}
+
+  ///@{
+  /// Sphere: equal areas against equal angles. 0 keeps angles alone, and shrinks limbs
+  /// exponentially with their length over their girth; larger keeps areas more, so that the image
+  /// of a limb stays large enough to compute on. Default: 0.
   vtkShapeOption(AreaWeight, double);
   ///@}
 

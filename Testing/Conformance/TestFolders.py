@@ -43,7 +43,7 @@ for path in sources(kernels):
 
 for path in sources(os.path.join(root, 'Filters', 'VTK')):
     for include in INCLUDE.findall(open(path).read()):
-        if include.startswith(('pq', 'Q', 'vtkSM', 'vtkPV')):
+        if re.match('pq|Q(t|[A-Z])|vtkSM|vtkPV', include):
             faults.append('%s includes %s: Qt and ParaView belong to Plugin/' % (path, include))
 for path in sources(os.path.join(root, 'Plugin')):
     for include in INCLUDE.findall(open(path).read()):

@@ -59,6 +59,14 @@ assert not shapetesting.run(sphere)
 mapped = sphere.GetOutputDataObject(0)
 assert mapped.GetNumberOfCells() == surface.GetNumberOfCells(), 'a process keeps its own piece'
 
+# The same surface with a hole, to the disk: the loop's first point is found by its place.
+whole = read('DentedSphere600.vtp')
+disk = shapemap.vtkShapeParameterize()
+disk.SetDomain(0)
+disk.SetInputDataObject(piece(shapetesting.without_cells(whole, (17,))))
+assert not shapetesting.run(disk)
+flat = disk.GetOutputDataObject(0)
+
 ball = piece(read('BallSmall.vtu'))
 volume = shapemap.vtkShapeHarmonicVolumeMap()
 volume.SetInputDataObject(0, ball)
@@ -142,12 +150,24 @@ applied.SetInputDataObject(0, shapetesting.copy(back.GetOutputDataObject(0)))
 assert not shapetesting.run(applied)
 assert abs(points(applied.GetOutputDataObject(0)) - points(carried)).max() < 1e-10
 
+# The quality of maps of pieces is that of the whole.
+facts = []
+for data in (mapped, flat, piece(read('TwistedBarSmall.vtu'))):
+    quality = shapemap.vtkShapeMapQuality()
+    quality.SetInputDataObject(data)
+    assert not shapetesting.run(quality)
+    assert (quality.GetOutputDataObject(1).GetNumberOfRows() == 5) == (rank == 0), 'one table'
+    facts += [shapetesting.fact(quality.GetOutputDataObject(0), 'MapQuality.' + name) for name in (
+        'Cells', 'FlippedCells', 'DegenerateCells', 'MinimumJacobianDeterminant', 'MeanARAP',
+        'MeanSymmetricDirichlet', 'MaximumConformalDistortion')]
+
 if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),
                 sources=array(carried, 'SourcePosition'), moved=points(carried),
                 received=points(received), temperatures=array(received, 'Temperature'),
-                measured=points(measured), distances=array(measured, 'BoundaryDistance'))
+                measured=points(measured), distances=array(measured, 'BoundaryDistance'),
+                facts=facts, openplaces=points(flat), disk=array(flat, 'TargetPosition'))
     print('one process wrote the truth')
 else:
     truth = numpy.load(os.path.join(folder, 'truth.npz'))
@@ -155,6 +175,8 @@ else:
     for places, values, expected in (
             (points(mapped), array(mapped, 'TargetPosition'),
              by_place(truth['places'], truth['targets'])),
+            (points(flat), array(flat, 'TargetPosition'),
+             by_place(truth['openplaces'], truth['disk'])),
             (array(carried, 'SourcePosition'), points(carried),
              by_place(truth['sources'], truth['moved'])),
             (points(received), array(received, 'Temperature'),
@@ -166,6 +188,9 @@ else:
         worst = max(abs(found[key] - expected[key]).max() for key in found)
         print('process', rank, 'has', len(found), 'points, off by at most', worst)
         assert worst < 1e-9, worst
+
+    assert numpy.allclose(facts, truth['facts'], rtol=1e-6), (facts, truth['facts'])
+    assert facts[0] == 1280 and facts[7] == 1279, facts
 
     # An empty piece on one process is no empty input.
     alone = shapemap.vtkShapeParameterize()
@@ -184,7 +209,19 @@ else:
     block = joined.GetOutputDataObject(0).GetBlock(1)
     assert (block is not None and block.GetNumberOfPoints() == 642) == (rank == 0)
 
+    alone = shapemap.vtkShapeMapQuality()
+    alone.SetInputDataObject(read('DentedSphere600.vtp') if rank == 1 else vtkPolyData())
+    assert not shapetesting.run(alone)
+    assert shapetesting.fact(alone.GetOutputDataObject(0), 'MapQuality.Cells') == 1280
+
     # A fault that only one process can see is an error on both, and nothing hangs.
+    faulty = shapetesting.copy(mapped)
+    if rank == 1:
+        faulty.GetPointData().GetArray('TargetPosition').SetComponent(3, 0, numpy.nan)
+    quality.SetInputDataObject(faulty)
+    messages = shapetesting.run(quality)
+    assert any('has 1 point with a value that is not finite' in m for m in messages), messages
+    assert quality.GetOutputDataObject(0).GetNumberOfPoints() == 0
     spoiled = shapetesting.copy(ball)
     if rank == 1:
         coordinates = points(spoiled)

@@ -1,4 +1,4 @@
-"""Shape Parameterize: a closed surface of genus 0 to the unit sphere.
+"""Shape Parameterize: a closed surface of genus 0 to the unit sphere, an open one to the disk.
 
 As an example: give it a surface, take TargetPosition from the first output, or the image from the
 second."""
@@ -20,11 +20,13 @@ def flipped(corners, sphere):
     return int((numpy.einsum('ij,ij->i', a, numpy.cross(b, c)) <= 0.0).sum())
 
 
-def error_of(data):
+def error_of(data, **properties):
     algorithm = shapemap.vtkShapeParameterize()
+    for name, value in properties.items():
+        getattr(algorithm, 'Set' + name)(value)
     algorithm.SetInputDataObject(data)
     messages = shapetesting.run(algorithm)
-    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+    assert bool(messages) == (algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0)
     return ' '.join(messages)
 
 
@@ -77,9 +79,46 @@ both.AddInputData(mapped)
 both.AddInputConnection(shifted.GetOutputPort())
 both.Update()
 assert 'has 2 components' in error_of(both.GetOutput())
-opened = shapetesting.copy(mapped)
-opened.BuildLinks()
-opened.DeleteCell(11)
-opened.RemoveDeletedCells()
+opened = shapetesting.without_cells(mapped, (11,))
 assert '1 open loop' in error_of(opened), error_of(opened)
-print('a surface of genus 0 goes to the sphere without a flip')
+
+# The Disk, through ParaView's proxies: the upper half of an ellipsoid.
+half = simple.Clip(Input=surface, ClipType='Plane', Invert=0)
+half.ClipType.Origin = [0.0, 0.0, 0.013]  # through no point
+half.ClipType.Normal = [0.0, 0.0, 1.0]
+cap = simple.Triangulate(Input=simple.ExtractSurface(Input=half))
+disk_map = simple.ShapeParameterize(Input=cap, Domain='Disk')
+assert disk_map.Weights == 'MeanValue' and disk_map.Outline == 'Circle'
+for weights in ('Uniform', 'MeanValue'):
+    for outline in ('Circle', 'Square'):
+        disk_map.Weights = weights
+        disk_map.Outline = outline
+        disk_map.UpdatePipeline()
+        disk = shapetesting.output(disk_map, 0)
+        plane = array(disk, 'TargetPosition')
+        assert (plane[:, 2] == 0.0).all(), 'the disk lies in z = 0'
+        a, b, c = (plane[triangles(disk)[:, i], :2] for i in range(3))
+        cross = numpy.cross(b - a, c - a)
+        assert (cross > 0.0).all(), 'triangles run counter-clockwise, as they do seen from outside'
+        covered = 0.5 * cross.sum()
+        if outline == 'Circle':
+            assert 0.98 * numpy.pi < covered < numpy.pi, covered
+            assert abs(numpy.linalg.norm(plane, axis=1).max() - 1.0) < 1e-15
+        else:
+            assert abs(covered - 4.0) < 1e-12 and abs(plane).max() == 1.0, covered
+        assert fact(disk, 'Parameterize.Method') == weights
+        assert fact(disk, 'Parameterize.FlippedTriangles') == 0
+        assert fact(disk, 'Parameterize.LoopLength') > 4.0
+        if weights == 'MeanValue' and outline == 'Circle':
+            assert fact(disk, 'Parameterize.ConformalDistortion') < 1.2
+            assert (points(shapetesting.output(disk_map, 1)) == plane).all()
+
+# What a disk map cannot be made of is refused with the fact and the remedy.
+closed = error_of(mapped, Domain=0)
+assert 'Shape Parameterize: the surface is closed; cut it first with Shape Cut Feature' in closed
+assert 'Shape Parameterize: the surface has 2 open loops' in error_of(
+    shapetesting.without_cells(mapped, (11, 400)), Domain=0)
+assert 'fill all but the outer one with Shape Fill Holes' in error_of(
+    shapetesting.without_cells(mapped, (11, 400)), Domain=0)
+assert not error_of(shapetesting.without_cells(mapped, (11,)), Domain=0)
+print('a surface of genus 0 goes to the sphere, an open one to the disk, without a flip')

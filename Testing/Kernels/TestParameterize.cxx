@@ -63,3 +63,50 @@ TEST(Parameterize, AreaWeightKeepsTheTriangleOfALimbLarger)
   EXPECT_GT(smallest(1.0), 10.0 * smallest(0.0));
   EXPECT_THROW(smallest(-1.0), shape::InvalidInput);
 }
+
+TEST(Parameterize, OntoTheDiskHandsItsOptionsOnAndSaysHow)
+{
+  // The upper half of an icosphere, without the triangles that reach below its equator.
+  shape::Mesh cap = shapetest::Icosphere(3);
+  int kept = 0;
+  for (Eigen::Index t = 0; t < cap.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corners = cap.Triangles.row(t);
+    if (cap.Points(corners(0), 2) > 0.0 && cap.Points(corners(1), 2) > 0.0 &&
+      cap.Points(corners(2), 2) > 0.0)
+    {
+      cap.Triangles.row(kept++) = corners;
+    }
+  }
+  cap.Triangles.conservativeResize(kept, 3);
+  Eigen::VectorXi number = Eigen::VectorXi::Constant(cap.Points.rows(), -1);
+  int points = 0;
+  for (Eigen::Index i = 0; i < cap.Points.rows(); ++i)
+  {
+    if ((cap.Triangles.array() == i).any())
+    {
+      cap.Points.row(points) = cap.Points.row(i);
+      number(i) = points++;
+    }
+  }
+  cap.Points.conservativeResize(points, 3);
+  cap.Triangles = cap.Triangles.unaryExpr([&](int i) { return number(i); }).eval();
+
+  shape::ParameterizeOptions options;
+  options.Domain = shape::ParameterizeOptions::DomainType::Disk;
+  const shape::ParameterizeResult map = shape::Parameterize(cap, options);
+  EXPECT_EQ(map.Method, "MeanValue");
+  EXPECT_EQ(map.FlippedTriangles, 0);
+  EXPECT_EQ(map.Iterations, 0);
+  EXPECT_GT(map.LoopLength, 6.0);
+  EXPECT_LT(map.ConformalDistortion, 1.05);
+  EXPECT_EQ(map.Positions, shape::DiskMap(cap).Points);
+  options.Weights = shape::CombinationWeights::Cotangent;
+  options.Outline = shape::DiskOutline::Square;
+  const shape::ParameterizeResult square = shape::Parameterize(cap, options);
+  EXPECT_EQ(square.Method, "Cotangent");
+  EXPECT_EQ(square.Positions.leftCols(2).cwiseAbs().maxCoeff(), 1.0);
+  EXPECT_EQ(square.Positions,
+    shape::DiskMap(cap, { shape::CombinationWeights::Cotangent, shape::DiskOutline::Square })
+      .Points);
+}

@@ -163,6 +163,40 @@ std::string Found(const std::string& name, int count, const std::string& singula
     " (first at point " + std::to_string(first) + "); ";
 }
 
+/// The topology of a surface that has triangles and finite coordinates.
+Topology TopologyOfSound(const Mesh& mesh, const std::string& name, const std::string& needed)
+{
+  if (mesh.Triangles.rows() == 0)
+  {
+    throw InvalidInput(name + " has no triangles; give " + needed);
+  }
+  RequireFinite(mesh.Points, name);
+  return SurfaceTopology(mesh);
+}
+
+void CheckManifold(const Topology& topology, const std::string& name)
+{
+  if (topology.NonManifoldEdges > 0)
+  {
+    throw InvalidInput(Found(name, topology.NonManifoldEdges, "edge with three or more triangles",
+                         "edges with three or more triangles", topology.FirstNonManifold) +
+      "keep the outer surface alone");
+  }
+  if (topology.NonManifoldPoints > 0)
+  {
+    throw InvalidInput(Found(name, topology.NonManifoldPoints, "point where two sheets touch",
+                         "points where two sheets touch", topology.FirstPinchedPoint) +
+      "duplicate them, one for each sheet");
+  }
+  if (topology.MisorientedEdges > 0)
+  {
+    throw InvalidInput(
+      Found(name, topology.MisorientedEdges, "edge between triangles of opposite orientation",
+        "edges between triangles of opposite orientation", topology.FirstMisoriented) +
+      "make them agree with Generate Surface Normals (Consistency on)");
+  }
+}
+
 } // namespace
 
 Topology SurfaceTopology(const Mesh& mesh)
@@ -231,39 +265,23 @@ std::vector<Mesh> SplitComponents(const Mesh& mesh)
   return components;
 }
 
+Topology RequireManifold(const Mesh& mesh, const std::string& name)
+{
+  Topology topology = TopologyOfSound(mesh, name, "a surface");
+  CheckManifold(topology, name);
+  return topology;
+}
+
 Topology RequireClosedSurface(const Mesh& mesh, const std::string& name)
 {
-  if (mesh.Triangles.rows() == 0)
-  {
-    throw InvalidInput(name + " has no triangles; give a closed surface");
-  }
-  RequireFinite(mesh.Points, name);
-  Topology topology = SurfaceTopology(mesh);
+  Topology topology = TopologyOfSound(mesh, name, "a closed surface");
   if (topology.OpenLoops > 0)
   {
     throw InvalidInput(
       Found(name, topology.OpenLoops, "open loop", "open loops", topology.FirstOpenPoint) +
       "close it with Fill Holes, or merge its duplicate points with Clean");
   }
-  if (topology.NonManifoldEdges > 0)
-  {
-    throw InvalidInput(Found(name, topology.NonManifoldEdges, "edge with three or more triangles",
-                         "edges with three or more triangles", topology.FirstNonManifold) +
-      "keep the outer surface alone");
-  }
-  if (topology.NonManifoldPoints > 0)
-  {
-    throw InvalidInput(Found(name, topology.NonManifoldPoints, "point where two sheets touch",
-                         "points where two sheets touch", topology.FirstPinchedPoint) +
-      "duplicate them, one for each sheet");
-  }
-  if (topology.MisorientedEdges > 0)
-  {
-    throw InvalidInput(
-      Found(name, topology.MisorientedEdges, "edge between triangles of opposite orientation",
-        "edges between triangles of opposite orientation", topology.FirstMisoriented) +
-      "make them agree with Generate Surface Normals (Consistency on)");
-  }
+  CheckManifold(topology, name);
   return topology;
 }
 

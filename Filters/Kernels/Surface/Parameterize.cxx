@@ -39,9 +39,21 @@ SphereMapOptions ForSphere(const ParameterizeOptions& options)
   return sphere;
 }
 
-} // namespace
+const char* Word(CombinationWeights weights)
+{
+  switch (weights)
+  {
+    case CombinationWeights::Uniform:
+      return "Uniform";
+    case CombinationWeights::Cotangent:
+      return "Cotangent";
+    case CombinationWeights::MeanValue:
+      break;
+  }
+  return "MeanValue";
+}
 
-ParameterizeResult Parameterize(
+ParameterizeResult OntoSphere(
   const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
 {
   const SphereMapResult map = SphereMap(surface, ForSphere(options), progress);
@@ -50,8 +62,32 @@ ParameterizeResult Parameterize(
   result.Method = Word(map.Method);
   result.Iterations = map.Iterations;
   result.ReinsertedPoints = map.Reinserted;
+  return result;
+}
+
+ParameterizeResult OntoDisk(
+  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+{
+  const DiskMapResult map = DiskMap(surface, { options.Weights, options.Outline }, progress);
+  ParameterizeResult result;
+  result.Positions = map.Points;
+  result.Method = Word(options.Weights);
+  result.FlippedTriangles = map.FlippedTriangles;
+  result.LoopLength = map.LoopLength;
+  return result;
+}
+
+} // namespace
+
+ParameterizeResult Parameterize(
+  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+{
+  ParameterizeResult result = options.Domain == ParameterizeOptions::DomainType::Disk
+    ? OntoDisk(surface, options, progress)
+    : OntoSphere(surface, options, progress);
   const Eigen::VectorXd areas = AreaVectors(surface).rowwise().norm();
-  result.ConformalDistortion = areas.dot(ConformalDistortion(surface, map.Points)) / areas.sum();
+  result.ConformalDistortion =
+    areas.dot(ConformalDistortion(surface, result.Positions)) / areas.sum();
   return result;
 }
 

@@ -1,0 +1,313 @@
+#include "Quality/MapQuality.h"
+
+#include "Core/Parallel.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+using Measures = Eigen::Array<double, MapMeasureCount, 1>;
+
+/// Sizes up to this share of the longest edge's power are rounding error.
+constexpr double Flat = 1e-14;
+/// How far a plane's and the unit sphere's points may be off: single precision lies in between.
+constexpr double PlaneTolerance = 1e-9;
+constexpr double SphereTolerance = 1e-6;
+constexpr int CellsPerChunk = 256;
+
+bool IsTriangle(const std::array<int, 4>& simplex)
+{
+  return simplex[3] < 0;
+}
+
+/// The edges of a simplex from its first corner, as columns; a triangle's third is 0.
+Eigen::Matrix3d Edges(const Eigen::MatrixXd& points, const std::array<int, 4>& simplex)
+{
+  Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
+  for (int k = 1; k < 4 && simplex[k] >= 0; ++k)
+  {
+    edges.col(k - 1) = points.row(simplex[k]) - points.row(simplex[0]);
+  }
+  return edges;
+}
+
+Eigen::RowVector3d AreaVector(const Eigen::MatrixXd& points, const std::array<int, 4>& triangle)
+{
+  const Eigen::Matrix3d edges = Edges(points, triangle);
+  return edges.col(0).cross(edges.col(1)).transpose();
+}
+
+double LongestEdge(const Eigen::Matrix3d& edges, bool triangle)
+{
+  double square = edges.colwise().squaredNorm().maxCoeff();
+  for (int k = 0; k < (triangle ? 1 : 3); ++k)
+  {
+    square = std::max(square, (edges.col((k + 1) % 3) - edges.col(k)).squaredNorm());
+  }
+  return std::sqrt(square);
+}
+
+/// On which side of the surface around them triangles face.
+class Sides
+{
+public:
+  /// height, offSphere: those of the whole.
+  Sides(const Eigen::MatrixXd& points, const CellSimplices& cells, double height, double offSphere)
+    : Points(points)
+    , InPlane(height <= PlaneTolerance)
+    , OnSphere(offSphere <= SphereTolerance)
+    , Around(Eigen::MatrixXd::Zero(points.rows(), 3))
+  {
+    for (const std::array<int, 4>& simplex : cells.Corners)
+    {
+      if (IsTriangle(simplex) && !this->InPlane && !this->OnSphere)
+      {
+        const Eigen::RowVector3d area = AreaVector(points, simplex);
+        for (int k = 0; k < 3; ++k)
+        {
+          this->Around.row(simplex[k]) += area;
+        }
+      }
+    }
+  }
+
+  /// Whether sides have the same meaning on both.
+  bool IsLike(const Sides& other) const
+  {
+    return this->InPlane == other.InPlane && this->OnSphere == other.OnSphere;
+  }
+
+  double Of(const std::array<int, 4>& triangle) const
+  {
+    const Eigen::RowVector3d area = AreaVector(this->Points, triangle);
+    Eigen::RowVector3d reference = Eigen::RowVector3d::UnitZ();
+    if (!this->InPlane)
+    {
+      const Eigen::MatrixXd& from = this->OnSphere ? this->Points : this->Around;
+      reference = from.row(triangle[0]) + from.row(triangle[1]) + from.row(triangle[2]);
+      reference -= this->OnSphere ? Eigen::RowVector3d::Zero().eval() : (3.0 * area).eval();
+    }
+    return area.dot(reference) < 0.0 ? -1.0 : 1.0;
+  }
+
+private:
+  const Eigen::MatrixXd& Points;
+  bool InPlane;
+  bool OnSphere;
+  Eigen::MatrixXd Around; ///< n x 3: sums of area vectors
+};
+
+/// The measures from |J|^2, |adj J|^2, det J and the sum of the signed singular values.
+Measures FromInvariants(int d, double square, double adjugate, double determinant, double trace)
+{
+  const double size = std::abs(determinant);
+  Measures measures;
+  measures << determinant, 0.5 * square, square + adjugate / (size * size),
+    std::max(1.0, square / (d * std::pow(size, 2.0 / d))), std::max(0.0, square - 2.0 * trace + d);
+  return measures.isNaN()
+    .select(Measures::Constant(LargestMeasure), measures)
+    .cwiseMin(LargestMeasure)
+    .cwiseMax(-LargestMeasure);
+}
+
+Measures OfTriangle(const Eigen::Matrix3d& source, const Eigen::Matrix3d& image, double sign)
+{
+  // The images of two orthonormal vectors of the source's plane.
+  const Eigen::Vector3d u = source.col(0), v = source.col(1);
+  const double square = u.squaredNorm();
+  const Eigen::Vector3d first = image.col(0) / std::sqrt(square);
+  const Eigen::Vector3d second =
+    (image.col(1) - u.dot(v) / square * image.col(0)) * (std::sqrt(square) / u.cross(v).norm());
+  const double norm = first.squaredNorm() + second.squaredNorm();
+  const double determinant = sign * first.cross(second).norm();
+  return FromInvariants(
+    2, norm, norm, determinant, std::sqrt(std::max(0.0, norm + 2.0 * determinant)));
+}
+
+Measures OfTetrahedron(const Eigen::Matrix3d& source, const Eigen::Matrix3d& image)
+{
+  const Eigen::Matrix3d jacobian = image * source.inverse();
+  const double determinant = image.determinant() / source.determinant();
+  double adjugate = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    adjugate += jacobian.col(k).cross(jacobian.col((k + 1) % 3)).squaredNorm();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(jacobian);
+  Eigen::Vector3d values = Eigen::Vector3d::Zero(); // where the Jacobian has overflown
+  if (svd.info() == Eigen::Success)
+  {
+    values = svd.singularValues();
+  }
+  values(2) = determinant < 0.0 ? -values(2) : values(2);
+  return FromInvariants(3, jacobian.squaredNorm(), adjugate, determinant, values.sum());
+}
+
+Measures OfIsometry(int d)
+{
+  Measures measures;
+  measures << 1.0, 0.5 * d, 2.0 * d, 1.0, 0.0;
+  return measures;
+}
+
+/// Twice the area or six times the volume, and 0 where that is rounding error.
+double SizeOf(const Eigen::Matrix3d& edges, bool triangle)
+{
+  const double size =
+    triangle ? edges.col(0).cross(edges.col(1)).norm() : std::abs(edges.determinant());
+  const double longest = LongestEdge(edges, triangle);
+  const double least = Flat * longest * longest * (triangle ? 1.0 : longest);
+  return size > least ? size : 0.0;
+}
+
+bool AnyAtLargest(const Measures& measures)
+{
+  return (measures.abs() >= LargestMeasure).any();
+}
+
+} // namespace
+
+MapExtent ExtentOf(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const CellSimplices& cells)
+{
+  MapExtent extent;
+  for (const std::array<int, 4>& simplex : cells.Corners)
+  {
+    extent.Dimension = std::max(extent.Dimension, IsTriangle(simplex) ? 2 : 3);
+    for (int k = 0; k < 3 && IsTriangle(simplex); ++k)
+    {
+      const auto widen = [&](const Eigen::MatrixXd& places, double& height, double& offSphere)
+      {
+        const Eigen::RowVector3d place = places.row(simplex[k]);
+        height = std::max(height, std::abs(place(2)));
+        offSphere = std::max(offSphere, std::abs(place.norm() - 1.0));
+      };
+      widen(points, extent.SourceHeight, extent.SourceOffSphere);
+      widen(images, extent.ImageHeight, extent.ImageOffSphere);
+    }
+  }
+  return extent;
+}
+
+MapQualityResult MapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
+  const CellSimplices& cells, const MapExtent& extent, const Progress& progress)
+{
+  progress(0.0);
+  const Sides source(points, cells, extent.SourceHeight, extent.SourceOffSphere);
+  const Sides image(images, cells, extent.ImageHeight, extent.ImageOffSphere);
+  const bool sameKind = source.IsLike(image);
+  progress(0.1);
+  const int count = cells.Count();
+  const Measures isometry = OfIsometry(std::max(2, extent.Dimension));
+  MapQualityResult result{ isometry.matrix().transpose().replicate(count, 1),
+    Eigen::VectorXd::Zero(count), Eigen::VectorXi::Zero(count), Eigen::VectorXi::Zero(count),
+    Eigen::VectorXi::Zero(count) };
+  const auto measureCell = [&](int cell)
+  {
+    Measures sums = Measures::Zero();
+    double size = 0.0, least = LargestMeasure;
+    for (int s = cells.Offsets[cell]; s < cells.Offsets[cell + 1]; ++s)
+    {
+      const std::array<int, 4>& simplex = cells.Corners[s];
+      const bool triangle = IsTriangle(simplex);
+      result.Counted(cell) = extent.Dimension == (triangle ? 2 : 3);
+      const Eigen::Matrix3d from = Edges(points, simplex), to = Edges(images, simplex);
+      const double part = cells.Shares[s] * SizeOf(from, triangle);
+      if (!result.Counted(cell) || part == 0.0)
+      {
+        continue;
+      }
+      Measures measures = triangle
+        ? OfTriangle(from, to, image.Of(simplex) * (sameKind ? source.Of(simplex) : 1.0))
+        : OfTetrahedron(from, to);
+      if (SizeOf(to, triangle) == 0.0)
+      {
+        measures(static_cast<int>(MapMeasure::JacobianDeterminant)) = 0.0;
+        measures(static_cast<int>(MapMeasure::SymmetricDirichlet)) = LargestMeasure;
+        measures(static_cast<int>(MapMeasure::ConformalDistortion)) = LargestMeasure;
+      }
+      result.Degenerate(cell) = result.Degenerate(cell) || AnyAtLargest(measures);
+      // What is infinite anywhere in the cell is so in the mean.
+      sums = (measures >= LargestMeasure || sums >= LargestMeasure)
+               .select(Measures::Constant(LargestMeasure), sums + part * measures);
+      size += part;
+      least = std::min(least, measures(0));
+    }
+    if (size > 0.0)
+    {
+      Measures means = (sums >= LargestMeasure).select(sums, sums / size);
+      means(0) = least;
+      result.Measures.row(cell) = means.matrix().transpose();
+      result.Flipped(cell) = least < 0.0;
+    }
+    else
+    {
+      // A surface or solid cell whose triangulation is empty has no size either.
+      result.Degenerate(cell) = result.Counted(cell);
+    }
+    result.Sizes(cell) = size;
+  };
+  ParallelFor(
+    count, CellsPerChunk,
+    [&](int begin, int end)
+    {
+      for (int cell = begin; cell < end; ++cell)
+      {
+        measureCell(cell);
+      }
+    },
+    progress.Part(0.1, 1.0));
+  progress(1.0);
+  return result;
+}
+
+MapQualitySums::MapQualitySums()
+  : Minima(Measures::Constant(LargestMeasure))
+  , Maxima(Measures::Constant(-LargestMeasure))
+  , Sums(Measures::Zero())
+  , Weights(Measures::Zero())
+  , Undefined(Measures::Zero())
+{
+}
+
+void MapQualitySums::Add(const MapQualityResult& result, const Eigen::VectorXi& use)
+{
+  for (Eigen::Index cell = 0; cell < result.Sizes.size(); ++cell)
+  {
+    if (!use(cell) || !result.Counted(cell))
+    {
+      continue;
+    }
+    this->Cells += 1.0;
+    this->Flipped += result.Flipped(cell);
+    this->Degenerate += result.Degenerate(cell);
+    const double size = result.Sizes(cell);
+    if (size == 0.0)
+    {
+      this->Undefined += 1.0;
+      continue;
+    }
+    const Measures values = result.Measures.row(cell).transpose();
+    this->Minima = this->Minima.min(values);
+    this->Maxima = this->Maxima.max(values);
+    const auto defined = (values.abs() < LargestMeasure).eval();
+    this->Sums += defined.select(size * values, 0.0);
+    this->Weights += defined.select(Measures::Constant(size), 0.0);
+    this->Undefined += defined.select(Measures::Zero(), Measures::Ones());
+  }
+}
+
+double MapQualitySums::Mean(MapMeasure measure) const
+{
+  const int row = static_cast<int>(measure);
+  return this->Weights(row) > 0.0 ? this->Sums(row) / this->Weights(row) : LargestMeasure;
+}
+
+} // namespace shape
