@@ -9,6 +9,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Topology.h"
+#include "Geometry/Nesting.h"
 #include "Volume/ApplyVolumeMap.h"
 #include "Volume/InverseMap.h"
 
@@ -60,7 +61,8 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
   }
   else
   {
-    const shape::SignedDistance boundary(shape::FacingOutwards(set.Surface));
+    const shape::SignedDistance boundary(
+      shape::OrientedByNesting(set.Surface, "the surface of the Map"));
     const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(set.Map, boundary, set.Farthest, points, part); };
     counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.05, 1.0));

@@ -2,6 +2,7 @@
 
 #include "vtkShapeChargeSet.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeFeatures.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -11,13 +12,14 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include "Core/Errors.h"
 #include "Core/Topology.h"
+#include "Geometry/Nesting.h"
 #include "Geometry/SignedDistance.h"
 #include "Volume/ApplyVolumeMap.h"
+#include "Volume/TargetDistance.h"
 
-#include <algorithm>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkShapeHarmonicVolumeMap);
 
@@ -28,6 +30,9 @@ vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
   // the selection suits the input that comes first in the alphabet, and users select the solid.
   this->DeclareInput("Boundary", PortData::WholeSurface, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("Features", PortData::Whole, PortUse::OptionalRepeatable, { "vtkPolyData" });
+  this->DeclareInput(
+    "TargetFeatures", PortData::Whole, PortUse::OptionalRepeatable, { "vtkPolyData" });
+  this->DeclareInput("Target", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
   this->DeclareMovedOutput();
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkTable");
@@ -43,8 +48,21 @@ void vtkShapeHarmonicVolumeMap::RemoveAllFeatures()
   this->SetInputConnection(2, nullptr);
 }
 
+void vtkShapeHarmonicVolumeMap::AddTargetFeatures(vtkAlgorithmOutput* target)
+{
+  this->AddInputConnection(3, target);
+}
+
+void vtkShapeHarmonicVolumeMap::RemoveAllTargetFeatures()
+{
+  this->SetInputConnection(3, nullptr);
+}
+
 namespace
 {
+
+/// Between the points of a curve that is matched, as a share of the longest side of the boundary.
+constexpr double LongestStep = 0.01;
 
 void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult::Level>& levels, vtkTable* output)
 {
@@ -77,31 +95,6 @@ const char* Word(shape::HarmonicVolumeMapResult::Stop reason)
   return "Levels";
 }
 
-/// Appends a feature's points, their targets and weights to `all`.
-void AppendFeature(vtkPolyData* feature, const std::string& mapArray, double defaultWeight,
-  const std::string& name, shape::VolumeFeatures& all)
-{
-  const Eigen::MatrixXd points = vtkShapeConvert::ToPoints(feature);
-  const Eigen::MatrixXd targets = vtkShapeConvert::ToPointArray(feature, mapArray, 3, name);
-  shape::RequireFinite(targets, "the map array of " + name);
-  const Eigen::VectorXd weights = feature->GetPointData()->HasArray("Weight")
-    ? vtkShapeConvert::ToPointArray(feature, "Weight", 1, name)
-    : Eigen::MatrixXd::Constant(points.rows(), 1, defaultWeight);
-  Eigen::Index first = 0;
-  if (!(weights.minCoeff(&first) > 0.0))
-  {
-    throw shape::InvalidInput(name + " has a Weight that is not greater than 0 (first at point " +
-      std::to_string(first) + "); leave that point out or give it a positive weight");
-  }
-  const Eigen::Index before = all.Points.rows(), count = before + points.rows();
-  all.Points.conservativeResize(count, 3);
-  all.Targets.conservativeResize(count, 3);
-  all.Weights.conservativeResize(count);
-  all.Points.bottomRows(points.rows()) = points;
-  all.Targets.bottomRows(points.rows()) = targets;
-  all.Weights.tail(points.rows()) = weights;
-}
-
 } // namespace
 
 void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
@@ -115,17 +108,28 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
   const Eigen::MatrixXd targets =
     vtkShapeConvert::ToPointArray(boundary, this->MapArray, 3, "the Boundary");
-  shape::VolumeFeatures features;
-  for (int i = 0; i < this->GetNumberOfInputConnections(2); ++i)
+  shape::RequireFinite(targets, "the map array of the Boundary");
+  const bool hasTarget = this->GetNumberOfInputConnections(4) > 0;
+  const double targetDistance = hasTarget
+    ? shape::TargetDistance(mesh, targets,
+        vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), progress.Part(0.0, 0.02))
+    : 0.0;
+  const auto wholes = [&](int port)
   {
-    AppendFeature(this->GetWhole(2, i).Data, this->MapArray, this->Options.FeatureWeight,
-      "feature " + std::to_string(i), features);
-  }
+    std::vector<vtkPolyData*> all;
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      all.push_back(this->GetWhole(port, i).Data);
+    }
+    return all;
+  };
+  const shape::VolumeFeatures features = vtkShapeFeatures::Read(wholes(2), wholes(3),
+    this->MapArray, this->Options.FeatureWeight, LongestStep * shape::LongestSide(mesh.Points));
   const shape::HarmonicVolumeMapResult result =
-    shape::HarmonicVolumeMap(mesh, targets, features, this->Options, progress.Part(0.0, 0.8));
+    shape::HarmonicVolumeMap(mesh, targets, features, this->Options, progress.Part(0.02, 0.8));
 
   const double farthest = vtkShapeChargeSet::Farthest(result.OffsetDistance, mesh);
-  const shape::SignedDistance distance(shape::FacingOutwards(mesh));
+  const shape::SignedDistance distance(shape::OrientedByNesting(mesh, "the Boundary"));
   vtkDataObject* moved = this->GetOutputDataObject(0);
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
@@ -146,7 +150,9 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   {
     const std::pair<const char*, double> facts[] = { { "RMSEVertices", last.RMSEVertices },
       { "RMSEInside", last.RMSEInside }, { "Maximum", last.Maximum },
-      { "RMSEFeatures", result.RMSEFeatures }, { "OffsetDistance", result.OffsetDistance },
+      { "RMSEFeatures", result.RMSEFeatures },
+      { "FeaturePoints", static_cast<double>(features.Points.rows()) },
+      { "OffsetDistance", result.OffsetDistance },
       { "OutsidePoints", static_cast<double>(counts[1]) },
       { "DeletedSources", result.DeletedSources }, { "InsertedSources", result.InsertedSources } };
     for (const auto& [fact, value] : facts)
@@ -154,5 +160,9 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       vtkShapeConvert::AddFact(output, std::string("HarmonicVolumeMap.") + fact, value);
     }
     vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.Stop", Word(result.Reason));
+    if (hasTarget)
+    {
+      vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.TargetDistance", targetDistance);
+    }
   }
 }

@@ -8,10 +8,16 @@
  *
  * Inputs
  * - Domain: what is carried: points or cells of any dataset, also composite or distributed.
- * - Boundary: the closed surface of the solid, with the map array (double, 3) at its points.
- * - Features (optional, repeatable): points, lines or surfaces inside, with the map array, and
- *   `Weight` (one component; FeatureWeight where absent): places that the map should also send
- *   where the array says, in the least-squares sense.
+ * - Boundary: the closed surface of the solid and of its voids, with the map array (double, 3) at
+ *   its points.
+ * - Features (optional, repeatable): points, curves or surfaces inside, with the map array where
+ *   they bring their images, and `Weight` (one component; FeatureWeight where absent): places that
+ *   the map should also send there, in the least-squares sense.
+ * - TargetFeatures (optional, repeatable): the images of the Features without the map array, in the
+ *   same order: curves are matched with curves by arc length, points with points by order.
+ * - Target (optional): the surface that the boundary goes to. Refused where its genus or number of
+ *   components is not the boundary's; then .TargetDistance says how far the boundary's images are
+ *   from it.
  *
  * Outputs
  * - 0: the domain moved, with `SourcePosition` (double, 3) and `OutsideDomain` (1 at points outside
@@ -24,13 +30,13 @@
  * box.
  *
  * Field data of outputs 0 and 1: HarmonicVolumeMap.RMSEVertices, .RMSEInside, .Maximum,
- * .RMSEFeatures (0 without features), .OffsetDistance (that was used), .OutsidePoints (of this
- * process, without ghosts), .DeletedSources, .InsertedSources, and in words .Stop: Tolerance
- * (reached), Levels (all that were asked for were fitted), NoImprovement (no subset of the sources
- * lowers the error).
+ * .RMSEFeatures (0 without features), .FeaturePoints, .OffsetDistance (of the nearest charges),
+ * .OutsidePoints (of this process, without ghosts), .DeletedSources, .InsertedSources,
+ * .TargetDistance (root mean square / longest side; with Target only), and in words .Stop:
+ * Tolerance (reached), Levels (all that were asked for were fitted), NoImprovement (the last levels
+ * gained less than LeastGain).
  *
- * A singular value decomposition and a simplification of the surface are single library calls: an
- * abort takes effect at their end.
+ * A singular value decomposition is a single library call: an abort takes effect at its end.
  *
  * The mathematics: shape::HarmonicVolumeMap.
  */
@@ -51,6 +57,8 @@ public:
   /// The feature inputs.
   void AddFeatures(vtkAlgorithmOutput* feature);
   void RemoveAllFeatures();
+  void AddTargetFeatures(vtkAlgorithmOutput* target);
+  void RemoveAllTargetFeatures();
   ///@}
 
   ///@{

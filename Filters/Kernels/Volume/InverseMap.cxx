@@ -2,6 +2,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Parallel.h"
+#include "Geometry/Nesting.h"
 #include "Volume/InverseSearch.h"
 #include "Volume/OutsideDomain.h"
 
@@ -98,8 +99,8 @@ InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest
   : Map(map)
   , Options(options)
   , Farthest(farthest)
-  , Domain(FacingOutwards(domain))
-  , Image(ImageOf(map, domain, progress.Part(0.0, 0.2)))
+  , Domain(OrientedByNesting(domain, "the surface of the Map"))
+  , Image(ImageOf(map, this->Domain.Locator().Surface(), progress.Part(0.0, 0.2)))
 {
   if (!(options.Tolerance > 0.0) || options.MaximumIterations < 1 || options.SeedsAcross < 1)
   {
