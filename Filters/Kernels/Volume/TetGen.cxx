@@ -146,6 +146,7 @@ namespace
   {
     behavior.maxvolume = input.MaximumVolume;
   }
+  behavior.steinerleft = input.MaximumNewPoints;
   try
   {
     tetrahedralize(&behavior, &in, &out);

@@ -14,6 +14,7 @@ struct TetGenInput
   double MaximumRadiusEdgeRatio; ///< > 1, or 0 for none
   double MaximumVolume;          ///< of a tetrahedron; 0 for none
   bool PreserveBoundary;         ///< no new points on the facets
+  int MaximumNewPoints;          ///< where refinement stops although bounds are not met
 };
 
 /// What it made.

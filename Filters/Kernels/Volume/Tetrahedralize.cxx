@@ -262,15 +262,19 @@ TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>
   RequireSound(complex, names, 1.0 / scale, progress.Part(0.02, 0.2));
   const SolidRegions regions(surfaces, names, progress.Part(0.2, 0.25));
   const double maximumVolume = options.MaximumVolume * scale * scale * scale;
-  if (maximumVolume > 0.0 && regions.Volumes().sum() / maximumVolume > 1e8)
+  const double byVolume = maximumVolume > 0.0 ? regions.Volumes().sum() / maximumVolume : 0.0;
+  if (byVolume > 1e8)
   {
     throw InvalidInput("MaximumVolume asks for more than 100 million tetrahedra; give more than " +
       std::to_string(regions.Volumes().sum() / (scale * scale * scale) * 1e-8));
   }
 
+  // Refinement need not end beside very sharp angles, nor soon inside a thin sheet.
+  const int maximumNewPoints =
+    1000000 + static_cast<int>(std::min(1e9, 50.0 * complex.Surfaces.Points.rows() + byVolume));
   TetGenOutput mesh =
     RunTetGen({ complex.Surfaces, regions.PlacesInVoids(), options.MaximumRadiusEdgeRatio,
-                maximumVolume, options.PreserveBoundary },
+                maximumVolume, options.PreserveBoundary, maximumNewPoints },
       progress.Part(0.25, 0.85));
   const Eigen::Index given = complex.Surfaces.Points.rows();
   if (mesh.Tetrahedra.rows() == 0 || mesh.Points.rows() < given ||
@@ -278,6 +282,13 @@ TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>
   {
     throw SolveFailure("TetGen made no tetrahedra, or dropped points of the surface; merge points "
                        "that nearly coincide with Clean (a tolerance above 0)");
+  }
+  if (mesh.Points.rows() - given >= maximumNewPoints)
+  {
+    throw SolveFailure("TetGen added " + std::to_string(maximumNewPoints) +
+      " points without reaching the bounds, as it does beside sharp angles and in thin parts; "
+      "raise "
+      "MaximumRadiusEdgeRatio, or switch PreserveBoundary on");
   }
   MakePositive(mesh.Points, mesh.Tetrahedra);
   progress(0.88);
