@@ -53,7 +53,8 @@ public:
   ///@}
 
   ///@{
-  /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. Default: 0.
+  /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. Along a preserved
+  /// boundary it can be missed. Default: 0.
   vtkShapeOption(MaximumVolume, double);
   ///@}
 

@@ -23,45 +23,21 @@ TetGenOutput RunTetGen(const TetGenInput&, const Progress&)
 #include <tetgen.h>
 #undef terminatetetgen
 
+#include "Core/ChildProcess.h"
+
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <clocale>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
-#include <functional>
-#include <poll.h>
 #include <string>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 namespace
 {
 
 /// In the child, where its messages go; else -1.
 int ChildPipe = -1;
-
-/// Writes all of it, or ends the child: nobody listens any more.
-void Send(const void* data, std::size_t size)
-{
-  const char* at = static_cast<const char*>(data);
-  while (size > 0)
-  {
-    const ssize_t sent = write(ChildPipe, at, size);
-    if (sent < 0 && errno != EINTR)
-    {
-      _exit(1);
-    }
-    at += std::max<ssize_t>(sent, 0);
-    size -= std::max<ssize_t>(sent, 0);
-  }
-}
 
 /// The first thing that a child sends: TetGen's exit code, 0 where it succeeded, and then how much
 /// follows.
@@ -84,7 +60,7 @@ __attribute__((visibility("default"))) void terminatetetgen(tetgenmesh*, int cod
     throw code;
   }
   const Header header{ code, 0, 0, 0 };
-  Send(&header, sizeof(header));
+  shape::ChildProcess::Send(ChildPipe, &header, sizeof(header));
   _exit(0);
 }
 
@@ -93,9 +69,11 @@ namespace shape
 namespace
 {
 
-/// The child: fills TetGen's structures, runs it and sends what it made. Never returns.
-[[noreturn]] void RunChild(const TetGenInput& input)
+/// In the child: fills TetGen's structures, runs it and sends what it made.
+void RunInChild(const TetGenInput& input, int pipe)
 {
+  ChildPipe = pipe;
+  setlocale(LC_NUMERIC, "C"); // TetGen reads numbers
   const Mesh& mesh = input.Surfaces;
   tetgenio in, out;
   in.numberofpoints = static_cast<int>(mesh.Points.rows());
@@ -156,153 +134,12 @@ namespace
     terminatetetgen(nullptr, 1);
   }
   const Header header{ 0, out.numberofpoints, out.numberoftetrahedra, out.numberoftrifaces };
-  Send(&header, sizeof(header));
-  Send(out.pointlist, 3 * sizeof(double) * out.numberofpoints);
-  Send(out.tetrahedronlist, 4 * sizeof(int) * out.numberoftetrahedra);
-  Send(out.trifacelist, 3 * sizeof(int) * out.numberoftrifaces);
-  _exit(0);
+  ChildProcess::Send(pipe, &header, sizeof(header));
+  ChildProcess::Send(pipe, out.pointlist, 3 * sizeof(double) * out.numberofpoints);
+  ChildProcess::Send(pipe, out.tetrahedronlist, 4 * sizeof(int) * out.numberoftetrahedra);
+  ChildProcess::Send(pipe, out.trifacelist, 3 * sizeof(int) * out.numberoftrifaces);
+  _exit(0); // its memory goes with the process, not piece by piece
 }
-
-/// Makes a fork a process of its own: no handlers, files, output or core dumps of its parent's, and
-/// no life after it.
-void Detach(pid_t parent, int pipeEnd)
-{
-  for (int number = 1; number < NSIG; ++number)
-  {
-    signal(number, SIG_DFL);
-  }
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-#ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-  if (getppid() != parent)
-  {
-    _exit(1);
-  }
-  const rlimit noCore{ 0, 0 };
-  setrlimit(RLIMIT_CORE, &noCore);
-  // TetGen prints even when told to be quiet. What this process had not yet printed is its parent's
-  // to print.
-  const int nowhere = open("/dev/null", O_RDWR);
-  for (const int standard : { 0, 1, 2 })
-  {
-    dup2(nowhere, standard);
-  }
-  ChildPipe = dup2(pipeEnd, 3);
-  rlimit files{ 0, 0 };
-  getrlimit(RLIMIT_NOFILE, &files);
-  for (int file = 4; file < static_cast<int>(std::min<rlim_t>(files.rlim_cur, 65536)); ++file)
-  {
-    close(file);
-  }
-  setlocale(LC_NUMERIC, "C"); // TetGen reads numbers
-}
-
-/// The child as its parent sees it; ends it when going out of scope.
-class Child
-{
-public:
-  explicit Child(const TetGenInput& input)
-  {
-    int ends[2];
-    if (pipe(ends) != 0)
-    {
-      throw SolveFailure(std::string("cannot make a pipe to TetGen: ") + std::strerror(errno) +
-        "; close some files");
-    }
-    for (const int end : ends)
-    {
-      fcntl(end, F_SETFD, FD_CLOEXEC);
-    }
-    // Signals wait until the child has let go of this process's handlers.
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    const pid_t parent = getpid();
-    this->Id = fork();
-    if (this->Id == 0)
-    {
-      Detach(parent, ends[1]);
-      RunChild(input);
-    }
-    const int error = errno;
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    close(ends[1]);
-    this->Pipe = ends[0];
-    fcntl(this->Pipe, F_SETFL, O_NONBLOCK);
-    if (this->Id < 0)
-    {
-      close(this->Pipe);
-      throw SolveFailure(std::string("cannot start a process for TetGen: ") + std::strerror(error) +
-        "; free some memory");
-    }
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  ~Child()
-  {
-    close(this->Pipe);
-    if (!this->Ended)
-    {
-      kill(this->Id, SIGKILL);
-      int status = 0;
-      while (waitpid(this->Id, &status, 0) < 0 && errno == EINTR)
-      {
-      }
-    }
-  }
-
-  /// Reads `size` bytes. Returns false where the child ended before it sent them.
-  bool Receive(void* data, std::size_t size, const std::function<void()>& waiting)
-  {
-    char* at = static_cast<char*>(data);
-    while (size > 0)
-    {
-      const ssize_t got = read(this->Pipe, at, size);
-      if (got > 0)
-      {
-        at += got;
-        size -= got;
-      }
-      else if (got < 0 && errno == EINTR)
-      {
-        continue;
-      }
-      else if (this->Ended || (got < 0 && errno != EAGAIN))
-      {
-        return false;
-      }
-      else
-      {
-        waiting();
-        // Whether it has ended is asked first and the pipe read once more: another process may hold
-        // the pipe's other end open.
-        this->Wait(got == 0);
-        pollfd waitFor{ this->Pipe, POLLIN, 0 };
-        poll(&waitFor, 1, this->Ended ? 0 : 100);
-      }
-    }
-    return true;
-  }
-
-  /// The signal that ended the child, or 0.
-  int Signal() const { return WIFSIGNALED(this->Status) ? WTERMSIG(this->Status) : 0; }
-
-private:
-  void Wait(bool block)
-  {
-    const pid_t ended = waitpid(this->Id, &this->Status, block ? 0 : WNOHANG);
-    // Where somebody else took the child's status, it has ended, too.
-    this->Ended = ended == this->Id || (ended < 0 && errno == ECHILD);
-  }
-
-  pid_t Id = -1;
-  int Pipe = -1;
-  int Status = 0;
-  bool Ended = false;
-};
 
 [[noreturn]] void ReportCode(int code)
 {
@@ -352,7 +189,7 @@ private:
 TetGenOutput RunTetGen(const TetGenInput& input, const Progress& progress)
 {
   progress(0.0);
-  Child child(input);
+  ChildProcess child([&](int pipe) { RunInChild(input, pipe); });
   // TetGen does not say how far it is: half of it is done after the time that is usual.
   const double usual = 0.5 + 2e-5 * static_cast<double>(input.Surfaces.Triangles.rows());
   const auto start = std::chrono::steady_clock::now();

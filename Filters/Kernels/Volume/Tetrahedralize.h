@@ -14,7 +14,8 @@ struct TetrahedralizeOptions
   /// Beside sharp angles of the surface, and along a boundary that is preserved, it can be missed.
   double MaximumRadiusEdgeRatio = 2.0;
 
-  /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none.
+  /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. Along a boundary
+  /// that is preserved, it can be missed.
   double MaximumVolume = 0.0;
 
   /// Keeps every triangle of the surfaces as it is; else points may be added on them.
