@@ -54,7 +54,7 @@ public:
 
   ///@{
   /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. Along a preserved
-  /// boundary it can be missed. Default: 0.
+  /// boundary it can be missed, elsewhere by a few hundredths. Default: 0.
   vtkShapeOption(MaximumVolume, double);
   ///@}
 

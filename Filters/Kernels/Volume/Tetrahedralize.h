@@ -15,7 +15,7 @@ struct TetrahedralizeOptions
   double MaximumRadiusEdgeRatio = 2.0;
 
   /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. Along a boundary
-  /// that is preserved, it can be missed.
+  /// that is preserved it can be missed, elsewhere by a few hundredths, by flips after refinement.
   double MaximumVolume = 0.0;
 
   /// Keeps every triangle of the surfaces as it is; else points may be added on them.
