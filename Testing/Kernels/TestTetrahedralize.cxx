@@ -444,14 +444,27 @@ TEST(Tetrahedralize, ACrashOfTetGenIsAnError)
   EXPECT_GT(shape::Tetrahedralize(Icosphere(1)).Tetrahedra.rows(), 0) << "afterwards all is well";
 }
 
-TEST(Tetrahedralize, WhatTetGenGivesUpOnIsAnError)
+TEST(Tetrahedralize, VeryThinSolidsAreFilled)
 {
-  // A lens so thin that TetGen takes its two sides for crossing.
   shape::Mesh lens = Icosphere(1);
   lens.Points.col(2) *= 1e-9;
+  EXPECT_NEAR(shape::Tetrahedralize(lens).Volume / shape::EnclosedVolume(lens), 1.0, 1e-9);
+}
+
+TEST(Tetrahedralize, WhatTetGenGivesUpOnIsAnError)
+{
+  // Spikes of lengths from 2^-25 to 2^25 around a centre: no two triangles cross, but TetGen's
+  // arithmetic finds that some do.
+  shape::Mesh star = Icosphere(2);
+  for (int i = 0; i < star.Points.rows(); ++i)
+  {
+    star.Points.row(i) *= std::exp2(i * 8 % 51 - 25);
+  }
+  shape::TetrahedralizeOptions options;
+  options.MaximumRadiusEdgeRatio = 0.0;
   try
   {
-    shape::Tetrahedralize(lens);
+    shape::Tetrahedralize(star, {}, options);
     FAIL() << "filled";
   }
   catch (const shape::SolveFailure& error)

@@ -240,15 +240,15 @@ std::vector<Crossing> FindCrossings(const Mesh& mesh, const Progress& progress)
   Eigen::KdBVH<double, 3, int> tree;
   tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
 
-  constexpr int Grain = 256;
-  std::vector<std::vector<Crossing>> found((count + Grain - 1) / Grain);
+  constexpr int grain = 256;
+  std::vector<std::vector<Crossing>> found((count + grain - 1) / grain);
   ParallelFor(
-    count, Grain,
+    count, grain,
     [&](int begin, int end)
     {
       for (int t = begin; t < end; ++t)
       {
-        Search search{ mesh, boxes, t, found[begin / Grain] };
+        Search search{ mesh, boxes, t, found[begin / grain] };
         Eigen::BVIntersect(tree, search);
       }
     },

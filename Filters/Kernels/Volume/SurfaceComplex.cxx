@@ -86,14 +86,14 @@ int Owner(const SurfaceComplex& complex, int triangle)
   const int a = Owner(complex, crossings[0].First), b = Owner(complex, crossings[0].Second);
   std::string places;
   int count = 0;
-  constexpr int Listed = 5;
+  constexpr int listed = 5;
   for (const Crossing& crossing : crossings)
   {
     if (Owner(complex, crossing.First) != a || Owner(complex, crossing.Second) != b)
     {
       continue;
     }
-    if (count++ < Listed)
+    if (count++ < listed)
     {
       places += (places.empty() ? "" : ", ") +
         std::to_string(crossing.First - complex.FirstTriangle[a]) + " and " +
@@ -102,7 +102,7 @@ int Owner(const SurfaceComplex& complex, int triangle)
     }
   }
   const std::string pairs = std::to_string(count) + (count == 1 ? " pair" : " pairs") +
-    " of triangles (" + (count > Listed ? "the first: " : "") + places + "); ";
+    " of triangles (" + (count > listed ? "the first: " : "") + places + "); ";
   if (a == b)
   {
     throw InvalidInput(names[a] + " crosses or touches itself at " + pairs +

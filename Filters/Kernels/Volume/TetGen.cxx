@@ -37,7 +37,7 @@ namespace
 {
 
 /// In the child, where its messages go; else -1.
-int ChildPipe = -1;
+int childPipe = -1;
 
 /// The first thing that a child sends: TetGen's exit code, 0 where it succeeded, and then how much
 /// follows.
@@ -53,14 +53,15 @@ struct Header
 
 /// What TetGen calls when it gives up; the library's own is a weak symbol. In a process that uses
 /// TetGen beside ShapeMap it does what TetGen's does, without freeing anything.
+// NOLINTNEXTLINE(readability-identifier-naming)
 __attribute__((visibility("default"))) void terminatetetgen(tetgenmesh*, int code)
 {
-  if (ChildPipe == -1)
+  if (childPipe == -1)
   {
     throw code;
   }
   const Header header{ code, 0, 0, 0 };
-  shape::ChildProcess::Send(ChildPipe, &header, sizeof(header));
+  shape::ChildProcess::Send(childPipe, &header, sizeof(header));
   _exit(0);
 }
 
@@ -72,7 +73,7 @@ namespace
 /// In the child: fills TetGen's structures, runs it and sends what it made.
 void RunInChild(const TetGenInput& input, int pipe)
 {
-  ChildPipe = pipe;
+  childPipe = pipe;
   setlocale(LC_NUMERIC, "C"); // TetGen reads numbers
   const Mesh& mesh = input.Surfaces;
   tetgenio in, out;
@@ -124,6 +125,8 @@ void RunInChild(const TetGenInput& input, int pipe)
   {
     behavior.maxvolume = input.MaximumVolume;
   }
+  // By default it joins points closer than 1e-8 of the size, and takes that for flat.
+  behavior.epsilon = 1e-14;
   behavior.steinerleft = input.MaximumNewPoints;
   try
   {
@@ -207,10 +210,9 @@ TetGenOutput RunTetGen(const TetGenInput& input, const Progress& progress)
   {
     ReportCode(header.Code);
   }
-  constexpr int RowMajor = Eigen::RowMajor;
-  Eigen::Matrix<double, Eigen::Dynamic, 3, RowMajor> points(header.Points, 3);
-  Eigen::Matrix<int, Eigen::Dynamic, 4, RowMajor> tetrahedra(header.Tetrahedra, 4);
-  Eigen::Matrix<int, Eigen::Dynamic, 3, RowMajor> faces(header.Faces, 3);
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> points(header.Points, 3);
+  Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor> tetrahedra(header.Tetrahedra, 4);
+  Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor> faces(header.Faces, 3);
   if (!child.Receive(points.data(), sizeof(double) * points.size(), waiting) ||
     !child.Receive(tetrahedra.data(), sizeof(int) * tetrahedra.size(), waiting) ||
     !child.Receive(faces.data(), sizeof(int) * faces.size(), waiting))
