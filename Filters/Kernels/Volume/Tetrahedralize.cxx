@@ -1,11 +1,10 @@
 #include "Volume/Tetrahedralize.h"
 
 #include "Core/Errors.h"
+#include "Core/Orientation.h"
 #include "Volume/SolidRegions.h"
 #include "Volume/SurfaceComplex.h"
 #include "Volume/TetGen.h"
-
-#include "Core/Orientation.h"
 
 #include <Eigen/Geometry>
 
@@ -13,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace shape
@@ -37,8 +37,18 @@ void CheckOptions(const TetrahedralizeOptions& options)
   }
 }
 
+/// Progress of a loop that is at item `i` of `count`.
+void ReportEvery(Eigen::Index i, Eigen::Index count, const Progress& progress)
+{
+  if (i % 65536 == 0)
+  {
+    progress(static_cast<double>(i) / count);
+  }
+}
+
 /// Turns all tetrahedra so that they are positive. Throws where they do not all agree.
-void MakePositive(const Eigen::MatrixXd& points, Eigen::MatrixXi& tetrahedra)
+void MakePositive(
+  const Eigen::MatrixXd& points, Eigen::MatrixXi& tetrahedra, const Progress& progress)
 {
   int expected = 0, wrong = 0;
   for (Eigen::Index i = 0; i < tetrahedra.rows(); ++i)
@@ -47,6 +57,7 @@ void MakePositive(const Eigen::MatrixXd& points, Eigen::MatrixXi& tetrahedra)
       points.row(tetrahedra(i, 2)), points.row(tetrahedra(i, 3)));
     expected = expected == 0 ? sign : expected;
     wrong += sign == 0 || sign != expected;
+    ReportEvery(i, tetrahedra.rows(), progress);
   }
   if (wrong > 0)
   {
@@ -68,7 +79,8 @@ struct Face
 };
 
 /// All faces, equal ones side by side, those of surfaces before those of tetrahedra.
-std::vector<Face> SortedFaces(const Eigen::MatrixXi& tetrahedra, const Eigen::MatrixXi& onSurfaces)
+std::vector<Face> SortedFaces(
+  const Eigen::MatrixXi& tetrahedra, const Eigen::MatrixXi& onSurfaces, const Progress& progress)
 {
   std::vector<Face> faces;
   faces.reserve(4 * tetrahedra.rows() + onSurfaces.rows());
@@ -88,18 +100,35 @@ std::vector<Face> SortedFaces(const Eigen::MatrixXi& tetrahedra, const Eigen::Ma
   {
     add(onSurfaces(t, 0), onSurfaces(t, 1), onSurfaces(t, 2), -1);
   }
-  std::sort(faces.begin(), faces.end(),
-    [](const Face& a, const Face& b)
-    { return a.Points != b.Points ? a.Points < b.Points : a.Tetrahedron < b.Tetrahedron; });
-  return faces;
+  // By their first points at once, then among those of each: no single call sorts them all.
+  std::vector<std::size_t> first(2 + std::max(tetrahedra.maxCoeff(), onSurfaces.maxCoeff()), 0);
+  for (const Face& face : faces)
+  {
+    ++first[face.Points[0] + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Face> sorted(faces.size());
+  std::vector<std::size_t> next = first;
+  for (const Face& face : faces)
+  {
+    sorted[next[face.Points[0]]++] = face;
+  }
+  for (std::size_t point = 0; point + 1 < first.size(); ++point)
+  {
+    std::sort(sorted.begin() + first[point], sorted.begin() + first[point + 1],
+      [](const Face& a, const Face& b)
+      { return a.Points != b.Points ? a.Points < b.Points : a.Tetrahedron < b.Tetrahedron; });
+    ReportEvery(point, first.size(), progress);
+  }
+  return sorted;
 }
 
 /// Sets of tetrahedra that no surface separates: the number of each one's set, from 0. Throws where
 /// a part of a surface is no face of a tetrahedron, or the tetrahedra end elsewhere.
-Eigen::VectorXi SetsBetweenSurfaces(
-  const Eigen::MatrixXi& tetrahedra, const Eigen::MatrixXi& onSurfaces, int& sets)
+Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
+  const Eigen::MatrixXi& onSurfaces, int& sets, const Progress& progress)
 {
-  const std::vector<Face> faces = SortedFaces(tetrahedra, onSurfaces);
+  const std::vector<Face> faces = SortedFaces(tetrahedra, onSurfaces, progress.Part(0.0, 0.6));
   std::vector<std::vector<int>> neighbours(tetrahedra.rows());
   int missing = 0, open = 0;
   for (std::size_t i = 0; i < faces.size();)
@@ -158,7 +187,8 @@ struct Measures
   double MinimumScaledJacobian = std::numeric_limits<double>::infinity();
 };
 
-Measures Measure(const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra)
+Measures Measure(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra, const Progress& progress)
 {
   Measures measures{ Eigen::VectorXd(tetrahedra.rows()) };
   for (Eigen::Index i = 0; i < tetrahedra.rows(); ++i)
@@ -185,16 +215,17 @@ Measures Measure(const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedr
     measures.Volumes(i) = jacobian / 6.0;
     measures.MinimumScaledJacobian =
       std::min(measures.MinimumScaledJacobian, std::sqrt(2.0) * jacobian / largest);
+    ReportEvery(i, tetrahedra.rows(), progress);
   }
   return measures;
 }
 
 /// The region of each tetrahedron. Throws where one lies in a void or a region's volume is wrong.
 Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& onSurfaces,
-  const Eigen::VectorXd& volumes, const SolidRegions& regions)
+  const Eigen::VectorXd& volumes, const SolidRegions& regions, const Progress& progress)
 {
   int sets = 0;
-  const Eigen::VectorXi set = SetsBetweenSurfaces(mesh.Tetrahedra, onSurfaces, sets);
+  const Eigen::VectorXi set = SetsBetweenSurfaces(mesh.Tetrahedra, onSurfaces, sets, progress);
   Eigen::VectorXi largest = Eigen::VectorXi::Constant(sets, -1);
   for (int i = 0; i < set.size(); ++i)
   {
@@ -277,7 +308,7 @@ TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>
                 maximumVolume, options.PreserveBoundary, maximumNewPoints },
       progress.Part(0.25, 0.85));
   const Eigen::Index given = complex.Surfaces.Points.rows();
-  if (mesh.Tetrahedra.rows() == 0 || mesh.Points.rows() < given ||
+  if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
     mesh.Points.topRows(given) != complex.Surfaces.Points)
   {
     throw SolveFailure("TetGen made no tetrahedra, or dropped points of the surface; merge points "
@@ -290,14 +321,12 @@ TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>
       "raise "
       "MaximumRadiusEdgeRatio, or switch PreserveBoundary on");
   }
-  MakePositive(mesh.Points, mesh.Tetrahedra);
-  progress(0.88);
-
-  const Measures measures = Measure(mesh.Points, mesh.Tetrahedra);
-  progress(0.9);
+  MakePositive(mesh.Points, mesh.Tetrahedra, progress.Part(0.85, 0.88));
+  const Measures measures = Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.88, 0.9));
   TetrahedralizeResult result;
-  result.RegionId = FindRegionIds(mesh,
-    options.PreserveBoundary ? complex.Surfaces.Triangles : mesh.Faces, measures.Volumes, regions);
+  result.RegionId =
+    FindRegionIds(mesh, options.PreserveBoundary ? complex.Surfaces.Triangles : mesh.Faces,
+      measures.Volumes, regions, progress.Part(0.9, 0.99));
   progress(0.99);
   Eigen::VectorXi used = Eigen::VectorXi::Zero(static_cast<Eigen::Index>(surfaces.size()));
   used(result.RegionId).setOnes();
