@@ -5,6 +5,8 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -136,15 +138,27 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
 std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const std::string& name)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(data))
+  const auto add = [&](vtkDataObject* block)
   {
-    auto* surface = vtkPolyData::SafeDownCast(leaf);
+    auto* surface = vtkPolyData::SafeDownCast(block);
     if (!surface)
     {
-      throw shape::InvalidInput("the input '" + name + "' holds a " + leaf->GetClassName() +
-        ", which is no surface; apply Extract Surface first");
+      throw shape::InvalidInput("the input '" + name + "' holds a " + block->GetClassName() +
+        ", which is no surface; apply Extract Surface first, or leave it out with Extract Block");
     }
     surfaces.push_back(WithoutGhostCells(surface));
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    add(data);
+    return surfaces;
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> it;
+  it.TakeReference(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    add(it->GetCurrentDataObject());
   }
   return surfaces;
 }

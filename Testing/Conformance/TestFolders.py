@@ -38,8 +38,6 @@ for path in sources(kernels):
         if os.path.basename(include).startswith('vtk') and not (
                 folder == 'Geometry' and path.endswith('.cxx')):
             faults.append('%s includes %s: only Geometry/*.cxx may' % (path, include))
-        if include == 'tetgen.h' and not path.endswith(os.path.join('Volume', 'Tetrahedralize.cxx')):
-            faults.append('%s includes tetgen.h: only Volume/Tetrahedralize.cxx may' % path)
 
 for path in sources(os.path.join(root, 'Filters', 'VTK')):
     for include in INCLUDE.findall(open(path).read()):
@@ -49,6 +47,12 @@ for path in sources(os.path.join(root, 'Plugin')):
     for include in INCLUDE.findall(open(path).read()):
         if include.split('/')[0] in ORDER:
             faults.append('%s includes the kernel %s: drive a filter instead' % (path, include))
+
+tetgen = os.path.join(kernels, 'Volume', 'TetGen.cxx')
+for part in ('Filters', 'Plugin', 'Testing'):
+    for path in sources(os.path.join(root, part)):
+        if ('tetgen.h' in INCLUDE.findall(open(path).read())) != (path == tetgen):
+            faults.append('%s: Volume/TetGen.cxx, and no other file, includes tetgen.h' % path)
 
 headers = {os.path.basename(path) for path in sources(kernels)}
 filters = [name[:-4] for name in sorted(os.listdir(wrappers))

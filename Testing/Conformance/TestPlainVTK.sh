@@ -26,5 +26,11 @@ volume.SetInputConnection(0, source.GetOutputPort())
 volume.SetInputConnection(1, sphere.GetOutputPort(0))
 volume.Update()
 assert volume.GetOutputDataObject(0).GetNumberOfPoints() == 50
+tetrahedra = shapemap.vtkShapeTetrahedralize()
+tetrahedra.SetInputConnection(source.GetOutputPort())
+refusals = []
+tetrahedra.AddObserver('ErrorEvent', lambda *_: refusals.append('error'))
+tetrahedra.Update()
+assert refusals and tetrahedra.GetOutputDataObject(0).GetNumberOfCells() == 0
 print('the filters run without ParaView, TetGen and CHOLMOD')
 PY

@@ -161,6 +161,14 @@ for data in (mapped, flat, piece(read('TwistedBarSmall.vtu'))):
         'Cells', 'FlippedCells', 'DegenerateCells', 'MinimumJacobianDeterminant', 'MeanARAP',
         'MeanSymmetricDirichlet', 'MaximumConformalDistortion')]
 
+# The solid inside the pieces is whole, on one process.
+solid = shapemap.vtkShapeTetrahedralize()
+solid.SetInputDataObject(surface)
+assert not shapetesting.run(solid)
+tetrahedra = solid.GetOutputDataObject(0)
+assert (tetrahedra.GetNumberOfCells() > 642) == (rank == 0), 'the tetrahedra come once'
+assert rank > 0 or shapetesting.fact(tetrahedra, 'Tetrahedralize.Points') > 642
+
 if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),
@@ -197,6 +205,16 @@ else:
     alone.SetInputDataObject(read('DentedSphere600.vtp') if rank == 1 else vtkPolyData())
     assert not shapetesting.run(alone)
     assert alone.GetOutputDataObject(0).GetNumberOfPoints() == (642 if rank == 1 else 0)
+
+    # A surface that is open is refused on both, although one alone looks at it.
+    opened = shapetesting.copy(surface)
+    if rank == 1:
+        opened.BuildLinks()
+        opened.DeleteCell(11)
+        opened.RemoveDeletedCells()
+    solid.SetInputDataObject(opened)
+    assert any('the Input has 1 open loop' in m for m in shapetesting.run(solid))
+    assert tetrahedra.GetNumberOfCells() == 0
 
     # Blocks are joined, too, and need not be on every process.
     blocks = vtkMultiBlockDataSet()

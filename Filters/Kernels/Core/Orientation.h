@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/**
+ * On which side of the plane through a, b, c the point d lies: 1 where the tetrahedron a b c d is
+ * positive, (b - a) x (c - a) . (d - a) > 0, -1 where it is negative, 0 where the four points lie
+ * in one plane.
+ *
+ * Exact for the coordinates as they are: a floating-point filter decides where it can, else
+ * expansions (Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+ * predicates", 1997) do. Coordinates must be finite; the sixth power of their differences must
+ * neither over- nor underflow.
+ */
+int Orientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
+  const Eigen::RowVector3d& c, const Eigen::RowVector3d& d);
+
+/// The same in the plane: 1 where a, b, c run counter-clockwise, 0 where they lie on one line.
+int Orientation(
+  const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c);
+
+} // namespace shape

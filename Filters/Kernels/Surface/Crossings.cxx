@@ -1,0 +1,267 @@
+#include "Surface/Crossings.h"
+
+#include "Core/Orientation.h"
+#include "Core/Parallel.h"
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace shape
+{
+namespace
+{
+
+using Eigen::RowVector2d;
+using Eigen::RowVector3d;
+
+/// A triangle by its corners.
+struct Corners
+{
+  std::array<RowVector3d, 3> At;
+};
+
+Corners CornersOf(const Mesh& mesh, int triangle)
+{
+  return { { mesh.Points.row(mesh.Triangles(triangle, 0)),
+    mesh.Points.row(mesh.Triangles(triangle, 1)), mesh.Points.row(mesh.Triangles(triangle, 2)) } };
+}
+
+/// A point without its coordinate `axis`.
+RowVector2d Without(int axis, const RowVector3d& p)
+{
+  return { p((axis + 1) % 3), p((axis + 2) % 3) };
+}
+
+/// An axis along which the triangle can be projected without becoming flat, or -1.
+int ProjectionAxis(const Corners& t)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (Orientation(Without(axis, t.At[0]), Without(axis, t.At[1]), Without(axis, t.At[2])) != 0)
+    {
+      return axis;
+    }
+  }
+  return -1;
+}
+
+/// Whether a point of the triangle's plane, projected like it, lies in it or on its border.
+bool Contains(const std::array<RowVector2d, 3>& t, const RowVector2d& p)
+{
+  int signs[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    signs[k] = Orientation(t[k], t[(k + 1) % 3], p);
+  }
+  const auto [low, high] = std::minmax({ signs[0], signs[1], signs[2] });
+  return low >= 0 || high <= 0;
+}
+
+/// Whether the segment p q passes from one side of the line a b to the other between a and b. Of
+/// the sides of a triangle that p q meets, with both ends outside, one at least is passed so.
+bool Cross(const RowVector2d& p, const RowVector2d& q, const RowVector2d& a, const RowVector2d& b)
+{
+  return Orientation(p, q, a) * Orientation(p, q, b) <= 0 &&
+    Orientation(a, b, p) * Orientation(a, b, q) < 0;
+}
+
+/// Whether a segment meets a triangle in whose plane it lies.
+bool MeetInPlane(const RowVector3d& p, const RowVector3d& q, const Corners& t)
+{
+  const int axis = ProjectionAxis(t);
+  const std::array<RowVector2d, 3> corners = { Without(axis, t.At[0]), Without(axis, t.At[1]),
+    Without(axis, t.At[2]) };
+  const RowVector2d from = Without(axis, p), to = Without(axis, q);
+  if (Contains(corners, from) || Contains(corners, to))
+  {
+    return true;
+  }
+  // Both ends lie outside: the segment meets the triangle only where it passes through a side.
+  for (int k = 0; k < 3; ++k)
+  {
+    if (Cross(from, to, corners[k], corners[(k + 1) % 3]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a segment meets a triangle, ends and border included.
+bool Meet(const RowVector3d& p, const RowVector3d& q, const Corners& t)
+{
+  const int sideP = Orientation(t.At[0], t.At[1], t.At[2], p);
+  const int sideQ = Orientation(t.At[0], t.At[1], t.At[2], q);
+  if (sideP * sideQ > 0)
+  {
+    return false;
+  }
+  if (sideP == 0 && sideQ == 0)
+  {
+    return MeetInPlane(p, q, t);
+  }
+  int signs[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    signs[k] = Orientation(p, q, t.At[k], t.At[(k + 1) % 3]);
+  }
+  const auto [low, high] = std::minmax({ signs[0], signs[1], signs[2] });
+  return low >= 0 || high <= 0;
+}
+
+/// Whether all corners of u lie strictly on one side of the plane of t.
+bool Apart(const Corners& t, const Corners& u)
+{
+  const int side = Orientation(t.At[0], t.At[1], t.At[2], u.At[0]);
+  return side != 0 && Orientation(t.At[0], t.At[1], t.At[2], u.At[1]) == side &&
+    Orientation(t.At[0], t.At[1], t.At[2], u.At[2]) == side;
+}
+
+/// Whether two triangles have more in common than the corners and the edge they share.
+bool Meet(const Mesh& mesh, int first, int second)
+{
+  const Corners t = CornersOf(mesh, first), u = CornersOf(mesh, second);
+  int shared = 0, ownOfT = -1, ownOfU = -1, sharedOfT = -1, sharedOfU = -1;
+  for (int i = 0; i < 3; ++i)
+  {
+    bool inU = false, inT = false;
+    for (int j = 0; j < 3; ++j)
+    {
+      inU = inU || mesh.Triangles(first, i) == mesh.Triangles(second, j);
+      inT = inT || mesh.Triangles(second, i) == mesh.Triangles(first, j);
+    }
+    shared += inU;
+    (inU ? sharedOfT : ownOfT) = i;
+    (inT ? sharedOfU : ownOfU) = i;
+  }
+  if (shared == 3)
+  {
+    return true;
+  }
+  if (shared == 2)
+  {
+    // They overlap where they lie in one plane on the same side of the common edge.
+    const RowVector3d &own = t.At[ownOfT], &other = u.At[ownOfU];
+    const RowVector3d &a = t.At[(ownOfT + 1) % 3], &b = t.At[(ownOfT + 2) % 3];
+    if (Orientation(a, b, own, other) != 0)
+    {
+      return false;
+    }
+    const int axis = ProjectionAxis(t);
+    return Orientation(Without(axis, a), Without(axis, b), Without(axis, own)) ==
+      Orientation(Without(axis, a), Without(axis, b), Without(axis, other));
+  }
+  if (shared == 1)
+  {
+    // From the common corner, what they share reaches the opposite side of one of them.
+    return Meet(t.At[(sharedOfT + 1) % 3], t.At[(sharedOfT + 2) % 3], u) ||
+      Meet(u.At[(sharedOfU + 1) % 3], u.At[(sharedOfU + 2) % 3], t);
+  }
+  if (Apart(t, u) || Apart(u, t))
+  {
+    return false;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    if (Meet(t.At[k], t.At[(k + 1) % 3], u) || Meet(u.At[k], u.At[(k + 1) % 3], t))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Eigen::AlignedBox3d BoxOf(const Mesh& mesh, int triangle)
+{
+  Eigen::AlignedBox3d box;
+  for (int k = 0; k < 3; ++k)
+  {
+    box.extend(mesh.Points.row(mesh.Triangles(triangle, k)).transpose());
+  }
+  return box;
+}
+
+/// What Eigen's search calls for each box and triangle: collects the crossings of one triangle with
+/// later ones.
+struct Search
+{
+  const Mesh& Surface;
+  const std::vector<Eigen::AlignedBox3d>& Boxes;
+  int Triangle;
+  std::vector<Crossing>& Found;
+
+  // Eigen calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
+  bool intersectVolume(const Eigen::AlignedBox3d& box) const
+  {
+    return box.intersects(this->Boxes[this->Triangle]);
+  }
+  bool intersectObject(int other) const
+  {
+    const Eigen::AlignedBox3d &mine = this->Boxes[this->Triangle], &its = this->Boxes[other];
+    if (other > this->Triangle && mine.intersects(its) &&
+      Meet(this->Surface, this->Triangle, other))
+    {
+      this->Found.push_back({ this->Triangle, other, mine.intersection(its).center().transpose() });
+    }
+    return false; // go on
+  }
+  // NOLINTEND(readability-identifier-naming)
+};
+
+} // namespace
+
+std::vector<int> FlatTriangles(const Mesh& mesh)
+{
+  std::vector<int> flat;
+  for (int t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    if (ProjectionAxis(CornersOf(mesh, t)) == -1)
+    {
+      flat.push_back(t);
+    }
+  }
+  return flat;
+}
+
+std::vector<Crossing> FindCrossings(const Mesh& mesh, const Progress& progress)
+{
+  const int count = static_cast<int>(mesh.Triangles.rows());
+  std::vector<int> triangles(count);
+  std::iota(triangles.begin(), triangles.end(), 0);
+  std::vector<Eigen::AlignedBox3d> boxes(count);
+  for (const int t : triangles)
+  {
+    boxes[t] = BoxOf(mesh, t);
+  }
+  Eigen::KdBVH<double, 3, int> tree;
+  tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+
+  constexpr int grain = 256;
+  std::vector<std::vector<Crossing>> found((count + grain - 1) / grain);
+  ParallelFor(
+    count, grain,
+    [&](int begin, int end)
+    {
+      for (int t = begin; t < end; ++t)
+      {
+        Search search{ mesh, boxes, t, found[begin / grain] };
+        Eigen::BVIntersect(tree, search);
+      }
+    },
+    progress);
+  std::vector<Crossing> crossings;
+  for (const std::vector<Crossing>& some : found)
+  {
+    crossings.insert(crossings.end(), some.begin(), some.end());
+  }
+  std::sort(crossings.begin(), crossings.end(),
+    [](const Crossing& a, const Crossing& b)
+    { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
+  return crossings;
+}
+
+} // namespace shape

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+
+#include <vector>
+
+namespace shape
+{
+
+/// Two triangles that have more in common than the corners and the edge they share.
+struct Crossing
+{
+  int First = -1;           ///< a triangle
+  int Second = -1;          ///< a later triangle
+  Eigen::RowVector3d Place; ///< the middle of what their boxes have in common
+};
+
+/// The triangles whose corners lie on one line, in order. Exact.
+std::vector<int> FlatTriangles(const Mesh& mesh);
+
+/**
+ * Every pair of triangles of a surface that cross, touch, overlap or coincide beyond the corners
+ * and the edge they share, in the order of First, then Second.
+ *
+ * A hierarchy of boxes finds the candidates, exact orientations (Core/Orientation.h) decide: a pair
+ * is listed if and only if the triangles meet. Points are shared by index: join points at the same
+ * place first. mesh: any triangles, none of them in FlatTriangles. Throws Aborted.
+ */
+std::vector<Crossing> FindCrossings(const Mesh& mesh, const Progress& progress = {});
+
+} // namespace shape
