@@ -150,35 +150,45 @@ def phantom(folder):
 
 
 def skeleton(folder):
-    every, charts = [], None
     lines = [scenes.read('Figure%sSkeleton.vtp' % figure) for figure in 'AB']
     places, wanted = (scenes.curves(line, 200).reshape(-1, 3) for line in lines)
-    probe = scenes.point_set(places)
-    for case, name, weights, options in (
-            ('1134 points', 'FigureASmall.vtp', WEIGHTS, {}),
-            ('6310 points', 'FigureA.vtp', WEIGHTS, {}),
-            # Samples as the paper's Table 2 has them: CR 0.2, SR 2, 10 levels.
-            ("6310, the paper's ratios", 'FigureA.vtp', [20.0, 1000.0],
-             dict(CollocationRatio=0.2, SourceRatio=2.0, MaximumLevels=10)),
-            # As many equations of features for each one of the boundary as in the first case.
-            ('6310, balanced as 1134', 'FigureA.vtp', None, {})):
-        figure = scenes.read(name)
-        size = scenes.longest_side(array(figure, 'TargetPosition'))
-        if weights is None:
-            small, large = (next(row for row in every if row['case'] == text) for text in (
-                '1134 points', '6310 points'))
-            weights = [20.0 * large['boundaryRows'] / small['boundaryRows']]
-        rows = curve(case, figure, probe, wanted, size, features=lines[:1], targets=lines[1:],
-                     weights=weights, **options)
-        say('skeleton, ' + case)
-        every += rows
+    figures = {name: scenes.read(name + '.vtp') for name in ('FigureASmall', 'FigureA')}
+
+    def arguments(name):
+        size = scenes.longest_side(array(figures[name], 'TargetPosition'))
+        return figures[name], scenes.point_set(places), wanted, size
+
+    inputs = dict(features=lines[:1], targets=lines[1:])
+    small = curve('1134 points', *arguments('FigureASmall'), **inputs)
+    full = curve('6310 points', *arguments('FigureA'), **inputs)
+    # Other samples, sources, levels and offsets, where the features weigh as much against the
+    # boundary as at weight 20 on the small figure: the errors belong to the balance.
+    balanced = [measure(case, weight, *arguments(name), **inputs, **options)
+                for case, weight, name, options in (
+                    ('1134, 24 levels', 20.0, 'FigureASmall', dict(LeastGain=0.0, MaximumLevels=24)),
+                    ('1134, four times the samples', 80.0, 'FigureASmall',
+                     dict(CollocationRatio=1.6, SourceRatio=1.6)),
+                    ('6310, same balance', 20.0 * full[3]['boundaryRows'] / small[3]['boundaryRows'],
+                     'FigureA', {}))]
+    # Samples and offset as the paper has them: CR 0.2, SR 2, 10 levels, 0.15.
+    ratios = measure("6310, the paper's samples", 20.0, *arguments('FigureA'), **inputs,
+                     CollocationRatio=0.2, SourceRatio=2.0, SourceSubsets=10, MaximumLevels=10,
+                     OffsetDistance=0.15)
+    # More sources than collocation points, close to the boundary: the fit swings between them.
+    swings = measure("6310, these, offset by spacing", 20.0, *arguments('FigureA'), **inputs,
+                     CollocationRatio=0.2, SourceRatio=2.0, MaximumLevels=10)
+    every = small + full + balanced + [ratios, swings]
     scenes.print_table(every, COLUMNS)
-    explain([row for row in every if row['case'] == '6310 points'])
-    twenty = {row['case']: row for row in every if row['weight'] == 20.0}
-    for row in twenty.values():
-        assert row['featureRMSE'] < 1.2 and row['boundaryRMSE'] < 3.0, row
+    explain(full)
+    for row in balanced:
+        assert abs(row['featureRMSE'] / small[3]['featureRMSE'] - 1.0) < 0.2, row
+        assert abs(row['boundaryRMSE'] / small[3]['boundaryRMSE'] - 1.0) < 0.1, row
+    for row in small + full + balanced + [ratios]:
+        assert row['boundaryRMSE'] < 3.2, row
+    assert small[3]['featureRMSE'] < 0.5 and full[3]['featureRMSE'] < 1.2
+    assert ratios['featureRMSE'] < 0.8, ratios
     scenes.write_table(os.path.join(folder, 'features_skeleton.csv'), every)
-    return [row for row in every if row['case'] == '6310 points']
+    return full
 
 
 def main(folder):
