@@ -33,7 +33,7 @@ def trade(path, title, rows):
                                  for text in (name, '0' if 'Alone' in name else '4')]
     display.SeriesMarkerSize = [text for name in names for text in (name, '12')]
     view.ChartTitle, view.ChartTitleFontSize, view.LegendFontSize = title, 24, 17
-    view.LegendLocation = 'BottomLeft'
+    view.LegendLocation, view.LegendPosition = 'Custom', [120, 150]
     view.LeftAxisTitle = "RMSE, % of the target's longest side"
     view.BottomAxisTitle = 'weight of the features'
     view.LeftAxisTitleFontSize = view.BottomAxisTitleFontSize = 20

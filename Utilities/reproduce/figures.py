@@ -11,11 +11,15 @@ import numpy
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import vtkCutter, vtkTriangleFilter
+from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
+from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 
 import panels
 import scenes
+
+import off
 from scenes import add_array, array, copy, fact, points, say
 
 
@@ -32,8 +36,7 @@ def cut(data, origin, normal):
 
 
 def crinkled(data, origin, normal):
-    """The surface of the cells of a solid whose middle is on the plane's far side."""
-    from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
+    """The surface of the cells of a solid that are not wholly on the plane's front side."""
     plane = vtkPlane()
     plane.SetOrigin(origin)
     plane.SetNormal(normal)
@@ -43,6 +46,19 @@ def crinkled(data, origin, normal):
     extract.ExtractBoundaryCellsOn()
     extract.Update()
     return skin(extract.GetOutput())
+
+
+def half(data, origin, normal):
+    """The surface of what a plane leaves of a solid behind it."""
+    plane = vtkPlane()
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    clip = vtkTableBasedClipDataSet()
+    clip.SetInputData(data)
+    clip.SetClipFunction(plane)
+    clip.InsideOutOn()
+    clip.Update()
+    return skin(clip.GetOutput())
 
 
 def skin(data):
@@ -108,8 +124,9 @@ class Phantom:
         self.Layers = []
         for parts in ((head, skull), (skull, brain), (brain,)):
             boundary = scenes.append(*parts)
-            self.Layers.append(
-                scenes.volume_map(boundary, boundary).GetOutputDataObject(1))
+            self.Layers.append(scenes.volume_map(
+                boundary, boundary, CollocationRatio=0.8, SourceRatio=1.2,
+                MaximumLevels=16).GetOutputDataObject(1))
         say('phantom: layers')
 
     def images(self, layered):
@@ -147,83 +164,92 @@ def morphed(shape, image, time):
 
 
 def fig1(path, phantom):
-    picture = panels.Picture((1400, 900), [0.75, 0.62, 0.22], [0.0, 0.0, 1.0])
+    picture = panels.Picture((1500, 900), [0.75, 0.62, 0.22], [0.0, 0.0, 1.0])
     for row, layered in enumerate((True, False)):
         images = phantom.images(layered)
         for column, time in enumerate((0.0, 0.3, 0.6, 1.0)):
             for shape, image, colour, opacity in zip(
                     phantom.Shapes, images, (panels.SKIN, panels.BONE, panels.BRAIN),
-                    (0.22, 0.45, 1.0)):
+                    (0.25, 0.4, 1.0)):
                 centre = (0.0, 0.0, -0.15 * (1.0 - time))
-                picture.show(morphed(shape, image, time), (2.6 * column, -2.75 * row), 1.0, centre,
+                picture.show(morphed(shape, image, time), (2.5 * column, -2.95 * row), 1.0, centre,
                              colour, opacity, smooth=45.0)
             if row == 0:
-                picture.caption('%d %%' % (100 * time), 0.115 + 0.245 * column, 0.955)
+                picture.caption('%d %%' % (100 * time), 2.5 * column, 1.35)
         boundary, features = phantom.errors(layered)
-        words = 'one harmonic map for each layer' if layered else 'one map, soft features, weight 20'
         picture.caption('%s: RMSE %.2f %% on the head, %.2f %% on skull and brain' % (
-            words, boundary, features), 0.2, 0.49 if row == 0 else 0.015)
-    picture.save(path, (3.9, -1.42), 5.75)
+            words(layered), boundary, features), 3.75, -1.6 - 2.95 * row)
+    picture.save(path, (3.75, -1.52), 6.2)
+
+
+def words(layered):
+    return 'one harmonic map for each layer' if layered else 'one map, soft features, weight 20'
 
 
 def fig2(path, phantom):
-    """Sections x = 0."""
+    """The section x = 0: a fine grid in the head and its image. What the images of the section's
+    points have left the plane by is not seen."""
     head, skull, brain = phantom.Shapes
-    solid = tetrahedra(head, skull, brain, volume=3e-4)
-    say('phantom: %d tetrahedra' % solid.GetNumberOfCells())
     targets = scenes.append(*[at(s, array(s, 'TargetPosition')) for s in phantom.Shapes])
-    features = scenes.append(skull, brain)
-    origin, normal = (0.02, 0.0, 0.0), (1.0, 0.0, 0.0)
-    picture = panels.Picture((1600, 1000), [1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
-
-    def near(places):
-        slab = numpy.abs(places[:, 0] - origin[0]) < 0.03
-        chosen = places[slab].copy()
-        chosen[:, 0] = origin[0] + 0.02
-        return chosen
+    features = points(scenes.append(skull, brain))
+    chosen = numpy.abs(features[:, 0]) < 0.03
+    origin, normal = (1e-4, 0.0, 0.0), (1.0, 0.0, 0.0)
+    section = grid(head, 320)
+    say('phantom: %d points in the section' % section.GetNumberOfPoints())
+    picture = panels.Picture((1600, 800), [1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
 
     def outline(surfaces, shift):
-        display = picture.show(cut(surfaces, origin, normal), shift, 1.0,
-                               (-0.03, 0.0, 0.0), [0.0, 0.0, 0.0], width=2.5)
+        picture.flat(picture.show(cut(surfaces, origin, normal), shift, 1.0, (-0.1, 0.0, 0.0),
+                                  [0.0, 0.0, 0.0], width=2.5))
+
+    def draw(data, surfaces, dots, shift, legend):
+        display = picture.show(data, shift)
         picture.flat(display)
+        picture.colour(display, 'POINTS', 'Distance', 0.0, 0.5, legend, [0.33, 0.13], form='%.2f')
+        outline(surfaces, shift)
+        dots = dots * [0.0, 1.0, 1.0] + [0.2, 0.0, 0.0]
+        picture.dots(dots, shift, 0.014)
 
     for column, layered in enumerate((True, False)):
-        places = phantom.solid(solid, layered)
-        measured = scenes.filter_of('BoundaryDistance', at(solid, places), targets,
-                                    Signed=0).GetOutputDataObject(0)
+        places = phantom.solid(section, layered)
+        measured = scenes.filter_of('BoundaryDistance', at(section, places * [0.0, 1.0, 1.0]),
+                                    targets, Signed=0).GetOutputDataObject(0)
         field = array(measured, 'BoundaryDistance')
-        for row, data in enumerate((solid, measured)):
-            shift = (2.75 * (2 * column + row), 0.0)
-            section = cut(with_array(data, field, 'Distance'), origin, normal)
-            display = picture.show(section, shift)
-            picture.flat(display)
-            picture.colour(display, 'POINTS', 'Distance', 0.0, 0.5,
-                           "distance from the target's three surfaces" if column + row == 0 else None,
-                           [0.33, 0.1])
-            if row == 0:
-                outline(scenes.append(*phantom.Shapes), shift)
-                picture.dots(near(points(features)), shift)
-            else:
-                outline(targets, shift)
-                # The same points as in the head.
-                chosen = numpy.abs(points(features)[:, 0] - origin[0]) < 0.03
-                images = numpy.concatenate(phantom.images(layered)[1:])[chosen]
-                images[:, 0] = origin[0] + 0.02
-                picture.dots(images, shift)
+        left = 5.5 * column
+        draw(with_array(section, field, 'Distance'), scenes.append(*phantom.Shapes),
+             features[chosen], (left, 0.0),
+             None if column else "distance from the target's three surfaces")
+        draw(with_array(measured, field, 'Distance'), targets,
+             numpy.concatenate(phantom.images(layered)[1:])[chosen], (left + 2.6, 0.0), None)
         boundary, error = phantom.errors(layered)
-        picture.caption('%s\nRMSE: boundary %.2f %%, features %.2f %%' % (
-            'one harmonic map for each layer' if layered else 'one map, soft features, weight 20',
-            boundary, error), 0.13 + 0.5 * column, 0.8)
-    picture.caption('head: field pulled back, feature points red             '
-                    'target: true surfaces black, images of the feature points red', 0.14, 0.2)
-    picture.save(path, (4.12, -0.15), 6.9)
+        picture.caption('%s: RMSE %.2f %% on the head, %.2f %% on skull and brain' % (
+            words(layered), boundary, error), left + 1.25, 1.45, 16)
+        picture.caption('the head, points on skull and brain', left, -1.75, 14)
+        picture.caption('the target (black), images of the points', left + 2.55, -1.75, 14)
+    picture.save(path, (4.0, -0.38), 5.35)
+
+
+def grid(surface, count):
+    """A square grid in the plane x = 0, without the squares that reach out of the surface."""
+    low, high = surface.GetBounds()[2::2], surface.GetBounds()[3::2]
+    y, z = (numpy.linspace(a, b, count) for a, b in zip(low, high))
+    places = numpy.stack([0.0 * z[:, None] + 0.0 * y, 0.0 * z[:, None] + y, z[:, None] + 0.0 * y],
+                         axis=2).reshape(-1, 3)
+    distance = array(scenes.filter_of('BoundaryDistance', scenes.point_set(places), surface)
+                     .GetOutputDataObject(0), 'BoundaryDistance')
+    inside = (distance <= 0.0).reshape(count, count)
+    first = (numpy.arange(count - 1)[:, None] * count + numpy.arange(count - 1))[
+        inside[:-1, :-1] & inside[:-1, 1:] & inside[1:, :-1] & inside[1:, 1:]]
+    corners = numpy.stack([first, first + 1, first + count + 1, first + count], axis=1)
+    used, renumbered = numpy.unique(corners, return_inverse=True)
+    return off.surface(places[used], renumbered.reshape(-1, 4).tolist())
 
 
 def fig3(path):
-    """Section y = 0."""
+    """The section y = 0."""
     figures = [scenes.read('Figure%s.vtp' % name) for name in 'AB']
     lines = [scenes.read('Figure%sSkeleton.vtp' % name) for name in 'AB']
-    solids = [tetrahedra(figure, volume=1e-5) for figure in figures]
+    solids = [tetrahedra(figure, volume=3e-6) for figure in figures]
     say('figures: %d and %d tetrahedra' % tuple(s.GetNumberOfCells() for s in solids))
     harmonic = scenes.volume_map(solids[0], figures[0], lines[:1], lines[1:],
                                  CollocationRatio=0.2, SourceRatio=0.4)
@@ -233,35 +259,39 @@ def fig3(path):
     say('figures: RMSE %.2f %% of the boundary, %.2f %% of the skeleton' % (boundary, feature))
     giver = depth(solids[1], figures[1], 'Depth')
     receiver = transferred(with_array(solids[0], points(moved), 'TargetPosition'), giver, 'Pull')
-    images = moved_by(harmonic.GetOutputDataObject(1),
-                      scenes.point_set(scenes.curves(lines[0], 25).reshape(-1, 3)))
+    # Beside the skeleton itself, the images by the map that knows the boundary alone.
+    samples = scenes.point_set(scenes.curves(lines[0], 15).reshape(-1, 3))
+    alone = scenes.volume_map(samples, figures[0], CollocationRatio=0.2, SourceRatio=0.4)
+    images = [moved_by(harmonic.GetOutputDataObject(1), samples),
+              points(alone.GetOutputDataObject(0))]
     picture = panels.Picture((1600, 640), [0.0, -1.0, 0.0], [0.0, 0.0, 1.0])
     centre = (0.0, 0.0, 0.5)
-    for column, (figure, line, colour) in enumerate(
-            zip(figures, lines, (panels.RED, panels.GREEN))):
-        shift = (1.1 * 3 * column, 0.0)
-        picture.show(figure, shift, 1.0, centre, panels.STEEL, 0.3, smooth=60.0)
-        picture.flat(picture.show(line, shift, 1.0, centre, colour, width=4.0))
-    picture.dots(images - [0.0, 0.02, 0.0], (3.3, 0.0), 1.0, centre, size=7.0)
+    for column, index in ((0, 0), (3, 1), (4, 1)):
+        shift = (1.1 * column, 0.0)
+        picture.show(figures[index], shift, 1.0, centre, panels.STEEL, 0.3, smooth=60.0)
+        picture.flat(picture.show(lines[index], shift, 1.0, centre,
+                                  (panels.RED, panels.GREEN)[index], width=3.5))
+        if column > 2:
+            picture.dots(images[4 - column] - [0.0, 0.2, 0.0], shift, 0.008, 1.0, centre)
     for column, data in enumerate((receiver, giver)):
         display = picture.show(cut(data, (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)), (1.1 + 1.1 * column, 0.0),
                                1.0, centre)
         picture.flat(display)
         picture.colour(display, 'POINTS', 'Depth', 0.0, 1.0,
-                       None if column else "depth in figure B, 1 = deepest", [0.335, 0.13])
+                       None if column else 'depth in figure B, 1 = deepest', [0.33, 0.14])
     for column, text in enumerate(('A and its skeleton', "B's field pulled to A", "B's own field",
-                                   "B's skeleton (green), images of A's (red)")):
-        picture.caption(text, (0.085, 0.325, 0.585, 0.74)[column], 0.93)
-    picture.caption('RMSE at the skeleton %.2f %%, of the boundary %.2f %% (weight 20)' % (
-        feature, boundary), 0.335, 0.03)
-    picture.save(path, (1.65, -0.06), 1.75)
+                                   'without the skeleton', 'with it, weight 20')):
+        picture.caption(text, 1.1 * column, 0.6)
+    picture.caption("B: its skeleton green, images of points on A's red", 3.85, -0.62, 14)
+    picture.caption('RMSE with the skeleton: %.2f %% on it, %.2f %% on the boundary' % (
+        feature, boundary), 2.2, -1.0)
+    picture.save(path, (2.2, -0.17), 2.25)
 
 
 class Bear:
     """The model, its image on the sphere, and the ball's hexahedra inside it."""
 
     def __init__(self):
-        import off
         self.Surface = off.read(scenes.model_file('bear.off'))
         self.Sphere = scenes.filter_of(
             'Parameterize', self.Surface, AreaWeight=3.0).GetOutputDataObject(1)
@@ -283,35 +313,29 @@ def fig4(path, bear):
     mapped = with_array(ball, points(moved), 'TargetPosition')
     pulled = transferred(mapped, solid, 'Pull')
     pushed = transferred(solid, mapped, 'Push')
-    picture = panels.Picture((1600, 700), [0.0, 0.0, 1.0], [0.0, 1.0, 0.0])
-    middle = (0.0, 0.1, 0.0)
-    for column, (data, name, scale, centre) in enumerate((
-            (solid, 'BearDepth', 1.0, middle), (pulled, 'BearDepth', 0.8, (0.0, 0.0, 0.0)),
-            (ball, 'BallDepth', 0.8, (0.0, 0.0, 0.0)), (pushed, 'BallDepth', 1.0, middle))):
-        values = array(data, name)
+    picture = panels.Picture((1600, 640), [0.25, 0.15, 1.0], [0.0, 1.0, 0.0])
+    middle, nothing = (0.0, 0.1, 0.0), (0.0, 0.0, 0.0)
+    for column, (data, name, scale, centre, text) in enumerate((
+            (solid, 'BearDepth', 1.0, middle, "the bear's field"),
+            (pulled, 'BearDepth', 0.75, nothing, 'pulled onto the ball'),
+            (ball, 'BallDepth', 0.75, nothing, "the ball's field"),
+            (pushed, 'BallDepth', 1.0, middle, 'pushed onto the bear'))):
         shift = (1.75 * column, 0.0)
-        shown = with_array(data, values, 'Depth')
-        half = cut(shown, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
-        display = picture.show(half, shift, scale, centre)
-        picture.flat(display)
+        shown = half(with_array(data, array(data, name), 'Depth'), nothing, (0.0, 0.0, 1.0))
+        display = picture.show(shown, shift, scale, centre)
+        display.Ambient, display.Diffuse = 0.5, 0.55
         picture.colour(display, 'POINTS', 'Depth', 0.0, 1.0,
-                       None if column else 'depth, 1 = deepest', [0.33, 0.1])
-        back = crinkled(data, (0.0, 0.0, -0.03), (0.0, 0.0, 1.0))
-        picture.show(back, shift, scale, centre, panels.STEEL)
-    for x, text in zip((0.095, 0.305, 0.595, 0.79), (
-            "the bear's field", "pulled onto the ball", "the ball's field",
-            "pushed onto the bear")):
-        picture.caption(text, x, 0.92)
-    picture.caption(error_words(moved), 0.335, 0.025)
-    picture.save(path, (2.62, -0.1), 3.0)
+                       None if column else 'depth, 1 = deepest', [0.33, 0.13])
+        picture.caption(text, shift[0], 1.0)
+    picture.caption(error_words(moved), 2.62, -1.6)
+    picture.save(path, (2.62, -0.25), 3.0)
 
 
 def fig5(path):
     torus = scenes.read('TwoTorus.vtp')
     slab = at(torus, array(torus, 'TargetPosition'))
-    # Beside the points of the slab's flat faces nothing is thin.
     names = ('TorusDepth', 'SlabDepth')
-    solids = [depth(tetrahedra(surface, volume=2e-3), surface, name)
+    solids = [depth(tetrahedra(surface, volume=4e-4), surface, name)
               for surface, name in zip((torus, slab), names)]
     moved = scenes.volume_map(solids[0], torus, CollocationRatio=0.3, SourceRatio=0.5
                               ).GetOutputDataObject(0)
@@ -319,23 +343,22 @@ def fig5(path):
     mapped = with_array(solids[0], points(moved), 'TargetPosition')
     pulled = transferred(mapped, solids[1], 'Pull')
     pushed = transferred(solids[1], mapped, 'Push')
-    picture = panels.Picture((1400, 1000), [0.0, -0.55, 0.85], [0.0, 1.0, 0.0])
-    for index, (data, name) in enumerate((
-            (solids[1], 'SlabDepth'), (pulled, 'SlabDepth'),
-            (solids[0], 'TorusDepth'), (pushed, 'TorusDepth'))):
-        shift = (7.0 * (index % 2), -4.3 * (index // 2))
-        shown = with_array(data, array(data, name), 'Depth')
-        display = picture.show(cut(shown, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)), shift)
-        picture.flat(display)
+    picture = panels.Picture((1400, 1000), [0.0, -0.5, 0.85], [0.0, 1.0, 0.0])
+    for index, (data, name, text) in enumerate((
+            (solids[1], 'SlabDepth', "the polycube's field"),
+            (pulled, 'SlabDepth', 'pulled onto the two-torus'),
+            (solids[0], 'TorusDepth', "the two-torus's field"),
+            (pushed, 'TorusDepth', 'pushed onto the polycube'))):
+        shift = (7.0 * (index % 2), -4.4 * (index // 2))
+        shown = half(with_array(data, array(data, name), 'Depth'), (0.0, 0.0, 0.0),
+                     (0.0, 0.0, 1.0))
+        display = picture.show(shown, shift)
+        display.Ambient, display.Diffuse = 0.5, 0.55
         picture.colour(display, 'POINTS', 'Depth', 0.0, 1.0,
-                       None if index else 'depth, 1 = deepest', [0.33, 0.06])
-        picture.show(crinkled(data, (0.0, 0.0, -0.06), (0.0, 0.0, 1.0)), shift,
-                     colour=panels.STEEL)
-    for x, y, text in ((0.17, 0.94, "the polycube's field"), (0.65, 0.94, 'pulled onto the torus'),
-                       (0.18, 0.53, "the torus's field"), (0.64, 0.53, 'pushed onto the polycube')):
-        picture.caption(text, x, y)
-    picture.caption(error_words(moved), 0.3, 0.02)
-    picture.save(path, (3.5, -2.3), 9.6)
+                       None if index else 'depth, 1 = deepest', [0.33, 0.07])
+        picture.caption(text, shift[0], shift[1] + 1.75)
+    picture.caption(error_words(moved), 3.5, -8.2)
+    picture.save(path, (3.5, -3.0), 10.8)
 
 
 def fig7(path, bear):
@@ -359,30 +382,30 @@ def fig7(path, bear):
     inverted = int((jacobians <= 0.0).sum())
     flips = scenes.filter_of('MapQuality', with_array(grid, points(solid), 'TargetPosition'))
     flipped = fact(flips.GetOutputDataObject(0), 'MapQuality.FlippedCells')
-    words = '%d hexahedra, %d with a scaled Jacobian <= 0 (least %.2f, mean %.2f)' % (
+    caption = '%d hexahedra, %d with a scaled Jacobian <= 0 (least %.2f, mean %.2f)' % (
         len(jacobians), inverted, jacobians.min(), jacobians.mean())
-    say(words + '; Shape Map Quality: %d flipped' % flipped)
+    say(caption + '; Shape Map Quality: %d flipped' % flipped)
     assert (flipped > 0) == (inverted > 0)
-    picture = panels.Picture((1600, 800), [0.3, 0.1, 1.0], [0.0, 1.0, 0.0])
+    picture = panels.Picture((1600, 640), [0.3, 0.1, 1.0], [0.0, 1.0, 0.0])
     middle = (0.0, 0.1, 0.0)
-    picture.show(bear.Surface, (0.0, 0.0), 1.0, middle, panels.SKIN,
-                 representation='Surface With Edges', width=0.5)
+    edges = 'Surface With Edges'
+    picture.show(bear.Surface, (0.0, 0.0), 1.0, middle, panels.SKIN, representation=edges,
+                 width=0.3).EdgeColor = [0.55, 0.45, 0.40]
     picture.show(skin(grid), (1.75, 0.0), 0.95, (0.0, 0.0, 0.0), panels.STEEL,
-                 representation='Surface With Edges', width=1.0)
+                 representation=edges, width=1.0)
     for column, data in ((2, skin(hexahedra)),
                          (3, crinkled(hexahedra, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)))):
-        display = picture.show(data, (1.75 * column, 0.0), 1.0, middle,
-                               representation='Surface With Edges', width=1.0)
+        display = picture.show(data, (1.75 * column, 0.0), 1.0, middle, representation=edges,
+                               width=1.0)
         picture.colour(display, 'CELLS', 'Quality', 0.0, 1.0,
-                       'scaled Jacobian (red: inverted)' if column == 2 else None, [0.33, 0.1],
+                       'scaled Jacobian (red: inverted)' if column == 2 else None, [0.33, 0.13],
                        'Viridis (matplotlib)', 10)
         table = simple.GetColorTransferFunction('Quality')
         table.UseBelowRangeColor, table.BelowRangeColor = 1, panels.RED
-    for x, text in zip((0.1, 0.33, 0.565, 0.8), (
-            'the bear', "the cube's grid", 'remeshed', 'cross-section')):
-        picture.caption(text, x, 0.92)
-    picture.caption(words + '; ' + error_words(solid), 0.16, 0.025, 15)
-    picture.save(path, (2.62, -0.1), 2.8)
+    for column, text in enumerate(('the bear', "the cube's grid", 'remeshed', 'cross-section')):
+        picture.caption(text, 1.75 * column, 1.0)
+    picture.caption(caption + '; ' + error_words(solid), 2.62, -1.6, 15)
+    picture.save(path, (2.62, -0.25), 3.0)
 
 
 def main(folder, *numbers):

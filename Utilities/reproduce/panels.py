@@ -1,6 +1,8 @@
 """Several shapes side by side in one ParaView picture."""
 import numpy
 from paraview import simple
+from vtkmodules.vtkFiltersCore import vtkGlyph3D
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import scenes  # which knows where pictures.py is
 
@@ -33,6 +35,7 @@ class Picture:
         self.Right /= numpy.linalg.norm(self.Right)
         self.Up = numpy.cross(self.Direction, self.Right)
         self.Size = size
+        self.Captions = []
 
     def place(self, right, up=0.0):
         return list(right * self.Right + up * self.Up)
@@ -55,26 +58,42 @@ class Picture:
         return display
 
     def colour(self, display, association, array, low, high, title=None, position=None,
-               preset='Jet', steps=20):
+               preset='Jet', steps=20, form='%.1f'):
         table = simple.GetColorTransferFunction(array)
         table.ApplyPreset(preset, True)
         table.RescaleTransferFunction(low, high)
         table.Discretize, table.NumberOfTableValues = 1, steps
         pictures.colour_by(display, association, array, table, self.View, title, position)
+        if title:
+            bar = simple.GetScalarBar(table, self.View)
+            bar.LabelFormat = bar.RangeLabelFormat = form
 
     def flat(self, display):
         display.Ambient, display.Diffuse, display.Specular = 1.0, 0.0, 0.0
 
-    def dots(self, places, shift, scale=1.0, centre=(0.0, 0.0, 0.0), colour=RED, size=4.0):
-        display = self.show(scenes.point_set(places), shift, scale, centre, colour)
-        display.Representation, display.PointSize = 'Points', size
-        display.RenderPointsAsSpheres = 1
-        self.flat(display)
+    def dots(self, places, shift, radius, scale=1.0, centre=(0.0, 0.0, 0.0), colour=RED):
+        """Small balls of this radius, in the units of the places."""
+        ball = vtkSphereSource()
+        ball.SetRadius(radius)
+        glyphs = vtkGlyph3D()
+        glyphs.SetInputData(scenes.point_set(places))
+        glyphs.SetSourceConnection(ball.GetOutputPort())
+        glyphs.ScalingOff()
+        glyphs.Update()
+        self.flat(self.show(glyphs.GetOutput(), shift, scale, centre, colour))
 
-    def caption(self, text, x, y, size=17):
-        pictures.caption(self.View, text, [x, y], size)
+    def caption(self, text, right, up, size=17):
+        """Words centred at a place of the scene."""
+        self.Captions.append((text, right, up, size))
 
     def save(self, path, centre, height):
+        """Writes the picture, `centre` in its middle and `height` high."""
+        width = height * self.Size[0] / self.Size[1]
+        for text, right, up, size in self.Captions:
+            # Letters are about half as wide as they are high.
+            pixels = 0.48 * size * max(len(line) for line in text.split('\n'))
+            x = 0.5 + (right - centre[0]) / width - 0.5 * pixels / self.Size[0]
+            pictures.caption(self.View, text, [x, 0.5 + (up - centre[1]) / height], size)
         pictures.look(self.View, self.place(*centre), height, 4.0 * self.Direction, list(self.Up))
         simple.SaveScreenshot(path, self.View)
         simple.Delete(self.View)
