@@ -137,8 +137,8 @@ def phantom(folder):
                        LeastGain=0.0, MaximumLevels=24)
         assert abs(more['featureRMSE'] / rows[3]['featureRMSE'] - 1.0) < 0.2, 'levels matter'
         layered = [layers(case + ', layers', head, *inner),
-                   layers(case + ', layers, finer', head, *inner, CollocationRatio=1.0,
-                          SourceRatio=1.6, MaximumLevels=24)]
+                   layers(case + ', layers, finer', head, *inner, CollocationRatio=0.8,
+                          SourceRatio=1.2, MaximumLevels=16)]
         every += rows + balanced + [more] + layered
         scenes.print_table(rows + balanced + [more] + layered, COLUMNS)
         explain(rows)

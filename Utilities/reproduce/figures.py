@@ -9,6 +9,7 @@ import sys
 
 import numpy
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import vtkCutter, vtkTriangleFilter
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
@@ -196,7 +197,7 @@ def fig2(path, phantom):
     origin, normal = (1e-4, 0.0, 0.0), (1.0, 0.0, 0.0)
     section = grid(head, 320)
     say('phantom: %d points in the section' % section.GetNumberOfPoints())
-    picture = panels.Picture((1600, 800), [1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
+    picture = panels.Picture((1600, 700), [1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
 
     def outline(surfaces, shift):
         picture.flat(picture.show(cut(surfaces, origin, normal), shift, 1.0, (-0.1, 0.0, 0.0),
@@ -205,7 +206,7 @@ def fig2(path, phantom):
     def draw(data, surfaces, dots, shift, legend):
         display = picture.show(data, shift)
         picture.flat(display)
-        picture.colour(display, 'POINTS', 'Distance', 0.0, 0.5, legend, [0.33, 0.13], form='%.2f')
+        picture.colour(display, 'POINTS', 'Distance', 0.0, 0.5, legend, [0.33, 0.07], form='%.2f')
         outline(surfaces, shift)
         dots = dots * [0.0, 1.0, 1.0] + [0.2, 0.0, 0.0]
         picture.dots(dots, shift, 0.014)
@@ -220,13 +221,13 @@ def fig2(path, phantom):
              features[chosen], (left, 0.0),
              None if column else "distance from the target's three surfaces")
         draw(with_array(measured, field, 'Distance'), targets,
-             numpy.concatenate(phantom.images(layered)[1:])[chosen], (left + 2.6, 0.0), None)
+             numpy.concatenate(phantom.images(layered)[1:])[chosen], (left + 2.55, 0.0), None)
         boundary, error = phantom.errors(layered)
         picture.caption('%s: RMSE %.2f %% on the head, %.2f %% on skull and brain' % (
             words(layered), boundary, error), left + 1.25, 1.45, 16)
         picture.caption('the head, points on skull and brain', left, -1.75, 14)
         picture.caption('the target (black), images of the points', left + 2.55, -1.75, 14)
-    picture.save(path, (4.0, -0.38), 5.35)
+    picture.save(path, (4.02, -0.42), 4.75)
 
 
 def grid(surface, count):
@@ -266,26 +267,40 @@ def fig3(path):
               points(alone.GetOutputDataObject(0))]
     picture = panels.Picture((1600, 640), [0.0, -1.0, 0.0], [0.0, 0.0, 1.0])
     centre = (0.0, 0.0, 0.5)
-    for column, index in ((0, 0), (3, 1), (4, 1)):
-        shift = (1.1 * column, 0.0)
+    for index, colour in enumerate((panels.RED, panels.GREEN)):
+        shift = (3.3 * index, 0.0)
         picture.show(figures[index], shift, 1.0, centre, panels.STEEL, 0.3, smooth=60.0)
-        picture.flat(picture.show(lines[index], shift, 1.0, centre,
-                                  (panels.RED, panels.GREEN)[index], width=3.5))
-        if column > 2:
-            picture.dots(images[4 - column] - [0.0, 0.2, 0.0], shift, 0.008, 1.0, centre)
+        picture.flat(picture.show(lines[index], shift, 1.0, centre, colour, width=3.5))
+    picture.dots(images[0] - [0.0, 0.2, 0.0], (3.3, 0.0), 0.008, 1.0, centre)
+    # What the map misses lies between front and back: seen from the side.
+    for column, places in enumerate(reversed(images)):
+        shift = (4.1 + 0.45 * column, 0.0)
+        picture.show(from_the_side(figures[1]), shift, 1.0, centre, panels.STEEL, 0.3, smooth=60.0)
+        picture.flat(picture.show(from_the_side(lines[1]), shift, 1.0, centre, panels.GREEN,
+                                  width=3.5))
+        picture.dots(places[:, [1, 0, 2]] * [1.0, -0.01, 1.0] - [0.0, 0.6, 0.0], shift, 0.008, 1.0,
+                     centre)
+        picture.caption(('without', 'with it')[column], shift[0], 0.6)
     for column, data in enumerate((receiver, giver)):
         display = picture.show(cut(data, (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)), (1.1 + 1.1 * column, 0.0),
                                1.0, centre)
         picture.flat(display)
         picture.colour(display, 'POINTS', 'Depth', 0.0, 1.0,
-                       None if column else 'depth in figure B, 1 = deepest', [0.33, 0.14])
+                       None if column else 'depth in figure B, 1 = deepest', [0.33, 0.13])
     for column, text in enumerate(('A and its skeleton', "B's field pulled to A", "B's own field",
-                                   'without the skeleton', 'with it, weight 20')):
+                                   'B, weight 20')):
         picture.caption(text, 1.1 * column, 0.6)
-    picture.caption("B: its skeleton green, images of points on A's red", 3.85, -0.62, 14)
-    picture.caption('RMSE with the skeleton: %.2f %% on it, %.2f %% on the boundary' % (
-        feature, boundary), 2.2, -1.0)
-    picture.save(path, (2.2, -0.17), 2.25)
+    picture.caption("B's skeleton green, images of A's red;", 4.05, -0.56, 14)
+    picture.caption('from the side: without and with it as a soft feature', 4.05, -0.64, 14)
+    missed = numpy.sqrt(((images[1] - scenes.curves(lines[1], 15).reshape(-1, 3)) ** 2).sum(1).mean())
+    picture.caption('RMSE on the skeleton %.2f %% (%.2f %% without it), on the boundary %.2f %%' % (
+        feature, 100.0 * missed / scenes.longest_side(array(figures[0], 'TargetPosition')),
+        boundary), 2.1, -1.2)
+    picture.save(path, (2.1, -0.27), 2.14)
+
+
+def from_the_side(surface):
+    return at(surface, points(surface)[:, [1, 0, 2]] * [1.0, -1.0, 1.0])
 
 
 class Bear:
@@ -400,6 +415,7 @@ def fig7(path, bear):
         picture.colour(display, 'CELLS', 'Quality', 0.0, 1.0,
                        'scaled Jacobian (red: inverted)' if column == 2 else None, [0.33, 0.13],
                        'Viridis (matplotlib)', 10)
+        display.Ambient = 0.3
         table = simple.GetColorTransferFunction('Quality')
         table.UseBelowRangeColor, table.BelowRangeColor = 1, panels.RED
     for column, text in enumerate(('the bear', "the cube's grid", 'remeshed', 'cross-section')):
@@ -411,6 +427,7 @@ def fig7(path, bear):
 def main(folder, *numbers):
     os.makedirs(folder, exist_ok=True)
     simple._DisableFirstRenderCameraReset()
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)  # a cut surface says that it is cut
     numbers = numbers or '123457'
     shared = {}
     for kind, users in ((Phantom, '12'), (Bear, '47')):
