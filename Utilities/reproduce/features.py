@@ -65,7 +65,7 @@ def curve(case, *arguments, weights=WEIGHTS, **options):
     rows = [measure(case, weight, *arguments, **options) for weight in [0.0] + weights]
     alone = rows[0]
     for before, row in zip(rows, rows[1:]):
-        # The sum of maps is not the least-squares solution itself: equal to a tenth is equal.
+        # A sum of a few maps is near the least-squares solution, not at it: 2 % are no rise.
         assert row['featureRMSE'] < 1.02 * before['featureRMSE'], (before, row)
         assert row['featureRMSE'] < alone['featureRMSE'], 'features do not help'
         assert row['boundaryRMSE'] > alone['boundaryRMSE'], 'features cost nothing'
@@ -165,11 +165,12 @@ def skeleton(folder):
     # boundary as at weight 20 on the small figure: the errors belong to the balance.
     balanced = [measure(case, weight, *arguments(name), **inputs, **options)
                 for case, weight, name, options in (
-                    ('1134, 24 levels', 20.0, 'FigureASmall', dict(LeastGain=0.0, MaximumLevels=24)),
+                    ('1134, 24 levels', 20.0, 'FigureASmall',
+                     dict(LeastGain=0.0, MaximumLevels=24)),
                     ('1134, four times the samples', 80.0, 'FigureASmall',
                      dict(CollocationRatio=1.6, SourceRatio=1.6)),
-                    ('6310, same balance', 20.0 * full[3]['boundaryRows'] / small[3]['boundaryRows'],
-                     'FigureA', {}))]
+                    ('6310, same balance',
+                     20.0 * full[3]['boundaryRows'] / small[3]['boundaryRows'], 'FigureA', {}))]
     # Samples and offset as the paper has them: CR 0.2, SR 2, 10 levels, 0.15.
     ratios = measure("6310, the paper's samples", 20.0, *arguments('FigureA'), **inputs,
                      CollocationRatio=0.2, SourceRatio=2.0, SourceSubsets=10, MaximumLevels=10,

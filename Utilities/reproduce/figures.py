@@ -1,8 +1,9 @@
-"""Pictures after the figures of Li, Xu, Wan, Yin and Yu 2010: pvpython figures.py FOLDER [NUMBER...].
+"""Pictures after the figures of "Feature-aligned harmonic volumetric mapping using MFS" (Li, Xu,
+Wan, Yin and Yu 2010): pvpython figures.py FOLDER [NUMBER...], all of them or some.
 
-fig1, fig2: the phantom, by one harmonic map for each layer and by soft features; fig3: two figures
-with skeletons; fig4: a bear and the ball; fig5: a two-torus and its polycube; fig7: the hexahedra of
-a cube in the bear. Captions in the pictures carry what was measured.
+1, 2: the phantom, by one harmonic map for each layer and by soft features; 3: two figures with
+skeletons; 4: a bear and the ball; 5: a two-torus and its polycube; 7: the hexahedra of a cube in
+the bear. It writes fig1.png and so on; captions in them carry what was measured.
 """
 import os
 import sys
@@ -18,7 +19,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 
 import panels
-import scenes
+import scenes  # knows where off.py is
 
 import off
 from scenes import add_array, array, copy, fact, points, say
@@ -142,7 +143,7 @@ class Phantom:
                 for part in (misses[0], numpy.concatenate(misses[1:]))]
 
     def solid(self, solid, layered):
-        """Where the points of a solid go: by the map of the layer they are in, or by the one map."""
+        """Where the points of a solid go: by the map of their layer, or by the one map."""
         if not layered:
             return moved_by(self.Soft, solid)
         inside = [array(scenes.filter_of('BoundaryDistance', solid, shape).GetOutputDataObject(0),
@@ -188,8 +189,7 @@ def words(layered):
 
 
 def fig2(path, phantom):
-    """The section x = 0: a fine grid in the head and its image. What the images of the section's
-    points have left the plane by is not seen."""
+    """The section x = 0: a fine grid in the head, and its image seen along x."""
     head, skull, brain = phantom.Shapes
     targets = scenes.append(*[at(s, array(s, 'TargetPosition')) for s in phantom.Shapes])
     features = points(scenes.append(skull, brain))
@@ -282,8 +282,8 @@ def fig3(path):
                      centre)
         picture.caption(('without', 'with it')[column], shift[0], 0.6)
     for column, data in enumerate((receiver, giver)):
-        display = picture.show(cut(data, (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)), (1.1 + 1.1 * column, 0.0),
-                               1.0, centre)
+        section = cut(data, (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+        display = picture.show(section, (1.1 + 1.1 * column, 0.0), 1.0, centre)
         picture.flat(display)
         picture.colour(display, 'POINTS', 'Depth', 0.0, 1.0,
                        None if column else 'depth in figure B, 1 = deepest', [0.33, 0.13])
@@ -292,10 +292,11 @@ def fig3(path):
         picture.caption(text, 1.1 * column, 0.6)
     picture.caption("B's skeleton green, images of A's red;", 4.05, -0.56, 14)
     picture.caption('from the side: without and with it as a soft feature', 4.05, -0.64, 14)
-    missed = numpy.sqrt(((images[1] - scenes.curves(lines[1], 15).reshape(-1, 3)) ** 2).sum(1).mean())
+    misses = numpy.linalg.norm(images[1] - scenes.curves(lines[1], 15).reshape(-1, 3), axis=1)
+    alone = numpy.sqrt((misses ** 2).mean()) / scenes.longest_side(
+        array(figures[0], 'TargetPosition'))
     picture.caption('RMSE on the skeleton %.2f %% (%.2f %% without it), on the boundary %.2f %%' % (
-        feature, 100.0 * missed / scenes.longest_side(array(figures[0], 'TargetPosition')),
-        boundary), 2.1, -1.2)
+        feature, 100.0 * alone, boundary), 2.1, -1.2)
     picture.save(path, (2.1, -0.27), 2.14)
 
 

@@ -4,7 +4,7 @@ from paraview import simple
 from vtkmodules.vtkFiltersCore import vtkGlyph3D
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-import scenes  # which knows where pictures.py is
+import scenes  # knows where pictures.py is
 
 import pictures
 

@@ -11,6 +11,8 @@ BUILD = os.environ.setdefault(
     'SHAPEMAP_BUILD', os.environ.get('SHAPEMAP_PREFIX', os.path.join(ROOT, 'build')))
 sys.path[:0] = [os.path.join(ROOT, 'Testing'), os.path.join(ROOT, 'Utilities')]
 
+# These need the paths above.
+import off  # noqa: E402
 import shapemap  # noqa: E402
 import shapetesting  # noqa: E402
 from shapetesting import add_array, array, copy, fact, points, read  # noqa: E402, F401
@@ -98,7 +100,6 @@ def curves(lines, samples):
 
 def point_set(places):
     """Points, one vertex each, as vtkPolyData."""
-    import off
     data = off.surface(places, [])
     cells = off.surface(places, [[i] for i in range(len(places))]).GetPolys()
     data.SetVerts(cells)
