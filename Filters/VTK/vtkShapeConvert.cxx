@@ -137,10 +137,6 @@ std::vector<vtkDataSet*> vtkShapeConvert::Leaves(vtkDataObject* data)
 
 shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& name)
 {
-  if (surface->GetNumberOfPoints() > std::numeric_limits<int>::max())
-  {
-    throw shape::InvalidInput(name + " has more than 2^31 points; simplify it with Decimate");
-  }
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(surface);
   triangulate->PassVertsOff();
@@ -192,6 +188,11 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
 
 Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
 {
+  if (data->GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    throw shape::InvalidInput(
+      "a data set has more than 2^31 points; cut it into blocks, or use more processes");
+  }
   Eigen::MatrixXd points(data->GetNumberOfPoints(), 3);
   Eigen::RowVector3d point;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
@@ -243,6 +244,10 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(vtkDataSet* data, const std::s
 Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name)
 {
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return Eigen::MatrixXd(0, components);
+  }
   vtkDataArray* values = data->GetPointData()->GetArray(array.c_str());
   if (!values)
   {

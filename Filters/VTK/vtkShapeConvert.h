@@ -34,7 +34,7 @@ shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
 /// The grid's cells, of any kinds. Throws shape::InvalidInput where there are too many to number.
 shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
 
-/// The points of any data set (n x 3).
+/// The points of any data set (n x 3). Throws shape::InvalidInput where there are too many.
 Eigen::MatrixXd ToPoints(vtkDataSet* data);
 
 /// The cells in order, over the same points: tetrahedra, pyramids, wedges, hexahedra, voxels and
@@ -42,8 +42,9 @@ Eigen::MatrixXd ToPoints(vtkDataSet* data);
 /// into. Points and lines have none. Throws shape::InvalidInput where there are too many points.
 shape::CellSimplices ToSimplices(vtkDataSet* data, const std::string& name);
 
-/// A point array (n x components). Throws shape::InvalidInput where it is missing or has another
-/// number of components or tuples; the message lists the arrays that are there.
+/// A point array (n x components); an empty block, or an empty piece of what other processes have,
+/// may lack its arrays. Throws shape::InvalidInput where it is missing or has another number of
+/// components or tuples; the message lists the arrays that are there.
 Eigen::MatrixXd ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name);
 

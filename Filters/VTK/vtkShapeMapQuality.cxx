@@ -63,10 +63,7 @@ Part Prepare(vtkDataSet* data, const std::string& mapArray)
 {
   Part part;
   part.Points = vtkShapeConvert::ToPoints(data);
-  // An empty block may lack its arrays.
-  part.Images = part.Points.rows() == 0
-    ? part.Points
-    : vtkShapeConvert::ToPointArray(data, mapArray, 3, "the Input");
+  part.Images = vtkShapeConvert::ToPointArray(data, mapArray, 3, "the Input");
   shape::RequireFinite(part.Points, "the Input");
   shape::RequireFinite(part.Images, "the map array '" + mapArray + "' of the Input");
   part.Cells = vtkShapeConvert::ToSimplices(data, "the Input");
