@@ -1,6 +1,7 @@
 """Input that cannot be used gives an error that names the filter, empty outputs and no crash; and the
 same object works again once the input is mended."""
 import numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -62,7 +63,7 @@ def all_finite(data):
     if hasattr(data, 'GetPoints') and data.GetPoints():
         arrays.append(data.GetPoints().GetData())
     return all(numpy.isfinite(vtk_to_numpy(values)).all() for values in arrays
-               if hasattr(values, 'GetDataTypeSize') and values and values.GetNumberOfTuples())
+               if isinstance(values, vtkDataArray) and values.GetNumberOfTuples())
 
 
 for name in filters.names():
