@@ -1,9 +1,12 @@
 #include "Core/DenseSolve.h"
 #include "Core/Errors.h"
 
+#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 TEST(SingularValues, SolvesAnOverdeterminedSystemInTheLeastSquaresSense)
 {
@@ -25,6 +28,25 @@ TEST(SingularValues, TheThresholdGivesTheLeastNormSolutionOfASingularSystem)
   const shape::SingularValues svd(a);
   EXPECT_EQ(svd.Rank(1e-5), 1);
   EXPECT_NEAR((svd.Solve(b, 1e-5) - Eigen::Vector3d(1, 1, 0)).norm(), 0.0, 1e-12);
+}
+
+TEST(SingularValues, AreThoseOfEigenWithTheirVectors)
+{
+  for (const auto& [rows, columns] : { std::pair(30, 12), std::pair(12, 30), std::pair(9, 9) })
+  {
+    const Eigen::MatrixXd a = Eigen::MatrixXd::Random(rows, columns);
+    const shape::SingularValues svd(a);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> truth(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    EXPECT_LT((svd.Values() - truth.singularValues()).norm(), 1e-12);
+    const Eigen::MatrixXd vectors = svd.RightVectors(2);
+    ASSERT_EQ(vectors.rows(), columns);
+    ASSERT_EQ(vectors.cols(), 7 + std::min(rows, columns) - 9);
+    EXPECT_LT((vectors.transpose() * vectors).diagonal().array().abs().maxCoeff() - 1.0, 1e-12);
+    const Eigen::VectorXd stretched = (a * vectors).colwise().norm();
+    EXPECT_LT((stretched - svd.Values().tail(vectors.cols())).norm(), 1e-12);
+    const Eigen::MatrixXd b = Eigen::MatrixXd::Random(rows, 3);
+    EXPECT_LT((svd.Solve(b, 1e-12) - truth.solve(b)).norm(), 1e-10);
+  }
 }
 
 TEST(SingularValues, RefusesWhatIsNotFinite)

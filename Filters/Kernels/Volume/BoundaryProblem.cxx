@@ -59,12 +59,12 @@ ChargeSet WithEachPlaceOnce(const ChargeSet& set)
   return merged;
 }
 
-/// What gesdd takes for an m x n matrix, in GiB: the matrix, U, V^T and its own room.
+/// What SingularValues takes for an m x n matrix, in GiB: the matrix, the triangle with its U and
+/// V^T, and gesdd's own room.
 double DecompositionMemory(double rows, double columns)
 {
-  const double rank = std::min(rows, columns);
-  return 8.0 * (rows * columns + rows * rank + rank * columns + 4.0 * rank * rank) /
-    (1024.0 * 1024.0 * 1024.0);
+  const double shorter = std::min(rows, columns);
+  return 8.0 * (rows * columns + 7.0 * shorter * shorter) / (1024.0 * 1024.0 * 1024.0);
 }
 
 } // namespace
@@ -155,11 +155,11 @@ BoundaryProblem::Fit BoundaryProblem::Solve(
   fit.Rows = static_cast<int>(rows);
   fit.Charges = decomposition.Solve(rightSide, this->Threshold);
   std::set<int> redundant;
-  const Eigen::MatrixXd& vectors = decomposition.RightTransposed();
-  for (int i = decomposition.Rank(this->Threshold); i < vectors.rows(); ++i)
+  const Eigen::MatrixXd vectors = decomposition.RightVectors(decomposition.Rank(this->Threshold));
+  for (const auto& vector : vectors.colwise())
   {
     int source = 0;
-    vectors.row(i).cwiseAbs().maxCoeff(&source);
+    vector.cwiseAbs().maxCoeff(&source);
     redundant.insert(source);
   }
   fit.Redundant.assign(redundant.begin(), redundant.end());

@@ -81,6 +81,10 @@ Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress
   return lattice(inside, Eigen::all);
 }
 
+/// How much farther from the image's boundary than the tolerance there a point may lie whose
+/// preimage is within the tolerance of the domain's.
+constexpr double MostStretch = 4.0;
+
 Mesh ImageOf(const ChargeSet& map, const Mesh& domain, const Progress& progress)
 {
   Mesh image{ Evaluate(map, domain.Points, progress), domain.Triangles };
@@ -133,7 +137,9 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
   Indices open;
   for (int i = 0; i < points.rows(); ++i)
   {
-    if (this->DeterminantChangesSign || at.Distances(i) <= tolerances(i))
+    // The domain's own tolerance may be stretched by the map: whether the place that is found lies
+    // in the domain decides.
+    if (this->DeterminantChangesSign || at.Distances(i) <= MostStretch * tolerances(i))
     {
       open.push_back(i);
     }

@@ -25,8 +25,8 @@ struct InverseMapOptions
  * at last, from the next seeds.
  * Where f folds, a point has several preimages: one of them is found, always the same.
  *
- * A point is outside the image where it lies outside the boundary's image (by more than a quarter
- * of the edges there) and the derivative's determinant has one sign at all seeds and boundary
+ * A point is outside the image where it lies outside the boundary's image (by more than the
+ * edges there) and the derivative's determinant has one sign at all seeds and boundary
  * points; otherwise it is searched for. Keeps copies; used from any thread.
  */
 class InverseMap

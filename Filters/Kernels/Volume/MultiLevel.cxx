@@ -120,6 +120,8 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
                       coarseRows, PointAreas(problem.Boundary()).sum()),
     Progress());
 
+  const SurfaceLocator outer(shells.Joined());
+  const double spacing = std::sqrt(shells.Area() / sourceCount);
   int idle = 0; // levels in a row that gained too little
   for (int number = 1; number <= options.MaximumLevels; ++number)
   {
@@ -160,10 +162,9 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
     // After a map that was left out the worst points are those that were treated already.
     if (level.Kept)
     {
-      const double spacing = std::sqrt(shells.Area() / sourceCount);
       const int inserted = static_cast<int>(InsertedShare * sourceCount / subsets);
       const Eigen::MatrixXd worst = problem.WorstPoints(inserted, spacing);
-      AppendRows(sources[number % subsets], shells.Project(worst));
+      AppendRows(sources[number % subsets], outer.Find(worst).Positions);
       problem.Collocate(worst, Progress());
       result.InsertedSources += static_cast<int>(worst.rows());
     }

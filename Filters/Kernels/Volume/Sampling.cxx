@@ -61,7 +61,9 @@ RandomPoints SpreadAtRandom(const Mesh& surface, int count, unsigned int seed)
   return spread;
 }
 
-using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Eigen::MatrixXd, 3>;
+/// Coordinates of a point side by side, as the search visits them.
+using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using Tree = nanoflann::KDTreeEigenMatrixAdaptor<PointRows, 3>;
 using Neighbours = std::vector<std::pair<Eigen::Index, double>>; // row, squared distance
 
 void FindWithin(
@@ -77,7 +79,8 @@ void FindWithin(
 Eigen::VectorXd Bending(const RandomPoints& spread, double radius, const Progress& progress)
 {
   const int n = static_cast<int>(spread.Points.rows());
-  const Tree tree(3, std::cref(spread.Points), 10);
+  const PointRows rows = spread.Points;
+  const Tree tree(3, std::cref(rows), 10);
   Eigen::VectorXd bending(n);
   ParallelFor(
     n, 1024,
@@ -163,7 +166,8 @@ Eigen::VectorXi EliminateSamples(
   const int n = static_cast<int>(points.rows());
   // Yuksel 2015, section 3: no two are counted as closer than this share of their radii's sum.
   const double closest = 0.65 * (1.0 - std::pow(static_cast<double>(count) / n, 1.5));
-  const Tree tree(3, std::cref(points), 10);
+  const PointRows rows = points;
+  const Tree tree(3, std::cref(rows), 10);
   std::vector<std::vector<std::pair<int, double>>> neighbours(n);
   std::vector<double> weights(n, 0.0);
   Neighbours found;
@@ -176,7 +180,8 @@ Eigen::VectorXi EliminateSamples(
       if (std::pair(radii(j), j) < std::pair(radii(i), static_cast<Eigen::Index>(i)))
       {
         const double distance = std::sqrt(distance2) / (radii(i) + radii(j));
-        const double weight = std::pow(1.0 - std::min(1.0, std::max(distance, closest)), 8);
+        const double near2 = std::pow(1.0 - std::min(1.0, std::max(distance, closest)), 2);
+        const double weight = near2 * near2 * near2 * near2;
         neighbours[i].emplace_back(static_cast<int>(j), weight);
         neighbours[j].emplace_back(i, weight);
         weights[i] += weight;

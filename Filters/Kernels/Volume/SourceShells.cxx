@@ -28,28 +28,6 @@ double Depth(const Mesh& component, const SignedDistance& field, const Progress&
   return field.Evaluate(lattice, progress).Distances.maxCoeff();
 }
 
-/// One mesh of several.
-Mesh Joined(const std::vector<Mesh>& parts)
-{
-  Eigen::Index points = 0, triangles = 0;
-  for (const Mesh& part : parts)
-  {
-    points += part.Points.rows();
-    triangles += part.Triangles.rows();
-  }
-  Mesh all{ Eigen::MatrixXd(points, 3), Eigen::MatrixXi(triangles, 3) };
-  points = triangles = 0;
-  for (const Mesh& part : parts)
-  {
-    all.Points.middleRows(points, part.Points.rows()) = part.Points;
-    all.Triangles.middleRows(triangles, part.Triangles.rows()) =
-      part.Triangles.array() + static_cast<int>(points);
-    points += part.Points.rows();
-    triangles += part.Triangles.rows();
-  }
-  return all;
-}
-
 } // namespace
 
 SourceShells::SourceShells(const Mesh& boundary, double offset, const Progress& progress)
@@ -89,9 +67,25 @@ Eigen::MatrixXd SourceShells::Sample(
   return SampleSurfaces(this->Shells, count, least, mode, seed, progress);
 }
 
-Eigen::MatrixXd SourceShells::Project(const Eigen::MatrixXd& points) const
+Mesh SourceShells::Joined() const
 {
-  return SurfaceLocator(Joined(this->Shells)).Find(points).Positions;
+  Eigen::Index points = 0, triangles = 0;
+  for (const Mesh& shell : this->Shells)
+  {
+    points += shell.Points.rows();
+    triangles += shell.Triangles.rows();
+  }
+  Mesh all{ Eigen::MatrixXd(points, 3), Eigen::MatrixXi(triangles, 3) };
+  points = triangles = 0;
+  for (const Mesh& shell : this->Shells)
+  {
+    all.Points.middleRows(points, shell.Points.rows()) = shell.Points;
+    all.Triangles.middleRows(triangles, shell.Triangles.rows()) =
+      shell.Triangles.array() + static_cast<int>(points);
+    points += shell.Points.rows();
+    triangles += shell.Triangles.rows();
+  }
+  return all;
 }
 
 } // namespace shape

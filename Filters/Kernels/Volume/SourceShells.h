@@ -28,8 +28,8 @@ public:
   Eigen::MatrixXd Sample(
     int count, SamplingMode mode, unsigned int seed, const Progress& progress = {}) const;
 
-  /// The places on the shells closest to `points` (n x 3).
-  Eigen::MatrixXd Project(const Eigen::MatrixXd& points) const;
+  /// All shells as one surface.
+  Mesh Joined() const;
 
 private:
   std::vector<Mesh> Shells;
