@@ -203,7 +203,8 @@ Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
   return points;
 }
 
-shape::CellSimplices vtkShapeConvert::ToSimplices(vtkDataSet* data, const std::string& name)
+shape::CellSimplices vtkShapeConvert::ToSimplices(
+  vtkDataSet* data, const std::string& name, const shape::Progress& progress)
 {
   if (data->GetNumberOfPoints() > std::numeric_limits<int>::max() ||
     data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
@@ -217,6 +218,10 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(vtkDataSet* data, const std::s
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
+    if (cell % 65536 == 0)
+    {
+      progress(static_cast<double>(cell) / static_cast<double>(data->GetNumberOfCells()));
+    }
     const int type = data->GetCellType(cell);
     shape::CellShape shape;
     if (ShapeOf(type, shape))
