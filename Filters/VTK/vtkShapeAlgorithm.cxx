@@ -28,6 +28,13 @@ struct vtkShapeAlgorithm::InputPort
   std::vector<std::string> Types;
 };
 
+struct vtkShapeAlgorithm::Count
+{
+  int Port;
+  std::string Name;
+  double Value;
+};
+
 vtkShapeAlgorithm::vtkShapeAlgorithm()
 {
   this->SetNumberOfInputPorts(0);
@@ -240,6 +247,20 @@ shape::Progress vtkShapeAlgorithm::MakeProgress()
     });
 }
 
+void vtkShapeAlgorithm::AddCount(int port, const std::string& name, double own)
+{
+  this->Counts.push_back({ port, name, own });
+}
+
+void vtkShapeAlgorithm::WriteCounts(vtkInformationVector* outputs)
+{
+  for (Count& count : this->Counts)
+  {
+    vtkShapeGather::Reduce(this->Controller, &count.Value, 1, vtkShapeGather::Reduction::Sum);
+    vtkShapeConvert::AddFact(vtkDataObject::GetData(outputs, count.Port), count.Name, count.Value);
+  }
+}
+
 int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
 {
   bool stopped = true;
@@ -247,6 +268,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   try
   {
     this->UpdateProgress(0.0);
+    this->Counts.clear();
     this->PrepareInputs();
     this->Execute(this->MakeProgress());
     stopped = false;
@@ -266,6 +288,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   vtkShapeGather::AgreeOnFailure(this->Controller, stopped, message);
   if (!stopped)
   {
+    this->WriteCounts(outputs);
     this->UpdateProgress(1.0);
     return 1;
   }

@@ -120,6 +120,10 @@ protected:
   void DeclareMovedOutput();
   ///@}
 
+  /// During Execute: field data of an output, the sum of the processes' numbers. Every process
+  /// calls it for the same facts in the same order.
+  void AddCount(int port, const std::string& name, double own);
+
   /// Computes the outputs from inputs that are there and have points. Throws shape::InvalidInput,
   /// shape::SolveFailure, shape::Aborted.
   virtual void Execute(const shape::Progress& progress) = 0;
@@ -151,11 +155,13 @@ private:
   void operator=(const vtkShapeAlgorithm&) = delete;
 
   struct InputPort;
+  struct Count;
   int CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   /// Asks a grid on another port than the first for this process's part of its own extent: the
   /// pipeline would ask it for the extent of the output, which is the first input's.
   void RequestOwnExtents(vtkInformationVector** inputs);
   int Run(vtkInformationVector* outputs);
+  void WriteCounts(vtkInformationVector* outputs);
   void PrepareInputs();
   shape::Progress MakeProgress();
 
@@ -163,6 +169,7 @@ private:
   std::vector<std::string> OutputTypes; ///< empty: like the first input
   std::set<int> MovedOutputs;
   std::vector<std::vector<WholeInput>> Wholes;
+  std::vector<Count> Counts;
   vtkMultiProcessController* Controller = nullptr;
 };
 

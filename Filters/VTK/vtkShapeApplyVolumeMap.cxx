@@ -62,11 +62,11 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
   else
   {
     const shape::SignedDistance boundary(
-      shape::OrientedByNesting(set.Surface, "the surface of the Map"));
+      shape::OrientedByNesting(set.Surface, "the surface of the Map", progress.Part(0.05, 0.1)));
     const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(set.Map, boundary, set.Farthest, points, part); };
-    counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.05, 1.0));
+    counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.1, 1.0));
   }
-  vtkShapeConvert::AddFact(moved, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
-  vtkShapeConvert::AddFact(moved, "ApplyVolumeMap.NotInverted", static_cast<double>(counts[2]));
+  this->AddCount(0, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
+  this->AddCount(0, "ApplyVolumeMap.NotInverted", static_cast<double>(counts[2]));
 }

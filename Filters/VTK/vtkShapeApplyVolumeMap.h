@@ -20,7 +20,7 @@
  *   normals are dropped.
  *
  * Field data: ApplyVolumeMap.OutsidePoints and ApplyVolumeMap.NotInverted count the points with 1
- * and with 2 (of this process; ghosts are the other's).
+ * and with 2 (over all processes, without ghosts).
  *
  * The mathematics: shape::ApplyVolumeMap, shape::InverseMap.
  */

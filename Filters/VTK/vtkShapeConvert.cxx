@@ -137,10 +137,6 @@ std::vector<vtkDataSet*> vtkShapeConvert::Leaves(vtkDataObject* data)
 
 shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& name)
 {
-  if (surface->GetNumberOfPoints() > std::numeric_limits<int>::max())
-  {
-    throw shape::InvalidInput(name + " has more than 2^31 points; simplify it with Decimate");
-  }
   vtkNew<vtkTriangleFilter> triangulate;
   triangulate->SetInputData(surface);
   triangulate->PassVertsOff();
@@ -192,6 +188,11 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
 
 Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
 {
+  if (data->GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    throw shape::InvalidInput(
+      "a data set has more than 2^31 points; cut it into blocks, or use more processes");
+  }
   Eigen::MatrixXd points(data->GetNumberOfPoints(), 3);
   Eigen::RowVector3d point;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
@@ -202,7 +203,8 @@ Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
   return points;
 }
 
-shape::CellSimplices vtkShapeConvert::ToSimplices(vtkDataSet* data, const std::string& name)
+shape::CellSimplices vtkShapeConvert::ToSimplices(
+  vtkDataSet* data, const std::string& name, const shape::Progress& progress)
 {
   if (data->GetNumberOfPoints() > std::numeric_limits<int>::max() ||
     data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
@@ -216,6 +218,10 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(vtkDataSet* data, const std::s
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
+    if (cell % 65536 == 0)
+    {
+      progress(static_cast<double>(cell) / static_cast<double>(data->GetNumberOfCells()));
+    }
     const int type = data->GetCellType(cell);
     shape::CellShape shape;
     if (ShapeOf(type, shape))
@@ -243,6 +249,10 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(vtkDataSet* data, const std::s
 Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name)
 {
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return Eigen::MatrixXd(0, components);
+  }
   vtkDataArray* values = data->GetPointData()->GetArray(array.c_str());
   if (!values)
   {

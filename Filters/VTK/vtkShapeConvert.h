@@ -2,6 +2,7 @@
 
 #include "Core/Cells.h"
 #include "Core/Mesh.h"
+#include "Core/Progress.h"
 #include "Quality/CellSimplices.h"
 
 #include "vtkSmartPointer.h"
@@ -34,16 +35,19 @@ shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
 /// The grid's cells, of any kinds. Throws shape::InvalidInput where there are too many to number.
 shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
 
-/// The points of any data set (n x 3).
+/// The points of any data set (n x 3). Throws shape::InvalidInput where there are too many.
 Eigen::MatrixXd ToPoints(vtkDataSet* data);
 
 /// The cells in order, over the same points: tetrahedra, pyramids, wedges, hexahedra, voxels and
 /// triangles by their corners, every other surface or solid cell by the simplices that it is cut
-/// into. Points and lines have none. Throws shape::InvalidInput where there are too many points.
-shape::CellSimplices ToSimplices(vtkDataSet* data, const std::string& name);
+/// into. Points and lines have none. Throws shape::InvalidInput where there are too many points,
+/// shape::Aborted.
+shape::CellSimplices ToSimplices(
+  vtkDataSet* data, const std::string& name, const shape::Progress& progress = {});
 
-/// A point array (n x components). Throws shape::InvalidInput where it is missing or has another
-/// number of components or tuples; the message lists the arrays that are there.
+/// A point array (n x components); an empty block, or an empty piece of what other processes have,
+/// may lack its arrays. Throws shape::InvalidInput where it is missing or has another number of
+/// components or tuples; the message lists the arrays that are there.
 Eigen::MatrixXd ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name);
 

@@ -129,13 +129,14 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     shape::HarmonicVolumeMap(mesh, targets, features, this->Options, progress.Part(0.02, 0.8));
 
   const double farthest = vtkShapeChargeSet::Farthest(result.OffsetDistance, mesh);
-  const shape::SignedDistance distance(shape::OrientedByNesting(mesh, "the Boundary"));
+  const shape::SignedDistance distance(
+    shape::OrientedByNesting(mesh, "the Boundary", progress.Part(0.8, 0.82)));
   vtkDataObject* moved = this->GetOutputDataObject(0);
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(result.Map, distance, farthest, points, part); },
-    progress.Part(0.8, 1.0));
+    progress.Part(0.82, 1.0));
 
   // Every process has found the same map: one of them hands it on.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
@@ -146,19 +147,20 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   }
   // The last level's errors are those of the whole sum, whether it was kept or not.
   const auto& last = result.Levels.back();
-  for (vtkDataObject* output : { moved, this->GetOutputDataObject(1) })
+  for (const int port : { 0, 1 })
   {
+    vtkDataObject* output = this->GetOutputDataObject(port);
     const std::pair<const char*, double> facts[] = { { "RMSEVertices", last.RMSEVertices },
       { "RMSEInside", last.RMSEInside }, { "Maximum", last.Maximum },
       { "RMSEFeatures", result.RMSEFeatures },
       { "FeaturePoints", static_cast<double>(features.Points.rows()) },
-      { "OffsetDistance", result.OffsetDistance },
-      { "OutsidePoints", static_cast<double>(counts[1]) },
-      { "DeletedSources", result.DeletedSources }, { "InsertedSources", result.InsertedSources } };
+      { "OffsetDistance", result.OffsetDistance }, { "DeletedSources", result.DeletedSources },
+      { "InsertedSources", result.InsertedSources } };
     for (const auto& [fact, value] : facts)
     {
       vtkShapeConvert::AddFact(output, std::string("HarmonicVolumeMap.") + fact, value);
     }
+    this->AddCount(port, "HarmonicVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
     vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.Stop", Word(result.Reason));
     if (hasTarget)
     {

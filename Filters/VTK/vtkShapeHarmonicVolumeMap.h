@@ -31,7 +31,7 @@
  *
  * Field data of outputs 0 and 1: HarmonicVolumeMap.RMSEVertices, .RMSEInside, .Maximum,
  * .RMSEFeatures (0 without features), .FeaturePoints, .OffsetDistance (of the nearest charges),
- * .OutsidePoints (of this process, without ghosts), .DeletedSources, .InsertedSources,
+ * .OutsidePoints (over all processes, without ghosts), .DeletedSources, .InsertedSources,
  * .TargetDistance (root mean square / longest side; with Target only), and in words .Stop:
  * Tolerance (reached), Levels (all that were asked for were fitted), NoImprovement (the last levels
  * gained less than LeastGain).

@@ -59,17 +59,15 @@ Eigen::VectorXi OwnCells(vtkDataSet* data)
   return own;
 }
 
-Part Prepare(vtkDataSet* data, const std::string& mapArray)
+Part Prepare(vtkDataSet* data, const std::string& mapArray, const shape::Progress& progress)
 {
   Part part;
   part.Points = vtkShapeConvert::ToPoints(data);
-  // An empty block may lack its arrays.
-  part.Images = part.Points.rows() == 0
-    ? part.Points
-    : vtkShapeConvert::ToPointArray(data, mapArray, 3, "the Input");
+  part.Images = vtkShapeConvert::ToPointArray(data, mapArray, 3, "the Input");
   shape::RequireFinite(part.Points, "the Input");
   shape::RequireFinite(part.Images, "the map array '" + mapArray + "' of the Input");
-  part.Cells = vtkShapeConvert::ToSimplices(data, "the Input");
+  progress(0.3);
+  part.Cells = vtkShapeConvert::ToSimplices(data, "the Input", progress.Part(0.3, 1.0));
   part.Own = OwnCells(data);
   return part;
 }
@@ -161,6 +159,9 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
   vtkDataObject* measured = this->GetOutputDataObject(0);
   vtkMultiProcessController* controller = this->GetController();
   std::vector<Part> parts;
+  double done = 0.0;
+  const double share =
+    0.3 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
   vtkShapeGather::TogetherOrNotAtAll(controller,
     [&]
     {
@@ -168,7 +169,9 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
         [&](vtkDataSet* from, vtkDataSet* to)
         {
           to->ShallowCopy(from);
-          parts.push_back(Prepare(from, this->MapArray));
+          const double next = done + share * from->GetNumberOfPoints();
+          parts.push_back(Prepare(from, this->MapArray, progress.Part(done, next)));
+          done = next;
         });
       progress(0.3);
     });

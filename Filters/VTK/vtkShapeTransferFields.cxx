@@ -194,7 +194,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   const std::vector<Field> fields =
     FieldsOf(giver, newMap.size() > 0 ? this->MapArray : "", std::move(taken));
 
-  int outsidePoints = 0;
+  vtkIdType outsidePoints = 0;
   double done = 0.2;
   const double share =
     0.8 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
@@ -221,5 +221,5 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       outsidePoints += CountOutside(found.Outside, from->GetPointGhostArray());
       done = next;
     });
-  vtkShapeConvert::AddFact(output, "TransferFields.OutsidePoints", outsidePoints);
+  this->AddCount(0, "TransferFields.OutsidePoints", static_cast<double>(outsidePoints));
 }

@@ -28,7 +28,7 @@
  * is taken gets `Giver` in front. The map array that is made here, and OutsideDomain, take their
  * names: what the receiver had there is kept with `Receiver` in front.
  *
- * Field data: TransferFields.OutsidePoints (of this process, its ghost points left out).
+ * Field data: TransferFields.OutsidePoints (over all processes, without ghosts).
  *
  * The mathematics: shape::TransferFields.
  */

@@ -1,7 +1,9 @@
 """Input that cannot be used gives an error that names the filter, empty outputs and no crash; and the
 same object works again once the input is mended."""
 import numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkTable
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import filters
 import shapetesting
@@ -40,6 +42,30 @@ def spoiled(name, port, value):
     return data
 
 
+def with_flat_triangles(name, port):
+    """The good input with two neighbouring points at one place: two triangles without area."""
+    data = shapetesting.copy(filters.good_input(name, port))
+    coordinates = shapetesting.points(data)
+    corners = shapetesting.triangles(data)
+    a, b = corners[corners.shape[0] // 2, :2]
+    coordinates[a] = coordinates[b]
+    shapetesting.set_points(data, coordinates)
+    return data
+
+
+def all_finite(data):
+    """Whether every number of a data object is finite."""
+    groups = [data.GetPointData(), data.GetCellData()] if hasattr(data, 'GetPointData') else []
+    arrays = [group.GetArray(i) for group in groups + [data.GetFieldData()]
+              for i in range(group.GetNumberOfArrays())]
+    if isinstance(data, vtkTable):
+        arrays += [data.GetColumn(i) for i in range(data.GetNumberOfColumns())]
+    if hasattr(data, 'GetPoints') and data.GetPoints():
+        arrays.append(data.GetPoints().GetData())
+    return all(numpy.isfinite(vtk_to_numpy(values)).all() for values in arrays
+               if isinstance(values, vtkDataArray) and values.GetNumberOfTuples())
+
+
 for name in filters.names():
     for port in filters.required_ports(filters.new(name)):
         label = filters.label(name)
@@ -65,6 +91,19 @@ for name in filters.names():
             messages = shapetesting.run(bad)
             assert not messages, '%s after %s on port %d: %s' % (name, what, port, messages)
             assert bad.GetOutputDataObject(0).GetNumberOfElements(vtkPolyData.POINT) > 0
+    for port in filters.required_ports(filters.new(name)):
+        flat = filters.with_good_inputs(name)
+        flat.SetInputDataObject(port, with_flat_triangles(name, port))
+        messages = shapetesting.run(flat)
+        outputs = [flat.GetOutputDataObject(i) for i in range(flat.GetNumberOfOutputPorts())]
+        if messages:
+            assert any(label + ': ' in message for message in messages), messages
+            assert all(o.GetNumberOfElements(o.POINT) == 0 for o in outputs), name
+        else:
+            assert outputs[0].GetNumberOfPoints() > 0 and all(map(all_finite, outputs)), \
+                '%s with flat triangles on port %d: not finite' % (name, port)
+        print(name, 'with flat triangles on port', port, *(messages or ['is finite']))
+
     # A bad block spoils the whole, whichever comes first: no part of an output may be left.
     # A table is met only when the blocks before it are done.
     good, bad = filters.good_input(name, 0), spoiled(name, 0, numpy.nan)

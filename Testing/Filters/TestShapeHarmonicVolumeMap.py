@@ -3,8 +3,10 @@
 As an example: Domain is what is carried, Boundary the closed surface around it with the map array."""
 import numpy
 from paraview import simple
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 import shapemap
 
 import shapetesting
@@ -29,6 +31,14 @@ def new(domain, boundary):
 def with_targets(surface, targets):
     result = copy(surface)
     add_array(result, targets, 'TargetPosition')
+    return result
+
+
+def cloud(places):
+    """Points without cells."""
+    result = vtkPolyData()
+    result.SetPoints(vtkPoints())
+    shapetesting.set_points(result, places)
     return result
 
 
@@ -172,6 +182,199 @@ bent = new(shaded, moved_boundary)
 assert not shapetesting.run(bent)
 kept = bent.GetOutputDataObject(0).GetPointData()
 assert not kept.HasArray('Normals') and not kept.HasArray('Direction')
+
+# Features without the map array: skeletons are paired with their targets by arc length, however each
+# is sampled. Between the figures the map that knows the surfaces alone misses the target's skeleton.
+figure, skeleton, other = (read(name) for name in (
+    'FigureASmall.vtp', 'FigureASkeleton.vtp', 'FigureBSkeleton.vtp'))
+size = numpy.ptp(array(figure, 'TargetPosition'), axis=0).max()
+
+
+def lines(data):
+    """The point ids of each line."""
+    connectivity = shapetesting.vtk_to_numpy(data.GetLines().GetConnectivityArray())
+    return numpy.split(connectivity, shapetesting.vtk_to_numpy(
+        data.GetLines().GetOffsetsArray())[1:-1])
+
+
+def at_shares(curve, shares):
+    """The places at these shares of a curve's length."""
+    lengths = numpy.concatenate([[0.0], numpy.cumsum(
+        numpy.linalg.norm(numpy.diff(curve, axis=0), axis=1))])
+    return numpy.stack([numpy.interp(shares, lengths / lengths[-1], curve[:, k])
+                        for k in range(3)], axis=1)
+
+
+def polylines(curves, pieces=False):
+    """Curves as polylines, or as lines of two points that follow each other."""
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetDataTypeToDouble()
+    data.SetLines(vtkCellArray())
+    for curve in curves:
+        ids = [data.GetPoints().InsertNextPoint(place) for place in curve]
+        for cell in zip(ids[:-1], ids[1:]) if pieces else [ids]:
+            data.GetLines().InsertNextCell(len(cell))
+            for point in cell:
+                data.GetLines().InsertCellPoint(point)
+    return data
+
+
+shares = numpy.linspace(0.0, 1.0, 41)
+own = [at_shares(points(skeleton)[ids], shares) for ids in lines(skeleton)]
+ends = [at_shares(points(other)[ids], shares) for ids in lines(other)]
+along = polylines(own)
+
+
+def figure_map(features=(), targets=()):
+    """Carries the samples of A's skeleton; returns how far they miss B's, and the filter."""
+    algorithm = new(along, figure)
+    for data in features:
+        algorithm.AddInputDataObject(2, data)
+    for data in targets:
+        algorithm.AddInputDataObject(3, data)
+    messages = shapetesting.run(algorithm)
+    assert not messages, messages
+    missed = points(algorithm.GetOutputDataObject(0)) - numpy.concatenate(ends)
+    return numpy.sqrt((missed ** 2).sum(axis=1).mean()) / size, algorithm
+
+
+without = figure_map()[0]
+matched, matcher = figure_map([skeleton], [other])
+print('the skeleton is missed by', without, 'and with features by', matched)
+assert 0.02 < without < 0.04 and matched < 0.5 * without
+drawn = matcher.GetOutputDataObject(0)
+assert fact(drawn, 'HarmonicVolumeMap.FeaturePoints') >= skeleton.GetNumberOfPoints()
+assert 0.5 * matched < fact(drawn, 'HarmonicVolumeMap.RMSEFeatures') < 2.0 * matched
+# Five features of one curve each, and lines of two points that follow each other, are the same.
+alone, ones = figure_map([polylines([points(skeleton)[ids]]) for ids in lines(skeleton)],
+                         [polylines([points(other)[ids]]) for ids in lines(other)])
+assert (points(ones.GetOutputDataObject(0)) == points(drawn)).all()
+short = figure_map([polylines([points(skeleton)[ids] for ids in lines(skeleton)], pieces=True)],
+                   [polylines([points(other)[ids] for ids in lines(other)], pieces=True)])[1]
+assert (points(short.GetOutputDataObject(0)) == points(drawn)).all()
+# Points are paired by order; what carries the map array needs no target and takes none.
+by_order = figure_map([cloud(numpy.concatenate(own))], [cloud(numpy.concatenate(ends))])
+carrying = cloud(numpy.concatenate(own))
+add_array(carrying, numpy.concatenate(ends), 'TargetPosition')
+assert by_order[0] < 0.5 * without
+assert (points(figure_map([carrying])[1].GetOutputDataObject(0)) ==
+        points(by_order[1].GetOutputDataObject(0))).all()
+mixed = figure_map([carrying, skeleton], [other])[1].GetOutputDataObject(0)
+assert fact(mixed, 'HarmonicVolumeMap.FeaturePoints') == 205 + fact(
+    drawn, 'HarmonicVolumeMap.FeaturePoints')
+# The weights of a curve's points count: almost none leaves the map as it is without.
+for weight, least, greatest in ((1e-9, 0.98, 1.02), (400.0, 0.0, matched / without)):
+    weighed = copy(skeleton)
+    add_array(weighed, numpy.full(skeleton.GetNumberOfPoints(), weight), 'Weight')
+    assert least <= figure_map([weighed], [other])[0] / without <= greatest, weight
+
+# A Target is compared with the boundary's images: here they are its points; there, 0.1 above them.
+for factor, least, greatest in ((1.0, 0.0, 1e-12), (1.1, 0.045, 0.055)):
+    facing = copy(surface)
+    shapetesting.set_points(facing, array(surface, 'TargetPosition'))
+    compared = new(inside, with_targets(surface, factor * array(surface, 'TargetPosition')))
+    compared.SetInputDataObject(4, facing)
+    assert not shapetesting.run(compared)
+    for port in (0, 1):
+        missed = fact(compared.GetOutputDataObject(port), 'HarmonicVolumeMap.TargetDistance')
+        assert least <= missed <= greatest, (factor, missed)
+assert not drawn.GetFieldData().HasArray('HarmonicVolumeMap.TargetDistance')
+
+
+def joined(*parts):
+    append = vtkAppendPolyData()
+    for part in parts:
+        append.AddInputData(part)
+    append.Update()
+    return append.GetOutput()
+
+
+def placed(data, factor, shift):
+    result = copy(data)
+    shapetesting.set_points(result, factor * points(data) + numpy.array(shift))
+    return result
+
+
+# A ball with a void: charges sit in it, too, so the map follows what the void's wall does.
+wall = placed(surface, 0.35, [0.1, 0.0, 0.0])
+hollow = joined(surface, wall)
+bulged = points(hollow) * numpy.where(numpy.arange(2 * 642) < 642, 1.0, 1.2)[:, None]
+inner = cloud(0.6 * points(surface) + [0.05, 0.0, 0.0])
+holed = new(inner, with_targets(hollow, bulged))
+assert not shapetesting.run(holed)
+kept = holed.GetOutputDataObject(0)
+assert fact(kept, 'HarmonicVolumeMap.OutsidePoints') == 0
+assert fact(kept, 'HarmonicVolumeMap.RMSEInside') < 5e-3
+grown = numpy.linalg.norm(points(kept), axis=1) / numpy.linalg.norm(points(inner), axis=1)
+assert 1.0 < grown.min() and grown.max() < 1.2, 'not between what the walls do'
+emptied = new(cloud(numpy.array([[0.1, 0.0, 0.0]])), with_targets(hollow, bulged))
+assert not shapetesting.run(emptied)
+assert fact(emptied.GetOutputDataObject(0), 'HarmonicVolumeMap.OutsidePoints') == 1
+
+
+def refused_features(features, targets=(), boundary=moved_boundary):
+    algorithm = new(inside, boundary)
+    for data in features:
+        algorithm.AddInputDataObject(2, data)
+    for data in targets:
+        algorithm.AddInputDataObject(3, data)
+    return error_of(algorithm)
+
+
+# Features outside the solid are refused: beyond its boundary, in its void, as points and as curves.
+line = numpy.array([[0.0, 0.0, 0.0], [0.2, 0.0, 0.0]])
+in_void = cloud(numpy.array([[-0.4, 0.0, 0.0], [0.1, 0.0, 0.0]]))
+add_array(in_void, numpy.array([[-0.4, 0.0, 0.0], [0.1, 0.0, 0.0]]), 'TargetPosition')
+add_array(in_void, numpy.array([20.0, 3.0]), 'Weight')
+for features, targets, boundary, count in (
+        ([in_void], [], with_targets(hollow, bulged), '1 feature lies'),
+        ([polylines([line])], [polylines([line])], with_targets(hollow, bulged), 'features lie'),
+        ([polylines([10.0 * line])], [polylines([line])], moved_boundary, 'features lie'),
+        ([cloud(line + 5.0)], [cloud(line)], moved_boundary, '2 features lie')):
+    message = refused_features(features, targets, boundary)
+    assert 'outside the boundary (first at feature point ' in message and count in message, message
+
+# Features that cannot be paired are refused with the numbers.
+broken = line.copy()
+broken[1, 2] = numpy.nan
+unmapped = cloud(line)
+spoiled_map = cloud(line)
+add_array(spoiled_map, broken, 'TargetPosition')
+spoiled_weight = cloud(line)
+add_array(spoiled_weight, numpy.array([1.0, numpy.nan]), 'Weight')
+for features, targets, words in (
+        ([unmapped], [], "feature 0 has no point array 'TargetPosition', and none of the 0 "),
+        ([unmapped, unmapped], [unmapped], "feature 1 has no point array 'TargetPosition', and "),
+        ([unmapped], [unmapped, unmapped], 'there are 2 TargetFeatures, but 1 Features'),
+        ([], [unmapped], 'there are 1 TargetFeatures, but 0 Features'),
+        ([unmapped], [cloud(own[0])], 'feature 0 has 2 points and its target has 41'),
+        ([polylines([line])], [polylines([line, line])], 'has 1 curves and its target has 2'),
+        ([polylines([line])], [unmapped], 'has 1 curves and its target has 0'),
+        ([polylines([line[:1]])], [polylines([line])], 'curve 0 of feature 0 has no length'),
+        ([polylines([line])], [polylines([line[[0, 0]]])], 'curve 0 of the target of feature 0'),
+        ([polylines([1e9 * line])], [polylines([line])], 'is far longer than the shape'),
+        ([spoiled_map], [], 'the list of images of feature 0 has 1 point with a value that is not'),
+        ([unmapped], [cloud(broken)], 'the list of images of feature 0 has 1 point'),
+        ([polylines([line])], [polylines([broken])], 'curve 0 of the target of feature 0 has 1 '),
+        ([cloud(broken)], [unmapped], 'feature 0 has 1 point with a value that is not finite'),
+        ([spoiled_weight], [unmapped], 'the Weight of feature 0 has 1 point with a value')):
+    message = refused_features(features, targets)
+    assert 'Shape Harmonic Volume Map: ' in message and words in message, (words, message)
+
+# A Target onto which the boundary cannot be mapped is refused: handles and components must agree.
+two_torus = read('TwoTorusSmall.vtp')
+far_torus = placed(two_torus, 1.0, [20.0, 0.0, 0.0])
+for target, words in (
+        (two_torus, 'the Boundary has 1 component of genus 0 and the Target has 1 component of '
+         'genus 2'),
+        (joined(surface, far_torus), 'the Target has 2 components of genus 0, 2'),
+        (shapetesting.without_cells(surface, (7,)), 'the Target has 1 open loop'),
+        (placed(surface, numpy.nan, [0, 0, 0]), 'the Target has 642 points')):
+    other_genus = new(inside, moved_boundary)
+    other_genus.SetInputDataObject(4, target)
+    message = error_of(other_genus)
+    assert 'Shape Harmonic Volume Map: ' in message and words in message, (words, message)
 
 # Wrong inputs: the error names the filter, the fact and what is there instead.
 wrong = new(inside, moved_boundary)

@@ -1,5 +1,5 @@
 #include "Core/Errors.h"
-#include "Surface/Crossings.h"
+#include "Geometry/Crossings.h"
 #include "TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -66,6 +66,25 @@ TEST(Crossings, SharedCornersAndEdgesAreNone)
   EXPECT_EQ(atCorner({ 9, 0, 0 }, { 9, -1, 0 }), 1U) << "an edge along an edge";
   EXPECT_EQ(Count(Rows({ a, b, c }), (Eigen::MatrixXi(2, 3) << 0, 1, 2, 2, 1, 0).finished()), 1U)
     << "the same triangle twice";
+}
+
+TEST(Crossings, AFlatTriangleCountsAsItsEdges)
+{
+  Eigen::MatrixXi triangles(2, 3);
+  triangles << 0, 1, 2, 3, 4, 5;
+  const auto meet = [&](const Eigen::RowVector3d& from, const Eigen::RowVector3d& to)
+  {
+    const shape::Mesh mesh{
+      Rows({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, from, 0.5 * (from + to), to }), triangles
+    };
+    EXPECT_EQ(shape::TrianglesMeet(mesh, 0, 1), shape::TrianglesMeet(mesh, 1, 0));
+    return shape::TrianglesMeet(mesh, 0, 1);
+  };
+  EXPECT_TRUE(meet({ 0.25, 0.25, -1 }, { 0.25, 0.25, 1 }));
+  EXPECT_TRUE(meet({ -1, 0.25, 0 }, { 2, 0.25, 0 }));
+  EXPECT_FALSE(meet({ 2, 2, -1 }, { 2, 2, 1 }));
+  EXPECT_FALSE(meet({ 0.25, 0.25, 0.5 }, { 0.25, 0.25, 1 }));
+  EXPECT_FALSE(meet({ -1, 0.25, -2 }, { 5, 0.25, 3 }));
 }
 
 TEST(Crossings, OfTwoSpheresLieOnTheCircleWhereTheyMeet)

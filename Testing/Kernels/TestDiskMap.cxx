@@ -1,7 +1,7 @@
 #include "Core/Errors.h"
+#include "Core/Orientation.h"
 #include "Quality/ConformalDistortion.h"
 #include "Surface/DiskMap.h"
-#include "Surface/PlanarTriangles.h"
 #include "TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -120,7 +120,13 @@ shape::Mesh Bumps(int rings)
 
 void ExpectNoFlip(const shape::Mesh& mesh, const DiskMapResult& map, const std::string& what)
 {
-  EXPECT_TRUE(shape::ClockwiseTriangles(mesh.Triangles, map.Points).empty()) << what;
+  for (const auto& corners : mesh.Triangles.rowwise())
+  {
+    EXPECT_EQ(shape::Orientation(map.Points.row(corners(0)).head<2>(),
+                map.Points.row(corners(1)).head<2>(), map.Points.row(corners(2)).head<2>()),
+      1)
+      << what;
+  }
   EXPECT_EQ(map.FlippedTriangles, 0);
   EXPECT_EQ(map.Points.col(2).cwiseAbs().maxCoeff(), 0.0);
   // All triangles counter-clockwise and the polygon of the loop around them: the areas add up.

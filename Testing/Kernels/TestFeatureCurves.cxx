@@ -87,4 +87,9 @@ TEST(FeatureCurves, RefusesWhatCannotBePaired)
   shape::Curve broken = arc;
   broken(3, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal({ broken }, { arc }).find("curve 0 of feature 2"), std::string::npos);
+  const shape::Curve large = 1e12 * arc;
+  EXPECT_NE(refusal({ arc, large }, { arc, arc })
+              .find("curve 1 of feature 2 is far longer than the shape it belongs to"),
+    std::string::npos);
+  EXPECT_EQ(refusal({ arc }, { large }), "");
 }

@@ -307,6 +307,9 @@ TEST(HarmonicVolumeMap, RefusesWithTheFactAndTheRemedy)
   EXPECT_NE(
     map(sphere, sphere.Points, features).find("first at feature point 1"), std::string::npos);
   features.Points(1, 0) = 0.5;
+  // What lies in a void lies outside the solid.
+  two.Points.bottomRows(162) = (0.3 * sphere.Points).rowwise() + Eigen::RowVector3d(0.5, 0.0, 0.0);
+  EXPECT_NE(map(two, two.Points, features).find("first at feature point 1"), std::string::npos);
   features.Weights = Eigen::Vector2d(1.0, -1.0);
   EXPECT_NE(
     map(sphere, sphere.Points, features).find("first at feature point 1"), std::string::npos);

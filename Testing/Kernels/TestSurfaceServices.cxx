@@ -121,6 +121,30 @@ TEST(SignedDistance, HasTheRightSignWhereTheClosestPointIsAnEdgeOrACorner)
   EXPECT_LT(shape::SignedDistance(wedge).Evaluate(inside).Distances(0), 0.0);
 }
 
+TEST(SignedDistance, HasTheRightSignBesideFlatTriangles)
+{
+  // The wedge again, with a flat triangle in its sharp edge: it has no normal to add to the face's.
+  shape::Mesh wedge{ Eigen::MatrixXd(5, 3), Eigen::MatrixXi(6, 3) };
+  wedge.Points << 0, 0, -1, 0, 0, 1, 4, 0.1, 0, 4, -0.1, 0, 0, 0, 0;
+  wedge.Triangles << 0, 1, 2, 1, 4, 3, 4, 0, 3, 0, 2, 3, 1, 3, 2, 1, 0, 4;
+  if (shape::EnclosedVolume(wedge) < 0.0)
+  {
+    wedge.Triangles.col(1).swap(wedge.Triangles.col(2));
+  }
+  Eigen::MatrixXd outside = RandomPoints(300, 0.9);
+  outside.col(0).array() -= 0.9;
+  EXPECT_GT(shape::SignedDistance(wedge).Evaluate(outside).Distances.minCoeff(), 0.0);
+  Eigen::MatrixXd inside(2, 3);
+  inside << 3.0, 0.0, 0.0, 0.02, 0.0, 0.1;
+  EXPECT_LT(shape::SignedDistance(wedge).Evaluate(inside).Distances.maxCoeff(), 0.0);
+}
+
+TEST(ClosestPoint, ADistanceThatOverflowsIsRefused)
+{
+  const shape::SurfaceLocator locator(shapetest::Icosphere(1));
+  EXPECT_THROW(locator.Find(Eigen::RowVector3d(1e200, 0.0, 0.0)), shape::InvalidInput);
+}
+
 TEST(IsoSurface, OfASphereIsClosedFacesOutwardsAndHasItsVolume)
 {
   shape::SampledGrid grid;

@@ -49,6 +49,27 @@ TEST(Topology, CountsComponentsAndIgnoresUnusedPoints)
   EXPECT_EQ(topology.ComponentId(0), 0);
   EXPECT_EQ(topology.ComponentId(n), 1);
   EXPECT_EQ(topology.ComponentId(2 * n), -1);
+  const std::vector<shape::Mesh> components = shape::SplitComponents(two);
+  ASSERT_EQ(components.size(), 2u);
+  for (int c = 0; c < 2; ++c)
+  {
+    EXPECT_EQ(components[c].Points, (one.Points.array() + 5.0 * c).matrix());
+    EXPECT_EQ(components[c].Triangles, one.Triangles);
+  }
+}
+
+TEST(Topology, WindingNumbersCountTheSurfacesAroundAPlace)
+{
+  shape::Mesh sphere = shapetest::Icosphere(2);
+  for (const double radius : { 0.0, 0.9, 1.1, 3.0 })
+  {
+    EXPECT_NEAR(shape::WindingNumber(
+                  sphere.Points, sphere.Triangles, Eigen::RowVector3d(0.0, 0.6, 0.8) * radius),
+      radius < 1.0 ? 1.0 : 0.0, 1e-13);
+  }
+  sphere.Triangles.col(0).swap(sphere.Triangles.col(1));
+  EXPECT_NEAR(
+    shape::WindingNumber(sphere.Points, sphere.Triangles, Eigen::RowVector3d::Zero()), -1.0, 1e-13);
 }
 
 TEST(Topology, AnOpenLoopIsRefusedWithItsFirstPoint)

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace shape
 {
 
@@ -56,6 +58,22 @@ double EnclosedVolume(const Mesh& mesh)
     sixVolumes += a.dot(b.cross(c));
   }
   return sixVolumes / 6.0;
+}
+
+double WindingNumber(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles, const Eigen::RowVector3d& place)
+{
+  double halfAngles = 0.0;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = points.row(triangles(t, 0)) - place;
+    const Eigen::RowVector3d b = points.row(triangles(t, 1)) - place;
+    const Eigen::RowVector3d c = points.row(triangles(t, 2)) - place;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    halfAngles +=
+      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return halfAngles / (2.0 * M_PI);
 }
 
 Mesh FacingOutwards(Mesh mesh)

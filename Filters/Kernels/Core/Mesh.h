@@ -17,6 +17,17 @@ struct Mesh
   Eigen::MatrixXi Triangles;
 };
 
+/// The corners of a triangle, one a row.
+inline Eigen::Matrix3d Corners(const Mesh& mesh, Eigen::Index triangle)
+{
+  Eigen::Matrix3d corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners.row(k) = mesh.Points.row(mesh.Triangles(triangle, k));
+  }
+  return corners;
+}
+
 /// The longest side of the points' axis-aligned bounding box: the size that errors are divided by.
 double LongestSide(const Eigen::MatrixXd& points);
 
@@ -28,6 +39,15 @@ Eigen::VectorXd PointAreas(const Mesh& mesh);
 
 /// Volume enclosed by a closed surface; negative when its triangles face inwards.
 double EnclosedVolume(const Mesh& mesh);
+
+/**
+ * How often closed surfaces of `triangles` (m x 3) over `points` wind around a place that lies on
+ * none of them: the sum of the solid angles / 4 pi (Van Oosterom and Strackee, "The solid angle of
+ * a plane triangle", 1983). 1 inside one that faces outwards, -1 inside one that faces inwards, 0
+ * outside.
+ */
+double WindingNumber(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles, const Eigen::RowVector3d& place);
 
 /// The same closed surface with all triangles turned where it faces inwards.
 Mesh FacingOutwards(Mesh mesh);

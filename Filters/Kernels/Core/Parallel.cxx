@@ -35,21 +35,21 @@ void ParallelFor(int count, int grain, const std::function<void(int begin, int e
 {
   const int threads = ThreadCount();
   oneapi::tbb::task_arena arena(threads);
-  const int chunks = (count + grain - 1) / grain;
+  const int chunks = count / grain + (count % grain > 0);
   const auto runChunk = [&](int chunk)
-  { body(chunk * grain, std::min(count, (chunk + 1) * grain)); };
+  { body(chunk * grain, chunk + 1 < chunks ? (chunk + 1) * grain : count); };
 
   // Batches grow until one takes about a tenth of a second: often enough for progress and abort.
   int batch = threads;
   for (int first = 0; first < chunks;)
   {
-    const int last = std::min(chunks, first + batch);
+    const int last = chunks - first > batch ? first + batch : chunks;
     const auto start = std::chrono::steady_clock::now();
     arena.execute([&] { oneapi::tbb::parallel_for(first, last, runChunk); });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (seconds.count() < 0.1)
     {
-      batch = std::min(2 * batch, chunks);
+      batch = std::min(batch > chunks / 2 ? chunks : 2 * batch, chunks);
     }
     first = last;
     progress(static_cast<double>(first) / chunks);

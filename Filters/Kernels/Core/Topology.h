@@ -29,7 +29,7 @@ struct Topology
 /// Throws InvalidInput where a triangle has an index out of range or uses a point twice.
 Topology SurfaceTopology(const Mesh& mesh);
 
-/// The components of a surface in the order of ComponentId, each with all of its points.
+/// The components of a surface in the order of ComponentId, each with the points it uses, in order.
 std::vector<Mesh> SplitComponents(const Mesh& mesh);
 
 /// Throws InvalidInput unless `mesh` has triangles, every coordinate is finite and it is a

@@ -87,7 +87,8 @@ Eigen::AlignedBox3d BoxOf(const Cells& cells, int number, vtkGenericCell* cell)
 struct ContainingCell
 {
   const Cells& Grid;
-  vtkGenericCell* Cell; ///< to work with
+  const std::vector<Eigen::AlignedBox3d>& Boxes; ///< of all cells
+  vtkGenericCell* Cell;                          ///< to work with
   RowVector3d Place;
   int Number = -1;
   Eigen::VectorXd Weights = {};
@@ -99,6 +100,10 @@ struct ContainingCell
   }
   bool intersectObject(int number)
   {
+    if (!this->Boxes[number].contains(this->Place.transpose()))
+    {
+      return false;
+    }
     this->Weights = WeightsInCell(this->Grid, number, this->Place, this->Cell);
     this->Number = this->Weights.size() > 0 ? number : -1;
     return this->Number >= 0;
@@ -112,7 +117,8 @@ struct NearestCell
 {
   using Scalar = double;
   const Cells& Grid;
-  vtkGenericCell* Cell; ///< to work with
+  const std::vector<Eigen::AlignedBox3d>& Boxes; ///< of all cells
+  vtkGenericCell* Cell;                          ///< to work with
   RowVector3d Place;
   int Number = -1;
   PlaceOnSides Closest = { std::numeric_limits<double>::infinity(), {}, {} };
@@ -124,6 +130,12 @@ struct NearestCell
   }
   double minimumOnObject(int number)
   {
+    // Eigen has boxes of pairs of cells alone: most cells need no closer look than at their own.
+    const double least = this->minimumOnVolume(this->Boxes[number]);
+    if (least > this->Closest.Distance2)
+    {
+      return least;
+    }
     const PlaceOnSides here = ClosestOnSides(this->Grid, number, this->Place, this->Cell);
     if (here.Distance2 < this->Closest.Distance2)
     {
@@ -152,10 +164,12 @@ struct CellLocator::SolidSearch : CellLocator::Search
   {
     std::vector<Eigen::AlignedBox3d> boxes;
     boxes.reserve(numbers.size());
+    this->Boxes.resize(cells.Kinds.size());
     vtkNew<vtkGenericCell> cell;
     for (const int number : numbers)
     {
-      boxes.push_back(BoxOf(cells, number, cell));
+      this->Boxes[number] = BoxOf(cells, number, cell);
+      boxes.push_back(this->Boxes[number]);
     }
     this->Tree.init(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
   }
@@ -191,7 +205,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
   double FindOne(
     const RowVector3d& place, vtkGenericCell* cell, int row, int& id, Triplets& weights) const
   {
-    ContainingCell containing{ this->Grid, cell, place };
+    ContainingCell containing{ this->Grid, this->Boxes, cell, place };
     Eigen::BVIntersect(this->Tree, containing);
     id = containing.Number;
     if (id >= 0)
@@ -203,7 +217,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
       }
       return 0.0;
     }
-    NearestCell nearest{ this->Grid, cell, place };
+    NearestCell nearest{ this->Grid, this->Boxes, cell, place };
     Eigen::BVMinimize(this->Tree, nearest);
     id = nearest.Number;
     if (id < 0)
@@ -220,7 +234,8 @@ struct CellLocator::SolidSearch : CellLocator::Search
   }
 
   Cells Grid;
-  Eigen::KdBVH<double, 3, int> Tree; ///< of cells
+  std::vector<Eigen::AlignedBox3d> Boxes; ///< of all cells; empty where one does not count
+  Eigen::KdBVH<double, 3, int> Tree;      ///< of cells
 };
 
 struct CellLocator::SurfaceSearch : CellLocator::Search

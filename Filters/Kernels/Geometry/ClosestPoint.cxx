@@ -32,16 +32,6 @@ RowVector3d OnSegment(const Eigen::Matrix3d& corners, int i, int j, const RowVec
   return barycentric;
 }
 
-Eigen::Matrix3d Corners(const Mesh& mesh, int triangle)
-{
-  Eigen::Matrix3d corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners.row(k) = mesh.Points.row(mesh.Triangles(triangle, k));
-  }
-  return corners;
-}
-
 /// What Eigen's branch and bound minimises: the squared distance from Place to a triangle.
 struct Nearest
 {
@@ -130,7 +120,7 @@ SurfaceLocator::SurfaceLocator(const Mesh& mesh)
   this->Impl->Corners.reserve(triangles.size());
   for (const int t : triangles)
   {
-    const Eigen::Matrix3d& corners = this->Impl->Corners.emplace_back(Corners(mesh, t));
+    const Eigen::Matrix3d& corners = this->Impl->Corners.emplace_back(shape::Corners(mesh, t));
     boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
   }
   this->Impl->Tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
@@ -165,6 +155,11 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
                                          : margin * (place - before).squaredNorm();
         Nearest nearest{ this->Impl->Corners, place, bound2 };
         Eigen::BVMinimize(this->Impl->Tree, nearest);
+        if (nearest.Triangle < 0)
+        {
+          throw InvalidInput("a place is too far from every triangle for its distance to be a "
+                             "number; scale the shapes to a common size");
+        }
         result.Triangles(i) = nearest.Triangle;
         result.Barycentrics.row(i) = nearest.Barycentric;
         before = nearest.Barycentric * this->Impl->Corners[nearest.Triangle];

@@ -32,7 +32,7 @@ public:
   SurfaceLocator(SurfaceLocator&&) noexcept;
   SurfaceLocator& operator=(SurfaceLocator&&) noexcept;
 
-  /// points: n x 3, finite. Throws Aborted.
+  /// points: n x 3, finite. Throws InvalidInput where the square of a distance overflows, Aborted.
   ClosestPoints Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
   const Mesh& Surface() const; ///< the mesh that is searched

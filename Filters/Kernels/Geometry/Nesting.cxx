@@ -2,6 +2,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Topology.h"
+#include "Geometry/Crossings.h"
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>
@@ -17,16 +18,6 @@ namespace
 {
 
 using Eigen::RowVector3d;
-
-Eigen::Matrix3d Corners(const Mesh& mesh, int triangle)
-{
-  Eigen::Matrix3d corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners.row(k) = mesh.Points.row(mesh.Triangles(triangle, k));
-  }
-  return corners;
-}
 
 /// A connected piece of the surface.
 struct Component
@@ -59,41 +50,6 @@ std::vector<Component> Split(const Mesh& mesh, const Topology& topology)
   return components;
 }
 
-/// Six times the volume of a tetrahedron, positive where a, b, c turn counter-clockwise seen from
-/// the side of the triangle that d is not on.
-double SixVolumes(
-  const RowVector3d& a, const RowVector3d& b, const RowVector3d& c, const RowVector3d& d)
-{
-  return (b - a).cross(c - a).dot(d - a);
-}
-
-/// Whether a side of triangle `one` meets triangle `other`, its rim included.
-bool SideMeets(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other)
-{
-  const RowVector3d a = other.row(0), b = other.row(1), c = other.row(2);
-  Eigen::RowVector3d heights;
-  for (int k = 0; k < 3; ++k)
-  {
-    heights(k) = SixVolumes(a, b, c, one.row(k));
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    const RowVector3d p = one.row(k), q = one.row((k + 1) % 3);
-    const double here = heights(k), there = heights((k + 1) % 3);
-    if ((here > 0.0 && there > 0.0) || (here < 0.0 && there < 0.0) || (here == 0.0 && there == 0.0))
-    {
-      continue;
-    }
-    const Eigen::RowVector3d turns(
-      SixVolumes(p, q, a, b), SixVolumes(p, q, b, c), SixVolumes(p, q, c, a));
-    if ((turns.minCoeff() >= 0.0 || turns.maxCoeff() <= 0.0) && !turns.isZero(0.0))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Asks Eigen's walk through two trees whether a triangle of one meets a triangle of the other.
 struct Meeting
 {
@@ -123,27 +79,11 @@ struct Meeting
   }
   bool intersectObjectObject(int a, int b)
   {
-    const Eigen::Matrix3d one = Corners(this->Surface, a), other = Corners(this->Surface, b);
-    this->Found = SideMeets(one, other) || SideMeets(other, one);
+    this->Found = TrianglesMeet(this->Surface, a, b);
     return this->Found; // true ends the search
   }
   // NOLINTEND(readability-identifier-naming)
 };
-
-/// How often the component winds around a place: 0 outside, +1 or -1 inside.
-double WindingNumber(const Mesh& mesh, const Component& component, const RowVector3d& place)
-{
-  double halfAngles = 0.0;
-  for (const int t : component.Triangles)
-  {
-    const Eigen::Matrix3d corners = Corners(mesh, t).rowwise() - place;
-    const RowVector3d a = corners.row(0), b = corners.row(1), c = corners.row(2);
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    halfAngles +=
-      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return halfAngles / (2.0 * M_PI);
-}
 
 /// Whether a component faces outwards; `apex` is one of its points.
 bool FacesOutwards(const Mesh& mesh, const Component& component, const RowVector3d& apex)
@@ -188,7 +128,8 @@ Mesh OrientedByNesting(const Mesh& mesh, const std::string& name, const Progress
           "); move them apart, or unite them");
       }
       depth += components[j].Box.contains(components[i].Box) &&
-        std::abs(WindingNumber(mesh, components[j], place)) > 0.5;
+        std::abs(WindingNumber(
+          mesh.Points, mesh.Triangles(components[j].Triangles, Eigen::all), place)) > 0.5;
     }
     if (FacesOutwards(mesh, components[i], place) != (depth % 2 == 0))
     {

@@ -1,14 +1,25 @@
 #include "Geometry/SignedDistance.h"
 
+#include "Core/Parallel.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace shape
 {
+
+namespace
+{
+
+/// Twice the area over the longest edge squared, up to which a triangle's normal is rounding error.
+constexpr double Flat = 1e-10;
+
+} // namespace
 
 SignedDistance::SignedDistance(const Mesh& surface)
   : Surface(surface)
@@ -20,6 +31,14 @@ SignedDistance::SignedDistance(const Mesh& surface)
   edges.reserve(3 * surface.Triangles.rows());
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
+    const Eigen::Matrix3d corners = Corners(surface, t);
+    const Eigen::RowVector3d u = corners.row(1) - corners.row(0);
+    const Eigen::RowVector3d v = corners.row(2) - corners.row(0);
+    const double longest2 = std::max({ u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm() });
+    if (!(u.cross(v).norm() > Flat * longest2))
+    {
+      this->TriangleNormals.row(t).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
     for (int k = 0; k < 3; ++k)
     {
       const int here = surface.Triangles(t, k);
@@ -53,9 +72,11 @@ SignedDistance::SignedDistance(const Mesh& surface)
 SignedDistance::Result SignedDistance::Evaluate(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  Result result{ {}, this->Surface.Find(points, progress) };
+  Result result{ {}, this->Surface.Find(points, progress.Part(0.0, 0.9)) };
   result.Distances = result.Closest.Distances;
-  const Eigen::MatrixXi& triangles = this->Surface.Surface().Triangles;
+  const Mesh& surface = this->Surface.Surface();
+  const Eigen::MatrixXi& triangles = surface.Triangles;
+  std::vector<int> unsure;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
     const int t = result.Closest.Triangles(i);
@@ -69,11 +90,31 @@ SignedDistance::Result SignedDistance::Evaluate(
     const Eigen::RowVector3d normal = zeros == 0 ? this->TriangleNormals.row(t)
       : zeros == 1                               ? this->EdgeNormals.row(3 * t + zero)
                                                  : this->PointNormals.row(triangles(t, other));
-    if ((points.row(i) - result.Closest.Positions.row(i)).dot(normal) < 0.0)
+    const double side = (points.row(i) - result.Closest.Positions.row(i)).dot(normal);
+    if (side < 0.0)
     {
       result.Distances(i) = -result.Distances(i);
     }
+    else if (std::isnan(side) && result.Distances(i) > 0.0)
+    {
+      unsure.push_back(static_cast<int>(i));
+    }
   }
+  ParallelFor(
+    static_cast<int>(unsure.size()), 1,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        const int i = unsure[k];
+        if (WindingNumber(surface.Points, triangles, points.row(i)) > 0.5)
+        {
+          result.Distances(i) = -result.Distances(i);
+        }
+      }
+    },
+    progress.Part(0.9, 1.0));
+  progress(1.0);
   return result;
 }
 

@@ -10,7 +10,8 @@ namespace shape
  *
  * The sign is that of the angle-weighted pseudonormal at the closest point (Baerentzen and Aanaes,
  * "Signed distance computation using the angle weighted pseudonormal", 2005), right wherever the
- * surface is closed, outward facing and does not cross itself.
+ * surface is closed, outward facing and does not cross itself. Where a triangle at the closest
+ * point is flat, and has no normal, the winding number decides.
  */
 class SignedDistance
 {
@@ -24,13 +25,14 @@ public:
     ClosestPoints Closest;     ///< of the surface
   };
 
-  /// points: n x 3, finite. Throws Aborted.
+  /// points: n x 3, finite. Throws as SurfaceLocator::Find.
   Result Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
   const SurfaceLocator& Locator() const { return this->Surface; }
 
 private:
   SurfaceLocator Surface;
+  // NaN where a triangle is flat, or one beside the edge or the point.
   Eigen::MatrixXd TriangleNormals; ///< m x 3
   Eigen::MatrixXd EdgeNormals;     ///< 3m x 3: row 3 t + k is the edge opposite corner k of t
   Eigen::MatrixXd PointNormals;    ///< n x 3, angle-weighted

@@ -1,8 +1,8 @@
 #include "Surface/DiskMap.h"
 
 #include "Core/Errors.h"
+#include "Core/Orientation.h"
 #include "Core/Topology.h"
-#include "Surface/PlanarTriangles.h"
 
 #include <algorithm>
 #include <array>
@@ -232,7 +232,15 @@ void RequireNoEdgeAcrossASide(
 
 void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, CombinationWeights weights)
 {
-  const std::vector<int> flipped = ClockwiseTriangles(surface.Triangles, image);
+  std::vector<int> flipped;
+  for (int t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corners = surface.Triangles.row(t);
+    if (Orientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <= 0)
+    {
+      flipped.push_back(t);
+    }
+  }
   if (flipped.empty())
   {
     return;

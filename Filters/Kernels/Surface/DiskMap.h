@@ -40,7 +40,7 @@ struct DiskMapResult
  * With Uniform and MeanValue weights no triangle of the exact solution is flipped (Tutte 1963,
  * Floater 2003): on the circle always, on the square where no inner edge joins two points of one
  * side, which is refused. Cotangent's may flip where angles are obtuse. The image is checked
- * triangle by triangle beyond rounding error, so a result has no flipped triangle.
+ * triangle by triangle with exact orientations, so a result has no flipped triangle.
  *
  * The loop's point with the greatest x (of several, the greatest y, then z) goes to (1, 0) on the
  * circle, to the corner (1, 1) of the square: the map depends on no numbering, and a flat disk or

@@ -12,6 +12,9 @@ namespace shape
 namespace
 {
 
+/// From one point of a curve to the next.
+constexpr double MostSteps = 10000.0;
+
 /// The length of a curve from its beginning to each of its points, as a share of the whole.
 Eigen::VectorXd Shares(const Curve& curve, const std::string& name)
 {
@@ -69,6 +72,12 @@ MatchedCurves MatchCurves(const std::vector<Curve>& sources, const std::vector<C
     for (Eigen::Index i = 0; i + 1 < sources[c].rows(); ++i)
     {
       const double length = (sources[c].row(i + 1) - sources[c].row(i)).norm();
+      if (!(length <= MostSteps * longestStep))
+      {
+        throw InvalidInput(which + name +
+          " is far longer than the shape it belongs to (at its point " + std::to_string(i) +
+          "); check its units");
+      }
       const int steps = std::max(1, static_cast<int>(std::ceil(length / longestStep)));
       for (int step = 0; step < steps; ++step)
       {

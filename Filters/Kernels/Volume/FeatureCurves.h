@@ -28,8 +28,9 @@ struct MatchedCurves
  * The points are those of `sources`, and more between them, evenly, where they are more than
  * `longestStep` (> 0) apart.
  *
- * `name` is what errors call the curves. Throws InvalidInput where the numbers of curves differ, or
- * a curve has no length or coordinates that are not finite.
+ * `name` is what errors call the curves. Throws InvalidInput where the numbers of curves differ, a
+ * curve has no length or coordinates that are not finite, or two points of `sources` that follow
+ * each other are more than 10,000 steps apart.
  */
 MatchedCurves MatchCurves(const std::vector<Curve>& sources, const std::vector<Curve>& targets,
   double longestStep, const std::string& name);

@@ -64,12 +64,7 @@ void RequireOneSolid(const Mesh& oriented)
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(topology.Components);
   for (Eigen::Index t = 0; t < oriented.Triangles.rows(); ++t)
   {
-    Eigen::Matrix3d corners;
-    for (int k = 0; k < 3; ++k)
-    {
-      corners.row(k) = oriented.Points.row(oriented.Triangles(t, k));
-    }
-    volumes(topology.ComponentId(oriented.Triangles(t, 0))) += corners.determinant();
+    volumes(topology.ComponentId(oriented.Triangles(t, 0))) += Corners(oriented, t).determinant();
   }
   const auto solids = (volumes.array() > 0.0).count();
   if (solids != 1)

@@ -18,22 +18,6 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// How often a closed surface that faces outwards winds around a place: 1 inside, 0 outside.
-double WindingNumber(const Mesh& mesh, const RowVector3d& place)
-{
-  double angle = 0.0;
-  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    const RowVector3d a = mesh.Points.row(mesh.Triangles(t, 0)) - place;
-    const RowVector3d b = mesh.Points.row(mesh.Triangles(t, 1)) - place;
-    const RowVector3d c = mesh.Points.row(mesh.Triangles(t, 2)) - place;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    angle += 2.0 *
-      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return angle / (4.0 * M_PI);
-}
-
 /// How far a ray runs until it meets a triangle; infinity where it does not.
 double RayLength(
   const Mesh& mesh, Eigen::Index triangle, const RowVector3d& from, const RowVector3d& direction)
@@ -62,29 +46,30 @@ SolidRegions::SolidRegions(const std::vector<Mesh>& surfaces, const std::vector<
   {
     const Mesh& surface = surfaces[s];
     const Topology topology = SurfaceTopology(surface);
-    std::vector<std::vector<int>> triangles(topology.Components);
-    for (int t = 0; t < surface.Triangles.rows(); ++t)
+    std::vector<int> firstPoint(topology.Components, -1);
+    for (int i = 0; i < surface.Points.rows(); ++i)
     {
-      triangles[topology.ComponentId(surface.Triangles(t, 0))].push_back(t);
+      const int id = topology.ComponentId(i);
+      if (id >= 0 && firstPoint[id] == -1)
+      {
+        firstPoint[id] = i;
+      }
     }
-    for (const std::vector<int>& own : triangles)
+    const std::vector<Mesh> split = SplitComponents(surface);
+    for (std::size_t c = 0; c < split.size(); ++c)
     {
       Component component;
-      component.Surface = FacingOutwards({ surface.Points, surface.Triangles(own, Eigen::all) });
+      component.Surface = FacingOutwards(split[c]);
+      component.FirstPoint = firstPoint[c];
       component.Volume = EnclosedVolume(component.Surface);
       component.Owner = static_cast<int>(s);
-      component.Low.setConstant(std::numeric_limits<double>::infinity());
-      component.High = -component.Low;
-      for (const int point : component.Surface.Triangles.reshaped())
-      {
-        component.Low = component.Low.cwiseMin(surface.Points.row(point));
-        component.High = component.High.cwiseMax(surface.Points.row(point));
-      }
+      component.Low = component.Surface.Points.colwise().minCoeff();
+      component.High = component.Surface.Points.colwise().maxCoeff();
       const double area = 0.5 * AreaVectors(component.Surface).rowwise().norm().sum();
       if (!(component.Volume > 1e-14 * area * (component.High - component.Low).maxCoeff()))
       {
         throw InvalidInput(names[s] + " has a component that encloses no volume (it has point " +
-          std::to_string(component.Surface.Triangles(0, 0)) + "); remove it with Connectivity");
+          std::to_string(component.FirstPoint) + "); remove it with Connectivity");
       }
       this->Components.push_back(std::move(component));
     }
@@ -98,7 +83,8 @@ SolidRegions::SolidRegions(const std::vector<Mesh>& surfaces, const std::vector<
 bool SolidRegions::IsInside(const RowVector3d& place, const Component& component) const
 {
   return (place.array() > component.Low.array()).all() &&
-    (place.array() < component.High.array()).all() && WindingNumber(component.Surface, place) > 0.5;
+    (place.array() < component.High.array()).all() &&
+    WindingNumber(component.Surface.Points, component.Surface.Triangles, place) > 0.5;
 }
 
 void SolidRegions::FindParents(const Progress& progress)
@@ -141,7 +127,7 @@ void SolidRegions::FindRegions(const std::vector<std::string>& names)
     else if (outside == Void)
     {
       throw InvalidInput(names[component.Owner] + " lies outside the solid that " + names[0] +
-        " bounds (at point " + std::to_string(component.Surface.Triangles(0, 0)) +
+        " bounds (at point " + std::to_string(component.FirstPoint) +
         "); move it inside or leave it out");
     }
     else if (count % 2 == 0)
@@ -230,7 +216,7 @@ Eigen::MatrixXd SolidRegions::PlacesInVoids() const
     if (found == chords.end())
     {
       throw SolveFailure("a void inside the solid is too thin to find a place in it (at point " +
-        std::to_string(surface.Triangles(0, 0)) + "); widen or remove it");
+        std::to_string(component.FirstPoint) + "); widen or remove it");
     }
     places.push_back(found->second);
   }

@@ -18,8 +18,8 @@ namespace shape
  * solid and bound region i + 1; inside an odd number of others of the same border the region around
  * that border begins again. A place belongs to the innermost component around it.
  *
- * Which component is around which is told by winding numbers (Van Oosterom and Strackee, "The solid
- * angle of a plane triangle", 1983; Jacobson et al., "Robust inside-outside segmentation", 2013).
+ * Which component is around which is told by winding numbers (Core/Mesh.h; Jacobson et al., "Robust
+ * inside-outside segmentation", 2013).
  */
 class SolidRegions
 {
@@ -45,7 +45,8 @@ public:
 private:
   struct Component
   {
-    Mesh Surface; ///< facing outwards; its own triangles over all points of its surface
+    Mesh Surface;                 ///< facing outwards, with its own points
+    int FirstPoint = -1;          ///< the first of them, by its number in the surface it is of
     Eigen::RowVector3d Low, High; ///< its box
     int Owner = 0;                ///< the index of its surface
     int Parent = -1;              ///< the innermost component around it

@@ -2,7 +2,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Topology.h"
-#include "Surface/Crossings.h"
+#include "Geometry/Crossings.h"
 
 #include <algorithm>
 #include <array>

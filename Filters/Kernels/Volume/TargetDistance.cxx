@@ -4,8 +4,10 @@
 #include "Core/Topology.h"
 #include "Geometry/ClosestPoint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace shape
 {
@@ -13,10 +15,41 @@ namespace shape
 namespace
 {
 
-std::string Described(const Topology& topology)
+/// The genus of each component of a closed surface, ascending. Each triangle has three half edges.
+std::vector<int> GenusOfComponents(const Mesh& surface, const Topology& topology)
 {
-  return "Euler number " + std::to_string(topology.EulerNumber) + " in " +
-    std::to_string(topology.Components) + (topology.Components == 1 ? " component" : " components");
+  std::vector<int> points(topology.Components, 0), triangles(topology.Components, 0);
+  for (const int component : topology.ComponentId)
+  {
+    if (component >= 0)
+    {
+      ++points[component];
+    }
+  }
+  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    ++triangles[topology.ComponentId(surface.Triangles(t, 0))];
+  }
+  std::vector<int> genus(topology.Components);
+  for (std::size_t c = 0; c < genus.size(); ++c)
+  {
+    genus[c] = (2 - points[c] + triangles[c] / 2) / 2;
+  }
+  std::sort(genus.begin(), genus.end());
+  return genus;
+}
+
+/// "1 component of genus 0", "3 components of genus 0, 0, 2".
+std::string Described(const std::vector<int>& genus)
+{
+  std::string words = std::to_string(genus.size()) +
+    (genus.size() == 1 ? " component" : " components") + " of genus ";
+  constexpr std::size_t listed = 8;
+  for (std::size_t c = 0; c < std::min(listed, genus.size()); ++c)
+  {
+    words += (c == 0 ? "" : ", ") + std::to_string(genus[c]);
+  }
+  return words + (genus.size() > listed ? ", ..." : "");
 }
 
 } // namespace
@@ -24,9 +57,11 @@ std::string Described(const Topology& topology)
 double TargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets, const Mesh& target,
   const Progress& progress)
 {
-  const Topology from = RequireClosedSurface(boundary, "the Boundary");
-  const Topology onto = RequireClosedSurface(target, "the Target");
-  if (from.EulerNumber != onto.EulerNumber || from.Components != onto.Components)
+  const std::vector<int> from =
+    GenusOfComponents(boundary, RequireClosedSurface(boundary, "the Boundary"));
+  const std::vector<int> onto =
+    GenusOfComponents(target, RequireClosedSurface(target, "the Target"));
+  if (from != onto)
   {
     throw InvalidInput("the Boundary has " + Described(from) + " and the Target has " +
       Described(onto) +

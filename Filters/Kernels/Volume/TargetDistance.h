@@ -12,8 +12,8 @@ namespace shape
  * inherits.
  *
  * boundary: closed; targets (n x 3, finite): the images of its points. Throws InvalidInput where
- * the target is not closed, or has another Euler number or number of components than the boundary:
- * then no continuous map takes one onto the other one to one; Aborted.
+ * the target is not closed, or its components have other genera than the boundary's: then no
+ * continuous map takes one onto the other one to one; Aborted.
  */
 double TargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets, const Mesh& target,
   const Progress& progress = {});

@@ -1,4 +1,4 @@
-#include "Surface/Crossings.h"
+#include "Geometry/Crossings.h"
 
 #include "Core/Orientation.h"
 #include "Core/Parallel.h"
@@ -19,15 +19,12 @@ using Eigen::RowVector2d;
 using Eigen::RowVector3d;
 
 /// A triangle by its corners.
-struct Corners
-{
-  std::array<RowVector3d, 3> At;
-};
+using Triangle = std::array<RowVector3d, 3>;
 
-Corners CornersOf(const Mesh& mesh, int triangle)
+Triangle TriangleOf(const Mesh& mesh, int number)
 {
-  return { { mesh.Points.row(mesh.Triangles(triangle, 0)),
-    mesh.Points.row(mesh.Triangles(triangle, 1)), mesh.Points.row(mesh.Triangles(triangle, 2)) } };
+  const Eigen::Matrix3d corners = Corners(mesh, number);
+  return { corners.row(0), corners.row(1), corners.row(2) };
 }
 
 /// A point without its coordinate `axis`.
@@ -37,11 +34,11 @@ RowVector2d Without(int axis, const RowVector3d& p)
 }
 
 /// An axis along which the triangle can be projected without becoming flat, or -1.
-int ProjectionAxis(const Corners& t)
+int ProjectionAxis(const Triangle& t)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (Orientation(Without(axis, t.At[0]), Without(axis, t.At[1]), Without(axis, t.At[2])) != 0)
+    if (Orientation(Without(axis, t[0]), Without(axis, t[1]), Without(axis, t[2])) != 0)
     {
       return axis;
     }
@@ -70,11 +67,11 @@ bool Cross(const RowVector2d& p, const RowVector2d& q, const RowVector2d& a, con
 }
 
 /// Whether a segment meets a triangle in whose plane it lies.
-bool MeetInPlane(const RowVector3d& p, const RowVector3d& q, const Corners& t)
+bool MeetInPlane(const RowVector3d& p, const RowVector3d& q, const Triangle& t)
 {
   const int axis = ProjectionAxis(t);
-  const std::array<RowVector2d, 3> corners = { Without(axis, t.At[0]), Without(axis, t.At[1]),
-    Without(axis, t.At[2]) };
+  const std::array<RowVector2d, 3> corners = { Without(axis, t[0]), Without(axis, t[1]),
+    Without(axis, t[2]) };
   const RowVector2d from = Without(axis, p), to = Without(axis, q);
   if (Contains(corners, from) || Contains(corners, to))
   {
@@ -92,10 +89,10 @@ bool MeetInPlane(const RowVector3d& p, const RowVector3d& q, const Corners& t)
 }
 
 /// Whether a segment meets a triangle, ends and border included.
-bool Meet(const RowVector3d& p, const RowVector3d& q, const Corners& t)
+bool Meet(const RowVector3d& p, const RowVector3d& q, const Triangle& t)
 {
-  const int sideP = Orientation(t.At[0], t.At[1], t.At[2], p);
-  const int sideQ = Orientation(t.At[0], t.At[1], t.At[2], q);
+  const int sideP = Orientation(t[0], t[1], t[2], p);
+  const int sideQ = Orientation(t[0], t[1], t[2], q);
   if (sideP * sideQ > 0)
   {
     return false;
@@ -107,24 +104,62 @@ bool Meet(const RowVector3d& p, const RowVector3d& q, const Corners& t)
   int signs[3];
   for (int k = 0; k < 3; ++k)
   {
-    signs[k] = Orientation(p, q, t.At[k], t.At[(k + 1) % 3]);
+    signs[k] = Orientation(p, q, t[k], t[(k + 1) % 3]);
   }
   const auto [low, high] = std::minmax({ signs[0], signs[1], signs[2] });
   return low >= 0 || high <= 0;
 }
 
 /// Whether all corners of u lie strictly on one side of the plane of t.
-bool Apart(const Corners& t, const Corners& u)
+bool Apart(const Triangle& t, const Triangle& u)
 {
-  const int side = Orientation(t.At[0], t.At[1], t.At[2], u.At[0]);
-  return side != 0 && Orientation(t.At[0], t.At[1], t.At[2], u.At[1]) == side &&
-    Orientation(t.At[0], t.At[1], t.At[2], u.At[2]) == side;
+  const int side = Orientation(t[0], t[1], t[2], u[0]);
+  return side != 0 && Orientation(t[0], t[1], t[2], u[1]) == side &&
+    Orientation(t[0], t[1], t[2], u[2]) == side;
 }
 
-/// Whether two triangles have more in common than the corners and the edge they share.
-bool Meet(const Mesh& mesh, int first, int second)
+Eigen::AlignedBox3d BoxOf(const Mesh& mesh, int triangle)
 {
-  const Corners t = CornersOf(mesh, first), u = CornersOf(mesh, second);
+  Eigen::AlignedBox3d box;
+  for (int k = 0; k < 3; ++k)
+  {
+    box.extend(mesh.Points.row(mesh.Triangles(triangle, k)).transpose());
+  }
+  return box;
+}
+
+/// What Eigen's search calls for each box and triangle: collects the crossings of one triangle with
+/// later ones.
+struct Search
+{
+  const Mesh& Surface;
+  const std::vector<Eigen::AlignedBox3d>& Boxes;
+  int Number;
+  std::vector<Crossing>& Found;
+
+  // Eigen calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
+  bool intersectVolume(const Eigen::AlignedBox3d& box) const
+  {
+    return box.intersects(this->Boxes[this->Number]);
+  }
+  bool intersectObject(int other) const
+  {
+    const Eigen::AlignedBox3d &mine = this->Boxes[this->Number], &its = this->Boxes[other];
+    if (other > this->Number && mine.intersects(its) &&
+      TrianglesMeet(this->Surface, this->Number, other))
+    {
+      this->Found.push_back({ this->Number, other, mine.intersection(its).center().transpose() });
+    }
+    return false; // go on
+  }
+  // NOLINTEND(readability-identifier-naming)
+};
+
+} // namespace
+
+bool TrianglesMeet(const Mesh& mesh, int first, int second)
+{
+  const Triangle t = TriangleOf(mesh, first), u = TriangleOf(mesh, second);
   int shared = 0, ownOfT = -1, ownOfU = -1, sharedOfT = -1, sharedOfU = -1;
   for (int i = 0; i < 3; ++i)
   {
@@ -145,8 +180,8 @@ bool Meet(const Mesh& mesh, int first, int second)
   if (shared == 2)
   {
     // They overlap where they lie in one plane on the same side of the common edge.
-    const RowVector3d &own = t.At[ownOfT], &other = u.At[ownOfU];
-    const RowVector3d &a = t.At[(ownOfT + 1) % 3], &b = t.At[(ownOfT + 2) % 3];
+    const RowVector3d &own = t[ownOfT], &other = u[ownOfU];
+    const RowVector3d &a = t[(ownOfT + 1) % 3], &b = t[(ownOfT + 2) % 3];
     if (Orientation(a, b, own, other) != 0)
     {
       return false;
@@ -158,16 +193,17 @@ bool Meet(const Mesh& mesh, int first, int second)
   if (shared == 1)
   {
     // From the common corner, what they share reaches the opposite side of one of them.
-    return Meet(t.At[(sharedOfT + 1) % 3], t.At[(sharedOfT + 2) % 3], u) ||
-      Meet(u.At[(sharedOfU + 1) % 3], u.At[(sharedOfU + 2) % 3], t);
+    return Meet(t[(sharedOfT + 1) % 3], t[(sharedOfT + 2) % 3], u) ||
+      Meet(u[(sharedOfU + 1) % 3], u[(sharedOfU + 2) % 3], t);
   }
   if (Apart(t, u) || Apart(u, t))
   {
     return false;
   }
+  const bool flatT = ProjectionAxis(t) == -1, flatU = ProjectionAxis(u) == -1;
   for (int k = 0; k < 3; ++k)
   {
-    if (Meet(t.At[k], t.At[(k + 1) % 3], u) || Meet(u.At[k], u.At[(k + 1) % 3], t))
+    if ((!flatU && Meet(t[k], t[(k + 1) % 3], u)) || (!flatT && Meet(u[k], u[(k + 1) % 3], t)))
     {
       return true;
     }
@@ -175,51 +211,12 @@ bool Meet(const Mesh& mesh, int first, int second)
   return false;
 }
 
-Eigen::AlignedBox3d BoxOf(const Mesh& mesh, int triangle)
-{
-  Eigen::AlignedBox3d box;
-  for (int k = 0; k < 3; ++k)
-  {
-    box.extend(mesh.Points.row(mesh.Triangles(triangle, k)).transpose());
-  }
-  return box;
-}
-
-/// What Eigen's search calls for each box and triangle: collects the crossings of one triangle with
-/// later ones.
-struct Search
-{
-  const Mesh& Surface;
-  const std::vector<Eigen::AlignedBox3d>& Boxes;
-  int Triangle;
-  std::vector<Crossing>& Found;
-
-  // Eigen calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
-  bool intersectVolume(const Eigen::AlignedBox3d& box) const
-  {
-    return box.intersects(this->Boxes[this->Triangle]);
-  }
-  bool intersectObject(int other) const
-  {
-    const Eigen::AlignedBox3d &mine = this->Boxes[this->Triangle], &its = this->Boxes[other];
-    if (other > this->Triangle && mine.intersects(its) &&
-      Meet(this->Surface, this->Triangle, other))
-    {
-      this->Found.push_back({ this->Triangle, other, mine.intersection(its).center().transpose() });
-    }
-    return false; // go on
-  }
-  // NOLINTEND(readability-identifier-naming)
-};
-
-} // namespace
-
 std::vector<int> FlatTriangles(const Mesh& mesh)
 {
   std::vector<int> flat;
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    if (ProjectionAxis(CornersOf(mesh, t)) == -1)
+    if (ProjectionAxis(TriangleOf(mesh, t)) == -1)
     {
       flat.push_back(t);
     }

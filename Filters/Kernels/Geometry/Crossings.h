@@ -16,6 +16,13 @@ struct Crossing
   Eigen::RowVector3d Place; ///< the middle of what their boxes have in common
 };
 
+/**
+ * Whether two triangles have more in common than the corners and the edge they share, by exact
+ * orientations (Core/Orientation.h). Points are shared by index. A flat triangle that shares no
+ * point counts as its edges, and does not meet another flat one.
+ */
+bool TrianglesMeet(const Mesh& mesh, int first, int second);
+
 /// The triangles whose corners lie on one line, in order. Exact.
 std::vector<int> FlatTriangles(const Mesh& mesh);
 
