@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Sets up, then measures and draws what the paper about harmonic volume maps reports (Li, Xu, Wan,
 # Yin and Yu, "Feature-aligned harmonic volumetric mapping using MFS", 2010), on models at hand:
-# Utilities/reproduce.sh [folder for the results, default build/reproduce] [tables | features | figures]
+# Utilities/reproduce.sh [folder, default build/reproduce] [tables] [features] [figures]
 # Every part runs, even after one whose claims did not hold; then the command fails.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
