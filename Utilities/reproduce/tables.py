@@ -97,7 +97,7 @@ Table 2: SingleShot against MultiLevel, the same CR and SR, Tolerance 0, else th
 levels at most). CPU and wall seconds of the filter; MiB: the peak of its process, and `before` the
 filter ran; RMSE at the boundary's points and inside its triangles; n: levels fitted. Ratios:
 SingleShot's CPU seconds, MiB above those before, and RMSEs, divided by MultiLevel's in that row.
-Claimed of MultiLevel at the automatic offset, against SingleShot at either one.
+Claimed at the automatic offset, the default; where SingleShot at 0.15 is better still, it is said.
 ''')
     columns = '%7s %7s %6s %9s %9s' % ('CPU', 'wall', 'MiB', 'vertices', 'inside')
     print('%-39s before | SingleShot%32s | MultiLevel%35s | ratios' % ('', '', ''))
@@ -127,15 +127,15 @@ def print_paper():
             number(value, form) for value, form in zip(figures, forms)), flush=True)
 
 
-def failures_of_methods(rows):
-    """Where MultiLevel with its automatic offset is worse than SingleShot with any offset."""
+def failures_of_methods(rows, offset='auto'):
+    """Where MultiLevel with its automatic offset is worse than SingleShot with the one given."""
     multi = {row['Model']: row for row in rows if row['Offset'] == 'auto'}
-    for row in rows:
+    for row in (row for row in rows if row['Offset'] == offset):
         for key in ('CPU', 'RMSEVertices', 'RMSEInside'):
             values = multi[row['Model']]['MultiLevel' + key], row['SingleShot' + key]
             if not values[0] <= values[1]:
                 yield 'Table 2, %s: %s of MultiLevel is %.4g, of SingleShot at offset %s %.4g' % (
-                    row['Model'], key, values[0], row['Offset'], values[1])
+                    row['Model'], key, values[0], offset, values[1])
 
 
 def another_sample(path, number, folder):
@@ -268,6 +268,8 @@ def main(folder):
     methods, levels = compare_methods(paths)
     write(methods, path('table2.csv'))
     print_paper()
+    for text in failures_of_methods(methods, 0.15):
+        print('Not claimed: ' + text, flush=True)
     by_level = [dict(Model=name, **{key: took[key][i] for key in (
         'Level', 'RMSEVertices', 'RMSEInside', 'Maximum', 'Sources', 'Collocations', 'Seconds')})
         for name, took in levels.items() for i in range(len(took['Level']))]
