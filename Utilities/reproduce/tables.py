@@ -189,14 +189,14 @@ SingleShot: one sample. The filter does not report the error at the collocation 
 other column.
 ''' % SAMPLES)
     print('%-16s %-10s %-9s ' % ('model', 'method', 'offset') + ''.join(
-        '%-21s' % '/'.join(sampling[:2]) for sampling in SAMPLINGS) + 'GA/GA : UN/UN', flush=True)
+        '%-23s' % '/'.join(sampling[:2]) for sampling in SAMPLINGS) + 'GA/GA : UN/UN', flush=True)
 
 
 def print_samplings(row):
     cells = ''
     for sources, collocations, _ in SAMPLINGS:
         key = '%s/%s ' % (sources, collocations)
-        cells += '%-21s' % ('%.3f %.3f +-%.3f' % tuple(100.0 * value for value in (
+        cells += '%-23s' % ('%.3f %.3f +-%.3f' % tuple(100.0 * value for value in (
             row[key + 'RMSEVertices'], row[key + 'RMSEInside'],
             0.5 * row[key + 'RMSEVertices spread'])))
     print('%-16s %-10s %-9s %s%.3f' % (row['Model'], row['Method'], row['Offset'], cells,
@@ -205,7 +205,7 @@ def print_samplings(row):
 
 def print_paper_of_samplings():
     print('%-16s %-10s %-9s ' % ('paper: vase-lion', '', 0.15) + ''.join(
-        '%-21s' % ('%.3f' % (100.0 * error)) for _, _, error in SAMPLINGS) +
+        '%-23s' % ('%.3f' % (100.0 * error)) for _, _, error in SAMPLINGS) +
         '%.3f\n' % (SAMPLINGS[-1][2] / SAMPLINGS[0][2]), flush=True)
 
 
