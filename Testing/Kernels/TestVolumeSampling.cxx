@@ -135,6 +135,24 @@ TEST(Sampling, AdaptiveLeavesNoFlatPartEmpty)
   EXPECT_LT(farthest, 2.5 * shape::PackingRadius(6.0, count) * 2.0 / std::sqrt(3.0));
 }
 
+TEST(Sampling, AreasMakeASumAnIntegralHoweverDenseTheSamplesAre)
+{
+  // The mean of x^2 over the surface of a long ellipsoid; adaptive samples crowd at its tips.
+  shape::Mesh ellipsoid = shapetest::Icosphere(4);
+  ellipsoid.Points.col(0) *= 4.0;
+  const auto mean = [](const Eigen::MatrixXd& points, const Eigen::VectorXd& weights)
+  { return weights.dot(points.col(0).cwiseAbs2()) / weights.sum(); };
+  const Eigen::VectorXd exactWeights = shape::AreaVectors(ellipsoid).rowwise().norm();
+  const double exact = mean(shape::Centroids(ellipsoid), exactWeights);
+  const Eigen::MatrixXd points =
+    shape::SampleSurface(ellipsoid, 2000, shape::SamplingMode::GeometryAdaptive);
+  const Eigen::VectorXd areas = shape::SampledAreas(points);
+  EXPECT_GT(mean(points, Eigen::VectorXd::Ones(2000)), 1.2 * exact);
+  EXPECT_NEAR(mean(points, areas), exact, 0.05 * exact);
+  EXPECT_GT(areas.minCoeff(), 0.0);
+  EXPECT_EQ(shape::SampledAreas(Eigen::MatrixXd::Ones(5, 3)), Eigen::VectorXd::Ones(5));
+}
+
 TEST(Sampling, RefusesAndAborts)
 {
   const shape::Mesh sphere = shapetest::Icosphere(3);

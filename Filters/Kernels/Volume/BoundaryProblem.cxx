@@ -3,6 +3,7 @@
 #include "Core/DenseSolve.h"
 #include "Core/Errors.h"
 #include "Volume/OutsideDomain.h"
+#include "Volume/Sampling.h"
 
 #include <Eigen/QR>
 
@@ -143,17 +144,17 @@ BoundaryProblem::Fit BoundaryProblem::Solve(
   this->RequireMemory(boundaryRows, static_cast<int>(sources.rows()));
   Eigen::MatrixXd points(rows, 3), rightSide(rows, 3);
   points << this->Places.topRows(boundaryRows), this->Probes.bottomRows(featureRows);
-  rightSide << this->PlaceResidual.topRows(boundaryRows),
-    this->RootWeights.asDiagonal() * this->Residual.bottomRows(featureRows);
+  rightSide << this->PlaceResidual.topRows(boundaryRows), this->Residual.bottomRows(featureRows);
   Eigen::MatrixXd matrix = PotentialMatrix(points, sources, progress.Part(0.0, 0.1));
-  matrix.bottomRows(featureRows) =
-    (this->RootWeights.asDiagonal() * matrix.bottomRows(featureRows)).eval();
+  Eigen::VectorXd roots(rows);
+  roots << SampledAreas(points.topRows(boundaryRows)).cwiseSqrt(), this->RootWeights;
+  matrix = roots.asDiagonal() * matrix;
   const SingularValues decomposition(std::move(matrix));
   progress(0.95);
 
   Fit fit;
   fit.Rows = static_cast<int>(rows);
-  fit.Charges = decomposition.Solve(rightSide, this->Threshold);
+  fit.Charges = decomposition.Solve(roots.asDiagonal() * rightSide, this->Threshold);
   std::set<int> redundant;
   const Eigen::MatrixXd vectors = decomposition.RightVectors(decomposition.Rank(this->Threshold));
   for (const auto& vector : vectors.colwise())

@@ -28,8 +28,8 @@ public:
   /// large.
   void RequireMemory(int boundaryRows, int sources) const;
 
-  /// Fits charges at `sources` to what is left over at the first `boundaryRows` collocations and
-  /// at the features.
+  /// Fits charges at `sources` to what is left over at the first `boundaryRows` collocations, each
+  /// weighted by the area it stands for (SampledAreas), and at the features.
   struct Fit
   {
     Eigen::MatrixXd Charges; ///< s x 3

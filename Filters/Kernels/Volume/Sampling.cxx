@@ -230,6 +230,35 @@ Eigen::VectorXi EliminateSamples(
   return Eigen::VectorXi::Map(kept.data(), kept.size());
 }
 
+Eigen::VectorXd SampledAreas(const Eigen::MatrixXd& points)
+{
+  const Eigen::Index n = points.rows();
+  // The nearest found is the point itself.
+  const std::size_t count = static_cast<std::size_t>(std::min<Eigen::Index>(7, n));
+  const PointRows rows = points;
+  const Tree tree(3, std::cref(rows), 10);
+  std::vector<Eigen::Index> found(count);
+  std::vector<double> squares(count);
+  Eigen::VectorXd areas(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+  {
+    const Eigen::RowVector3d point = points.row(i);
+    tree.query(point.data(), count, found.data(), squares.data());
+    double sum = 0.0;
+    for (const double square : squares)
+    {
+      sum += std::sqrt(square);
+    }
+    areas(i) = sum * sum;
+  }
+  const double mean = areas.mean();
+  if (!(mean > 0.0)) // all at one place
+  {
+    return Eigen::VectorXd::Ones(n);
+  }
+  return (areas / mean).cwiseMax(0.1).cwiseMin(10.0);
+}
+
 Eigen::VectorXi SpatialOrder(const Eigen::MatrixXd& points)
 {
   const Eigen::RowVector3d low = points.colwise().minCoeff();

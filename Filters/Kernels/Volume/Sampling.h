@@ -45,6 +45,18 @@ double PackingRadius(double area, int count);
 Eigen::VectorXi EliminateSamples(const Eigen::MatrixXd& points, const Eigen::VectorXd& radii,
   int count, const Progress& progress = {});
 
+/**
+ * How much area each of the points spread over a surface stands for, as a share of their mean (n):
+ * the square of the mean distance to its 6 nearest neighbours, within a factor of 10.
+ *
+ * As weights they make a sum over the points an integral over the surface, however dense they are.
+ * Without them the least squares of the harmonic map are drawn to where there are many.
+ * RMSEVertices / RMSEInside of MultiLevel with adaptive samples, without and with: dented sphere of
+ * 3k points 3.06e-3 / 2.93e-3 and 3.01e-3 / 2.33e-3, two-torus to its polycube 5.18e-3 / 4.70e-3
+ * and 4.96e-3 / 4.34e-3.
+ */
+Eigen::VectorXd SampledAreas(const Eigen::MatrixXd& points);
+
 /// The rows of `points` in an order in which neighbours in space are mostly neighbours in the list
 /// (Morton's): taking every k-th one spreads a subset evenly.
 Eigen::VectorXi SpatialOrder(const Eigen::MatrixXd& points);
