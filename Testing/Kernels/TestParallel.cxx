@@ -88,6 +88,13 @@ TEST(Parallel, BlasUsesAsManyThreadsAndThenAsBefore)
     const shape::BlasThreads threads;
     EXPECT_EQ(openblas_get_num_threads(), 1);
   }
+  setenv("VTK_SMP_MAX_THREADS", "2", 1);
+  {
+    const shape::BlasThreads threads(1000);
+    EXPECT_EQ(openblas_get_num_threads(), 2);
+    const shape::BlasThreads few(100);
+    EXPECT_EQ(openblas_get_num_threads(), 1);
+  }
   unsetenv("VTK_SMP_MAX_THREADS");
   EXPECT_EQ(openblas_get_num_threads(), before);
 }

@@ -19,10 +19,11 @@ int ThreadCount()
   return asked > 0 ? asked : oneapi::tbb::info::default_concurrency();
 }
 
-BlasThreads::BlasThreads()
+BlasThreads::BlasThreads(int shorterSide)
   : Before(openblas_get_num_threads())
 {
-  openblas_set_num_threads(ThreadCount());
+  constexpr int worthSharing = 512;
+  openblas_set_num_threads(shorterSide < worthSharing ? 1 : ThreadCount());
 }
 
 BlasThreads::~BlasThreads()

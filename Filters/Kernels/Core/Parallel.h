@@ -3,6 +3,7 @@
 #include "Core/Progress.h"
 
 #include <functional>
+#include <limits>
 
 namespace shape
 {
@@ -12,13 +13,15 @@ namespace shape
 int ThreadCount();
 
 /**
- * Lets BLAS use ThreadCount() threads while it lives: its own number is one setting of the whole
- * process, which is put back afterwards.
+ * Lets BLAS use ThreadCount() threads while it lives, or one where the matrices are so small that
+ * waiting for each other would cost the threads more than they gain: its own number is one setting
+ * of the whole process, which is put back afterwards.
  */
 class BlasThreads
 {
 public:
-  BlasThreads();
+  /// shorterSide: of the largest matrix, where that is known.
+  explicit BlasThreads(int shorterSide = std::numeric_limits<int>::max());
   ~BlasThreads();
   BlasThreads(const BlasThreads&) = delete;
   BlasThreads& operator=(const BlasThreads&) = delete;
