@@ -104,8 +104,10 @@ public:
   ///@}
 
   ///@{
-  /// How far outside the boundary the sources lie, divided by the longest side of its box; 0 = 1.25
-  /// times the spacing of the points where the map is fitted, between 0.01 and 0.15. Default: 0.
+  /// How far outside the boundary the farthest sources lie, divided by the longest side of its box;
+  /// the last of MultiLevel's subsets lies sqrt(SourceSubsets) times nearer. 0 = the nearest
+  /// at 1.25 times the spacing of the points where the map is fitted, between 0.01 and 0.15.
+  /// Default: 0.
   vtkShapeOption(OffsetDistance, double);
   ///@}
 

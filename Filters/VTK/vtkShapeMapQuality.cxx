@@ -115,39 +115,51 @@ void WriteCells(const shape::MapQualityResult& result, vtkDataSet* output)
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(result.Degenerate, "Degenerate"));
 }
 
-void WriteTable(const shape::MapQualitySums& sums, vtkTable* output)
+const char* const SummaryNames[] = { "Minimum", "Mean", "Maximum", "Share" };
+
+/// A row for each measure, a column for each of SummaryNames.
+Eigen::MatrixXd Summary(const shape::MapQualitySums& sums)
 {
-  Eigen::MatrixXd columns(shape::MapMeasureCount, 4);
-  vtkNew<vtkStringArray> names;
-  names->SetName("Measure");
+  Eigen::MatrixXd summary(shape::MapMeasureCount, 4);
   for (int row = 0; row < shape::MapMeasureCount; ++row)
   {
     const auto measure = static_cast<shape::MapMeasure>(row);
     const double count =
       measure == shape::MapMeasure::JacobianDeterminant ? sums.Flipped : sums.Undefined(row);
-    columns.row(row) << sums.Minima(row), sums.Mean(measure), sums.Maxima(row), count / sums.Cells;
-    names->InsertNextValue(MeasureNames[row]);
+    summary.row(row) << sums.Minima(row), sums.Mean(measure), sums.Maxima(row), count / sums.Cells;
+  }
+  return summary;
+}
+
+void WriteTable(const Eigen::MatrixXd& summary, vtkTable* output)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName("Measure");
+  for (const char* measure : MeasureNames)
+  {
+    names->InsertNextValue(measure);
   }
   output->AddColumn(names);
-  const char* titles[] = { "Minimum", "Mean", "Maximum", "Share" };
-  for (int column = 0; column < columns.cols(); ++column)
+  for (int column = 0; column < summary.cols(); ++column)
   {
-    output->AddColumn(vtkShapeConvert::ToArray(columns.col(column), titles[column]));
+    output->AddColumn(vtkShapeConvert::ToArray(summary.col(column), SummaryNames[column]));
   }
 }
 
-void WriteFacts(const shape::MapQualitySums& sums, vtkDataObject* output)
+void WriteFacts(
+  const shape::MapQualitySums& sums, const Eigen::MatrixXd& summary, vtkDataObject* output)
 {
   const auto add = [&](const std::string& fact, double value)
   { vtkShapeConvert::AddFact(output, "MapQuality." + fact, value); };
   add("Cells", sums.Cells);
   add("FlippedCells", sums.Flipped);
   add("DegenerateCells", sums.Degenerate);
-  add("MinimumJacobianDeterminant", sums.Minima(0));
-  for (int row = 1; row < shape::MapMeasureCount; ++row)
+  for (int row = 0; row < summary.rows(); ++row)
   {
-    add(std::string("Mean") + MeasureNames[row], sums.Mean(static_cast<shape::MapMeasure>(row)));
-    add(std::string("Maximum") + MeasureNames[row], sums.Maxima(row));
+    for (int column = 0; column < summary.cols(); ++column)
+    {
+      add(std::string(SummaryNames[column]) + MeasureNames[row], summary(row, column));
+    }
   }
 }
 
@@ -199,10 +211,11 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
         : "none of the Input's " + std::to_string(static_cast<long long>(sums.Cells)) +
           " cells has an area or volume; check its coordinates");
   }
-  WriteFacts(sums, measured);
+  const Eigen::MatrixXd summary = Summary(sums);
+  WriteFacts(sums, summary, measured);
   // Every process has the same sums: one of them hands them on.
   if (!controller || controller->GetLocalProcessId() == 0)
   {
-    WriteTable(sums, vtkTable::SafeDownCast(this->GetOutputDataObject(1)));
+    WriteTable(summary, vtkTable::SafeDownCast(this->GetOutputDataObject(1)));
   }
 }

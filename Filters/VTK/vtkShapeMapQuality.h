@@ -30,9 +30,9 @@
  * are flipped, in the others those where the measure is not defined: without size, or 1e30. Over
  * all blocks and processes, without ghost cells.
  *
- * Field data of output 0: MapQuality.Cells, .FlippedCells, .DegenerateCells,
- * .MinimumJacobianDeterminant, and of each other measure .Mean and .Maximum with its name:
- * MapQuality.MeanSymmetricDirichlet.
+ * Field data of output 0: MapQuality.Cells, .FlippedCells, .DegenerateCells, and the numbers of the
+ * table, each by its column and row: MapQuality.MeanSymmetricDirichlet,
+ * MapQuality.ShareJacobianDeterminant.
  *
  * The mathematics: shape::MapQuality.
  */

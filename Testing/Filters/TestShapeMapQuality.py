@@ -77,6 +77,8 @@ for measure in MEASURES:
     values = cells(result, measure)
     least, mean, greatest, share = row(table, measure)
     assert (least, greatest, share) == (values.min(), values.max(), 0.0), measure
+    assert (least, mean, greatest, share) == tuple(fact(result, 'MapQuality.' + name + measure)
+                                                   for name in ('Minimum', 'Mean', 'Maximum', 'Share'))
     assert abs(mean - (areas * values).sum() / areas.sum()) < 1e-12 * abs(mean), measure
 assert row(table, 'SymmetricDirichlet')[0] >= 4.0
 

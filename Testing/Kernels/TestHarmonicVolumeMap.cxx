@@ -365,7 +365,13 @@ TEST(HarmonicVolumeMap, TheAutomaticOffsetFollowsTheSpacingOfTheCollocationPoint
   options.CollocationRatio = 3.2;
   const double fine = shape::HarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance;
   EXPECT_NEAR(coarse / fine, 2.0, 1e-9);
+  // What is asked for is the farthest; the last of MultiLevel's 4 subsets is sqrt(4) times nearer.
   options.OffsetDistance = 0.11;
+  options.SourceSubsets = 4;
+  EXPECT_NEAR(
+    shape::HarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance, 0.055, 1e-15);
+  options.Method = Method::SingleShot;
+  options.CollocationRatio = 0.8;
   EXPECT_EQ(shape::HarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance, 0.11);
 }
 

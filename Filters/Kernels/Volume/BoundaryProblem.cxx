@@ -2,6 +2,7 @@
 
 #include "Core/DenseSolve.h"
 #include "Core/Errors.h"
+#include "Core/Topology.h"
 #include "Volume/OutsideDomain.h"
 #include "Volume/Sampling.h"
 
@@ -74,6 +75,7 @@ BoundaryProblem::BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatu
   const HarmonicVolumeMapOptions& options, const Progress& progress)
   : Scaled(scaled)
   , Field(scaled.Surface)
+  , Components(SurfaceTopology(scaled.Surface).ComponentId)
   , Threshold(options.SingularValueThreshold)
   , MaximumMemory(options.MaximumMemory)
 {
@@ -113,6 +115,10 @@ void BoundaryProblem::Collocate(const Eigen::MatrixXd& points, const Progress& p
   const Eigen::Index before = this->Places.rows();
   this->Places.conservativeResize(before + points.rows(), 3);
   this->Places.bottomRows(points.rows()) = places.Positions;
+  for (const int triangle : places.Triangles)
+  {
+    this->PlaceComponents.push_back(this->Components(this->Scaled.Surface.Triangles(triangle, 0)));
+  }
   this->PlaceResidual.conservativeResize(before + points.rows(), 3);
   this->PlaceResidual.bottomRows(points.rows()) =
     Interpolate(this->Scaled.Surface.Triangles, this->Scaled.Targets, places) -
@@ -136,6 +142,24 @@ void BoundaryProblem::RequireMemory(int boundaryRows, int sources) const
   }
 }
 
+Eigen::VectorXd BoundaryProblem::AreasOfPlaces(int count) const
+{
+  std::vector<std::vector<int>> rows(this->Components.maxCoeff() + 1);
+  for (int i = 0; i < count; ++i)
+  {
+    rows[this->PlaceComponents[i]].push_back(i);
+  }
+  Eigen::VectorXd areas(count);
+  for (const std::vector<int>& component : rows)
+  {
+    if (!component.empty())
+    {
+      areas(component) = SampledAreas(this->Places(component, Eigen::all));
+    }
+  }
+  return areas;
+}
+
 BoundaryProblem::Fit BoundaryProblem::Solve(
   int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const
 {
@@ -147,7 +171,7 @@ BoundaryProblem::Fit BoundaryProblem::Solve(
   rightSide << this->PlaceResidual.topRows(boundaryRows), this->Residual.bottomRows(featureRows);
   Eigen::MatrixXd matrix = PotentialMatrix(points, sources, progress.Part(0.0, 0.1));
   Eigen::VectorXd roots(rows);
-  roots << SampledAreas(points.topRows(boundaryRows)).cwiseSqrt(), this->RootWeights;
+  roots << this->AreasOfPlaces(boundaryRows).cwiseSqrt(), this->RootWeights;
   matrix = roots.asDiagonal() * matrix;
   const SingularValues decomposition(std::move(matrix));
   progress(0.95);

@@ -3,6 +3,8 @@
 #include "Geometry/SignedDistance.h"
 #include "Volume/ScaledBoundary.h"
 
+#include <vector>
+
 namespace shape
 {
 
@@ -29,7 +31,7 @@ public:
   void RequireMemory(int boundaryRows, int sources) const;
 
   /// Fits charges at `sources` to what is left over at the first `boundaryRows` collocations, each
-  /// weighted by the area it stands for (SampledAreas), and at the features.
+  /// weighted by the area it stands for in its component (SampledAreas), and at the features.
   struct Fit
   {
     Eigen::MatrixXd Charges; ///< s x 3
@@ -56,14 +58,20 @@ public:
   ChargeSet Map() const;
 
 private:
+  /// What the first `count` collocations stand for as a share of their component's mean: a small
+  /// void counts by its points, of which it has enough, not by its area.
+  Eigen::VectorXd AreasOfPlaces(int count) const;
+
   ScaledBoundary Scaled;
-  SignedDistance Field;          ///< of the scaled boundary
-  Eigen::VectorXd RootWeights;   ///< of the features
-  Eigen::MatrixXd Probes;        ///< boundary points, centroids, features
-  Eigen::MatrixXd Residual;      ///< at the probes
-  Eigen::MatrixXd Places;        ///< of the collocations
-  Eigen::MatrixXd PlaceResidual; ///< there
-  ChargeSet Sum;                 ///< scaled
+  SignedDistance Field;             ///< of the scaled boundary
+  Eigen::VectorXi Components;       ///< of its points
+  std::vector<int> PlaceComponents; ///< of the collocations
+  Eigen::VectorXd RootWeights;      ///< of the features
+  Eigen::MatrixXd Probes;           ///< boundary points, centroids, features
+  Eigen::MatrixXd Residual;         ///< at the probes
+  Eigen::MatrixXd Places;           ///< of the collocations
+  Eigen::MatrixXd PlaceResidual;    ///< there
+  ChargeSet Sum;                    ///< scaled
   double Threshold = 0.0, MaximumMemory = 0.0;
 };
 

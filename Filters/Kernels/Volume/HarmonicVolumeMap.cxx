@@ -11,14 +11,20 @@ namespace shape
 namespace
 {
 
-/// Charges about as far from the boundary as its collocation points are from each other: nearer,
-/// the map swings between those points; farther, it cannot follow the boundary's detail. The
-/// farthest is the paper's.
-double AutomaticOffset(const Mesh& boundary, double collocationRatio)
+/// The distance of the nearest charges. By default about as far from the boundary as its
+/// collocation points are from each other: nearer, the map swings between those points; farther, it
+/// cannot follow the boundary's detail. The farthest is the paper's.
+double NearestOffset(const Mesh& boundary, const HarmonicVolumeMapOptions& options)
 {
-  const double area = PointAreas(boundary).sum();
-  const double spacing = std::sqrt(area / (collocationRatio * boundary.Points.rows()));
-  return std::clamp(1.25 * spacing, 0.01, 0.15);
+  if (options.OffsetDistance == 0.0)
+  {
+    const double area = PointAreas(boundary).sum();
+    const double spacing = std::sqrt(area / (options.CollocationRatio * boundary.Points.rows()));
+    return std::clamp(1.25 * spacing, 0.01, 0.15);
+  }
+  return options.Method == HarmonicVolumeMapOptions::MethodType::MultiLevel
+    ? options.OffsetDistance / Coarseness(SubsetCount(boundary, options))
+    : options.OffsetDistance;
 }
 
 } // namespace
@@ -29,10 +35,7 @@ HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::Mat
   RequireUsable(features, given);
   const ScaledBoundary scaled = ScaleBoundary(boundary, targets);
   HarmonicVolumeMapOptions options = given;
-  if (options.OffsetDistance == 0.0)
-  {
-    options.OffsetDistance = AutomaticOffset(scaled.Surface, options.CollocationRatio);
-  }
+  options.OffsetDistance = NearestOffset(scaled.Surface, options);
   BoundaryProblem problem(scaled, features, options, progress.Part(0.0, 0.05));
   HarmonicVolumeMapResult result;
   result.OffsetDistance = options.OffsetDistance;

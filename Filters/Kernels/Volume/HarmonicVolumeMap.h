@@ -29,8 +29,9 @@ struct HarmonicVolumeMapOptions
   double FeatureWeight = 20.0;   ///< of features that bring no weights; > 0
   double CollocationRatio = 0.4; ///< points where the map is fitted / points of the boundary; > 0
   double SourceRatio = 0.8;      ///< charges placed at the start / points of the boundary; > 0
-  /// Of the charges from the boundary / its longest side; 0 = by the spacing of the points where
-  /// the map is fitted.
+  /// Of the farthest charges from the boundary / its longest side; MultiLevel's last subset is
+  /// sqrt(subsets) times nearer. 0 = the nearest by the spacing of the points where the map is
+  /// fitted.
   double OffsetDistance = 0.0;
   SamplingMode CollocationSampling = SamplingMode::GeometryAdaptive;
   SamplingMode SourceSampling = SamplingMode::GeometryAdaptive;
@@ -85,12 +86,12 @@ struct HarmonicVolumeMapResult
  * boundary map (Li, Xu, Wan, Yin and Yu, "Feature-aligned harmonic volumetric mapping using MFS",
  * Computers & Graphics 34, 2010). The affine part is fitted first, so affine maps are exact.
  *
- * The paper's offset is 0.15 of the size; by default it is 1.25 times the spacing of the points
- * where the map is fitted, between 0.01 and 0.15. RMSEInside of MultiLevel at 0.8, 1.25 and 2 times
- * the spacing: dented ball of 2892 points to ball 1.6e-3, 2.8e-3, 6.2e-3, and back 4.1e-4, 2.7e-4,
- * 2.2e-4. Each fitted map is added with the factor, one for each coordinate, that leaves the least
- * over at triangle centroids and features: it differs from 1 where the fit swings between the
- * collocation points, as SingleShot's can with more sources than those.
+ * The paper's offset is 0.15 of the size; by default that of the nearest charges is 1.25 times the
+ * spacing of the points where the map is fitted, between 0.01 and 0.15. RMSEInside of MultiLevel at
+ * 0.8, 1.25 and 2 times the spacing: dented ball of 2892 points to ball 1.6e-3, 2.8e-3, 6.2e-3, and
+ * back 4.1e-4, 2.7e-4, 2.2e-4. Each fitted map is added with the factor, one for each coordinate,
+ * that leaves the least over at triangle centroids and features: it differs from 1 where the fit
+ * swings between the collocation points, as SingleShot's can with more sources than those.
  *
  * boundary: the closed surface of one solid in the space of the domain, and of its voids, facing
  * any way; charges sit in the voids, too (SourceShells). targets (n x 3): the image of each of its

@@ -20,19 +20,34 @@ constexpr int CoarseRowsPerSource = 2;
 constexpr double InsertedShare = 0.1;
 
 /// The sources dealt out along a curve that keeps neighbours together: each subset is spread
-/// evenly.
-std::vector<Eigen::MatrixXd> Deal(const Eigen::MatrixXd& sources, int subsets)
+/// evenly. The shell of a small void has too few to be divided: every subset gets all of them.
+std::vector<Eigen::MatrixXd> Deal(const std::vector<Eigen::MatrixXd>& shells, int subsets)
 {
-  const Eigen::VectorXi order = SpatialOrder(sources);
-  std::vector<std::vector<int>> hands(subsets);
-  for (Eigen::Index i = 0; i < order.size(); ++i)
+  std::vector<std::vector<Eigen::MatrixXd>> hands(subsets);
+  Eigen::Index largest = 0;
+  for (const Eigen::MatrixXd& sources : shells)
   {
-    hands[i % subsets].push_back(order(i));
+    largest = std::max(largest, sources.rows());
+  }
+  for (const Eigen::MatrixXd& sources : shells)
+  {
+    const bool divided =
+      sources.rows() == largest || sources.rows() >= subsets * SourceShells::Fewest;
+    const Eigen::VectorXi order = SpatialOrder(sources);
+    for (int s = 0; s < subsets; ++s)
+    {
+      std::vector<int> hand;
+      for (Eigen::Index i = divided ? s : 0; i < order.size(); i += divided ? subsets : 1)
+      {
+        hand.push_back(order(i));
+      }
+      hands[s].push_back(sources(hand, Eigen::all));
+    }
   }
   std::vector<Eigen::MatrixXd> dealt;
-  for (const std::vector<int>& hand : hands)
+  for (const std::vector<Eigen::MatrixXd>& hand : hands)
   {
-    dealt.push_back(sources(hand, Eigen::all));
+    dealt.push_back(Together(hand));
   }
   return dealt;
 }
@@ -94,14 +109,25 @@ void AppendRows(Eigen::MatrixXd& matrix, const Eigen::MatrixXd& rows)
 
 } // namespace
 
+int SubsetCount(const Mesh& boundary, const HarmonicVolumeMapOptions& options)
+{
+  constexpr int fewest = 16; // sources of a subset
+  return std::clamp(
+    options.SourceSubsets, 1, std::max(1, SampleCount(boundary, options.SourceRatio) / fewest));
+}
+
+double Coarseness(int subsets)
+{
+  return std::sqrt(static_cast<double>(subsets));
+}
+
 void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress)
 {
   auto start = std::chrono::steady_clock::now();
-  const int rows = SampleCount(problem, options.CollocationRatio);
-  const int sourceCount = SampleCount(problem, options.SourceRatio);
-  constexpr int fewest = 16; // sources of a subset
-  const int subsets = std::clamp(options.SourceSubsets, 1, std::max(1, sourceCount / fewest));
+  const int rows = SampleCount(problem.Boundary(), options.CollocationRatio);
+  const int sourceCount = SampleCount(problem.Boundary(), options.SourceRatio);
+  const int subsets = SubsetCount(problem.Boundary(), options);
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
   const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
@@ -111,7 +137,7 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
   for (int s = 0; s + 1 < subsets; ++s)
   {
     const double finer = static_cast<double>(s) / (subsets - 1);
-    MoveAway(sources[s], problem.Distance(), std::pow(subsets, 0.5 * (1.0 - finer)),
+    MoveAway(sources[s], problem.Distance(), std::pow(Coarseness(subsets), 1.0 - finer),
       progress.Part(0.15 + 0.05 * s / subsets, 0.15 + 0.05 * (s + 1) / subsets));
   }
   const int coarseRows =

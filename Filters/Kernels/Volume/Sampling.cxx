@@ -132,7 +132,7 @@ Eigen::MatrixXd SampleSurface(
   return spread.Points(kept, Eigen::all);
 }
 
-Eigen::MatrixXd SampleSurfaces(const std::vector<Mesh>& surfaces, int count, int least,
+std::vector<Eigen::MatrixXd> SampleSurfaces(const std::vector<Mesh>& surfaces, int count, int least,
   SamplingMode mode, unsigned int seed, const Progress& progress)
 {
   Eigen::VectorXd areas(surfaces.size());
@@ -140,17 +140,15 @@ Eigen::MatrixXd SampleSurfaces(const std::vector<Mesh>& surfaces, int count, int
   {
     areas(s) = AreaVectors(surfaces[s]).rowwise().norm().sum();
   }
-  Eigen::MatrixXd points(0, 3);
+  std::vector<Eigen::MatrixXd> points;
   double done = 0.0;
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
     const double share = areas(s) / areas.sum();
-    const Eigen::MatrixXd sample =
-      SampleSurface(surfaces[s], std::max(least, static_cast<int>(std::round(share * count))), mode,
-        seed, progress.Part(done, done + share));
+    const int asked = std::max(least, static_cast<int>(std::round(share * count)));
+    points.push_back(
+      SampleSurface(surfaces[s], asked, mode, seed, progress.Part(done, done + share)));
     done += share;
-    points.conservativeResize(points.rows() + sample.rows(), 3);
-    points.bottomRows(sample.rows()) = sample;
   }
   return points;
 }

@@ -34,7 +34,8 @@ Eigen::MatrixXd SampleSurface(const Mesh& surface, int count, SamplingMode mode,
   unsigned int seed = 1, const Progress& progress = {});
 
 /// The same for several surfaces: `count` points shared out by area, but at least `least` to each.
-Eigen::MatrixXd SampleSurfaces(const std::vector<Mesh>& surfaces, int count, int least,
+/// The points of each surface.
+std::vector<Eigen::MatrixXd> SampleSurfaces(const std::vector<Mesh>& surfaces, int count, int least,
   SamplingMode mode, unsigned int seed = 1, const Progress& progress = {});
 
 /// The radius of the `count` equal discs that pack a plane of this area most densely.

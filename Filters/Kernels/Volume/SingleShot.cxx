@@ -9,33 +9,49 @@
 namespace shape
 {
 
-int SampleCount(const BoundaryProblem& problem, double ratio)
+int SampleCount(const Mesh& boundary, double ratio)
 {
   constexpr double least = 16.0, most = 1e8;
-  return static_cast<int>(
-    std::clamp(std::round(ratio * problem.Boundary().Points.rows()), least, most));
+  return static_cast<int>(std::clamp(std::round(ratio * boundary.Points.rows()), least, most));
+}
+
+Eigen::MatrixXd Together(const std::vector<Eigen::MatrixXd>& parts)
+{
+  Eigen::Index rows = 0;
+  for (const Eigen::MatrixXd& part : parts)
+  {
+    rows += part.rows();
+  }
+  Eigen::MatrixXd all(rows, 3);
+  rows = 0;
+  for (const Eigen::MatrixXd& part : parts)
+  {
+    all.middleRows(rows, part.rows()) = part;
+    rows += part.rows();
+  }
+  return all;
 }
 
 Eigen::MatrixXd SampleBoundary(
   const BoundaryProblem& problem, const HarmonicVolumeMapOptions& options, const Progress& progress)
 {
   constexpr int least = 48;
-  return SampleSurfaces(SplitComponents(problem.Boundary()),
-    SampleCount(problem, options.CollocationRatio), least, options.CollocationSampling,
-    options.Seed, progress);
+  return Together(SampleSurfaces(SplitComponents(problem.Boundary()),
+    SampleCount(problem.Boundary(), options.CollocationRatio), least, options.CollocationSampling,
+    options.Seed, progress));
 }
 
 void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress)
 {
   const auto start = std::chrono::steady_clock::now();
-  const int rows = SampleCount(problem, options.CollocationRatio);
-  const int sourceCount = SampleCount(problem, options.SourceRatio);
+  const int rows = SampleCount(problem.Boundary(), options.CollocationRatio);
+  const int sourceCount = SampleCount(problem.Boundary(), options.SourceRatio);
   problem.RequireMemory(rows, sourceCount);
   const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
-  const Eigen::MatrixXd sources =
-    shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15));
+  const Eigen::MatrixXd sources = Together(
+    shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)));
   problem.Collocate(SampleBoundary(problem, options, progress.Part(0.15, 0.2)), Progress());
   const BoundaryProblem::Fit fit =
     problem.Solve(problem.Collocations(), sources, progress.Part(0.2, 0.95));

@@ -5,6 +5,8 @@
 namespace shape
 {
 
+// options.OffsetDistance is the distance of the nearest charges here.
+
 /// One decomposition of all sources and collocation points. Adds its level to `result`.
 void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress);
@@ -25,7 +27,17 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
   HarmonicVolumeMapResult& result, const Progress& progress);
 
 /// How many points a ratio of the boundary's asks for, at least 16.
-int SampleCount(const BoundaryProblem& problem, double ratio);
+int SampleCount(const Mesh& boundary, double ratio);
+
+/// Among how many levels MultiLevel deals the sources, at least 16 to each.
+int SubsetCount(const Mesh& boundary, const HarmonicVolumeMapOptions& options);
+
+/// How many times farther from the boundary the first of `subsets` lies than the last: as much as
+/// the spacing of its sources is wider than that of all.
+double Coarseness(int subsets);
+
+/// The rows of all matrices.
+Eigen::MatrixXd Together(const std::vector<Eigen::MatrixXd>& parts);
 
 /// So many collocation points, and more where a component would have less than 48.
 Eigen::MatrixXd SampleBoundary(const BoundaryProblem& problem,

@@ -60,11 +60,10 @@ double SourceShells::Area() const
   return area;
 }
 
-Eigen::MatrixXd SourceShells::Sample(
+std::vector<Eigen::MatrixXd> SourceShells::Sample(
   int count, SamplingMode mode, unsigned int seed, const Progress& progress) const
 {
-  constexpr int least = 24;
-  return SampleSurfaces(this->Shells, count, least, mode, seed, progress);
+  return SampleSurfaces(this->Shells, count, Fewest, mode, seed, progress);
 }
 
 Mesh SourceShells::Joined() const

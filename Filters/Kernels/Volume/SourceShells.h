@@ -24,8 +24,9 @@ public:
   double Area() const;                            ///< of all shells
   double Nearest() const { return this->Offset; } ///< the least distance of a shell; > 0
 
-  /// `count` places on the shells, and more where one would have less than 24.
-  Eigen::MatrixXd Sample(
+  /// `count` places on the shells, and more where one would have less than Fewest. Those on each.
+  static constexpr int Fewest = 24;
+  std::vector<Eigen::MatrixXd> Sample(
     int count, SamplingMode mode, unsigned int seed, const Progress& progress = {}) const;
 
   /// All shells as one surface.
