@@ -18,78 +18,14 @@ using shape::CombinationWeights;
 using shape::DiskMapOptions;
 using shape::DiskMapResult;
 using shape::DiskOutline;
+using shapetest::FlatDisk;
+using shapetest::FlatSquare;
 
 namespace
 {
 
 constexpr CombinationWeights AllWeights[] = { CombinationWeights::Uniform,
   CombinationWeights::Cotangent, CombinationWeights::MeanValue };
-
-/// The unit disk in z = 0 as rings of 6, 12, 18, ... points around the middle; the outer one last,
-/// from (1, 0) on.
-shape::Mesh FlatDisk(int rings)
-{
-  const int n = 1 + 3 * rings * (rings + 1);
-  shape::Mesh mesh{ Eigen::MatrixXd::Zero(n, 3), Eigen::MatrixXi(6 * rings * rings, 3) };
-  const auto point = [](int ring, int i)
-  { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + i % (6 * ring); };
-  int t = 0;
-  for (int ring = 1; ring <= rings; ++ring)
-  {
-    for (int i = 0; i < 6 * ring; ++i)
-    {
-      const double angle = 2.0 * M_PI * i / (6 * ring);
-      mesh.Points.row(point(ring, i)) << std::cos(angle) * ring / rings,
-        std::sin(angle) * ring / rings, 0.0;
-    }
-    for (int sector = 0; sector < 6; ++sector)
-    {
-      for (int k = 0; k < ring; ++k)
-      {
-        const int outer = sector * ring + k, inner = sector * (ring - 1) + k;
-        mesh.Triangles.row(t++) << point(ring - 1, inner), point(ring, outer),
-          point(ring, outer + 1);
-        if (k + 1 < ring)
-        {
-          mesh.Triangles.row(t++) << point(ring - 1, inner), point(ring, outer + 1),
-            point(ring - 1, inner + 1);
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
-/// [-1, 1] x [-1, 1] in cells x cells quads of two triangles each, whose diagonals leave no corner
-/// alone; inner points moved by up to `shake` cells.
-shape::Mesh FlatSquare(int cells, double shake)
-{
-  const int n = (cells + 1) * (cells + 1);
-  shape::Mesh mesh{ Eigen::MatrixXd::Zero(n, 3), Eigen::MatrixXi(2 * cells * cells, 3) };
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> offset(-shake, shake);
-  for (int i = 0; i <= cells; ++i)
-  {
-    for (int j = 0; j <= cells; ++j)
-    {
-      const bool inside = i > 0 && i < cells && j > 0 && j < cells;
-      const double x = i + (inside ? offset(random) : 0.0), y = j + (inside ? offset(random) : 0.0);
-      mesh.Points.row(i * (cells + 1) + j) << 2.0 * x / cells - 1.0, 2.0 * y / cells - 1.0, 0.0;
-    }
-  }
-  int t = 0;
-  for (int i = 0; i < cells; ++i)
-  {
-    for (int j = 0; j < cells; ++j)
-    {
-      const int a = i * (cells + 1) + j, b = a + cells + 1, c = b + 1, d = a + 1;
-      const bool rising = (i < cells / 2) == (j < cells / 2);
-      mesh.Triangles.row(t++) << a, b, (rising ? c : d);
-      mesh.Triangles.row(t++) << (rising ? a : b), c, d;
-    }
-  }
-  return mesh;
-}
 
 /// The flat disk raised to the half of the unit sphere above its rim, by stereographic projection.
 shape::Mesh Hemisphere(int rings)
@@ -189,35 +125,7 @@ shape::Mesh WithoutTriangleAt(const shape::Mesh& mesh, int point)
 
 } // namespace
 
-TEST(ConvexCombination, CotangentAndMeanValueReproduceAFlatSurfaceWithAnyFlatRim)
-{
-  // Linear precision: an affine image of the rim gives the affine image of the whole.
-  const shape::Mesh mesh = FlatSquare(12, 0.35);
-  std::vector<int> rim;
-  for (int i = 0; i < mesh.Points.rows(); ++i)
-  {
-    if (mesh.Points.row(i).cwiseAbs().maxCoeff() == 1.0)
-    {
-      rim.push_back(i);
-    }
-  }
-  const Eigen::Matrix2d linear = (Eigen::Matrix2d() << 1.3, -0.4, 0.9, 0.2).finished();
-  const Eigen::MatrixXd expected =
-    (mesh.Points.leftCols(2) * linear).rowwise() + Eigen::RowVector2d(5.0, -3.0);
-  Eigen::MatrixXd places(rim.size(), 2);
-  for (std::size_t k = 0; k < rim.size(); ++k)
-  {
-    places.row(k) = expected.row(rim[k]);
-  }
-  const auto error = [&](CombinationWeights weights) {
-    return (shape::ConvexCombination(mesh, weights, rim, places) - expected).cwiseAbs().maxCoeff();
-  };
-  EXPECT_LT(error(CombinationWeights::Cotangent), 1e-13);
-  EXPECT_LT(error(CombinationWeights::MeanValue), 1e-13);
-  EXPECT_GT(error(CombinationWeights::Uniform), 1e-3);
-}
-
-TEST(ConvexCombination, UniformPutsEachPointAtTheMeanOfItsNeighbours)
+TEST(DiskMap, UniformPutsEachPointAtTheMeanOfItsNeighbours)
 {
   const shape::Mesh mesh = Bumps(4);
   DiskMapOptions options;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -77,6 +78,68 @@ shape::Mesh Torus(double majorRadius, double minorRadius, int around, int across
       const int diagonal = (i + 1) % around * across + (j + 1) % across;
       mesh.Triangles.row(2 * here) << here, right, diagonal;
       mesh.Triangles.row(2 * here + 1) << here, diagonal, up;
+    }
+  }
+  return mesh;
+}
+
+shape::Mesh FlatDisk(int rings)
+{
+  const int n = 1 + 3 * rings * (rings + 1);
+  shape::Mesh mesh{ Eigen::MatrixXd::Zero(n, 3), Eigen::MatrixXi(6 * rings * rings, 3) };
+  const auto point = [](int ring, int i)
+  { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + i % (6 * ring); };
+  int t = 0;
+  for (int ring = 1; ring <= rings; ++ring)
+  {
+    for (int i = 0; i < 6 * ring; ++i)
+    {
+      const double angle = 2.0 * M_PI * i / (6 * ring);
+      mesh.Points.row(point(ring, i)) << std::cos(angle) * ring / rings,
+        std::sin(angle) * ring / rings, 0.0;
+    }
+    for (int sector = 0; sector < 6; ++sector)
+    {
+      for (int k = 0; k < ring; ++k)
+      {
+        const int outer = sector * ring + k, inner = sector * (ring - 1) + k;
+        mesh.Triangles.row(t++) << point(ring - 1, inner), point(ring, outer),
+          point(ring, outer + 1);
+        if (k + 1 < ring)
+        {
+          mesh.Triangles.row(t++) << point(ring - 1, inner), point(ring, outer + 1),
+            point(ring - 1, inner + 1);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+shape::Mesh FlatSquare(int cells, double shake)
+{
+  const int n = (cells + 1) * (cells + 1);
+  shape::Mesh mesh{ Eigen::MatrixXd::Zero(n, 3), Eigen::MatrixXi(2 * cells * cells, 3) };
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> offset(-shake, shake);
+  for (int i = 0; i <= cells; ++i)
+  {
+    for (int j = 0; j <= cells; ++j)
+    {
+      const bool inside = i > 0 && i < cells && j > 0 && j < cells;
+      const double x = i + (inside ? offset(random) : 0.0), y = j + (inside ? offset(random) : 0.0);
+      mesh.Points.row(i * (cells + 1) + j) << 2.0 * x / cells - 1.0, 2.0 * y / cells - 1.0, 0.0;
+    }
+  }
+  int t = 0;
+  for (int i = 0; i < cells; ++i)
+  {
+    for (int j = 0; j < cells; ++j)
+    {
+      const int a = i * (cells + 1) + j, b = a + cells + 1, c = b + 1, d = a + 1;
+      const bool rising = (i < cells / 2) == (j < cells / 2);
+      mesh.Triangles.row(t++) << a, b, (rising ? c : d);
+      mesh.Triangles.row(t++) << (rising ? a : b), c, d;
     }
   }
   return mesh;
