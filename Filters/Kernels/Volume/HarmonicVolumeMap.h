@@ -88,7 +88,7 @@ struct HarmonicVolumeMapResult
  *
  * The paper's offset is 0.15 of the size; by default that of the nearest charges is 1.25 times the
  * spacing of the points where the map is fitted, between 0.01 and 0.15. RMSEInside of MultiLevel at
- * 0.8, 1.25 and 2 times the spacing: dented ball of 2892 points to ball 1.6e-3, 2.8e-3, 6.2e-3, and
+ * 0.8, 1.25 and 2 times the spacing: dented ball of 2892 points to ball 1.4e-3, 2.4e-3, 5.6e-3, and
  * back 4.1e-4, 2.7e-4, 2.2e-4. Each fitted map is added with the factor, one for each coordinate,
  * that leaves the least over at triangle centroids and features: it differs from 1 where the fit
  * swings between the collocation points, as SingleShot's can with more sources than those.
