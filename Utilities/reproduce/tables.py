@@ -283,8 +283,8 @@ def main(folder):
     failures = [*failures_of_methods(methods), *failures_of_samplings(samplings)]
     if failures:
         raise AssertionError('\n'.join(['these claims do not hold:', *failures]))
-    say('MultiLevel took no more CPU seconds than SingleShot and was no less accurate on each of '
-        '%d solids' % len(methods))
+    say('MultiLevel took no more CPU seconds than SingleShot and was no less accurate in each of '
+        '%d rows' % len(methods))
 
 
 if __name__ == '__main__':
