@@ -94,6 +94,26 @@ TEST(SourceShells, ChargesInAVoidMakeWhatNoneOutsideCan)
   }
 }
 
+TEST(SourceShells, TheFirstLevelHasAsManyRowsAsThereArePoints)
+{
+  // Two components share the points out by area and round: at some ratio one is missing.
+  const Eigen::RowVector3d centre(0.2, 0, 0);
+  const shape::Mesh ball = BallWithVoid(centre, 0.7);
+  shape::HarmonicVolumeMapOptions options;
+  options.SourceSubsets = 1;
+  options.MaximumLevels = 1;
+  options.Tolerance = 0.0;
+  for (int points = 300; points < 312; ++points)
+  {
+    options.CollocationRatio = (points + 0.1) / ball.Points.rows();
+    options.SourceRatio = 0.9 * options.CollocationRatio;
+    const auto result =
+      shape::HarmonicVolumeMap(ball, OfAChargeAt(centre, ball.Points), {}, options);
+    EXPECT_NEAR(result.Levels.back().Collocations, points, 1);
+    EXPECT_LT(result.Levels.back().RMSEInside, result.Levels.front().RMSEInside);
+  }
+}
+
 TEST(SourceShells, AVoidMayFaceAnyWay)
 {
   const shape::Mesh ball = BallWithVoid(Eigen::RowVector3d(0.3, 0, 0), 0.4);

@@ -140,11 +140,12 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
     MoveAway(sources[s], problem.Distance(), std::pow(Coarseness(subsets), 1.0 - finer),
       progress.Part(0.15 + 0.05 * s / subsets, 0.15 + 0.05 * (s + 1) / subsets));
   }
+  // With several components their shares are rounded: there may be a point less than asked for.
+  const Eigen::MatrixXd places = SampleBoundary(problem, options, progress.Part(0.2, 0.25));
   const int coarseRows =
-    std::min(rows, CoarseRowsPerSource * static_cast<int>(sources.front().rows()));
-  problem.Collocate(CoarseFirst(SampleBoundary(problem, options, progress.Part(0.2, 0.25)),
-                      coarseRows, PointAreas(problem.Boundary()).sum()),
-    Progress());
+    static_cast<int>(std::min(places.rows(), CoarseRowsPerSource * sources.front().rows()));
+  problem.Collocate(
+    CoarseFirst(places, coarseRows, PointAreas(problem.Boundary()).sum()), Progress());
 
   const SurfaceLocator outer(shells.Joined());
   const double spacing = std::sqrt(shells.Area() / sourceCount);
