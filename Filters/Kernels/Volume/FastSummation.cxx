@@ -1,35 +1,145 @@
 #include "Volume/FastSummation.h"
 
+#include "Core/Errors.h"
 #include "Volume/DirectSummation.h"
+#include "Volume/MultipoleSummation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
 
 namespace shape
 {
 
+namespace
+{
+
+/// The least tolerance that single precision between boxes, and near terms to 1e-8, can keep.
+constexpr double LeastSingle = 5e-7;
+
+struct Grade
+{
+  double Tolerance = 0.0;
+  MultipoleEffort Effort;
+};
+
+/// What keeps a tolerance, measured over surfaces and volumes with charges of both signs.
+const Grade Grades[] = {
+  { 1e-3, { 4, 1e-3, 64, RootError::Small } },
+  { 1e-6, { 6, 1e-5, 64, RootError::Small } },
+  { 1e-8, { 10, 1e-8, 200, RootError::Rounding } },
+};
+
+const Grade& GradeFor(double tolerance)
+{
+  const Grade* grade = std::begin(Grades);
+  while (grade + 1 < std::end(Grades) && grade->Tolerance > tolerance)
+  {
+    ++grade;
+  }
+  return *grade;
+}
+
+void Check(const Eigen::MatrixXd& places, const char* name)
+{
+  if (places.cols() != 3 || !places.allFinite())
+  {
+    throw InvalidInput(std::string("the ") + name +
+      " of a sum have not three finite coordinates each; remove those that are not finite");
+  }
+}
+
+} // namespace
+
 struct FastSummation::Parts
 {
-  Eigen::MatrixXd Sources, Points;
+  struct Places
+  {
+    Eigen::MatrixXd Sources, Points;
+  };
+  std::variant<Places, MultipoleSummation<float>, MultipoleSummation<double>> Method;
+  Eigen::Index Sources = 0, Points = 0;
+
+  Eigen::MatrixXd Sum(
+    const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const;
 };
 
 FastSummation::FastSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
-  const FastSummationOptions&, const Progress&)
-  : Self(std::make_unique<Parts>(Parts{ sources, points }))
+  const FastSummationOptions& options, const Progress& progress)
+  : Self(std::make_unique<Parts>())
 {
+  using MethodType = FastSummationOptions::MethodType;
+  Check(sources, "sources");
+  Check(points, "points");
+  this->Self->Sources = sources.rows();
+  this->Self->Points = points.rows();
+  const bool worth = static_cast<double>(sources.rows()) * points.rows() > 1e8;
+  if (sources.rows() == 0 || points.rows() == 0 || options.Method == MethodType::Direct ||
+    (options.Method == MethodType::Automatic && !worth))
+  {
+    this->Self->Method = Parts::Places{ sources, points };
+    return;
+  }
+  const Grade& grade = GradeFor(options.Tolerance);
+  if (options.Tolerance >= LeastSingle)
+  {
+    this->Self->Method.emplace<1>(sources, points, grade.Effort, progress);
+  }
+  else
+  {
+    this->Self->Method.emplace<2>(sources, points, grade.Effort, progress);
+  }
 }
 
 FastSummation::~FastSummation() = default;
 FastSummation::FastSummation(FastSummation&&) noexcept = default;
 FastSummation& FastSummation::operator=(FastSummation&&) noexcept = default;
 
+Eigen::MatrixXd FastSummation::Parts::Sum(
+  const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const
+{
+  if (charges.rows() != this->Sources)
+  {
+    throw InvalidInput("there are " + std::to_string(charges.rows()) + " charges for " +
+      std::to_string(this->Sources) + " sources; give one row of charges for each source");
+  }
+  if (const auto* places = std::get_if<Places>(&this->Method))
+  {
+    return gradients ? DirectGradients(places->Sources, charges, places->Points, progress)
+                     : DirectPotentials(places->Sources, charges, places->Points, progress);
+  }
+  const Eigen::Index values = gradients ? 3 : 1;
+  Eigen::MatrixXd sums(this->Points, values * charges.cols());
+  for (Eigen::Index first = 0; first < charges.cols(); first += 3)
+  {
+    const Eigen::Index count = std::min<Eigen::Index>(3, charges.cols() - first);
+    const Progress part = progress.Part(static_cast<double>(first) / charges.cols(),
+      static_cast<double>(first + count) / charges.cols());
+    const Eigen::MatrixXd group = charges.middleCols(first, count);
+    auto to = sums.middleCols(values * first, values * count);
+    if (const auto* single = std::get_if<MultipoleSummation<float>>(&this->Method))
+    {
+      to = single->Sum(group, gradients, part);
+    }
+    else
+    {
+      to = std::get<MultipoleSummation<double>>(this->Method).Sum(group, gradients, part);
+    }
+  }
+  return sums;
+}
+
 Eigen::MatrixXd FastSummation::Potentials(
   const Eigen::MatrixXd& charges, const Progress& progress) const
 {
-  return DirectPotentials(this->Self->Sources, charges, this->Self->Points, progress);
+  return this->Self->Sum(charges, false, progress);
 }
 
 Eigen::MatrixXd FastSummation::Gradients(
   const Eigen::MatrixXd& charges, const Progress& progress) const
 {
-  return DirectGradients(this->Self->Sources, charges, this->Self->Points, progress);
+  return this->Self->Sum(charges, true, progress);
 }
 
 } // namespace shape

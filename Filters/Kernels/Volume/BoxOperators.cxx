@@ -1,0 +1,248 @@
+#include "Volume/BoxOperators.h"
+
+#include "Core/Errors.h"
+#include "Core/Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <lapacke.h>
+#include <numeric>
+
+namespace shape
+{
+
+namespace
+{
+
+/// The widest vectors, in single precision.
+constexpr int Widest = 16;
+
+/// The positive half of the Gauss-Legendre points on [-1, 1] and their weights.
+Eigen::ArrayX2d PositiveGaussPoints(int count)
+{
+  Eigen::ArrayX2d rule(count / 2, 2);
+  for (int i = 0; i < count / 2; ++i)
+  {
+    double x = std::cos(M_PI * (i + 0.75) / (count + 0.5)), slope = 1.0;
+    for (int step = 0; step < 100; ++step)
+    {
+      double before = 1.0, value = x;
+      for (int degree = 2; degree <= count; ++degree)
+      {
+        const double next = ((2 * degree - 1) * x * value - (degree - 1) * before) / degree;
+        before = value;
+        value = next;
+      }
+      slope = count * (x * value - before) / (x * x - 1.0);
+      x -= value / slope;
+    }
+    rule.row(i) << x, 2.0 / ((1.0 - x * x) * slope * slope);
+  }
+  return rule;
+}
+
+double Sign(int axes, int parity)
+{
+  const int both = axes & parity;
+  return ((both ^ both >> 1 ^ both >> 2) & 1) != 0 ? -1.0 : 1.0;
+}
+
+/// The Gauss points of the octant x, y, z > 0 and the roots of their weights; then its mirror
+/// images, so that point o of the octant mirrored along the axes g is number g x octant + o.
+struct CubePoints
+{
+  Eigen::MatrixXd Places;
+  Eigen::VectorXd RootWeights;
+  int Octant = 0;
+
+  explicit CubePoints(int nodes)
+    : Octant(3 * nodes * nodes / 4)
+  {
+    const Eigen::ArrayX2d rule = PositiveGaussPoints(nodes);
+    this->Places.resize(8 * this->Octant, 3);
+    this->RootWeights.resize(8 * this->Octant);
+    int row = 0;
+    for (int axes = 0; axes < 8; ++axes)
+    {
+      for (int face = 0; face < 3; ++face)
+      {
+        for (int i = 0; i < nodes / 2; ++i)
+        {
+          for (int j = 0; j < nodes / 2; ++j, ++row)
+          {
+            this->Places(row, face) = 1.0;
+            this->Places(row, (face + 1) % 3) = rule(i, 0);
+            this->Places(row, (face + 2) % 3) = rule(j, 0);
+            this->RootWeights[row] = std::sqrt(rule(i, 1) * rule(j, 1));
+            for (int c = 0; c < 3; ++c)
+            {
+              this->Places(row, c) *= Sign(axes, 1 << c);
+            }
+          }
+        }
+      }
+    }
+  }
+};
+
+Eigen::MatrixXd InverseDistances(const Eigen::MatrixXd& to, const Eigen::MatrixXd& from)
+{
+  Eigen::MatrixXd matrix(to.rows(), from.rows());
+  for (Eigen::Index j = 0; j < from.rows(); ++j)
+  {
+    matrix.col(j) = ((to.col(0).array() - from(j, 0)).square() +
+      (to.col(1).array() - from(j, 1)).square() + (to.col(2).array() - from(j, 2)).square())
+                      .rsqrt();
+  }
+  return matrix;
+}
+
+/// The largest singular values of A with their vectors, weighted by the roots of the weights.
+struct Spectrum
+{
+  Eigen::VectorXd Values;
+  Eigen::MatrixXd Left, Right; ///< points x values
+  std::vector<int> Parities;   ///< the axes along which a vector is odd, as bits
+};
+
+Spectrum Decompose(const CubePoints& cube, double inner, double outer, double threshold)
+{
+  const int octant = cube.Octant;
+  const Eigen::MatrixXd full = cube.RootWeights.head(octant).asDiagonal() *
+    InverseDistances(outer * cube.Places.topRows(octant), inner * cube.Places) *
+    cube.RootWeights.asDiagonal();
+  std::array<Eigen::MatrixXd, 8> left, right;
+  Eigen::VectorXd values(8 * octant);
+  for (int parity = 0; parity < 8; ++parity)
+  {
+    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(octant, octant);
+    for (int axes = 0; axes < 8; ++axes)
+    {
+      block += Sign(axes, parity) * full.middleCols(axes * octant, octant);
+    }
+    left[parity].resize(octant, octant);
+    right[parity].resize(octant, octant);
+    if (LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', octant, octant, block.data(), octant,
+          values.data() + parity * octant, left[parity].data(), octant, right[parity].data(),
+          octant) != 0)
+    {
+      throw SolveFailure("the operators of the multipole method could not be decomposed; use the "
+                         "direct summation");
+    }
+  }
+  std::vector<int> order(8 * octant);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] > values[b]; });
+  const double least = threshold * values.maxCoeff();
+  order.erase(std::find_if(order.begin(), order.end(), [&](int i) { return values[i] < least; }),
+    order.end());
+
+  Spectrum kept;
+  const auto count = static_cast<int>(order.size());
+  kept.Values.resize(count);
+  kept.Left.resize(8 * octant, count);
+  kept.Right.resize(8 * octant, count);
+  for (int mode = 0; mode < count; ++mode)
+  {
+    const int parity = order[mode] / octant, column = order[mode] % octant;
+    kept.Values[mode] = values[order[mode]];
+    kept.Parities.push_back(parity);
+    for (int axes = 0; axes < 8; ++axes)
+    {
+      const double sign = Sign(axes, parity) / std::sqrt(8.0);
+      kept.Left.col(mode).segment(axes * octant, octant) = sign * left[parity].col(column);
+      kept.Right.col(mode).segment(axes * octant, octant) =
+        sign * right[parity].row(column).transpose();
+    }
+  }
+  kept.Left = cube.RootWeights.asDiagonal() * kept.Left;
+  kept.Right = cube.RootWeights.asDiagonal() * kept.Right;
+  return kept;
+}
+
+template <typename Real>
+typename BoxOperators<Real>::Operator Pack(
+  const Eigen::MatrixXd& matrix, int stride, double smallest)
+{
+  typename BoxOperators<Real>::Operator packed;
+  for (int i = 0; i < matrix.rows(); ++i)
+  {
+    if (std::max(matrix.row(i).cwiseAbs().maxCoeff(), matrix.col(i).cwiseAbs().maxCoeff()) >=
+      smallest)
+    {
+      packed.Extent = i + 1;
+    }
+  }
+  packed.Entries.assign(static_cast<std::size_t>(stride) * packed.Extent, Real(0));
+  for (int j = 0; j < packed.Extent; ++j)
+  {
+    for (int i = 0; i < packed.Extent; ++i)
+    {
+      packed.Entries[static_cast<std::size_t>(j) * stride + i] = static_cast<Real>(matrix(i, j));
+    }
+  }
+  return packed;
+}
+
+} // namespace
+
+template <typename Real>
+BoxOperators<Real>::BoxOperators(int nodes, double threshold)
+{
+  const BlasThreads one(1);
+  const CubePoints cube(nodes);
+  this->Cube = cube.Places;
+  const Spectrum modes = Decompose(cube, InnerCube, OuterCube, threshold);
+  const auto count = static_cast<int>(modes.Values.size());
+  const Eigen::Index points = this->Cube.rows();
+  this->Modes = count;
+  this->Stride = (count + Widest - 1) / Widest * Widest;
+  this->PointStride = static_cast<int>(points + Widest - 1) / Widest * Widest;
+  this->Inner = Eigen::MatrixXd::Zero(this->PointStride, this->Stride);
+  this->Inner.topLeftCorner(points, count) = modes.Right;
+  this->Expansion = Eigen::MatrixXd::Zero(this->PointStride, this->Stride);
+  this->Expansion.topLeftCorner(points, count) =
+    modes.Left * modes.Values.cwiseInverse().asDiagonal();
+  this->Collected = this->Expansion.transpose();
+  this->Signs.assign(8 * static_cast<std::size_t>(this->Stride), Real(1));
+  for (int axes = 0; axes < 8; ++axes)
+  {
+    for (int mode = 0; mode < count; ++mode)
+    {
+      this->Signs[static_cast<std::size_t>(axes) * this->Stride + mode] =
+        static_cast<Real>(Sign(axes, modes.Parities[mode]));
+    }
+  }
+
+  const Eigen::MatrixXd inner = InnerCube * this->Cube;
+  const Eigen::MatrixXd child = (0.5 * inner).array() - 0.5;
+  const Eigen::MatrixXd up = this->Expansion.topLeftCorner(points, count).transpose() *
+    (InverseDistances(OuterCube * this->Cube, child) * modes.Right);
+  this->FromChild = Pack<Real>(up, this->Stride, 0.0);
+  // Potentials of a child are in units of its own side, half of the parent's.
+  this->ToChild = Pack<Real>(0.5 * up.transpose(), this->Stride, 0.0);
+
+  for (int x = 0; x < Reach; ++x)
+  {
+    for (int y = 0; y < Reach; ++y)
+    {
+      for (int z = 0; z < Reach; ++z)
+      {
+        if (std::max({ x, y, z }) < 2)
+        {
+          continue;
+        }
+        const Eigen::MatrixXd target = inner.rowwise() + 2.0 * Eigen::RowVector3d(x, y, z);
+        const Eigen::MatrixXd matrix =
+          modes.Right.transpose() * (InverseDistances(target, inner) * modes.Right);
+        this->Over[(x * Reach + y) * Reach + z] =
+          Pack<Real>(matrix, this->Stride, threshold * matrix.cwiseAbs().maxCoeff());
+      }
+    }
+  }
+}
+
+template struct BoxOperators<float>;
+template struct BoxOperators<double>;
+
+} // namespace shape

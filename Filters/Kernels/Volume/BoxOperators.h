@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * How the field of charges in a box is written down, carried to other boxes and evaluated there,
+ * for 1/r: a kernel-independent multipole method.
+ *
+ * In units of half the box's side: charges in the box are replaced by equivalent charges on the
+ * cube of half side 1.05, such that their potentials agree on the cube of half side 2.95, and so
+ * everywhere outside it (L. Ying, G. Biros, D. Zorin, "A kernel-independent adaptive fast multipole
+ * algorithm in two and three dimensions", J. Comput. Phys. 196, 2004, section 3.1). Both cubes
+ * carry Gauss points, so that with A the potentials on the outer cube of charges on the inner one,
+ * A = U S V^T is the singular value decomposition of the integral operator, and its largest
+ * singular values alone are kept (W. Fong, E. Darve, "The black-box fast multipole method", 2009,
+ * section 3.3): `Modes` numbers stand for the field of a box.
+ *
+ *   outgoing  c = V^T (equivalent charges) = Expansion^T (potentials on the outer cube)
+ *   incoming  v = V^T (potentials on the inner cube); Expansion v = charges on the outer cube that
+ *             have this field in the box
+ *
+ * Each singular vector is even or odd in x, y and z, so the operators of mirrored offsets differ in
+ * signs alone: 56 instead of 316 of them are kept. 1/r scales: one set serves all sizes of boxes.
+ */
+template <typename Real>
+struct BoxOperators
+{
+  static constexpr double InnerCube = 1.05, OuterCube = 2.95;
+  /// The sides of a box's surroundings that its own cubes do not reach: offsets up to this far are
+  /// of boxes whose parents touch.
+  static constexpr int Reach = 4;
+
+  /// `nodes`: Gauss points along an edge, even; `threshold`: the smallest singular value and the
+  /// smallest entry of an operator, relative to the largest, that are kept.
+  BoxOperators(int nodes, double threshold);
+
+  int Modes = 0;             ///< numbers that stand for a box, for each column of the charges
+  int Stride = 0;            ///< the same, rounded up to whole vectors
+  Eigen::MatrixXd Cube;      ///< Gauss points on the cube of half side 1, one a row
+  int PointStride = 0;       ///< how many they are, rounded up to whole vectors
+  Eigen::MatrixXd Expansion; ///< PointStride x Stride
+  Eigen::MatrixXd Collected; ///< Expansion's transpose
+  Eigen::MatrixXd Inner;     ///< PointStride x Stride: equivalent charges from c
+  std::vector<Real> Signs;   ///< [mirrored axes as bits][Stride]
+
+  /// A product's matrix, by columns of `Stride` rows; rows and columns from Extent on are zero.
+  struct Operator
+  {
+    std::vector<Real> Entries;
+    int Extent = 0;
+  };
+  Operator FromChild;                               ///< of the child at (-, -, -): c to c
+  Operator ToChild;                                 ///< v to v
+  std::array<Operator, Reach * Reach * Reach> Over; ///< c to v, by |target - source| in boxes
+};
+
+extern template struct BoxOperators<float>;
+extern template struct BoxOperators<double>;
+
+} // namespace shape
