@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include <cstdlib>
-#include <cstdio>
 namespace shape
 {
 
@@ -70,8 +68,9 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
       factors[c] = h.completeOrthogonalDecomposition().solve(wanted);
       result.Residuals(c) = (wanted - h * factors[c]).norm();
     }
-    ++result.Iterations; if(getenv("VG")) {printf("%.1e ",result.Residuals.norm());}
-    idle = (result.Residuals.array() > (1.0 - options.LeastGain) * last.array()).all() ? idle + 1 : 0;
+    ++result.Iterations;
+    idle =
+      (result.Residuals.array() > (1.0 - options.LeastGain) * last.array()).all() ? idle + 1 : 0;
     if (idle == patience)
     {
       break;

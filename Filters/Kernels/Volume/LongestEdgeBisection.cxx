@@ -71,8 +71,8 @@ std::vector<int> LongestCorners(const Mesh& surface, const Edges& edges)
       return std::pair<double, int>(-lengths[edge], edge);
     };
     const std::array<int, 3> candidates{ 0, 1, 2 };
-    corners[t] = *std::min_element(candidates.begin(), candidates.end(),
-      [&](int a, int b) { return rank(a) < rank(b); });
+    corners[t] = *std::min_element(
+      candidates.begin(), candidates.end(), [&](int a, int b) { return rank(a) < rank(b); });
   }
   return corners;
 }

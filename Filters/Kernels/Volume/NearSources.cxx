@@ -33,7 +33,8 @@ NearSources PlaceNearSources(const SignedDistance& boundary, const Eigen::Matrix
   for (int step = 0; step <= steps && !open.empty(); ++step)
   {
     const Eigen::VectorXd distances =
-      boundary.Evaluate(places(open), progress.Part(step / (steps + 1.0), (step + 1) / (steps + 1.0)))
+      boundary
+        .Evaluate(places(open), progress.Part(step / (steps + 1.0), (step + 1) / (steps + 1.0)))
         .Distances;
     std::vector<int> crowded;
     for (std::size_t k = 0; k < open.size(); ++k)

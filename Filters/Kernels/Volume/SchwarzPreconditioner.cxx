@@ -5,29 +5,28 @@
 #include "Volume/DirectSummation.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
+
 #include <nanoflann.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 
-#include <cstdio>
-#include <cstdlib>
 namespace shape
 {
 
 namespace
 {
 
-constexpr int Own = 64;     ///< most sites of a block
-constexpr int Around = 100; ///< sites around them that its local system includes
-
 using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<PointRows, 3>;
+using Tests = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// 1 / (4 pi r), points' count x sources' count, by one thread.
-Eigen::MatrixXd Potentials(const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources)
+Eigen::MatrixXd LocalPotentials(const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources)
 {
   Eigen::MatrixXd matrix(points.rows(), sources.rows());
   for (Eigen::Index j = 0; j < sources.rows(); ++j)
@@ -39,6 +38,44 @@ Eigen::MatrixXd Potentials(const Eigen::MatrixXd& points, const Eigen::MatrixXd&
         .rsqrt();
   }
   return matrix;
+}
+
+/// The rows that the tests of some sites look at, ascending.
+std::vector<int> TestedRows(const Tests& tests, const std::vector<int>& sites)
+{
+  std::vector<int> rows;
+  for (const int site : sites)
+  {
+    for (Tests::InnerIterator entry(tests, site); entry; ++entry)
+    {
+      rows.push_back(static_cast<int>(entry.col()));
+    }
+  }
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
+/// Sites near the centre of `own` that are not among them, nearest first.
+std::vector<int> SitesAround(
+  const Tree& tree, const Eigen::MatrixXd& sites, const std::vector<int>& own, int count)
+{
+  const Eigen::RowVector3d centre = sites(own, Eigen::all).colwise().mean();
+  const auto wanted = std::min<Eigen::Index>(sites.rows(), own.size() + count);
+  std::vector<Eigen::Index> found(wanted);
+  std::vector<double> squares(wanted);
+  nanoflann::KNNResultSet<double, Eigen::Index> nearest(wanted);
+  nearest.init(found.data(), squares.data());
+  tree.index->findNeighbors(nearest, centre.data(), nanoflann::SearchParams());
+  std::vector<int> around;
+  for (const Eigen::Index site : found)
+  {
+    if (!std::binary_search(own.begin(), own.end(), static_cast<int>(site)))
+    {
+      around.push_back(static_cast<int>(site));
+    }
+  }
+  return around;
 }
 
 } // namespace
@@ -71,109 +108,94 @@ std::vector<std::vector<int>> MedianClusters(const Eigen::MatrixXd& points, int 
 }
 
 SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
-  const Eigen::MatrixXd& coarseSources, const Eigen::VectorXi& clusters, const Progress& progress)
+  const Eigen::MatrixXd& coarseSources, const Eigen::VectorXi& clusters,
+  const SchwarzOptions& options, const Progress& progress)
   : Tests(system.Tests)
-  , Sites(system.Sites), Rows(system.Rows)
+  , Rows(system.Rows)
   , CoarseSources(coarseSources)
   , Clusters(clusters)
   , ClusterSizes(Eigen::VectorXd::Zero(coarseSources.rows()))
 {
-  const BlasThreads single(1);
-  const int n = static_cast<int>(this->Sites.rows());
+  const BlasThreads single(1); // the blocks are shared out among the threads
   for (const int cluster : clusters)
   {
     this->ClusterSizes(cluster) += 1.0;
   }
-  const std::vector<std::vector<int>> parts = MedianClusters(this->Sites, Own);
-  const PointRows rows = this->Sites;
-  const Tree tree(3, std::cref(rows), 16);
+  const std::vector<std::vector<int>> parts = MedianClusters(system.Sites, options.Own);
+  const PointRows places = system.Sites;
+  const Tree tree(3, std::cref(places), 16);
   this->Blocks.resize(parts.size());
   ParallelFor(
-    static_cast<int>(parts.size()), 4,
+    static_cast<int>(parts.size()), 1,
     [&](int begin, int end)
     {
       for (int p = begin; p < end; ++p)
       {
-        const Eigen::RowVector3d centre = this->Sites(parts[p], Eigen::all).colwise().mean();
-        const int wanted = std::min<int>(n, static_cast<int>(parts[p].size()) + Around);
-        std::vector<Eigen::Index> found(wanted);
-        std::vector<double> squares(wanted);
-        nanoflann::KNNResultSet<double, Eigen::Index> nearest(wanted);
-        nearest.init(found.data(), squares.data());
-        tree.index->findNeighbors(nearest, centre.data(), nanoflann::SearchParams());
-        std::vector<int> around;
-        for (const Eigen::Index site : found)
-        {
-          if (!std::binary_search(parts[p].begin(), parts[p].end(), static_cast<int>(site)))
-          {
-            around.push_back(static_cast<int>(site));
-          }
-        }
-        this->Blocks[p] = this->MakeBlock(system, parts[p], std::move(around));
+        this->Blocks[p] = MakeBlock(system, parts[p],
+          SitesAround(tree, system.Sites, parts[p], options.Around), options.MostAmplified);
       }
     },
     progress.Part(0.0, 0.8));
 
-  Eigen::MatrixXd coarse(coarseSources.rows(), coarseSources.rows());
-  constexpr int panel = 64;
-  for (int first = 0; first < coarseSources.rows(); first += panel)
+  const Eigen::Index count = coarseSources.rows();
+  Eigen::MatrixXd coarse(count, count);
+  constexpr Eigen::Index panel = 64;
+  for (Eigen::Index first = 0; first < count; first += panel)
   {
-    progress(0.8 + 0.2 * first / static_cast<double>(coarseSources.rows()));
-    const int width = std::min<int>(panel, static_cast<int>(coarseSources.rows()) - first);
+    progress(0.8 + 0.2 * static_cast<double>(first) / static_cast<double>(count));
+    const Eigen::Index width = std::min(panel, count - first);
     coarse.middleCols(first, width) =
-      this->ClusterMeans(PotentialMatrix(this->Sites, coarseSources.middleRows(first, width)));
+      this->ClusterMeans(PotentialMatrix(system.Sites, coarseSources.middleRows(first, width)));
   }
-  static const double cr = getenv("CR") ? atof(getenv("CR")) : 1e-6;
-  Eigen::MatrixXd normal=coarse.transpose()*coarse; normal.diagonal().array()+=cr*normal.diagonal().mean();
-  Eigen::MatrixXd ct=coarse.transpose();
-  this->CoarseInverse = normal.ldlt().solve(ct);
+  // In narrow gaps coarse charges are nearly redundant: the ridge keeps them small.
+  constexpr double ridge = 1e-4;
+  Eigen::MatrixXd normal = coarse.transpose() * coarse;
+  normal.diagonal().array() += ridge * normal.diagonal().mean();
+  this->CoarseInverse = normal.llt().solve(coarse.transpose());
 }
 
-SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(
-  const TestedSystem& system, std::vector<int> own, std::vector<int> around) const
+SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem& system,
+  const std::vector<int>& own, const std::vector<int>& around, double mostAmplified)
 {
   Block block;
-  const Eigen::Index count = static_cast<Eigen::Index>(own.size());
-  block.Sites = std::move(own);
-  block.Sites.insert(block.Sites.end(), around.begin(), around.end());
-  const Eigen::Index all = static_cast<Eigen::Index>(block.Sites.size());
-
-  std::vector<int> rows;
-  for (const int site : block.Sites)
-  {
-    for (decltype(this->Tests)::InnerIterator entry(this->Tests, site); entry; ++entry)
-    {
-      rows.push_back(static_cast<int>(entry.col()));
-    }
-  }
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  block.Own = own;
+  std::vector<int> sites = own;
+  sites.insert(sites.end(), around.begin(), around.end());
+  const auto all = static_cast<Eigen::Index>(sites.size());
+  // Own columns of a transposed inverse are own rows of the inverse.
+  const Eigen::MatrixXd unit =
+    Eigen::MatrixXd::Identity(all, static_cast<Eigen::Index>(own.size()));
+  const std::vector<int> rows = TestedRows(system.Tests, sites);
   const Eigen::MatrixXd potentials =
-    Potentials(system.Rows(rows, Eigen::all), system.Sources(block.Sites, Eigen::all));
-  Eigen::MatrixXd local = Eigen::MatrixXd::Zero(all, all);
-  for (Eigen::Index i = 0; i < all; ++i)
+    LocalPotentials(system.Rows(rows, Eigen::all), system.Sources(sites, Eigen::all));
+  if (mostAmplified > 0.0)
   {
-    for (decltype(this->Tests)::InnerIterator entry(this->Tests, block.Sites[i]); entry; ++entry)
+    Eigen::MatrixXd tested = Eigen::MatrixXd::Zero(all, all);
+    for (Eigen::Index i = 0; i < all; ++i)
     {
-      const auto row = std::lower_bound(rows.begin(), rows.end(), static_cast<int>(entry.col()));
-      local.row(i) += entry.value() * potentials.row(row - rows.begin());
+      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(
+             system.Tests, sites[i]);
+           entry; ++entry)
+      {
+        const auto row = std::lower_bound(rows.begin(), rows.end(), static_cast<int>(entry.col()));
+        tested.row(i) += entry.value() * potentials.row(row - rows.begin());
+      }
+    }
+    const Eigen::MatrixXd inverse = tested.transpose().partialPivLu().solve(unit).transpose();
+    if (inverse.rowwise().norm().maxCoeff() * tested.colwise().norm().maxCoeff() < mostAmplified)
+    {
+      block.Inputs = sites;
+      block.Inverse = inverse.cast<float>();
+      return block;
     }
   }
-  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(all, count);
-  static const double ridge = getenv("RIDGE") ? atof(getenv("RIDGE")) : 1e-6;
-  static const double worst = getenv("WORST") ? atof(getenv("WORST")) : 0;
-  Eigen::MatrixXd inverse;
-  if (worst > 0) inverse = local.transpose().partialPivLu().solve(unit).transpose();
-  if (!(worst > 0 && inverse.rowwise().norm().maxCoeff() * local.colwise().norm().maxCoeff() < worst))
-  {
-    const Eigen::VectorXd weights = system.Weights(rows);
-    const Eigen::MatrixXd weighted = potentials.transpose() * weights.asDiagonal();
-    Eigen::MatrixXd normal = weighted * potentials;
-    normal.diagonal() *= 1.0 + ridge; 
-    inverse = normal.ldlt().solve(unit).transpose() * weighted;
-    block.Rows = rows;
-  }
-  block.Inverse = inverse.cast<float>();
+  constexpr double ridge = 1e-8;
+  const Eigen::MatrixXd weighted = potentials.transpose() * system.Weights(rows).asDiagonal();
+  Eigen::MatrixXd normal = weighted * potentials;
+  normal.diagonal() *= 1.0 + ridge;
+  block.TakesRows = true;
+  block.Inputs = rows;
+  block.Inverse = (normal.ldlt().solve(unit).transpose() * weighted).cast<float>();
   return block;
 }
 
@@ -189,26 +211,22 @@ Eigen::MatrixXd SchwarzPreconditioner::ClusterMeans(const Eigen::MatrixXd& value
 
 Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) const
 {
-  const Eigen::Index n = this->Sites.rows(), c = this->CoarseSources.rows();
-  Eigen::MatrixXd left = this->Tests * residual;
+  const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
   Eigen::MatrixXd charges(n + c, residual.cols());
-  charges.bottomRows(c) = this->CoarseInverse * this->ClusterMeans(left);
-  if(getenv("NOCOARSE")) charges.bottomRows(c).setZero();
-  if(getenv("VC")) printf("coarse %g left %g ",charges.bottomRows(c).norm(), left.norm());
-  Eigen::MatrixXd rowLeft = residual - DirectPotentials(this->CoarseSources, charges.bottomRows(c), this->Rows);
-  left = this->Tests * rowLeft;
+  charges.bottomRows(c) = this->CoarseInverse * this->ClusterMeans(this->Tests * residual);
+  const Eigen::MatrixXd left =
+    residual - DirectPotentials(this->CoarseSources, charges.bottomRows(c), this->Rows);
+  const Eigen::MatrixXd tested = this->Tests * left;
+  const BlasThreads single(1);
   ParallelFor(static_cast<int>(this->Blocks.size()), 16,
     [&](int begin, int end)
     {
       for (int b = begin; b < end; ++b)
       {
         const Block& block = this->Blocks[b];
-        const Eigen::MatrixXf values = block.Rows.empty() ? left(block.Sites, Eigen::all).cast<float>().eval() : rowLeft(block.Rows, Eigen::all).cast<float>().eval();
-        const Eigen::MatrixXf own = block.Inverse.lazyProduct(values);
-        for (Eigen::Index i = 0; i < own.rows(); ++i)
-        {
-          charges.row(block.Sites[i]) = own.row(i).cast<double>();
-        }
+        const Eigen::MatrixXf inputs =
+          (block.TakesRows ? left : tested)(block.Inputs, Eigen::all).cast<float>();
+        charges(block.Own, Eigen::all) = (block.Inverse * inputs).cast<double>();
       }
     });
   return charges;

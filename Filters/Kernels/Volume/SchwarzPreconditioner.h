@@ -2,7 +2,6 @@
 
 #include "Core/Progress.h"
 
-#include <Eigen/LU>
 #include <Eigen/SparseCore>
 
 #include <vector>
@@ -10,30 +9,40 @@
 namespace shape
 {
 
-/// The system that charges near a surface solve: site j of the surface tests what is left over at
-/// the rows with row j of Tests, and has the charge at row j of Sources.
+/// The system that charges near a surface solve: site j of the surface has the charge at row j of
+/// Sources, and tests what is left over at the rows with row j of Tests.
 struct TestedSystem
 {
-  Eigen::MatrixXd Rows;  ///< m x 3: where values are given
+  Eigen::MatrixXd Rows;                               ///< m x 3: where values are given
+  Eigen::VectorXd Weights;                            ///< m, >= 0: of the rows
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests; ///< n x m: weighted means
-  Eigen::MatrixXd Sites;   ///< n x 3
-  Eigen::MatrixXd Sources; ///< n x 3
-  Eigen::VectorXd Weights; ///< m, >= 0: of the rows
+  Eigen::MatrixXd Sites;                              ///< n x 3
+  Eigen::MatrixXd Sources;                            ///< n x 3
+};
+
+struct SchwarzOptions
+{
+  int Own = 64;     ///< most sites of a block; >= 1
+  int Around = 100; ///< sites around them that its local system includes; >= 0
+  /// A block whose tested system amplifies more is solved by least squares over the rows; 0: all
+  /// are, which takes three times the time and memory, and holds where charges are crowded.
+  double MostAmplified = 1e6;
 };
 
 /**
  * An approximate inverse of the potentials of charges near a surface, in two levels: coarse charges
- * farther out, one for each cluster of sites, solved densely; then, on what these leave over,
- * restricted additive Schwarz: each small cluster of sites takes its own charges from a dense local
- * system that includes the sites around it (Cai and Sarkis, "A restricted additive Schwarz
- * preconditioner for general sparse linear systems", 1999).
+ * farther out, one for each cluster of sites; then, on what these leave over, restricted additive
+ * Schwarz: each block of sites takes its own charges from a dense local system that includes the
+ * sites around it (Cai and Sarkis, "A restricted additive Schwarz preconditioner for general sparse
+ * linear systems", 1999). Linear.
  */
 class SchwarzPreconditioner
 {
 public:
   /// coarseSources: c x 3. clusters: n, the coarse source of each site. Throws Aborted.
   SchwarzPreconditioner(const TestedSystem& system, const Eigen::MatrixXd& coarseSources,
-    const Eigen::VectorXi& clusters, const Progress& progress = {});
+    const Eigen::VectorXi& clusters, const SchwarzOptions& options = {},
+    const Progress& progress = {});
 
   /// residual: m x k. Charges at the sources, then at the coarse ones: (n + c) x k.
   Eigen::MatrixXd Apply(const Eigen::MatrixXd& residual) const;
@@ -41,18 +50,20 @@ public:
 private:
   struct Block
   {
-    std::vector<int> Sites;  ///< those around the cluster, the cluster's own first
-    std::vector<int> Rows;
-    Eigen::MatrixXf Inverse; ///< own x all
+    std::vector<int> Own;    ///< sites
+    std::vector<int> Inputs; ///< sites of whose tests, or rows of which, it takes what is left
+    bool TakesRows = false;
+    Eigen::MatrixXf Inverse; ///< own x inputs
   };
-  Block MakeBlock(const TestedSystem& system, std::vector<int> own, std::vector<int> around) const;
+  static Block MakeBlock(const TestedSystem& system, const std::vector<int>& own,
+    const std::vector<int>& around, double mostAmplified);
   Eigen::MatrixXd ClusterMeans(const Eigen::MatrixXd& values) const;
 
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests;
-  Eigen::MatrixXd Sites, Rows, CoarseSources;
+  Eigen::MatrixXd Rows, CoarseSources;
   Eigen::VectorXi Clusters;
   Eigen::VectorXd ClusterSizes;
-  Eigen::MatrixXd CoarseInverse;
+  Eigen::MatrixXd CoarseInverse; ///< c x c, from the means over clusters
   std::vector<Block> Blocks;
 };
 
