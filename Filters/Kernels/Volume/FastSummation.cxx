@@ -26,9 +26,9 @@ struct Grade
 
 /// What keeps a tolerance, measured over surfaces and volumes with charges of both signs.
 const Grade Grades[] = {
-  { 1e-3, { 4, 1e-3, 64, RootError::Small } },
-  { 1e-6, { 6, 1e-5, 64, RootError::Small } },
-  { 1e-8, { 10, 1e-8, 200, RootError::Rounding } },
+  { 1e-3, { { 4, 4, 1e-3, 1e-3 }, RootError::Small, RootError::Small, 64 } },
+  { 1e-6, { { 6, 6, 1e-5, 1e-5 }, RootError::Rounding, RootError::Small, 100 } },
+  { 1e-8, { { 10, 10, 1e-8, 1e-8 }, RootError::Rounding, RootError::Rounding, 200 } },
 };
 
 const Grade& GradeFor(double tolerance)
