@@ -55,20 +55,9 @@ MultipoleSummation<Real>::MultipoleSummation(const Eigen::MatrixXd& sources,
   : Effort(effort)
   , Operators(effort.Boxes)
   , Tree(sources, points, effort.Leaf, progress)
-  , Sources(3, sources.rows())
-  , Points(points.rows(), 3)
+  , Sources(this->Tree.Ordered(sources, this->Tree.SourceOrder).transpose())
+  , Points(this->Tree.Ordered(points, this->Tree.PointOrder))
 {
-  for (Eigen::Index j = 0; j < sources.rows(); ++j)
-  {
-    this->Sources.col(j) = this->Tree.Scale * sources.row(this->Tree.SourceOrder[j]).transpose();
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-    {
-      this->Points(i, c) = this->Tree.Scale * points(this->Tree.PointOrder[i], c);
-    }
-  }
   for (std::size_t box = 0; box < this->Tree.SourceBoxes.size(); ++box)
   {
     if (this->Tree.SourceBoxes[box].ChildCount == 0)
