@@ -165,6 +165,56 @@ Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double thre
   return kept;
 }
 
+/// Right^T potentials Right. Each vector is even or odd along each axis: sums and differences of
+/// the eight octants first leave products of an eighth of the size.
+Eigen::MatrixXd Projected(Eigen::MatrixXd potentials, const Spectrum& modes, int octant)
+{
+  for (int axis = 1; axis < 8; axis *= 2)
+  {
+    for (int axes = 0; axes < 8; ++axes)
+    {
+      if ((axes & axis) == 0)
+      {
+        auto low = potentials.middleCols(axes * octant, octant);
+        auto high = potentials.middleCols((axes | axis) * octant, octant);
+        low += high;
+        high = low - 2.0 * high;
+      }
+    }
+    for (int axes = 0; axes < 8; ++axes)
+    {
+      if ((axes & axis) == 0)
+      {
+        auto low = potentials.middleRows(axes * octant, octant);
+        auto high = potentials.middleRows((axes | axis) * octant, octant);
+        low += high;
+        high = low - 2.0 * high;
+      }
+    }
+  }
+  std::array<std::vector<int>, 8> ofParity;
+  for (int mode = 0; mode < static_cast<int>(modes.Parities.size()); ++mode)
+  {
+    ofParity[modes.Parities[mode]].push_back(mode);
+  }
+  std::array<Eigen::MatrixXd, 8> vectors;
+  for (int parity = 0; parity < 8; ++parity)
+  {
+    vectors[parity] = modes.Right.topRows(octant)(Eigen::all, ofParity[parity]);
+  }
+  Eigen::MatrixXd projected(modes.Right.cols(), modes.Right.cols());
+  for (int to = 0; to < 8; ++to)
+  {
+    for (int from = 0; from < 8; ++from)
+    {
+      const Eigen::MatrixXd half =
+        potentials.block(to * octant, from * octant, octant, octant) * vectors[from];
+      projected(ofParity[to], ofParity[from]) = vectors[to].transpose() * half;
+    }
+  }
+  return projected;
+}
+
 template <typename Real>
 typename BoxOperators<Real>::Operator Pack(
   const Eigen::MatrixXd& matrix, int stride, double smallest)
@@ -201,7 +251,7 @@ typename BoxOperators<Real>::Operator Pack(
 } // namespace
 
 template <typename Real>
-BoxOperators<Real>::BoxOperators(const BoxAccuracy& accuracy)
+BoxOperators<Real>::BoxOperators(const BoxAccuracy& accuracy, const Progress& progress)
 {
   const BlasThreads one(1);
   const CubePoints inner(accuracy.InnerNodes, InnerCube), outer(accuracy.OuterNodes, OuterCube);
@@ -234,24 +284,22 @@ BoxOperators<Real>::BoxOperators(const BoxAccuracy& accuracy)
   // Potentials of a child are in units of its own side, half of the parent's.
   this->ToChild = Pack<Real>(0.5 * up.transpose(), this->Stride, 0.0);
 
-  for (int x = 0; x < Reach; ++x)
-  {
-    for (int y = 0; y < Reach; ++y)
+  ParallelFor(
+    Reach * Reach * Reach, 1,
+    [&](int offset, int)
     {
-      for (int z = 0; z < Reach; ++z)
+      const Eigen::RowVector3d cells(
+        offset / (Reach * Reach), offset / Reach % Reach, offset % Reach);
+      if (cells.maxCoeff() > 1.0)
       {
-        if (std::max({ x, y, z }) < 2)
-        {
-          continue;
-        }
-        const Eigen::MatrixXd target = inner.Places.rowwise() + 2.0 * Eigen::RowVector3d(x, y, z);
+        const Eigen::MatrixXd target = inner.Places.rowwise() + 2.0 * cells;
         const Eigen::MatrixXd matrix =
-          modes.Right.transpose() * (InverseDistances(target, inner.Places) * modes.Right);
-        this->Over[(x * Reach + y) * Reach + z] =
+          Projected(InverseDistances(target, inner.Places), modes, inner.Octant);
+        this->Over[offset] =
           Pack<Real>(matrix, this->Stride, accuracy.LeastEntry * matrix.cwiseAbs().maxCoeff());
       }
-    }
-  }
+    },
+    progress);
 }
 
 template struct BoxOperators<float>;

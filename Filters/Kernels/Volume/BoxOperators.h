@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Core/Progress.h"
+
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
@@ -44,7 +46,8 @@ struct BoxOperators
   /// of boxes whose parents touch.
   static constexpr int Reach = 4;
 
-  explicit BoxOperators(const BoxAccuracy& accuracy);
+  /// Throws Aborted.
+  BoxOperators(const BoxAccuracy& accuracy, const Progress& progress);
 
   int Modes = 0;  ///< numbers that stand for a box, for each column of the charges
   int Stride = 0; ///< the same, rounded up to whole vectors

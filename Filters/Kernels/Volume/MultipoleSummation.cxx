@@ -53,8 +53,8 @@ template <typename Real>
 MultipoleSummation<Real>::MultipoleSummation(const Eigen::MatrixXd& sources,
   const Eigen::MatrixXd& points, const MultipoleEffort& effort, const Progress& progress)
   : Effort(effort)
-  , Operators(effort.Boxes)
-  , Tree(sources, points, effort.Leaf, progress)
+  , Operators(effort.Boxes, progress.Part(0.0, 0.5))
+  , Tree(sources, points, effort.Leaf, progress.Part(0.5, 1.0))
   , Sources(this->Tree.Ordered(sources, this->Tree.SourceOrder).transpose())
   , Points(this->Tree.Ordered(points, this->Tree.PointOrder))
 {
