@@ -17,6 +17,11 @@ namespace
 /// The widest vectors, in single precision.
 constexpr int Widest = 16;
 
+int RoundedUp(Eigen::Index count)
+{
+  return static_cast<int>(count + Widest - 1) / Widest * Widest;
+}
+
 /// The positive half of the Gauss-Legendre points on [-1, 1] and their weights.
 Eigen::ArrayX2d PositiveGaussPoints(int count)
 {
@@ -55,7 +60,7 @@ struct CubePoints
   Eigen::VectorXd RootWeights;
   int Octant = 0;
 
-  explicit CubePoints(int nodes)
+  CubePoints(int nodes, double halfSide)
     : Octant(3 * nodes * nodes / 4)
   {
     const Eigen::ArrayX2d rule = PositiveGaussPoints(nodes);
@@ -73,6 +78,7 @@ struct CubePoints
             this->Places(row, face) = 1.0;
             this->Places(row, (face + 1) % 3) = rule(i, 0);
             this->Places(row, (face + 2) % 3) = rule(j, 0);
+            this->Places.row(row) *= halfSide;
             this->RootWeights[row] = std::sqrt(rule(i, 1) * rule(j, 1));
             for (int c = 0; c < 3; ++c)
             {
@@ -105,25 +111,24 @@ struct Spectrum
   std::vector<int> Parities;   ///< the axes along which a vector is odd, as bits
 };
 
-Spectrum Decompose(const CubePoints& cube, double inner, double outer, double threshold)
+Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double threshold)
 {
-  const int octant = cube.Octant;
-  const Eigen::MatrixXd full = cube.RootWeights.head(octant).asDiagonal() *
-    InverseDistances(outer * cube.Places.topRows(octant), inner * cube.Places) *
-    cube.RootWeights.asDiagonal();
+  const int rows = outer.Octant, columns = inner.Octant, octant = std::min(rows, columns);
+  const Eigen::MatrixXd full = outer.RootWeights.head(rows).asDiagonal() *
+    InverseDistances(outer.Places.topRows(rows), inner.Places) * inner.RootWeights.asDiagonal();
   std::array<Eigen::MatrixXd, 8> left, right;
   Eigen::VectorXd values(8 * octant);
   for (int parity = 0; parity < 8; ++parity)
   {
-    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(octant, octant);
+    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(rows, columns);
     for (int axes = 0; axes < 8; ++axes)
     {
-      block += Sign(axes, parity) * full.middleCols(axes * octant, octant);
+      block += Sign(axes, parity) * full.middleCols(axes * columns, columns);
     }
-    left[parity].resize(octant, octant);
-    right[parity].resize(octant, octant);
-    if (LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', octant, octant, block.data(), octant,
-          values.data() + parity * octant, left[parity].data(), octant, right[parity].data(),
+    left[parity].resize(rows, octant);
+    right[parity].resize(octant, columns);
+    if (LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', rows, columns, block.data(), rows,
+          values.data() + parity * octant, left[parity].data(), rows, right[parity].data(),
           octant) != 0)
     {
       throw SolveFailure("the operators of the multipole method could not be decomposed; use the "
@@ -140,8 +145,8 @@ Spectrum Decompose(const CubePoints& cube, double inner, double outer, double th
   Spectrum kept;
   const auto count = static_cast<int>(order.size());
   kept.Values.resize(count);
-  kept.Left.resize(8 * octant, count);
-  kept.Right.resize(8 * octant, count);
+  kept.Left.resize(8 * rows, count);
+  kept.Right.resize(8 * columns, count);
   for (int mode = 0; mode < count; ++mode)
   {
     const int parity = order[mode] / octant, column = order[mode] % octant;
@@ -150,14 +155,64 @@ Spectrum Decompose(const CubePoints& cube, double inner, double outer, double th
     for (int axes = 0; axes < 8; ++axes)
     {
       const double sign = Sign(axes, parity) / std::sqrt(8.0);
-      kept.Left.col(mode).segment(axes * octant, octant) = sign * left[parity].col(column);
-      kept.Right.col(mode).segment(axes * octant, octant) =
+      kept.Left.col(mode).segment(axes * rows, rows) = sign * left[parity].col(column);
+      kept.Right.col(mode).segment(axes * columns, columns) =
         sign * right[parity].row(column).transpose();
     }
   }
-  kept.Left = cube.RootWeights.asDiagonal() * kept.Left;
-  kept.Right = cube.RootWeights.asDiagonal() * kept.Right;
+  kept.Left = outer.RootWeights.asDiagonal() * kept.Left;
+  kept.Right = inner.RootWeights.asDiagonal() * kept.Right;
   return kept;
+}
+
+/// Right^T potentials Right. Each vector is even or odd along each axis: sums and differences of
+/// the eight octants first leave products of an eighth of the size.
+Eigen::MatrixXd Projected(Eigen::MatrixXd potentials, const Spectrum& modes, int octant)
+{
+  for (int axis = 1; axis < 8; axis *= 2)
+  {
+    for (int axes = 0; axes < 8; ++axes)
+    {
+      if ((axes & axis) == 0)
+      {
+        auto low = potentials.middleCols(axes * octant, octant);
+        auto high = potentials.middleCols((axes | axis) * octant, octant);
+        low += high;
+        high = low - 2.0 * high;
+      }
+    }
+    for (int axes = 0; axes < 8; ++axes)
+    {
+      if ((axes & axis) == 0)
+      {
+        auto low = potentials.middleRows(axes * octant, octant);
+        auto high = potentials.middleRows((axes | axis) * octant, octant);
+        low += high;
+        high = low - 2.0 * high;
+      }
+    }
+  }
+  std::array<std::vector<int>, 8> ofParity;
+  for (int mode = 0; mode < static_cast<int>(modes.Parities.size()); ++mode)
+  {
+    ofParity[modes.Parities[mode]].push_back(mode);
+  }
+  std::array<Eigen::MatrixXd, 8> vectors;
+  for (int parity = 0; parity < 8; ++parity)
+  {
+    vectors[parity] = modes.Right.topRows(octant)(Eigen::all, ofParity[parity]);
+  }
+  Eigen::MatrixXd projected(modes.Right.cols(), modes.Right.cols());
+  for (int to = 0; to < 8; ++to)
+  {
+    for (int from = 0; from < 8; ++from)
+    {
+      const Eigen::MatrixXd half =
+        potentials.block(to * octant, from * octant, octant, octant) * vectors[from];
+      projected(ofParity[to], ofParity[from]) = vectors[to].transpose() * half;
+    }
+  }
+  return projected;
 }
 
 template <typename Real>
@@ -165,18 +220,27 @@ typename BoxOperators<Real>::Operator Pack(
   const Eigen::MatrixXd& matrix, int stride, double smallest)
 {
   typename BoxOperators<Real>::Operator packed;
-  for (int i = 0; i < matrix.rows(); ++i)
+  packed.Extents.assign(stride / Widest, 0);
+  for (int j = 0; j < matrix.cols(); ++j)
   {
-    if (std::max(matrix.row(i).cwiseAbs().maxCoeff(), matrix.col(i).cwiseAbs().maxCoeff()) >=
-      smallest)
+    for (int i = 0; i < matrix.rows(); ++i)
     {
-      packed.Extent = i + 1;
+      if (std::abs(matrix(i, j)) >= smallest)
+      {
+        packed.Extents[i / Widest] = j + 1;
+        packed.Rows = std::max(packed.Rows, i + 1);
+        packed.Columns = j + 1;
+      }
     }
   }
-  packed.Entries.assign(static_cast<std::size_t>(stride) * packed.Extent, Real(0));
-  for (int j = 0; j < packed.Extent; ++j)
+  for (int group = stride / Widest - 1; group > 0; --group)
   {
-    for (int i = 0; i < packed.Extent; ++i)
+    packed.Extents[group - 1] = std::max(packed.Extents[group - 1], packed.Extents[group]);
+  }
+  packed.Entries.assign(static_cast<std::size_t>(stride) * packed.Columns, Real(0));
+  for (int j = 0; j < packed.Columns; ++j)
+  {
+    for (int i = 0; i < matrix.rows(); ++i)
     {
       packed.Entries[static_cast<std::size_t>(j) * stride + i] = static_cast<Real>(matrix(i, j));
     }
@@ -187,21 +251,20 @@ typename BoxOperators<Real>::Operator Pack(
 } // namespace
 
 template <typename Real>
-BoxOperators<Real>::BoxOperators(int nodes, double threshold)
+BoxOperators<Real>::BoxOperators(const BoxAccuracy& accuracy, const Progress& progress)
 {
   const BlasThreads one(1);
-  const CubePoints cube(nodes);
-  this->Cube = cube.Places;
-  const Spectrum modes = Decompose(cube, InnerCube, OuterCube, threshold);
+  const CubePoints inner(accuracy.InnerNodes, InnerCube), outer(accuracy.OuterNodes, OuterCube);
+  this->InnerPoints = inner.Places;
+  this->OuterPoints = outer.Places;
+  const Spectrum modes = Decompose(inner, outer, accuracy.LeastMode);
   const auto count = static_cast<int>(modes.Values.size());
-  const Eigen::Index points = this->Cube.rows();
   this->Modes = count;
-  this->Stride = (count + Widest - 1) / Widest * Widest;
-  this->PointStride = static_cast<int>(points + Widest - 1) / Widest * Widest;
-  this->Inner = Eigen::MatrixXd::Zero(this->PointStride, this->Stride);
-  this->Inner.topLeftCorner(points, count) = modes.Right;
-  this->Expansion = Eigen::MatrixXd::Zero(this->PointStride, this->Stride);
-  this->Expansion.topLeftCorner(points, count) =
+  this->Stride = RoundedUp(count);
+  this->Inner = Eigen::MatrixXd::Zero(RoundedUp(modes.Right.rows()), this->Stride);
+  this->Inner.topLeftCorner(modes.Right.rows(), count) = modes.Right;
+  this->Expansion = Eigen::MatrixXd::Zero(RoundedUp(modes.Left.rows()), this->Stride);
+  this->Expansion.topLeftCorner(modes.Left.rows(), count) =
     modes.Left * modes.Values.cwiseInverse().asDiagonal();
   this->Collected = this->Expansion.transpose();
   this->Signs.assign(8 * static_cast<std::size_t>(this->Stride), Real(1));
@@ -214,32 +277,29 @@ BoxOperators<Real>::BoxOperators(int nodes, double threshold)
     }
   }
 
-  const Eigen::MatrixXd inner = InnerCube * this->Cube;
-  const Eigen::MatrixXd child = (0.5 * inner).array() - 0.5;
-  const Eigen::MatrixXd up = this->Expansion.topLeftCorner(points, count).transpose() *
-    (InverseDistances(OuterCube * this->Cube, child) * modes.Right);
+  const Eigen::MatrixXd child = (0.5 * inner.Places).array() - 0.5;
+  const Eigen::MatrixXd up = this->Expansion.topLeftCorner(modes.Left.rows(), count).transpose() *
+    (InverseDistances(outer.Places, child) * modes.Right);
   this->FromChild = Pack<Real>(up, this->Stride, 0.0);
   // Potentials of a child are in units of its own side, half of the parent's.
   this->ToChild = Pack<Real>(0.5 * up.transpose(), this->Stride, 0.0);
 
-  for (int x = 0; x < Reach; ++x)
-  {
-    for (int y = 0; y < Reach; ++y)
+  ParallelFor(
+    Reach * Reach * Reach, 1,
+    [&](int offset, int)
     {
-      for (int z = 0; z < Reach; ++z)
+      const Eigen::RowVector3d cells(
+        offset / (Reach * Reach), offset / Reach % Reach, offset % Reach);
+      if (cells.maxCoeff() > 1.0)
       {
-        if (std::max({ x, y, z }) < 2)
-        {
-          continue;
-        }
-        const Eigen::MatrixXd target = inner.rowwise() + 2.0 * Eigen::RowVector3d(x, y, z);
+        const Eigen::MatrixXd target = inner.Places.rowwise() + 2.0 * cells;
         const Eigen::MatrixXd matrix =
-          modes.Right.transpose() * (InverseDistances(target, inner) * modes.Right);
-        this->Over[(x * Reach + y) * Reach + z] =
-          Pack<Real>(matrix, this->Stride, threshold * matrix.cwiseAbs().maxCoeff());
+          Projected(InverseDistances(target, inner.Places), modes, inner.Octant);
+        this->Over[offset] =
+          Pack<Real>(matrix, this->Stride, accuracy.LeastEntry * matrix.cwiseAbs().maxCoeff());
       }
-    }
-  }
+    },
+    progress);
 }
 
 template struct BoxOperators<float>;

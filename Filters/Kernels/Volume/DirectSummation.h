@@ -13,7 +13,8 @@ namespace shape
  * sources: m x 3, the x_j; charges: m x k, one column for each potential; points: n x 3, the y_i.
  * Returns n x k. Each term is right to rounding (1e-15), whatever the processor; the cost is m n.
  * A point's values are the same bits for any number of threads and whichever points stand beside
- * it; they are not finite where it coincides with a source (is closer than 1e-18 of the size).
+ * it; they are not finite where it coincides with a source (is closer than 1e-18 of their
+ * largest coordinate).
  * Throws InvalidInput where the numbers of rows or columns do not fit, Aborted.
  */
 Eigen::MatrixXd DirectPotentials(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,

@@ -15,22 +15,32 @@ namespace shape
 namespace
 {
 
-/// The least tolerance that single precision between boxes, and near terms to 1e-8, can keep.
-constexpr double LeastSingle = 5e-7;
+/// The least tolerance that single precision between the boxes can keep.
+constexpr double LeastSingle = 9e-7;
 
+/// What keeps a tolerance, over surfaces, volumes and graded clusters with charges of one sign and
+/// of both; and what it costs, in pairs of the direct sum.
 struct Grade
 {
   double Tolerance = 0.0;
   MultipoleEffort Effort;
+  double SetUp = 0.0;    ///< of the operators
+  double PerPoint = 0.0; ///< for each source and for each point
 };
 
-/// What keeps a tolerance, measured over surfaces and volumes with charges of both signs.
+constexpr RootError Small = RootError::Small, Rounding = RootError::Rounding;
 const Grade Grades[] = {
-  { 1e-3, { 4, 1e-3, 64, RootError::Small } },
-  { 1e-6, { 6, 1e-5, 64, RootError::Small } },
-  { 1e-8, { 10, 1e-8, 200, RootError::Rounding } },
+  { 1e-3, { { 4, 4, 1e-3, 1e-3 }, Small, Small, 64 }, 3e7, 700 },
+  { 1e-4, { { 4, 4, 1e-4, 1e-4 }, Small, Small, 80 }, 3e7, 800 },
+  { 1e-5, { { 6, 6, 1e-6, 5e-6 }, Small, Small, 100 }, 6e7, 1400 },
+  { 1e-6, { { 6, 8, 5e-7, 1e-6 }, Small, Small, 140 }, 7e7, 2000 },
+  { 1e-7, { { 8, 10, 2e-8, 7e-8 }, Rounding, Rounding, 200 }, 2.5e8, 4500 },
+  { 1e-8, { { 8, 10, 2e-9, 5e-9 }, Rounding, Rounding, 200 }, 4e8, 6500 },
+  { 1e-9, { { 10, 12, 1e-10, 7e-10 }, Rounding, Rounding, 300 }, 1e9, 7000 },
+  { 1e-10, { { 12, 14, 1e-11, 7e-11 }, Rounding, Rounding, 400 }, 2.5e9, 10000 },
 };
 
+/// The first grade that keeps the tolerance.
 const Grade& GradeFor(double tolerance)
 {
   const Grade* grade = std::begin(Grades);
@@ -74,14 +84,20 @@ FastSummation::FastSummation(const Eigen::MatrixXd& sources, const Eigen::Matrix
   Check(points, "points");
   this->Self->Sources = sources.rows();
   this->Self->Points = points.rows();
-  const bool worth = static_cast<double>(sources.rows()) * points.rows() > 1e8;
+  if (!(options.Tolerance >= 1e-10 && options.Tolerance <= 0.1))
+  {
+    throw InvalidInput("the tolerance of a sum is " + std::to_string(options.Tolerance) +
+      "; give one from 1e-10 to 0.1, or use the direct method");
+  }
+  const Grade& grade = GradeFor(options.Tolerance);
+  const double m = static_cast<double>(sources.rows()), n = static_cast<double>(points.rows());
+  const bool worth = m * n > grade.SetUp + grade.PerPoint * (m + n);
   if (sources.rows() == 0 || points.rows() == 0 || options.Method == MethodType::Direct ||
     (options.Method == MethodType::Automatic && !worth))
   {
     this->Self->Method = Parts::Places{ sources, points };
     return;
   }
-  const Grade& grade = GradeFor(options.Tolerance);
   if (options.Tolerance >= LeastSingle)
   {
     this->Self->Method.emplace<1>(sources, points, grade.Effort, progress);

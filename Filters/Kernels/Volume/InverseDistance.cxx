@@ -40,6 +40,16 @@ HWY_INLINE Vector InverseRoot(Tag d, Vector squared)
     return hn::Mul(once, hn::NegMulAdd(hn::Mul(squared, once), once, hn::Set(d, 12.0)));
   }
 }
+#elif HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+// One number at a time: the root and the quotient cost no more than steps from a rough seed.
+template <RootError Error>
+constexpr double RootFactor = 1.0;
+
+template <RootError Error>
+HWY_INLINE Vector InverseRoot(Tag d, Vector squared)
+{
+  return hn::Div(hn::Set(d, 1.0), hn::Sqrt(squared));
+}
 #else
 // The seed is single precision's, right to 4e-4 or better: y (1 + e/2 + 3/8 e e), e = 1 - s y y, is
 // right to 2e-10, and a Newton step to rounding.

@@ -17,6 +17,15 @@ constexpr int Boxes = 16;
 constexpr int Grain = 1024;
 
 template <typename Real>
+void Set(TranslationProduct<Real>& product, const typename BoxOperators<Real>::Operator& matrix)
+{
+  product.Matrix = matrix.Entries.data();
+  product.Rows = matrix.Rows;
+  product.Inner = matrix.Columns;
+  product.Extents = matrix.Extents.data();
+}
+
+template <typename Real>
 std::vector<BoxPair> Diagonal(int count)
 {
   std::vector<BoxPair> pairs(count);
@@ -44,22 +53,11 @@ template <typename Real>
 MultipoleSummation<Real>::MultipoleSummation(const Eigen::MatrixXd& sources,
   const Eigen::MatrixXd& points, const MultipoleEffort& effort, const Progress& progress)
   : Effort(effort)
-  , Operators(effort.Nodes, effort.Threshold)
-  , Tree(sources, points, effort.Leaf, progress)
-  , Sources(3, sources.rows())
-  , Points(points.rows(), 3)
+  , Operators(effort.Boxes, progress.Part(0.0, 0.5))
+  , Tree(sources, points, effort.Leaf, progress.Part(0.5, 1.0))
+  , Sources(this->Tree.Ordered(sources, this->Tree.SourceOrder).transpose())
+  , Points(this->Tree.Ordered(points, this->Tree.PointOrder))
 {
-  for (Eigen::Index j = 0; j < sources.rows(); ++j)
-  {
-    this->Sources.col(j) = this->Tree.Scale * sources.row(this->Tree.SourceOrder[j]).transpose();
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-    {
-      this->Points(i, c) = this->Tree.Scale * points(this->Tree.PointOrder[i], c);
-    }
-  }
   for (std::size_t box = 0; box < this->Tree.SourceBoxes.size(); ++box)
   {
     if (this->Tree.SourceBoxes[box].ChildCount == 0)
@@ -106,18 +104,19 @@ Eigen::MatrixXd MultipoleSummation<Real>::Sum(
 }
 
 template <typename Real>
-Eigen::MatrixXd MultipoleSummation<Real>::CubeOf(const SummationTree::Box& box, double cube) const
+Eigen::MatrixXd MultipoleSummation<Real>::Around(
+  const SummationTree::Box& box, const Eigen::MatrixXd& cube) const
 {
-  return (cube * this->Tree.HalfSide(box) * this->Operators.Cube).rowwise() +
-    this->Tree.Centre(box);
+  return (this->Tree.HalfSide(box) * cube).rowwise() + this->Tree.Centre(box);
 }
 
 template <typename Real>
 void MultipoleSummation<Real>::Collect(Workspace& work, const Progress& progress) const
 {
   const int columns = work.Columns;
-  const int points = static_cast<int>(this->Operators.Cube.rows());
-  const int pointStride = this->Operators.PointStride, stride = this->Operators.Stride;
+  const int points = static_cast<int>(this->Operators.OuterPoints.rows());
+  const int pointStride = static_cast<int>(this->Operators.Expansion.rows());
+  const int stride = this->Operators.Stride;
   const std::vector<BoxPair> diagonal = Diagonal<Real>(Boxes);
   ParallelFor(
     static_cast<int>(this->SourceLeaves.size()), Boxes,
@@ -128,7 +127,7 @@ void MultipoleSummation<Real>::Collect(Workspace& work, const Progress& progress
       for (int leaf = begin; leaf < end; ++leaf)
       {
         const SummationTree::Box& box = this->Tree.SourceBoxes[this->SourceLeaves[leaf]];
-        const Eigen::MatrixXd cube = this->CubeOf(box, BoxOperators<Real>::OuterCube);
+        const Eigen::MatrixXd cube = this->Around(box, this->Operators.OuterPoints);
         const SourceSpan span{ box.Begin, box.End };
         InverseDistanceSum sum;
         sum.Sources = work.Packed.data();
@@ -140,6 +139,7 @@ void MultipoleSummation<Real>::Collect(Workspace& work, const Progress& progress
         auto to = potentials.middleCols((leaf - begin) * columns, columns);
         sum.Values = to.data();
         sum.ValueStride = pointStride;
+        sum.Error = this->Effort.BoxError;
         AddPotentials(sum);
         to *= this->Tree.HalfSide(box);
       }
@@ -163,8 +163,7 @@ void MultipoleSummation<Real>::Collect(Workspace& work, const Progress& progress
     progress);
 
   TranslationProduct<Real> up;
-  up.Matrix = this->Operators.FromChild.Entries.data();
-  up.Rows = up.Inner = this->Operators.FromChild.Extent;
+  Set(up, this->Operators.FromChild);
   up.Signs = this->Operators.Signs.data();
   up.Columns = columns;
   up.RowStride = up.SignStride = up.InStride = up.OutStride = stride;
@@ -199,8 +198,7 @@ void MultipoleSummation<Real>::Translate(Workspace& work, const Progress& progre
   over.In = work.Outgoing.data();
   over.Out = work.Incoming.data();
   TranslationProduct<Real> down = over;
-  down.Matrix = this->Operators.ToChild.Entries.data();
-  down.Rows = down.Inner = this->Operators.ToChild.Extent;
+  Set(down, this->Operators.ToChild);
   down.In = work.Incoming.data();
   const auto chunks = static_cast<double>(this->Tree.Chunks.size());
   for (std::size_t level = 0; level + 1 < this->Tree.ChunkLevels.size(); ++level)
@@ -226,10 +224,8 @@ void MultipoleSummation<Real>::Translate(Workspace& work, const Progress& progre
           for (int run = chunk.FirstRun; run < chunk.LastRun; ++run)
           {
             const SummationTree::Run& same = this->Tree.Runs[run];
-            const auto& matrix = this->Operators.Over[same.Offset];
             TranslationProduct<Real> product = over;
-            product.Matrix = matrix.Entries.data();
-            product.Rows = product.Inner = matrix.Extent;
+            Set(product, this->Operators.Over[same.Offset]);
             AddProducts(product, this->Tree.Pairs.data() + same.Begin, same.End - same.Begin);
           }
         }
@@ -239,15 +235,15 @@ void MultipoleSummation<Real>::Translate(Workspace& work, const Progress& progre
 }
 
 template <typename Real>
-void MultipoleSummation<Real>::EvaluateCharges(
-  Workspace& work, const Eigen::MatrixXd& places, const double* charges, int begin, int end) const
+void MultipoleSummation<Real>::EvaluateCharges(Workspace& work, const Eigen::MatrixXd& places,
+  const double* charges, int stride, int begin, int end) const
 {
   Eigen::MatrixXd packed(3 + work.Columns, places.rows());
   packed.topRows(3) = places.transpose();
   for (int c = 0; c < work.Columns; ++c)
   {
-    packed.row(3 + c) = Eigen::Map<const Eigen::RowVectorXd>(
-      charges + std::ptrdiff_t(c) * this->Operators.PointStride, places.rows());
+    packed.row(3 + c) =
+      Eigen::Map<const Eigen::RowVectorXd>(charges + std::ptrdiff_t(c) * stride, places.rows());
   }
   const SourceSpan span{ 0, static_cast<int>(places.rows()) };
   InverseDistanceSum sum;
@@ -259,6 +255,7 @@ void MultipoleSummation<Real>::EvaluateCharges(
   sum.PointStride = sum.ValueStride = this->Points.rows();
   sum.PointCount = end - begin;
   sum.Values = work.Values.data() + begin;
+  sum.Error = this->Effort.BoxError;
   work.Gradients ? AddGradients(sum) : AddPotentials(sum);
 }
 
@@ -266,11 +263,12 @@ template <typename Real>
 void MultipoleSummation<Real>::Evaluate(Workspace& work, const Progress& progress) const
 {
   const int columns = work.Columns;
-  const int stride = this->Operators.Stride, pointStride = this->Operators.PointStride;
+  const int stride = this->Operators.Stride;
+  const auto pointStride = static_cast<int>(this->Operators.Expansion.rows());
   const std::vector<BoxPair> diagonal = Diagonal<Real>(Boxes);
   TranslationProduct<double> product;
   product.RowStride = product.OutStride = pointStride;
-  product.Rows = static_cast<int>(this->Operators.Cube.rows());
+  product.Rows = pointStride;
   product.Inner = this->Operators.Modes;
   product.Columns = columns;
   product.InStride = stride;
@@ -278,18 +276,21 @@ void MultipoleSummation<Real>::Evaluate(Workspace& work, const Progress& progres
   if (this->Tree.FarPoints > 0)
   {
     Eigen::MatrixXd numbers = Eigen::MatrixXd::Zero(stride, columns);
-    Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(pointStride, columns);
+    const auto rootStride = static_cast<int>(this->Operators.Inner.rows());
+    Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(rootStride, columns);
     std::copy_n(work.Outgoing.data(), columns * stride, numbers.data());
     TranslationProduct<double> root = product;
+    root.RowStride = root.OutStride = root.Rows = rootStride;
     root.Matrix = this->Operators.Inner.data();
     root.In = numbers.data();
     root.Out = charges.data();
     AddProducts(root, diagonal.data(), 1);
     const Eigen::MatrixXd cube =
-      this->CubeOf(this->Tree.SourceBoxes[0], BoxOperators<Real>::InnerCube);
+      this->Around(this->Tree.SourceBoxes[0], this->Operators.InnerPoints);
     ParallelFor(
       this->Tree.FarPoints, Grain,
-      [&](int begin, int end) { this->EvaluateCharges(work, cube, charges.data(), begin, end); },
+      [&](int begin, int end)
+      { this->EvaluateCharges(work, cube, charges.data(), rootStride, begin, end); },
       progress.Part(0.0, 0.1));
   }
 
@@ -315,8 +316,9 @@ void MultipoleSummation<Real>::Evaluate(Workspace& work, const Progress& progres
         const SummationTree::Box& box = this->Tree.PointBoxes[this->Tree.PointLeaves[leaf]];
         if (box.Level > 0)
         {
-          this->EvaluateCharges(work, this->CubeOf(box, BoxOperators<Real>::OuterCube),
-            charges.data() + (leaf - begin) * columns * pointStride, box.Begin, box.End);
+          this->EvaluateCharges(work, this->Around(box, this->Operators.OuterPoints),
+            charges.data() + (leaf - begin) * columns * pointStride, pointStride, box.Begin,
+            box.End);
         }
         InverseDistanceSum sum;
         sum.Sources = work.Packed.data();
@@ -327,7 +329,7 @@ void MultipoleSummation<Real>::Evaluate(Workspace& work, const Progress& progres
         sum.PointStride = sum.ValueStride = this->Points.rows();
         sum.PointCount = box.End - box.Begin;
         sum.Values = work.Values.data() + box.Begin;
-        sum.Error = this->Effort.Error;
+        sum.Error = this->Effort.NearError;
         work.Gradients ? AddGradients(sum) : AddPotentials(sum);
       }
     },

@@ -9,10 +9,10 @@ namespace shape
 /// How well, and at what price, the multipole method does.
 struct MultipoleEffort
 {
-  int Nodes = 6;           ///< Gauss points along an edge of a box's cubes, even
-  double Threshold = 1e-5; ///< the smallest numbers that are kept, relative to the largest
-  int Leaf = 64;           ///< most sources of a box that is not split
-  RootError Error = RootError::Small; ///< of the near terms
+  BoxAccuracy Boxes;
+  RootError BoxError = RootError::Small;  ///< between charges or points and their box
+  RootError NearError = RootError::Small; ///< of the near terms
+  int Leaf = 64;                          ///< most sources of a box that is not split
 };
 
 /**
@@ -38,9 +38,9 @@ private:
   void Collect(Workspace& work, const Progress& progress) const;
   void Translate(Workspace& work, const Progress& progress) const;
   void Evaluate(Workspace& work, const Progress& progress) const;
-  Eigen::MatrixXd CubeOf(const SummationTree::Box& box, double cube) const;
+  Eigen::MatrixXd Around(const SummationTree::Box& box, const Eigen::MatrixXd& cube) const;
   void EvaluateCharges(Workspace& work, const Eigen::MatrixXd& places, const double* charges,
-    int begin, int end) const;
+    int stride, int begin, int end) const;
 
   MultipoleEffort Effort;
   BoxOperators<Real> Operators;

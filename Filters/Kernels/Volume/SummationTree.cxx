@@ -14,13 +14,13 @@ namespace
 {
 
 /// Halvings that a key tells.
-constexpr int KeyBits = 21;
+constexpr int KeyBits = SummationTree::Deepest;
 /// Boxes of points whose translations are grouped by class.
 constexpr int ChunkBoxes = 64;
 /// Roots around and including the one of the sources; one more number is for what is beyond.
 constexpr int Roots = 27;
 
-/// The lowest 21 bits with two empty ones after each.
+/// Up to 21 bits with two empty ones after each.
 std::uint64_t Spread(std::uint64_t bits)
 {
   bits = (bits | bits << 32) & 0x1f00000000ffffULL;
@@ -39,7 +39,7 @@ struct Keyed
 /// Sorts by the key, those of equal keys by their place.
 void SortByKey(std::vector<Keyed>& items)
 {
-  constexpr int bits = 11;
+  constexpr int bits = 12;
   std::vector<Keyed> sorted(items.size());
   for (int shift = 0; shift < 3 * KeyBits; shift += bits)
   {
@@ -119,11 +119,16 @@ SummationTree::SummationTree(
 {
   const Eigen::RowVector3d low = sources.colwise().minCoeff();
   const Eigen::RowVector3d high = sources.colwise().maxCoeff();
-  const double extent = std::max((high - low).maxCoeff(),
-    1e-12 * std::max({ low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff(), 1e-280 }));
+  const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  const double extent = std::max({ (high - low).maxCoeff(), 1e-9 * largest, 1e-280 });
   this->Scale = std::ldexp(1.0, -1 - std::ilogb(extent));
   this->Side = this->Scale * extent;
-  this->Origin = this->Scale * (0.5 * (low + high)).array() - 0.5 * this->Side;
+  const Eigen::RowVector3d middle = this->Scale * 0.5 * (low + high);
+  // Coordinates much larger than the extent have no digits left for the smallest boxes; taking the
+  // middle off them is exact, as both are of one size.
+  constexpr double distant = 8.0;
+  this->Shift = largest > distant * extent ? middle : Eigen::RowVector3d::Zero().eval();
+  this->Origin = (middle - this->Shift).array() - 0.5 * this->Side;
 
   std::vector<std::uint64_t> keys;
   const auto order =
@@ -141,7 +146,8 @@ SummationTree::SummationTree(
           int root = 0;
           for (int c = 0; c < 3; ++c)
           {
-            const double at = (this->Scale * places(i, c) - this->Origin[c]) / this->Side;
+            const double at =
+              (this->Scale * places(i, c) - this->Shift[c] - this->Origin[c]) / this->Side;
             // The outermost sources lie on the sides of the root, up to rounding.
             const double cell = std::abs(at - 0.5) < 0.5 + 1e-9 ? 0.0 : std::floor(at);
             constexpr double most = (1 << KeyBits) - 1;
@@ -178,6 +184,20 @@ SummationTree::SummationTree(
   this->FarPoints = rootStart[1];
   this->SplitPoints(keys, rootStart);
   progress(1.0);
+}
+
+Eigen::MatrixXd SummationTree::Ordered(
+  const Eigen::MatrixXd& places, const std::vector<int>& order) const
+{
+  Eigen::MatrixXd ordered(places.rows(), 3);
+  for (int c = 0; c < 3; ++c)
+  {
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+    {
+      ordered(i, c) = this->Scale * places(order[i], c) - this->Shift[c];
+    }
+  }
+  return ordered;
 }
 
 Eigen::RowVector3d SummationTree::Centre(const Box& box) const

@@ -27,7 +27,7 @@ namespace shape
 class SummationTree
 {
 public:
-  static constexpr int Deepest = 20;
+  static constexpr int Deepest = 16;
 
   struct Box
   {
@@ -65,7 +65,11 @@ public:
   Eigen::RowVector3d Centre(const Box& box) const;
   double HalfSide(const Box& box) const;
 
-  double Scale = 1.0; ///< a power of two: all that follows is in coordinates times Scale
+  /// Sources or points in their order, in the scaled coordinates.
+  Eigen::MatrixXd Ordered(const Eigen::MatrixXd& places, const std::vector<int>& order) const;
+
+  double Scale = 1.0; ///< a power of two: scaled coordinates are coordinates times Scale - Shift
+  Eigen::RowVector3d Shift = Eigen::RowVector3d::Zero();
   Eigen::RowVector3d Origin = Eigen::RowVector3d::Zero(); ///< the lowest corner of the root
   double Side = 1.0;                                      ///< of the root, 1/2 to 1
   std::vector<int> SourceOrder, PointOrder;

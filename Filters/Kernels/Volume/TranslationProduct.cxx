@@ -41,7 +41,8 @@ HWY_INLINE void Multiply(
     }
   }
   const Real* column = product.Matrix + row;
-  for (int j = 0; j < product.Inner; ++j, column += product.RowStride)
+  const int inner = product.Extents ? product.Extents[row / 16] : product.Inner;
+  for (int j = 0; j < inner; ++j, column += product.RowStride)
   {
     Vector entries[Vectors];
     for (int v = 0; v < Vectors; ++v)

@@ -22,12 +22,14 @@ template <typename Real>
 struct TranslationProduct
 {
   /// Most rows, and most columns, of a matrix.
-  static constexpr int Most = 1024;
+  static constexpr int Most = 1200;
 
   const Real* Matrix = nullptr; ///< by columns, RowStride apart
   int RowStride = 0;
-  int Rows = 0;                ///< of the matrix; rounded up to whole vectors, the rest is zero
-  int Inner = 0;               ///< columns of the matrix
+  int Rows = 0;  ///< of the matrix; rounded up to whole vectors, the rest is zero
+  int Inner = 0; ///< columns of the matrix
+  /// For each sixteen rows the columns from which on they are zero, not rising; null: Inner.
+  const int* Extents = nullptr;
   const Real* Signs = nullptr; ///< [mirror][SignStride]; null: nothing is mirrored
   int SignStride = 0;
   int Columns = 3; ///< of a box: 1, 2 or 3
