@@ -13,8 +13,6 @@
 #include "vtkTable.h"
 
 #include "Core/Topology.h"
-#include "Geometry/Nesting.h"
-#include "Geometry/SignedDistance.h"
 #include "Volume/ApplyVolumeMap.h"
 #include "Volume/TargetDistance.h"
 
@@ -128,21 +126,20 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   const shape::HarmonicVolumeMapResult result =
     shape::HarmonicVolumeMap(mesh, targets, features, this->Options, progress.Part(0.02, 0.8));
 
-  const double farthest = vtkShapeChargeSet::Farthest(result.OffsetDistance, mesh);
-  const shape::SignedDistance distance(
-    shape::OrientedByNesting(mesh, "the Boundary", progress.Part(0.8, 0.82)));
+  shape::LayeredCharges charges{ { result.Map }, mesh };
+  charges.Farthest = vtkShapeChargeSet::Farthest(result.OffsetDistance, mesh);
+  const shape::LayeredMap map(charges, progress.Part(0.8, 0.82));
   vtkDataObject* moved = this->GetOutputDataObject(0);
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    { return shape::ApplyVolumeMap(result.Map, distance, farthest, points, part); },
+    { return shape::ApplyVolumeMap(map, points, part); },
     progress.Part(0.82, 1.0));
 
   // Every process has found the same map: one of them hands it on.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
-    vtkShapeChargeSet::Write(
-      result.Map, mesh, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+    vtkShapeChargeSet::Write(charges, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
     WriteLevels(result.Levels, vtkTable::SafeDownCast(this->GetOutputDataObject(2)));
   }
   // The last level's errors are those of the whole sum, whether it was kept or not.
