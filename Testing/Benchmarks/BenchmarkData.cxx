@@ -149,6 +149,38 @@ shape::Mesh Subdivide(const shape::Mesh& mesh)
   return fine;
 }
 
+Eigen::MatrixXd Split(Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
+{
+  const int points = static_cast<int>(values.rows());
+  std::map<std::array<int, 2>, int> middles;
+  Eigen::MatrixXi fine(4 * triangles.rows(), 3);
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    std::array<int, 3> corner, middle;
+    for (int k = 0; k < 3; ++k)
+    {
+      corner[k] = triangles(t, k);
+      const int next = triangles(t, (k + 1) % 3);
+      const std::array<int, 2> edge = { std::min(corner[k], next), std::max(corner[k], next) };
+      middle[k] =
+        middles.try_emplace(edge, points + static_cast<int>(middles.size())).first->second;
+    }
+    fine.row(4 * t) << middle[0], middle[1], middle[2];
+    for (int k = 0; k < 3; ++k)
+    {
+      fine.row(4 * t + 1 + k) << corner[k], middle[k], middle[(k + 2) % 3];
+    }
+  }
+  Eigen::MatrixXd all(points + static_cast<int>(middles.size()), values.cols());
+  all.topRows(points) = values;
+  for (const auto& [edge, middle] : middles)
+  {
+    all.row(middle) = 0.5 * (values.row(edge[0]) + values.row(edge[1]));
+  }
+  triangles = fine;
+  return all;
+}
+
 TrianglePlaces RandomPlaces(const shape::Mesh& mesh, int each, int most, unsigned int seed)
 {
   Random random(seed);

@@ -17,6 +17,10 @@ shape::Mesh ReadOff(const std::string& path, bool weld);
 /// smoothed (Kobbelt, "Sqrt(3)-subdivision", 2000). For closed surfaces.
 shape::Mesh Subdivide(const shape::Mesh& mesh);
 
+/// Each triangle in four, at the middles of its edges. values (n x d), of the points; returns those
+/// of the new points, with means at the middles.
+Eigen::MatrixXd Split(Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
+
 /// Places in triangles: count x 3 positions with the triangle and the barycentric coordinates.
 struct TrianglePlaces
 {

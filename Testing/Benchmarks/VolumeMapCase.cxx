@@ -33,13 +33,18 @@ DATA    A a harmonic field that is known everywhere; B the sphere map of the mod
         not harmonic. Every method is given the values at the points of the surface.
 METHOD  Accelerated, MultiLevel, SingleShot (OffsetDistance=, CollocationRatio=, SourceRatio=,
         Tolerance=) or FEM (Refine=, RadiusEdgeRatio=, Solver=, Ordering=, Threads=)
+Reference=FILE  for data B and C: where the values of refined finite elements at the random points
+        inside are kept
 Weld=1  joins points at the same place first
 Places=4 in each triangle, Most=60000 of them in all, Interior=4000 points, Seed=1
 
 Prints one line: CPU and wall seconds and the peak of memory above the start (MiB) of the method
 alone; root mean square errors divided by the longest side of the target's box: at the points, at
 random places inside triangles against the linear interpolation of the points' values and, for data
-A, against the field; and at random points inside the solid against the field.)";
+A, against the field; and at random points inside the solid against the field or the reference.)";
+
+constexpr int ReferenceSplits = 1;
+constexpr double ReferenceRefinement = 4.0; // of the split surface's own cells
 
 using Settings = std::map<std::string, std::string>;
 
@@ -69,6 +74,24 @@ long Status(const std::string& key)
     }
   }
   return 0;
+}
+
+/// A column-major file of values, made by `make` where there is none.
+Eigen::MatrixXd Kept(
+  const std::string& path, Eigen::Index rows, const std::function<Eigen::MatrixXd()>& make)
+{
+  Eigen::MatrixXd values(rows, 3);
+  const auto bytes = static_cast<std::streamsize>(sizeof(double) * values.size());
+  std::ifstream kept(path, std::ios::binary | std::ios::ate);
+  if (kept && kept.tellg() == bytes)
+  {
+    kept.seekg(0);
+    kept.read(reinterpret_cast<char*>(values.data()), bytes);
+    return values;
+  }
+  values = make();
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(values.data()), bytes);
+  return values;
 }
 
 /// What running a method took.
@@ -141,6 +164,27 @@ Solution RunFiniteElements(const shape::Mesh& mesh, const Eigen::MatrixXd& value
   };
 }
 
+/// Finite elements for the same piecewise linear values on four times as many triangles and about
+/// 100 times as many tetrahedra, at points.
+Eigen::MatrixXd ReferenceValues(
+  const shape::Mesh& mesh, const Eigen::MatrixXd& values, const Eigen::MatrixXd& points)
+{
+  Eigen::MatrixXd both(mesh.Points.rows(), 6);
+  both << mesh.Points, values;
+  shape::Mesh fine = mesh;
+  for (int i = 0; i < ReferenceSplits; ++i)
+  {
+    both = benchmark::Split(fine.Triangles, both);
+  }
+  fine.Points = both.leftCols<3>();
+  benchmark::FiniteElementOptions options;
+  options.Refine = ReferenceRefinement;
+  options.RadiusEdgeRatio = 1.414;
+  options.Solver = "CG";
+  const auto result = SolveByFiniteElements(fine, both.rightCols<3>(), options);
+  return shape::CellLocator(result.Solid).Find(points).Weights * result.Values;
+}
+
 double RootMeanSquare(const Eigen::MatrixXd& errors)
 {
   return std::sqrt(errors.rowwise().squaredNorm().mean());
@@ -183,12 +227,19 @@ void Run(const std::string& model, const std::string& data, const std::string& m
   const double inside =
     RootMeanSquare(inTriangles - benchmark::Interpolated(mesh, values, places)) / size;
   double insideField = NAN, interior = NAN;
+  const std::string reference = Word(settings, "Reference", "");
+  if (known || !reference.empty())
+  {
+    const Eigen::MatrixXd points = benchmark::InteriorPoints(
+      mesh, static_cast<int>(Number(settings, "Interior", 4000)), seed + 2);
+    const Eigen::MatrixXd truth = known
+      ? field.Evaluate(points)
+      : Kept(reference, points.rows(), [&] { return ReferenceValues(mesh, values, points); });
+    interior = RootMeanSquare(solution(points) - truth) / size;
+  }
   if (known)
   {
     insideField = RootMeanSquare(inTriangles - field.Evaluate(places.Points)) / size;
-    const Eigen::MatrixXd points = benchmark::InteriorPoints(
-      mesh, static_cast<int>(Number(settings, "Interior", 4000)), seed + 2);
-    interior = RootMeanSquare(solution(points) - field.Evaluate(points)) / size;
   }
   std::printf("model=%s points=%d data=%s method=%s cpu=%.3f wall=%.3f mib=%.1f vertices=%.3e "
               "inside=%.3e insidefield=%.3e interior=%.3e note=%s\n",
