@@ -218,7 +218,7 @@ Eigen::MatrixXd Interpolated(
   return result;
 }
 
-Eigen::MatrixXd InteriorPoints(const shape::Mesh& mesh, int count, unsigned int seed)
+Eigen::MatrixXd InteriorPoints(const shape::Mesh& mesh, int count, unsigned int seed, bool winding)
 {
   Random random(seed);
   const shape::SignedDistance distance(mesh);
@@ -236,7 +236,9 @@ Eigen::MatrixXd InteriorPoints(const shape::Mesh& mesh, int count, unsigned int 
     const Eigen::VectorXd depths = distance.Evaluate(candidates).Distances;
     for (int i = 0; i < count && found < count; ++i)
     {
-      if (depths(i) < 0.0)
+      if (depths(i) < 0.0 &&
+        (!winding ||
+          std::lround(shape::WindingNumber(mesh.Points, mesh.Triangles, candidates.row(i))) == 1))
       {
         inside.row(found++) = candidates.row(i);
       }

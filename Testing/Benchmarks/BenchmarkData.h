@@ -37,8 +37,11 @@ TrianglePlaces RandomPlaces(const shape::Mesh& mesh, int each, int most, unsigne
 Eigen::MatrixXd Interpolated(
   const shape::Mesh& mesh, const Eigen::MatrixXd& values, const TrianglePlaces& places);
 
-/// `count` points evenly distributed inside a closed, outward facing surface.
-Eigen::MatrixXd InteriorPoints(const shape::Mesh& mesh, int count, unsigned int seed);
+/// `count` points evenly distributed inside a closed, outward facing surface: where the signed
+/// distance says so, and with `winding` also the winding number: once inside one that crosses
+/// itself.
+Eigen::MatrixXd InteriorPoints(
+  const shape::Mesh& mesh, int count, unsigned int seed, bool winding = false);
 
 /**
  * Data A: a map that is harmonic in and around the solid, known everywhere: the identity, harmonic

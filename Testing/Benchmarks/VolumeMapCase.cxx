@@ -36,7 +36,8 @@ METHOD  Accelerated, MultiLevel, SingleShot (OffsetDistance=, CollocationRatio=,
 Reference=FILE  for data B and C: where the values of refined finite elements at the random points
         inside are kept
 Weld=1  joins points at the same place first
-Places=4 in each triangle, Most=60000 of them in all, Interior=4000 points, Seed=1
+Places=4 in each triangle, Most=60000 of them in all, Interior=4000 points (with Winding=1 only where the surface
+winds around once), Seed=1
 
 Prints one line: CPU and wall seconds and the peak of memory above the start (MiB) of the method
 alone; root mean square errors divided by the longest side of the target's box: at the points, at
@@ -230,8 +231,9 @@ void Run(const std::string& model, const std::string& data, const std::string& m
   const std::string reference = Word(settings, "Reference", "");
   if (known || !reference.empty())
   {
-    const Eigen::MatrixXd points = benchmark::InteriorPoints(
-      mesh, static_cast<int>(Number(settings, "Interior", 4000)), seed + 2);
+    const Eigen::MatrixXd points =
+      benchmark::InteriorPoints(mesh, static_cast<int>(Number(settings, "Interior", 4000)),
+        seed + 2, Number(settings, "Winding", 0) != 0);
     const Eigen::MatrixXd truth = known
       ? field.Evaluate(points)
       : Kept(reference, points.rows(), [&] { return ReferenceValues(mesh, values, points); });
