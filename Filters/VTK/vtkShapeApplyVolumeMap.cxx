@@ -9,12 +9,12 @@
 
 #include "Core/Errors.h"
 #include "Core/Topology.h"
-#include "Geometry/Nesting.h"
 #include "Volume/ApplyVolumeMap.h"
-#include "Volume/InverseMap.h"
+#include "Volume/LayeredInverse.h"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,16 +42,14 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
     throw shape::InvalidInput("the Map has " + std::to_string(count) +
       " blocks; take one charge set out with Extract Block");
   }
-  const vtkShapeChargeSet::Contents set =
-    vtkShapeChargeSet::Read(this->GetWhole(1).Data, "the Map");
-  progress(0.05);
+  const auto map = std::make_shared<const shape::LayeredMap>(
+    vtkShapeChargeSet::Read(this->GetWhole(1).Data, "the Map"), progress.Part(0.05, 0.1));
 
   std::array<vtkIdType, 3> counts{};
   vtkDataObject* moved = this->GetOutputDataObject(0);
   if (this->Inverse)
   {
-    const shape::InverseMap inverse(
-      set.Map, set.Surface, set.Farthest, {}, progress.Part(0.05, 0.3));
+    const shape::LayeredInverse inverse(map, {}, progress.Part(0.1, 0.3));
     const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     {
       const shape::InverseMap::Result found = inverse.Find(points, part);
@@ -61,10 +59,8 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
   }
   else
   {
-    const shape::SignedDistance boundary(
-      shape::OrientedByNesting(set.Surface, "the surface of the Map", progress.Part(0.05, 0.1)));
     const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    { return shape::ApplyVolumeMap(set.Map, boundary, set.Farthest, points, part); };
+    { return shape::ApplyVolumeMap(*map, points, part); };
     counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.1, 1.0));
   }
   this->AddCount(0, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));

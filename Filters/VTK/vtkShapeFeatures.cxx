@@ -160,3 +160,46 @@ shape::VolumeFeatures vtkShapeFeatures::Read(const std::vector<vtkPolyData*>& fe
   }
   return all;
 }
+
+vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPolyData*>& features,
+  const std::vector<vtkPolyData*>& targets, const std::string& mapArray)
+{
+  Split split;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < features.size(); ++i)
+  {
+    vtkPolyData* feature = features[i];
+    const std::string name = "feature " + std::to_string(i);
+    const bool carries = feature->GetPointData()->HasArray(mapArray.c_str());
+    vtkPolyData* target = !carries && used < targets.size() ? targets[used++] : nullptr;
+    if (feature->GetNumberOfPolys() + feature->GetNumberOfStrips() == 0)
+    {
+      if (!feature->GetPointData()->HasArray("Weight"))
+      {
+        throw shape::InvalidInput(name +
+          " is no surface, so it cannot be met exactly: by the maximum principle a harmonic map "
+          "that moves points or curves inside by some distance moves the boundary by about as "
+          "much; give it a point array 'Weight', with which it is met softly, or turn Exact off");
+      }
+      split.Features.push_back(feature);
+      if (target)
+      {
+        split.Targets.push_back(target);
+      }
+      continue;
+    }
+    const shape::Mesh mesh = vtkShapeConvert::ToMesh(feature, name);
+    if (!carries && !target)
+    {
+      throw shape::InvalidInput(name + " has no point array '" + mapArray + "', and none of the " +
+        std::to_string(targets.size()) +
+        " TargetFeatures is left for it; give it the array, or connect its target");
+    }
+    const Eigen::MatrixXd images = carries
+      ? vtkShapeConvert::ToPointArray(feature, mapArray, 3, name)
+      : ByOrder(feature, target, {}, name).Targets;
+    split.Surfaces.push_back({ mesh, images, name });
+  }
+  split.Targets.insert(split.Targets.end(), targets.begin() + used, targets.end());
+  return split;
+}

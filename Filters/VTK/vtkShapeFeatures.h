@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Volume/HarmonicVolumeMap.h"
+#include "Volume/LayeredVolumeMap.h"
 
 #include <string>
 #include <vector>
@@ -28,5 +28,22 @@ namespace vtkShapeFeatures
 shape::VolumeFeatures Read(const std::vector<vtkPolyData*>& features,
   const std::vector<vtkPolyData*>& targets, const std::string& mapArray, double defaultWeight,
   double longestStep);
+
+/// Features that are to be met exactly, and those that are not, with the targets left for them.
+struct Split
+{
+  std::vector<shape::ExactSurface> Surfaces;
+  std::vector<vtkPolyData*> Features, Targets;
+};
+
+/**
+ * Takes the surfaces out: features with polygons, whose images are `mapArray` or the points of
+ * their target by order. What is left must carry `Weight`.
+ *
+ * Throws shape::InvalidInput where points or curves have no `Weight`, which would ask for them to
+ * be met exactly, and as Read does.
+ */
+Split TakeSurfaces(const std::vector<vtkPolyData*>& features,
+  const std::vector<vtkPolyData*>& targets, const std::string& mapArray);
 
 } // namespace vtkShapeFeatures

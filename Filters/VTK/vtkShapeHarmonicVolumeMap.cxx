@@ -3,21 +3,24 @@
 #include "vtkShapeChargeSet.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFeatures.h"
+#include "vtkShapeGather.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
 #include "Core/Topology.h"
-#include "Geometry/Nesting.h"
-#include "Geometry/SignedDistance.h"
 #include "Volume/ApplyVolumeMap.h"
+#include "Volume/LayeredVolumeMap.h"
 #include "Volume/TargetDistance.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -64,17 +67,25 @@ namespace
 /// Between the points of a curve that is matched, as a share of the longest side of the boundary.
 constexpr double LongestStep = 0.01;
 
-void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult::Level>& levels, vtkTable* output)
+/// What the names of the facts begin with.
+const std::string Facts = "HarmonicVolumeMap.";
+
+/// The levels of each region's map.
+void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult>& regions, vtkTable* output)
 {
-  Eigen::MatrixXd columns(levels.size(), 8);
-  for (std::size_t i = 0; i < levels.size(); ++i)
+  Eigen::MatrixXd columns(0, 9);
+  for (std::size_t region = 0; region < regions.size(); ++region)
   {
-    const auto& level = levels[i];
-    columns.row(i) << level.Number, level.Sources, level.Collocations, level.RMSEVertices,
-      level.RMSEInside, level.Maximum, level.Seconds, level.Kept;
+    for (const auto& level : regions[region].Levels)
+    {
+      columns.conservativeResize(columns.rows() + 1, Eigen::NoChange);
+      columns.bottomRows<1>() << level.Number, level.Sources, level.Collocations,
+        level.RMSEVertices, level.RMSEInside, level.Maximum, level.Seconds, level.Kept,
+        static_cast<double>(region);
+    }
   }
   const char* names[] = { "Level", "Sources", "Collocations", "RMSEVertices", "RMSEInside",
-    "Maximum", "Seconds", "Kept" };
+    "Maximum", "Seconds", "Kept", "RegionId" };
   for (int c = 0; c < columns.cols(); ++c)
   {
     output->AddColumn(vtkShapeConvert::ToArray(columns.col(c), names[c]));
@@ -95,15 +106,45 @@ const char* Word(shape::HarmonicVolumeMapResult::Stop reason)
   return "Levels";
 }
 
+/// One harmonic map as a solution of one region.
+shape::LayeredVolumeMapResult OneRegion(shape::HarmonicVolumeMapResult map, const shape::Mesh& mesh)
+{
+  shape::LayeredVolumeMapResult result;
+  result.Charges = { { map.Map }, mesh };
+  result.Charges.Farthest = vtkShapeChargeSet::Farthest(map.OffsetDistance, mesh);
+  // The last level's errors are those of the whole sum, whether it was kept or not.
+  const auto& last = map.Levels.back();
+  result.Borders.push_back({ last.RMSEVertices, last.RMSEInside, last.Maximum });
+  result.RMSEFeatures = map.RMSEFeatures;
+  result.OffsetDistance = map.OffsetDistance;
+  result.Layers.push_back(std::move(map));
+  return result;
+}
+
+/// Errors at the borders, an entry for each region.
+void AddBorders(
+  const std::vector<shape::LayeredVolumeMapResult::Border>& borders, vtkDataObject* output)
+{
+  Eigen::MatrixXd columns(borders.size(), 5);
+  for (std::size_t i = 0; i < borders.size(); ++i)
+  {
+    columns.row(i) << borders[i].RMSEVertices, borders[i].RMSEInside, borders[i].Maximum,
+      borders[i].JumpRMS, borders[i].JumpMaximum;
+  }
+  const char* names[] = { "BorderRMSEVertices", "BorderRMSEInside", "BorderMaximum",
+    "BorderJumpRMS", "BorderJumpMaximum" };
+  for (int c = 0; c < columns.cols(); ++c)
+  {
+    output->GetAttributesAsFieldData(vtkDataObject::FIELD)
+      ->AddArray(vtkShapeConvert::ToArray(columns.col(c), Facts + names[c]));
+  }
+}
+
 } // namespace
 
-void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
+void vtkShapeHarmonicVolumeMap::Solve(
+  vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress)
 {
-  vtkDataObject* domain = this->GetInputDataObject(0, 0);
-  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
-  {
-    shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
-  }
   vtkPolyData* boundary = this->GetWhole(1).Data;
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
   const Eigen::MatrixXd targets =
@@ -123,48 +164,100 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     }
     return all;
   };
-  const shape::VolumeFeatures features = vtkShapeFeatures::Read(wholes(2), wholes(3),
+  vtkShapeFeatures::Split given{ {}, wholes(2), wholes(3) };
+  if (this->Exact)
+  {
+    given = vtkShapeFeatures::TakeSurfaces(given.Features, given.Targets, this->MapArray);
+  }
+  const shape::VolumeFeatures features = vtkShapeFeatures::Read(given.Features, given.Targets,
     this->MapArray, this->Options.FeatureWeight, LongestStep * shape::LongestSide(mesh.Points));
-  const shape::HarmonicVolumeMapResult result =
-    shape::HarmonicVolumeMap(mesh, targets, features, this->Options, progress.Part(0.02, 0.8));
+  const shape::Progress part = progress.Part(0.02, 1.0);
+  const shape::LayeredVolumeMapResult result = this->Exact
+    ? shape::LayeredVolumeMap(mesh, targets, given.Surfaces, features, this->Options, {}, part)
+    : OneRegion(shape::HarmonicVolumeMap(mesh, targets, features, this->Options, part), mesh);
 
-  const double farthest = vtkShapeChargeSet::Farthest(result.OffsetDistance, mesh);
-  const shape::SignedDistance distance(
-    shape::OrientedByNesting(mesh, "the Boundary", progress.Part(0.8, 0.82)));
+  vtkShapeChargeSet::Write(result.Charges, charges);
+  WriteLevels(result.Layers, levels);
+  const auto& boundaryErrors = result.Borders.front();
+  double deleted = 0.0, inserted = 0.0;
+  auto reason = shape::HarmonicVolumeMapResult::Stop::Tolerance;
+  for (const shape::HarmonicVolumeMapResult& layer : result.Layers)
+  {
+    deleted += layer.DeletedSources;
+    inserted += layer.InsertedSources;
+    reason =
+      layer.Reason == shape::HarmonicVolumeMapResult::Stop::Tolerance ? reason : layer.Reason;
+  }
+  const std::pair<const char*, double> facts[] = { { "RMSEVertices", boundaryErrors.RMSEVertices },
+    { "RMSEInside", boundaryErrors.RMSEInside }, { "Maximum", boundaryErrors.Maximum },
+    { "RMSEFeatures", result.RMSEFeatures },
+    { "FeaturePoints", static_cast<double>(features.Points.rows()) },
+    { "OffsetDistance", result.OffsetDistance }, { "DeletedSources", deleted },
+    { "InsertedSources", inserted } };
+  for (const auto& [fact, value] : facts)
+  {
+    vtkShapeConvert::AddFact(charges, Facts + fact, value);
+  }
+  vtkShapeConvert::AddFact(charges, Facts + "Stop", Word(reason));
+  if (this->Exact)
+  {
+    AddBorders(result.Borders, charges);
+  }
+  if (hasTarget)
+  {
+    vtkShapeConvert::AddFact(charges, Facts + "TargetDistance", targetDistance);
+  }
+}
+
+void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
+{
+  vtkMultiProcessController* controller = this->GetController();
+  const bool first = !controller || controller->GetLocalProcessId() == 0;
+  vtkDataObject* domain = this->GetInputDataObject(0, 0);
   vtkDataObject* moved = this->GetOutputDataObject(0);
+  auto* charges = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+  auto* levels = vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+  vtkShapeGather::TogetherOrNotAtAll(controller,
+    [&]
+    {
+      for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
+      {
+        shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
+      }
+      if (first)
+      {
+        this->Solve(charges, levels, progress.Part(0.0, 0.8));
+      }
+    });
+  // What one process has found, all of them use.
+  vtkShapeGather::Share(charges, controller);
+  const shape::LayeredMap map(
+    vtkShapeChargeSet::Read(charges, "the map"), progress.Part(0.8, 0.82));
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    { return shape::ApplyVolumeMap(result.Map, distance, farthest, points, part); },
+    { return shape::ApplyVolumeMap(map, points, part); },
     progress.Part(0.82, 1.0));
 
-  // Every process has found the same map: one of them hands it on.
-  if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
+  vtkFieldData* facts = charges->GetFieldData();
+  for (int i = 0; i < facts->GetNumberOfArrays(); ++i)
   {
-    vtkShapeChargeSet::Write(
-      result.Map, mesh, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
-    WriteLevels(result.Levels, vtkTable::SafeDownCast(this->GetOutputDataObject(2)));
+    vtkAbstractArray* fact = facts->GetAbstractArray(i);
+    if (std::string(fact->GetName()).rfind(Facts, 0) == 0)
+    {
+      moved->GetAttributesAsFieldData(vtkDataObject::FIELD)->AddArray(fact);
+    }
   }
-  // The last level's errors are those of the whole sum, whether it was kept or not.
-  const auto& last = result.Levels.back();
   for (const int port : { 0, 1 })
   {
-    vtkDataObject* output = this->GetOutputDataObject(port);
-    const std::pair<const char*, double> facts[] = { { "RMSEVertices", last.RMSEVertices },
-      { "RMSEInside", last.RMSEInside }, { "Maximum", last.Maximum },
-      { "RMSEFeatures", result.RMSEFeatures },
-      { "FeaturePoints", static_cast<double>(features.Points.rows()) },
-      { "OffsetDistance", result.OffsetDistance }, { "DeletedSources", result.DeletedSources },
-      { "InsertedSources", result.InsertedSources } };
-    for (const auto& [fact, value] : facts)
-    {
-      vtkShapeConvert::AddFact(output, std::string("HarmonicVolumeMap.") + fact, value);
-    }
-    this->AddCount(port, "HarmonicVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
-    vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.Stop", Word(result.Reason));
-    if (hasTarget)
-    {
-      vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.TargetDistance", targetDistance);
-    }
+    this->AddCount(port, Facts + "OutsidePoints", static_cast<double>(counts[1]));
+  }
+  if (!first)
+  {
+    // One process hands the charges on; the others say the same facts about them.
+    vtkNew<vtkFieldData> kept;
+    kept->ShallowCopy(facts);
+    charges->Initialize();
+    charges->SetFieldData(kept);
   }
 }

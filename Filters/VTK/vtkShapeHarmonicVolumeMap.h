@@ -25,9 +25,9 @@
  * - 1: the charge set: the map as a formula, evaluable anywhere inside: points with `Charge`
  *   (double, 3), field data `Affine` (3 x 4).
  * - 2: a table of levels: Level, Sources, Collocations, RMSEVertices, RMSEInside, Maximum, Seconds,
- *   Kept (0: the level lowered nothing and is not in the map). Errors are of the whole
- * boundary, at its points and inside its triangles, divided by the longest side of the target's
- * box.
+ *   Kept (0: the level lowered nothing and is not in the map), RegionId. Errors are of the whole
+ *   boundary, at its points and inside its triangles, divided by the longest side of the target's
+ *   box; with Exact, those of the region's own boundary.
  *
  * Field data of outputs 0 and 1: HarmonicVolumeMap.RMSEVertices, .RMSEInside, .Maximum,
  * .RMSEFeatures (0 without features), .FeaturePoints, .OffsetDistance (of the nearest charges),
@@ -35,6 +35,21 @@
  * .TargetDistance (root mean square / longest side; with Target only), and in words .Stop:
  * Tolerance (reached), Levels (all that were asked for were fitted), NoImprovement (the last levels
  * gained less than LeastGain).
+ *
+ * With Exact, closed surfaces among the Features are met as well as the boundary is: by the maximum
+ * principle no one harmonic map can, so each is a border between layers, and each layer has a
+ * harmonic map of its own, with charges on both sides of it, by any Method. The map is continuous
+ * across borders. Points and curves stay soft, in the layer that they lie in, and must bring
+ * `Weight`: without, they ask to be met exactly, which is refused. The charge set then has
+ * `RegionId` (int) at its points, of the charges: the region whose map they belong to, numbered as
+ * Shape Tetrahedralize does (0 around the first border, i + 1 inside Features i among the surfaces;
+ * pieces of one region that do not touch have numbers of their own, after these), and on its cells:
+ * the region that they enclose, -1 for voids; field data `Affine` with 12 numbers, the rows of A
+ * and b, for each region, and `Skin`, how thick the skin inside each region's border is in which
+ * the map around passes into its own. Further field data, an entry for each region:
+ * HarmonicVolumeMap.BorderRMSEVertices, .BorderRMSEInside, .BorderMaximum, of the map at the
+ * surface around it, .BorderJumpRMS and .BorderJumpMaximum, by how much the two fitted maps differ
+ * there, which the skin makes up for.
  *
  * A singular value decomposition is a single library call: an abort takes effect at its end.
  *
@@ -46,6 +61,9 @@
 #include "vtkShapeAlgorithm.h"
 
 #include "Volume/HarmonicVolumeMap.h" // for the options
+
+class vtkPolyData;
+class vtkTable;
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeHarmonicVolumeMap : public vtkShapeAlgorithm
 {
@@ -98,6 +116,14 @@ public:
   ///@}
 
   ///@{
+  /// Whether closed surfaces among the Features are met exactly: each is then a border between
+  /// layers with a harmonic map each. Default: false.
+  vtkSetMacro(Exact, bool);
+  vtkGetMacro(Exact, bool);
+  vtkBooleanMacro(Exact, bool);
+  ///@}
+
+  ///@{
   /// How many collocation points and sources there are for each point of the boundary.
   vtkShapeOption(CollocationRatio, double);
   vtkShapeOption(SourceRatio, double);
@@ -138,7 +164,11 @@ private:
   vtkShapeHarmonicVolumeMap(const vtkShapeHarmonicVolumeMap&) = delete;
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
 
+  /// Makes the charge set with the facts about it, and the table of levels, of the whole inputs.
+  void Solve(vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress);
+
   std::string MapArray = "TargetPosition";
+  bool Exact = false;
   shape::HarmonicVolumeMapOptions Options;
 };
 

@@ -34,9 +34,16 @@ BlasThreads::~BlasThreads()
 void ParallelFor(int count, int grain, const std::function<void(int begin, int end)>& body,
   const Progress& progress)
 {
+  const int chunks = count / grain + (count % grain > 0);
+  if (chunks == 1)
+  {
+    // Nothing to share out: single points are asked for millions of times.
+    body(0, count);
+    progress(1.0);
+    return;
+  }
   const int threads = ThreadCount();
   oneapi::tbb::task_arena arena(threads);
-  const int chunks = count / grain + (count % grain > 0);
   const auto runChunk = [&](int chunk)
   { body(chunk * grain, chunk + 1 < chunks ? (chunk + 1) * grain : count); };
 

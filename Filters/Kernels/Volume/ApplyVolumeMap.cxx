@@ -6,12 +6,13 @@
 namespace shape
 {
 
-MovedPoints ApplyVolumeMap(const ChargeSet& map, const SignedDistance& boundary, double farthest,
-  const Eigen::MatrixXd& points, const Progress& progress)
+MovedPoints ApplyVolumeMap(
+  const LayeredMap& map, const Eigen::MatrixXd& points, const Progress& progress)
 {
   MovedPoints moved;
-  moved.OutsideDomain = OutsideDomain(boundary, points, farthest, progress.Part(0.0, 0.5));
-  const Eigen::MatrixXd values = Evaluate(map, points, progress.Part(0.5, 1.0));
+  moved.OutsideDomain =
+    OutsideDomain(map.Domain(), points, map.Farthest(), progress.Part(0.0, 0.5));
+  const Eigen::MatrixXd values = map.Evaluate(points, progress.Part(0.5, 1.0));
   moved.Points = moved.OutsideDomain.replicate(1, 3).array().select(points, values);
   if (!moved.Points.allFinite())
   {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "Geometry/SignedDistance.h"
-#include "Volume/ChargeSet.h"
+#include "Volume/LayeredMap.h"
 
 namespace shape
 {
@@ -13,13 +12,13 @@ struct MovedPoints
 };
 
 /**
- * The values of a charge set's map at the points (n x 3, finite) of the domain that `boundary`
- * bounds: a closed, outward facing surface. Points outside keep their place and have OutsideDomain
- * 1; farthest: see OutsideDomain. For the way back see InverseMap.
+ * The values of a volume map at the points (n x 3, finite) of its domain. Points outside keep their
+ * place and have OutsideDomain 1: see the function of that name. For the way back see
+ * LayeredInverse.
  *
  * Throws SolveFailure where the map is not finite, Aborted.
  */
-MovedPoints ApplyVolumeMap(const ChargeSet& map, const SignedDistance& boundary, double farthest,
-  const Eigen::MatrixXd& points, const Progress& progress = {});
+MovedPoints ApplyVolumeMap(
+  const LayeredMap& map, const Eigen::MatrixXd& points, const Progress& progress = {});
 
 } // namespace shape

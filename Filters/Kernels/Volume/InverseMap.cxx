@@ -126,6 +126,32 @@ InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest
   this->DeterminantChangesSign = std::max(positive, negative) < jacobians.rows();
 }
 
+std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& point) const
+{
+  const Mesh& image = this->Image.Locator().Surface();
+  const SignedDistance::Result at = this->Image.Evaluate(point);
+  const double tolerance =
+    DomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity())(0);
+  if (!this->DeterminantChangesSign && at.Distances(0) > MostStretch * tolerance)
+  {
+    return {};
+  }
+  const Eigen::RowVector3d onBoundary =
+    Interpolate(image.Triangles, this->Domain.Locator().Surface().Points, at.Closest);
+  if (this->Seeds.rows() == 0)
+  {
+    return onBoundary;
+  }
+  Eigen::Index nearest = 0;
+  const double distance2 =
+    (this->SeedImages.rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
+  if (at.Distances(0) * at.Distances(0) <= distance2)
+  {
+    return onBoundary;
+  }
+  return this->Seeds.row(nearest);
+}
+
 InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progress& progress) const
 {
   const Mesh& image = this->Image.Locator().Surface();

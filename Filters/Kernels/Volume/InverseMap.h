@@ -3,6 +3,8 @@
 #include "Geometry/SignedDistance.h"
 #include "Volume/ChargeSet.h"
 
+#include <optional>
+
 namespace shape
 {
 
@@ -52,6 +54,10 @@ public:
 
   /// points: n x 3, finite. Throws Aborted.
   Result Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
+
+  /// Where the search for the preimage of a point begins; none where it is Outside by its distance
+  /// to the image alone.
+  std::optional<Eigen::RowVector3d> Start(const Eigen::RowVector3d& point) const;
 
   /// Whether the determinant of the derivative changes its sign, or vanishes, where it was sampled.
   bool Folds() const { return this->DeterminantChangesSign; }

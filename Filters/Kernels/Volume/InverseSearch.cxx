@@ -23,10 +23,10 @@ Eigen::VectorXd Misses(const Eigen::MatrixXd& values, const Eigen::MatrixXd& tar
 }
 
 /// Newton's steps from places of the search; zero where there is none.
-Eigen::MatrixXd NewtonSteps(const ChargeSet& map, const Search& search, const Indices& active,
+Eigen::MatrixXd NewtonSteps(const SearchedMap& map, const Search& search, const Indices& active,
   double maxStep, const Progress& progress)
 {
-  const Eigen::MatrixXd jacobians = Jacobians(map, search.Places(active, Eigen::all), progress);
+  const Eigen::MatrixXd jacobians = map.Jacobians(search.Places(active, Eigen::all), progress);
   Eigen::MatrixXd steps(active.size(), 3);
   for (std::size_t i = 0; i < active.size(); ++i)
   {
@@ -57,15 +57,15 @@ Eigen::Matrix3d Square(const Eigen::MatrixXd& jacobians, Eigen::Index i)
   return square;
 }
 
-Search StartAt(const ChargeSet& map, const Eigen::MatrixXd& places, const Eigen::MatrixXd& targets,
-  const Progress& progress)
+Search StartAt(const SearchedMap& map, const Eigen::MatrixXd& places,
+  const Eigen::MatrixXd& targets, const Progress& progress)
 {
-  Search search{ places, targets, Evaluate(map, places, progress), {} };
+  Search search{ places, targets, map.Evaluate(places, progress), {} };
   search.Misses = Misses(search.Values, targets);
   return search;
 }
 
-void Newton(const ChargeSet& map, Search& search, const Limits& limits, Steps& progress)
+void Newton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress)
 {
   Indices active;
   for (int i = 0; i < search.Misses.size(); ++i)
@@ -93,7 +93,7 @@ void Newton(const ChargeSet& map, Search& search, const Limits& limits, Steps& p
       }
       const Eigen::MatrixXd places =
         search.Places(ids, Eigen::all) + share * steps(pending, Eigen::all);
-      const Eigen::MatrixXd values = Evaluate(map, places, progress.Next());
+      const Eigen::MatrixXd values = map.Evaluate(places, progress.Next());
       const Eigen::VectorXd misses = Misses(values, search.Targets(ids, Eigen::all));
       for (std::size_t i = 0; i < ids.size(); ++i)
       {
@@ -121,7 +121,7 @@ void Newton(const ChargeSet& map, Search& search, const Limits& limits, Steps& p
   }
 }
 
-Search Walk(const ChargeSet& map, const Eigen::MatrixXd& starts, const Eigen::MatrixXd& targets,
+Search Walk(const SearchedMap& map, const Eigen::MatrixXd& starts, const Eigen::MatrixXd& targets,
   const Limits& limits, Steps& progress)
 {
   constexpr double shortest = 1.0 / 1024.0;

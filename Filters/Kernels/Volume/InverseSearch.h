@@ -1,7 +1,8 @@
 #pragma once
 
-#include "Volume/ChargeSet.h"
+#include "Volume/LayeredMap.h"
 
+#include <functional>
 #include <utility>
 
 // Inside InverseMap: the search for places whose images are given.
@@ -28,6 +29,30 @@ private:
   double Done = 0.0;
 };
 
+/// The map whose values are searched for; the one it is made from must live as long.
+struct SearchedMap
+{
+  using Function =
+    std::function<Eigen::MatrixXd(const Eigen::MatrixXd& points, const Progress& progress)>;
+  Function Evaluate;  ///< n x 3
+  Function Jacobians; ///< n x 9
+
+  SearchedMap(const ChargeSet& map)
+    : Evaluate([&map](const auto& points, const auto& progress)
+        { return shape::Evaluate(map, points, progress); })
+    , Jacobians([&map](const auto& points, const auto& progress)
+        { return shape::Jacobians(map, points, progress); })
+  {
+  }
+  SearchedMap(const LayeredMap& map)
+    : Evaluate(
+        [&map](const auto& points, const auto& progress) { return map.Evaluate(points, progress); })
+    , Jacobians([&map](const auto& points, const auto& progress)
+        { return map.Jacobians(points, progress); })
+  {
+  }
+};
+
 /// Places on their way to preimages of targets (each n x 3).
 struct Search
 {
@@ -45,15 +70,15 @@ struct Limits
 };
 
 /// The search that begins at `places`.
-Search StartAt(const ChargeSet& map, const Eigen::MatrixXd& places, const Eigen::MatrixXd& targets,
-  const Progress& progress);
+Search StartAt(const SearchedMap& map, const Eigen::MatrixXd& places,
+  const Eigen::MatrixXd& targets, const Progress& progress);
 
 /// Newton's method from every place: until it misses by no more than the goal and gets no closer.
-void Newton(const ChargeSet& map, Search& search, const Limits& limits, Steps& progress);
+void Newton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress);
 
 /// From places whose images move in straight lines to the targets: each step is found by Newton's
 /// method, twice as long as the last where that succeeds, and half as long where it fails.
-Search Walk(const ChargeSet& map, const Eigen::MatrixXd& starts, const Eigen::MatrixXd& targets,
+Search Walk(const SearchedMap& map, const Eigen::MatrixXd& starts, const Eigen::MatrixXd& targets,
   const Limits& limits, Steps& progress);
 
 /// Row i of a result of Jacobians, as a matrix.

@@ -38,11 +38,7 @@ public:
   /// The volume of each region (1 + number of borders).
   const Eigen::VectorXd& Volumes() const { return this->RegionVolumes; }
 
-  /// A place inside each void that the solid surrounds (n x 3), far from its walls. Throws
-  /// SolveFailure where a void is too thin to find one.
-  Eigen::MatrixXd PlacesInVoids() const;
-
-private:
+  /// A connected piece of a surface.
   struct Component
   {
     Mesh Surface;                 ///< facing outwards, with its own points
@@ -53,13 +49,20 @@ private:
     int Region = Void;
     double Volume = 0.0; ///< > 0: all that it encloses
   };
+  /// All of them by falling volume: a parent comes before its children.
+  const std::vector<Component>& Pieces() const { return this->Components; }
 
+  /// A place inside each void that the solid surrounds (n x 3), far from its walls. Throws
+  /// SolveFailure where a void is too thin to find one.
+  Eigen::MatrixXd PlacesInVoids() const;
+
+private:
   void FindParents(const Progress& progress);
   void FindRegions(const std::vector<std::string>& names);
   bool IsInside(const Eigen::RowVector3d& place, const Component& component) const;
   int InnermostAt(const Eigen::RowVector3d& place) const;
 
-  std::vector<Component> Components; ///< by falling volume: a parent comes before its children
+  std::vector<Component> Components; ///< by falling volume
   Eigen::VectorXd RegionVolumes;
 };
 

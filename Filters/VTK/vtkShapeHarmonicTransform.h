@@ -1,0 +1,112 @@
+/**
+ * @class   vtkShapeHarmonicTransform
+ * @brief   a harmonic volume map as a transformation of space, with its derivative and inverse
+ *
+ * For every consumer of vtkAbstractTransform: vtkTransformFilter and vtkTransformPolyDataFilter
+ * (normals and vectors turn with the map), vtkGeneralTransform, and vtkImageReslice, which carries
+ * images: it asks where the image's value at a place comes from, so it takes the inverse.
+ *
+ *   carried = vtkImageReslice(); carried.SetInputData(image)
+ *   transform = vtkShapeHarmonicTransform(); transform.SetChargeSetData(charges)
+ *   transform.Inverse(); carried.SetResliceTransform(transform); carried.Update()
+ *
+ * The map is that of a charge set, the output Charges of Shape Harmonic Volume Map, also of several
+ * layers; points outside its domain, or with the inverse outside its image, keep their place, and
+ * so do those whose preimage is not found, which NotInverted counts. Without a charge set that can
+ * be used, which is an error, every point keeps its place.
+ *
+ * The derivative is the formula's. The inverse is that of Shape Apply Volume Map, by Newton's
+ * method; f(f^-1(y)) is y to 1e-11 of the size of the image. InverseTolerance and InverseIterations
+ * of the base class are not used. Single points are transformed by the calling thread, sets of
+ * points at once by all threads; both are safe from any thread after Update.
+ *
+ * The mathematics: shape::VolumeTransform.
+ */
+#ifndef vtkShapeHarmonicTransform_h
+#define vtkShapeHarmonicTransform_h
+
+#include "vtkShapeFiltersModule.h" // for the export macro
+
+#include "vtkSmartPointer.h"
+#include "vtkWarpTransform.h"
+
+#include <atomic>
+#include <memory>
+
+class vtkAlgorithm;
+class vtkAlgorithmOutput;
+class vtkPolyData;
+namespace shape
+{
+class VolumeTransform;
+}
+
+class VTKSHAPEFILTERS_EXPORT vtkShapeHarmonicTransform : public vtkWarpTransform
+{
+public:
+  static vtkShapeHarmonicTransform* New();
+  vtkTypeMacro(vtkShapeHarmonicTransform, vtkWarpTransform);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The charge set: a filter's output, which is brought up to date, or data.
+  virtual void SetChargeSetConnection(vtkAlgorithmOutput* charges);
+  virtual void SetChargeSetData(vtkPolyData* charges);
+  virtual vtkPolyData* GetChargeSet();
+  ///@}
+
+  /// How many preimages were not found since the last update: points that lie inside the image of
+  /// the domain's boundary and keep their place. Counted where points are inverted, again for each
+  /// time that the same one is.
+  virtual vtkIdType GetNotInverted() { return this->NotInverted; }
+
+  vtkAbstractTransform* MakeTransform() override;
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /// The points are appended to `outPts`.
+  void TransformPoints(vtkPoints* inPts, vtkPoints* outPts) override;
+  void TransformPointsNormalsVectors(vtkPoints* inPts, vtkPoints* outPts, vtkDataArray* inNms,
+    vtkDataArray* outNms, vtkDataArray* inVrs, vtkDataArray* outVrs, int nOptionalVectors = 0,
+    vtkDataArray** inVrsArr = nullptr, vtkDataArray** outVrsArr = nullptr) override;
+  ///@}
+
+protected:
+  vtkShapeHarmonicTransform();
+  ~vtkShapeHarmonicTransform() override;
+
+  void InternalUpdate() override;
+  void InternalDeepCopy(vtkAbstractTransform* transform) override;
+
+  ///@{
+  void ForwardTransformPoint(const float in[3], float out[3]) override;
+  void ForwardTransformPoint(const double in[3], double out[3]) override;
+  void ForwardTransformDerivative(const float in[3], float out[3], float derivative[3][3]) override;
+  void ForwardTransformDerivative(
+    const double in[3], double out[3], double derivative[3][3]) override;
+  void InverseTransformPoint(const float in[3], float out[3]) override;
+  void InverseTransformPoint(const double in[3], double out[3]) override;
+  void InverseTransformDerivative(const float in[3], float out[3], float derivative[3][3]) override;
+  void InverseTransformDerivative(
+    const double in[3], double out[3], double derivative[3][3]) override;
+  ///@}
+
+private:
+  vtkShapeHarmonicTransform(const vtkShapeHarmonicTransform&) = delete;
+  void operator=(const vtkShapeHarmonicTransform&) = delete;
+
+  struct Many;
+  Many TransformMany(vtkPoints* points);
+  template <bool Forward, typename Number>
+  void Transform(const Number in[3], Number out[3], Number (*derivative)[3]);
+
+  vtkSmartPointer<vtkAlgorithm> Producer; ///< of the charge set
+  int Port = 0;
+  std::shared_ptr<const shape::VolumeTransform> Map; ///< empty: every point keeps its place
+  vtkSmartPointer<vtkPolyData> MappedCharges;        ///< what Map was made from
+  vtkMTimeType MappedTime = 0;                       ///< when that was modified
+  bool MapHasInverse = false;
+  std::atomic<vtkIdType> NotInverted{ 0 };
+};
+
+#endif
