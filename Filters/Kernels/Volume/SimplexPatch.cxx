@@ -19,6 +19,8 @@ namespace
 {
 
 constexpr double LeastEpsilon = 1e-10;
+/// By which chi of the least determinant falls from step to step.
+constexpr double LeastShare = 0.1, GreatestShare = 0.5;
 constexpr int Grain = 2048;
 
 /// A patch on points of its own: the free ones first.
@@ -391,6 +393,7 @@ PatchResult LowerEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
   }
   result.EnergyBefore = state.Energy;
   int further = 0;
+  double share = LeastShare;
   Eigen::Matrix3Xd trial;
   for (; result.Steps < options.MaximumSteps; ++result.Steps)
   {
@@ -422,8 +425,17 @@ PatchResult LowerEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
       state = next;
     }
     const double before = epsilon;
+    // Whole steps that gain little mean that the minimiser for this epsilon is near: go faster.
+    if (step == 1.0 && gain < 0.05)
+    {
+      share = std::min(1.3 * share, GreatestShare);
+    }
+    else if (step < 1.0)
+    {
+      share = std::max(0.5 * share, LeastShare);
+    }
     const double chi =
-      (1.0 - std::max(gain, 0.1)) * EllipticEnergy::Chi(state.LeastDeterminant, epsilon);
+      (1.0 - std::max(gain, share)) * EllipticEnergy::Chi(state.LeastDeterminant, epsilon);
     epsilon = EllipticEnergy::EpsilonFor(state.LeastDeterminant, chi, LeastEpsilon);
     result.Negative = problem.CountNegative(x);
     if (result.Negative == 0)

@@ -20,11 +20,14 @@ namespace shape
 namespace
 {
 
-/// How many rings of points around inverted cells move, one round after the other; from
-/// FirstSplitting on, cells that stayed inverted are split, too.
-constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8 };
-constexpr int FirstSplitting = 1;
+/// How many rings of points around inverted cells move, one round after the other; cells that
+/// stayed inverted are split in one edge from FirstSplitting on, and all around from FirstCollar
+/// on.
+constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 };
+constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
+/// So many rounds after one another the edges of a fixed point may be split once more.
+constexpr int RoundsPerCollar = 4;
 
 class Untangler
 {
@@ -51,7 +54,7 @@ public:
       this->SplitImpossible(bad);
       if (round >= FirstSplitting)
       {
-        this->SplitStubborn(this->InvertedCells());
+        this->SplitStubborn(this->InvertedCells(), round);
       }
       this->MovePoints(Rings[round], part);
       bad = this->InvertedCells();
@@ -95,17 +98,18 @@ private:
   }
 
   /// Tetrahedra that stay inverted get room: every edge from their fixed points into the solid is
-  /// split, once for each point, so that what lies around one fixed point can move without what
+  /// split, so that what lies around one fixed point can move without what
   /// lies around the others. Where that was done, their longest edge is split.
-  void SplitStubborn(const std::vector<int>& bad)
+  void SplitStubborn(const std::vector<int>& bad, int round)
   {
     this->Collared.resize(this->Solid.PointCount(), 0);
+    const int allowed = round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar;
     std::set<int> collar;
     for (const int cell : bad)
     {
       for (const int point : this->Solid.PointsOf(cell))
       {
-        if (!this->Movable(point) && !this->Collared[point])
+        if (!this->Movable(point) && this->Collared[point] < allowed)
         {
           collar.insert(point);
         }
@@ -114,7 +118,7 @@ private:
     std::set<int> touched;
     for (const int point : collar)
     {
-      this->Collared[point] = 1;
+      ++this->Collared[point];
       std::set<int> ends;
       for (const int cell : this->Solid.CellsOf(point))
       {
@@ -300,7 +304,7 @@ private:
     }
     PatchOptions options;
     options.MaximumSteps = this->Options.MaximumIterations;
-    const Eigen::MatrixXd kept = this->Solid.Points;
+    const Eigen::MatrixXd kept = this->Solid.Points(points, Eigen::all);
     const PatchResult moved =
       LowerEnergy(this->Solid.Points, patch, this->Sliding.get(), options, progress);
     this->Result.Iterations += moved.Steps;
@@ -311,10 +315,7 @@ private:
 #endif
     if (moved.Negative > before)
     {
-      for (const int point : points)
-      {
-        this->Solid.Points.row(point) = kept.row(point);
-      }
+      this->Solid.Points(points, Eigen::all) = kept;
     }
   }
 
@@ -342,7 +343,7 @@ private:
   UntangleOptions Options;
   SolidCells Solid;
   std::unique_ptr<SlidingBoundary> Sliding;
-  std::vector<char> Collared; ///< fixed points whose edges were split
+  std::vector<int> Collared; ///< how often the edges of a fixed point were split
   UntangleResult Result;
 };
 
