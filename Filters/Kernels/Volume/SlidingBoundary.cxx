@@ -47,6 +47,7 @@ SlidingBoundary::SlidingBoundary(
 
 void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangles)
 {
+  // Without their signs: a fold in a smooth part is no crease.
   const double flattest = std::cos(40.0 * M_PI / 180.0);
   const Eigen::MatrixXd areas = AreaVectors(this->Locator.Surface());
   std::map<std::array<int, 2>, std::vector<int>> edges;
@@ -62,7 +63,7 @@ void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangl
   for (const auto& [edge, sides] : edges)
   {
     const bool smooth = sides.size() == 2 &&
-      areas.row(sides[0]).dot(areas.row(sides[1])) >=
+      std::abs(areas.row(sides[0]).dot(areas.row(sides[1]))) >=
         flattest * areas.row(sides[0]).norm() * areas.row(sides[1]).norm();
     if (!smooth)
     {
@@ -79,7 +80,7 @@ void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangl
     {
       const Eigen::RowVector3d in = points.row(point) - points.row(others[0]);
       const Eigen::RowVector3d out = points.row(others[1]) - points.row(point);
-      straight = in.dot(out) >= flattest * in.norm() * out.norm();
+      straight = std::abs(in.dot(out)) >= flattest * in.norm() * out.norm();
     }
     this->Freedoms[point] = straight ? 1 : 0;
   }
@@ -151,8 +152,14 @@ PointDirections SlidingBoundary::Directions(int point, const Eigen::RowVector3d&
       return Eigen::Matrix3d::Identity();
   }
   const ClosestPoints closest = this->Locator.Find(place);
-  const Eigen::Vector3d normal =
+  Eigen::Vector3d normal =
     Interpolate(this->Locator.Surface().Triangles, this->Normals, closest).row(0).transpose();
+  // Where the surface is folded, normals cancel out.
+  if (normal.norm() < 0.1)
+  {
+    const Eigen::Matrix3d corners = Corners(this->Locator.Surface(), closest.Triangles(0));
+    normal = (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0)).transpose();
+  }
   PointDirections directions(3, 2);
   directions.col(0) = normal.unitOrthogonal();
   directions.col(1) = normal.normalized().cross(directions.col(0));

@@ -26,6 +26,8 @@ namespace
 constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 };
 constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
+/// So many rounds without fewer inverted cells than ever before are the end.
+constexpr int Patience = 6;
 /// So many rounds after one another the edges of a fixed point may be split once more.
 constexpr int RoundsPerCollar = 4;
 
@@ -47,7 +49,9 @@ public:
   {
     std::vector<int> bad = this->InvertedCells();
     this->Result.InvertedBefore = static_cast<int>(bad.size());
-    for (int round = 0; round < Rounds && !bad.empty(); ++round)
+    std::size_t least = bad.size();
+    for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience;
+         ++round)
     {
       const Progress part =
         progress.Part(static_cast<double>(round) / Rounds, (round + 1.0) / Rounds);
@@ -58,6 +62,11 @@ public:
       }
       this->MovePoints(Rings[round], part);
       bad = this->InvertedCells();
+      if (bad.size() < least)
+      {
+        least = bad.size();
+        last = round;
+      }
     }
     this->Finish(bad);
     return std::move(this->Result);
