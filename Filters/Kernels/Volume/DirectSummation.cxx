@@ -31,19 +31,12 @@ void Check(
   }
 }
 
-/// The power of two that brings the sources' largest coordinate to about one: exact.
-double ScaleOf(const Eigen::MatrixXd& sources)
-{
-  const double largest = sources.size() > 0 ? sources.cwiseAbs().maxCoeff() : 0.0;
-  return largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
-}
-
 /// `gradient`: three values for each column of the charges.
 Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, bool gradient, const Progress& progress)
 {
   Check(sources, charges, points);
-  const double scale = ScaleOf(sources);
+  const double scale = ScaleFor(sources);
   const double factor = InverseFourPi * (gradient ? scale * scale : scale);
   const Eigen::MatrixXd places = scale * points;
   const int m = static_cast<int>(sources.rows());
@@ -84,6 +77,12 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
 }
 
 } // namespace
+
+double ScaleFor(const Eigen::MatrixXd& sources)
+{
+  const double largest = sources.size() > 0 ? sources.cwiseAbs().maxCoeff() : 0.0;
+  return largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+}
 
 Eigen::MatrixXd DirectPotentials(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, const Progress& progress)
