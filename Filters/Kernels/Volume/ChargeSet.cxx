@@ -3,7 +3,6 @@
 #include "Core/Parallel.h"
 #include "Volume/DirectSummation.h"
 #include "Volume/FastSummation.h"
-#include "Volume/InverseDistance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,28 +89,17 @@ Eigen::MatrixXd PotentialMatrix(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources, const Progress& progress)
 {
   Eigen::MatrixXd matrix(points.rows(), sources.rows());
-  const double scale = ScaleFor(sources), factor = InverseFourPi * scale;
-  const Eigen::MatrixXd places = scale * points;
   ParallelFor(
     static_cast<int>(sources.rows()), 8,
     [&](int begin, int end)
     {
       for (int j = begin; j < end; ++j)
       {
-        const Eigen::RowVector4d charge(
-          scale * sources(j, 0), scale * sources(j, 1), scale * sources(j, 2), factor);
-        const SourceSpan one{ 0, 1 };
-        InverseDistanceSum sum;
-        sum.Sources = charge.data();
-        sum.Columns = 1;
-        sum.Spans = &one;
-        sum.SpanCount = 1;
-        sum.Points = places.data();
-        sum.PointStride = sum.ValueStride = places.rows();
-        sum.PointCount = static_cast<int>(places.rows());
-        sum.Values = matrix.col(j).data();
-        matrix.col(j).setZero();
-        AddPotentials(sum);
+        matrix.col(j) = InverseFourPi *
+          ((points.col(0).array() - sources(j, 0)).square() +
+            (points.col(1).array() - sources(j, 1)).square() +
+            (points.col(2).array() - sources(j, 2)).square())
+            .rsqrt();
       }
     },
     progress);

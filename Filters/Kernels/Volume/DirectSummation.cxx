@@ -31,6 +31,13 @@ void Check(
   }
 }
 
+/// The power of two that brings the sources' largest coordinate to about one: exact.
+double ScaleFor(const Eigen::MatrixXd& sources)
+{
+  const double largest = sources.size() > 0 ? sources.cwiseAbs().maxCoeff() : 0.0;
+  return largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+}
+
 /// `gradient`: three values for each column of the charges.
 Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, bool gradient, const Progress& progress)
@@ -77,12 +84,6 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
 }
 
 } // namespace
-
-double ScaleFor(const Eigen::MatrixXd& sources)
-{
-  const double largest = sources.size() > 0 ? sources.cwiseAbs().maxCoeff() : 0.0;
-  return largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
-}
 
 Eigen::MatrixXd DirectPotentials(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, const Progress& progress)

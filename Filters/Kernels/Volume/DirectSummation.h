@@ -24,7 +24,4 @@ Eigen::MatrixXd DirectPotentials(const Eigen::MatrixXd& sources, const Eigen::Ma
 Eigen::MatrixXd DirectGradients(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, const Progress& progress = {});
 
-/// The power of two that brings the sources' largest coordinate to about one: exact.
-double ScaleFor(const Eigen::MatrixXd& sources);
-
 } // namespace shape
