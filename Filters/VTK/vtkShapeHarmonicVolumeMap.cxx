@@ -18,6 +18,7 @@
 #include "Core/Topology.h"
 #include "Volume/ApplyVolumeMap.h"
 #include "Volume/LayeredVolumeMap.h"
+#include "Volume/NearSourceSystem.h"
 #include "Volume/TargetDistance.h"
 
 #include <string>
@@ -27,6 +28,7 @@
 vtkStandardNewMacro(vtkShapeHarmonicVolumeMap);
 
 vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
+  : Setup(std::make_shared<shape::AcceleratedSetup>())
 {
   this->DeclareInput("Domain", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
   // Any data set, although a surface is needed: ParaView offers the filter in its menu only where
@@ -100,6 +102,8 @@ const char* Word(shape::HarmonicVolumeMapResult::Stop reason)
       return "Tolerance";
     case shape::HarmonicVolumeMapResult::Stop::NoImprovement:
       return "NoImprovement";
+    case shape::HarmonicVolumeMapResult::Stop::Refinement:
+      return "Refinement";
     case shape::HarmonicVolumeMapResult::Stop::Levels:
       break;
   }
@@ -174,7 +178,9 @@ void vtkShapeHarmonicVolumeMap::Solve(
   const shape::Progress part = progress.Part(0.02, 1.0);
   const shape::LayeredVolumeMapResult result = this->Exact
     ? shape::LayeredVolumeMap(mesh, targets, given.Surfaces, features, this->Options, {}, part)
-    : OneRegion(shape::HarmonicVolumeMap(mesh, targets, features, this->Options, part), mesh);
+    : OneRegion(
+        shape::HarmonicVolumeMap(mesh, targets, features, this->Options, part, this->Setup.get()),
+        mesh);
 
   vtkShapeChargeSet::Write(result.Charges, charges);
   WriteLevels(result.Layers, levels);

@@ -34,7 +34,8 @@
  * .OutsidePoints (over all processes, without ghosts), .DeletedSources, .InsertedSources,
  * .TargetDistance (root mean square / longest side; with Target only), and in words .Stop:
  * Tolerance (reached), Levels (all that were asked for were fitted), NoImprovement (the last levels
- * gained less than LeastGain).
+ * gained less than LeastGain), Refinement (Accelerated: the boundary would have
+ * to be refined more than MostRefined).
  *
  * With Exact, closed surfaces among the Features are met as well as the boundary is: by the maximum
  * principle no one harmonic map can, so each is a border between layers, and each layer has a
@@ -62,6 +63,8 @@
 
 #include "Volume/HarmonicVolumeMap.h" // for the options
 
+#include <memory>
+
 class vtkPolyData;
 class vtkTable;
 
@@ -86,23 +89,30 @@ public:
   ///@}
 
   ///@{
-  /// How the charges are found. 1 = MultiLevel: a sum of maps, each fitted to what the ones before
-  /// left over. 2 = SingleShot: one map, from one decomposition. Default: MultiLevel.
+  /// How the charges are found. 0 = Accelerated: close to the boundary, by iteration with fast
+  /// sums; where that leaves too much over, the boundary is refined. 1 = MultiLevel: a sum of maps,
+  /// each fitted to what the ones before left over. 2 = SingleShot: one map, from one
+  /// decomposition. Default: Accelerated.
   vtkShapeEnumOption(Method, shape::HarmonicVolumeMapOptions::MethodType,
-    shape::HarmonicVolumeMapOptions::MethodType::MultiLevel,
+    shape::HarmonicVolumeMapOptions::MethodType::Accelerated,
     shape::HarmonicVolumeMapOptions::MethodType::SingleShot);
   ///@}
 
   ///@{
-  /// MultiLevel stops when RMSEInside, divided by the longest side of the target's box, is no more.
+  /// Accelerated and MultiLevel stop when RMSEInside, divided by the longest side of the target's
+  /// box, is no more.
   vtkShapeOption(Tolerance, double);
   ///@}
 
   ///@{
-  /// MultiLevel: how many maps are fitted at most, and among how many of them the sources are
-  /// dealt.
+  /// How many maps are fitted at most; MultiLevel: among how many of them the sources are dealt.
   vtkShapeOption(MaximumLevels, int);
   vtkShapeOption(SourceSubsets, int);
+  ///@}
+
+  ///@{
+  /// Accelerated: how many points the refined boundary has at most for each point of the boundary.
+  vtkShapeOption(MostRefined, double);
   ///@}
 
   ///@{
@@ -170,6 +180,7 @@ private:
   std::string MapArray = "TargetPosition";
   bool Exact = false;
   shape::HarmonicVolumeMapOptions Options;
+  std::shared_ptr<shape::AcceleratedSetup> Setup; ///< of the last boundary
 };
 
 #endif

@@ -90,6 +90,32 @@ Eigen::MatrixXd Centroids(const Mesh& mesh)
   return CornerMeans(mesh.Triangles, mesh.Points);
 }
 
+Eigen::MatrixXd SpreadInside(const Mesh& mesh)
+{
+  return AtSpreadInside(mesh.Triangles, mesh.Points);
+}
+
+Eigen::MatrixXd AtSpreadInside(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
+{
+  // Multiples of the plastic number's inverse powers: of all sequences in the square that are as
+  // simple, the most evenly spread. What lies beyond the diagonal is turned back.
+  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+  Eigen::MatrixXd places(triangles.rows(), values.cols());
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    double u = std::fmod(0.5 + first * static_cast<double>(t), 1.0);
+    double v = std::fmod(0.5 + second * static_cast<double>(t), 1.0);
+    if (u + v > 1.0)
+    {
+      u = 1.0 - u;
+      v = 1.0 - v;
+    }
+    places.row(t) = (1.0 - u - v) * values.row(triangles(t, 0)) + u * values.row(triangles(t, 1)) +
+      v * values.row(triangles(t, 2));
+  }
+  return places;
+}
+
 Eigen::MatrixXd CornerMeans(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
 {
   Eigen::MatrixXd means(triangles.rows(), values.cols());

@@ -107,8 +107,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
     const NearSourceSystem& system = finer ? *finer : *setup.System;
     Eigen::MatrixXd targets(system.Rows().rows(), 3);
     targets << refined.Targets, CornerMeans(refined.Surface.Triangles, refined.Targets);
-    const Eigen::MatrixXd left =
-      finer ? problem.Left(system.Rows(), targets, part.Part(0.3, 0.4)) : problem.Left();
+    const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.3, 0.4));
     GmresOptions gmres;
     gmres.Tolerance = 0.1 * options.Tolerance;
     gmres.LeastGain = options.LeastGain;

@@ -99,20 +99,14 @@ BoundaryProblem::BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatu
   const Mesh& surface = scaled.Surface;
   const Eigen::Index n = surface.Points.rows(), m = surface.Triangles.rows();
   this->Probes.resize(n + m + count, 3);
-  this->Probes << surface.Points, Centroids(surface), places;
+  this->Probes << surface.Points, SpreadInside(surface), places;
   this->Residual.resize(n + m + count, 3);
-  this->Residual << scaled.Targets, CornerMeans(surface.Triangles, scaled.Targets),
+  this->Residual << scaled.Targets, AtSpreadInside(surface.Triangles, scaled.Targets),
     (features.Targets.rowwise() - scaled.TargetOrigin) / scaled.TargetSize;
   this->Sum.Affine = AffineFit(surface.Points, scaled.Targets, PointAreas(surface));
   this->Residual -= Evaluate(this->Sum, this->Probes);
   this->Places.resize(0, 3);
   this->PlaceResidual.resize(0, 3);
-}
-
-Eigen::MatrixXd BoundaryProblem::Left() const
-{
-  return this->Residual.topRows(
-    this->Scaled.Surface.Points.rows() + this->Scaled.Surface.Triangles.rows());
 }
 
 Eigen::MatrixXd BoundaryProblem::Left(

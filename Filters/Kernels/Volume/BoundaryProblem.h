@@ -24,9 +24,7 @@ public:
   const SignedDistance& Distance() const { return this->Field; }
   bool HasFeatures() const { return this->RootWeights.size() > 0; }
 
-  /// What the sum so far leaves over at the boundary's points, then at its centroids.
-  Eigen::MatrixXd Left() const;
-  /// The same at `places` that should go to `targets` (each k x 3).
+  /// What the sum so far leaves over at `places` that should go to `targets` (each k x 3).
   Eigen::MatrixXd Left(
     const Eigen::MatrixXd& places, const Eigen::MatrixXd& targets, const Progress& progress) const;
 
@@ -50,8 +48,8 @@ public:
   Fit Solve(int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const;
 
   /// Adds the charges to the sum, times the factor for each coordinate, at least 0, that leaves the
-  /// least at centroids and features. Returns by how much less that is: its square root before and
-  /// after, as a share of before; 0 where no factor is greater than 0.
+  /// least inside triangles and at features. Returns by how much less that is: its square root
+  /// before and after, as a share of before; 0 where no factor is greater than 0.
   double Add(
     const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress);
 
@@ -75,7 +73,7 @@ private:
   Eigen::VectorXi Components;       ///< of its points
   std::vector<int> PlaceComponents; ///< of the collocations
   Eigen::VectorXd RootWeights;      ///< of the features
-  Eigen::MatrixXd Probes;           ///< boundary points, centroids, features
+  Eigen::MatrixXd Probes;           ///< boundary points, places inside triangles, features
   Eigen::MatrixXd Residual;         ///< at the probes
   Eigen::MatrixXd Places;           ///< of the collocations
   Eigen::MatrixXd PlaceResidual;    ///< there

@@ -23,9 +23,9 @@ double NearestOffset(const Mesh& boundary, const HarmonicVolumeMapOptions& optio
     const double spacing = std::sqrt(area / (options.CollocationRatio * boundary.Points.rows()));
     return std::clamp(1.25 * spacing, 0.01, 0.15);
   }
-  return options.Method == HarmonicVolumeMapOptions::MethodType::MultiLevel
-    ? options.OffsetDistance / Coarseness(SubsetCount(boundary, options))
-    : options.OffsetDistance;
+  return options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot
+    ? options.OffsetDistance
+    : options.OffsetDistance / Coarseness(SubsetCount(boundary, options));
 }
 
 } // namespace
@@ -61,8 +61,15 @@ HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::Mat
     SolveAccelerated(problem, options, setup ? *setup : own, result, progress.Part(0.05, 0.7));
     if (problem.HasFeatures())
     {
-      // Charges near the boundary hardly reach the features: farther ones share out the rest.
-      SolveMultiLevel(problem, options, result, progress.Part(0.7, 1.0));
+      // What the features ask for beyond is smooth near the boundary: few, farther charges can.
+      constexpr double mostCollocations = 6000.0, mostSources = 8000.0;
+      const auto points = static_cast<double>(scaled.Surface.Points.rows());
+      HarmonicVolumeMapOptions smooth = options;
+      smooth.CollocationRatio = std::min(smooth.CollocationRatio, mostCollocations / points);
+      smooth.SourceRatio = std::min(smooth.SourceRatio, mostSources / points);
+      const double near = result.OffsetDistance;
+      SolveMultiLevel(problem, smooth, result, progress.Part(0.7, 1.0));
+      result.OffsetDistance = std::min(near, result.OffsetDistance);
     }
   }
   result.Map = problem.Map();

@@ -71,7 +71,7 @@ struct HarmonicVolumeMapResult
     int Sources = 0;           ///< columns of the system
     int Collocations = 0;      ///< rows of the system, features included
     double RMSEVertices = 0.0; ///< at the boundary's points
-    double RMSEInside = 0.0;   ///< at the triangles' centroids, against the means of the corners'
+    double RMSEInside = 0.0;   ///< at a place in each triangle (SpreadInside)
     double Maximum = 0.0;      ///< over both
     double Seconds = 0.0;
     bool Kept = true; ///< false: no factor of it lowers what is left, so it is not in the sum
@@ -97,7 +97,7 @@ struct HarmonicVolumeMapResult
  * spacing of the points where the map is fitted, between 0.01 and 0.15. RMSEInside of MultiLevel at
  * 0.8, 1.25 and 2 times the spacing: dented ball of 2892 points to ball 1.4e-3, 2.4e-3, 5.6e-3, and
  * back 4.1e-4, 2.7e-4, 2.2e-4. Each fitted map is added with the factor, one for each coordinate,
- * that leaves the least over at triangle centroids and features: it differs from 1 where the fit
+ * that leaves the least over inside triangles and at features: it differs from 1 where the fit
  * swings between the collocation points, as SingleShot's can with more sources than those.
  *
  * boundary: the closed surface of one solid in the space of the domain, and of its voids, facing

@@ -258,8 +258,8 @@ LayeredVolumeMapResult::Border ErrorsAt(const Mapped& surface, const ChargeSet& 
 {
   const Eigen::VectorXd vertices =
     (Evaluate(map, surface.Surface.Points) - surface.Targets).rowwise().norm() / size;
-  const Eigen::VectorXd inside = (Evaluate(map, Centroids(surface.Surface)) -
-                                   CornerMeans(surface.Surface.Triangles, surface.Targets))
+  const Eigen::VectorXd inside = (Evaluate(map, SpreadInside(surface.Surface)) -
+                                   AtSpreadInside(surface.Surface.Triangles, surface.Targets))
                                    .rowwise()
                                    .norm() /
     size;

@@ -35,7 +35,7 @@ struct LayeredVolumeMapResult
   struct Border
   {
     double RMSEVertices = 0.0; ///< at its points
-    double RMSEInside = 0.0;   ///< at its triangles' centroids, against the means of the corners'
+    double RMSEInside = 0.0;   ///< at a place in each of its triangles (SpreadInside)
     double Maximum = 0.0;      ///< over both
     /// How far the two layers' fitted maps are from each other, without the skin, at random places;
     /// 0 for the boundary.

@@ -160,7 +160,7 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
     const double gain = problem.Add(subset, fit.Charges, part.Part(0.8, 1.0));
 
     HarmonicVolumeMapResult::Level level = problem.Errors();
-    level.Number = number;
+    level.Number = static_cast<int>(result.Levels.size());
     level.Sources = static_cast<int>(subset.rows());
     level.Collocations = fit.Rows;
     level.Kept = gain > 0.0;

@@ -86,6 +86,7 @@ void RequireUsable(const VolumeFeatures& features, const HarmonicVolumeMapOption
     }
   };
   positive(options.FeatureWeight, "FeatureWeight");
+  positive(options.MostRefined, "MostRefined");
   positive(options.CollocationRatio, "CollocationRatio");
   positive(options.SourceRatio, "SourceRatio");
   positive(options.SingularValueThreshold, "SingularValueThreshold");
