@@ -3,6 +3,7 @@
 #include "vtkShapeChargeSet.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFeatures.h"
+#include "vtkShapeSolid.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -104,6 +105,10 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   {
     shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
   }
+  if (this->FoldFree)
+  {
+    vtkShapeSolid::RequireOneSolid(domain, this->GetController());
+  }
   vtkPolyData* boundary = this->GetWhole(1).Data;
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
   const Eigen::MatrixXd targets =
@@ -136,7 +141,14 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(result.Map, distance, farthest, points, part); },
-    progress.Part(0.82, 1.0));
+    progress.Part(0.82, this->FoldFree ? 0.9 : 1.0));
+  if (this->FoldFree)
+  {
+    const auto inverted = vtkShapeSolid::MakeFoldFree(
+      domain, moved, mesh, targets, this->GetController(), progress.Part(0.9, 1.0));
+    vtkShapeConvert::AddFact(moved, "HarmonicVolumeMap.InvertedBefore", inverted.first);
+    vtkShapeConvert::AddFact(moved, "HarmonicVolumeMap.InvertedAfter", inverted.second);
+  }
 
   // Every process has found the same map: one of them hands it on.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)

@@ -36,6 +36,10 @@
  * Tolerance (reached), Levels (all that were asked for were fitted), NoImprovement (the last levels
  * gained less than LeastGain).
  *
+ * With FoldFree output 0 is what vtkShapeUntangle makes of the moved domain, with its arrays and
+ * HarmonicVolumeMap.InvertedBefore and .InvertedAfter: a mesh, beside the charge set, which is the
+ * map, folding or not.
+ *
  * A singular value decomposition is a single library call: an abort takes effect at its end.
  *
  * The mathematics: shape::HarmonicVolumeMap.
@@ -125,6 +129,14 @@ public:
   ///@}
 
   ///@{
+  /// Whether the moved domain, which must have solid cells, is untangled so that none is inverted,
+  /// its boundary on the boundary's image: see vtkShapeUntangle. The charge set stays the map,
+  /// which may fold. Default: off.
+  vtkSetMacro(FoldFree, bool);
+  vtkGetMacro(FoldFree, bool);
+  ///@}
+
+  ///@{
   /// GiB that one decomposition may take; a larger system is refused.
   vtkShapeOption(MaximumMemory, double);
   ///@}
@@ -139,6 +151,7 @@ private:
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
 
   std::string MapArray = "TargetPosition";
+  bool FoldFree = false;
   shape::HarmonicVolumeMapOptions Options;
 };
 

@@ -3,6 +3,7 @@
 As an example: Domain is what is carried, Boundary the closed surface around it with the map array."""
 import numpy
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
@@ -423,4 +424,41 @@ assert '1 open loop' in error_of(new(inside, open_boundary))
 not_finite = array(moved_boundary, 'TargetPosition').copy()
 not_finite[5] = numpy.nan
 assert 'first at point 5' in error_of(new(inside, with_targets(surface, not_finite)))
+
+# FoldFree: tetrahedra that a coarse map inverts are untangled, their boundary exactly on its image;
+# the charges stay the map.
+solid = shapemap.vtkShapeTetrahedralize()
+solid.SetInputDataObject(surface)
+assert not shapetesting.run(solid)
+tetrahedra = solid.GetOutputDataObject(0)
+known = array(surface, 'TargetPosition')
+twisted = known.copy()  # by 200 degrees from pole to pole
+angles = 1.75 * known[:, 2]
+twisted[:, 0] = numpy.cos(angles) * known[:, 0] - numpy.sin(angles) * known[:, 1]
+twisted[:, 1] = numpy.sin(angles) * known[:, 0] + numpy.cos(angles) * known[:, 1]
+outcomes = []
+for fold_free in (False, True):
+    coarse = new(tetrahedra, with_targets(surface, twisted))
+    coarse.SetMaximumLevels(1)
+    coarse.SetFoldFree(fold_free)
+    assert not shapetesting.run(coarse)
+    outcomes.append([copy(coarse.GetOutputDataObject(port)) for port in (0, 1)])
+(folding, charges), (free, same_charges) = outcomes
+assert fact(free, 'HarmonicVolumeMap.InvertedBefore') > 0, 'the map does not fold'
+assert fact(free, 'HarmonicVolumeMap.InvertedAfter') == 0
+corners = points(free)[vtk_to_numpy(free.GetCells().GetConnectivityArray()).reshape(-1, 4)]
+assert (numpy.linalg.det(corners[:, 1:] - corners[:, :1]) > 0.0).all()
+ids = array(tetrahedra, 'OriginalPointId')
+assert (points(free)[:len(ids)][ids >= 0] == twisted[ids[ids >= 0]]).all()
+assert (array(free, 'SourcePosition')[:len(ids)] == points(tetrahedra)).all()
+assert (array(charges, 'Charge') == array(same_charges, 'Charge')).all()
+assert not folding.GetFieldData().HasArray('HarmonicVolumeMap.InvertedBefore')
+for domain, words in ((cloud([[0.0, 0.0, 0.0]]), 'FoldFree needs a Domain with solid cells'),
+                      (surface, 'FoldFree needs a Domain with solid cells'),
+                      (tables, 'FoldFree needs the Domain in one dataset')):
+    unfit = new(domain, moved_boundary)
+    unfit.SetFoldFree(True)
+    if domain is tables:
+        tables.SetBlock(1, tetrahedra)
+    assert words in error_of(unfit), words
 print('solids follow their boundary')

@@ -47,37 +47,44 @@ public:
 
   UntangleResult Run(const Progress& progress)
   {
-    std::vector<int> bad = this->InvertedCells();
+    progress(0.02);
+    std::vector<int> bad = this->InvertedCells(progress.Part(0.02, 0.05));
     this->Result.InvertedBefore = static_cast<int>(bad.size());
     std::size_t least = bad.size();
     for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience;
          ++round)
     {
       const Progress part =
-        progress.Part(static_cast<double>(round) / Rounds, (round + 1.0) / Rounds);
+        progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
       this->SplitImpossible(bad);
       if (round >= FirstSplitting)
       {
         this->SplitStubborn(this->InvertedCells(), round);
       }
       this->MovePoints(Rings[round], part);
-      bad = this->InvertedCells();
+      bad = this->InvertedCells(part.Part(0.99, 1.0));
       if (bad.size() < least)
       {
         least = bad.size();
         last = round;
       }
     }
+    progress(0.95);
     this->Finish(bad);
+    progress(1.0);
     return std::move(this->Result);
   }
 
 private:
-  std::vector<int> InvertedCells()
+  std::vector<int> InvertedCells(const Progress& progress = {})
   {
     std::vector<int> inverted;
     for (int cell = 0; cell < this->Solid.CellCount(); ++cell)
     {
+      if (cell % 16384 == 0)
+      {
+        progress(static_cast<double>(cell) / this->Solid.CellCount());
+      }
       if (this->Solid.Inverted(cell))
       {
         inverted.push_back(cell);
@@ -317,11 +324,6 @@ private:
     const PatchResult moved =
       LowerEnergy(this->Solid.Points, patch, this->Sliding.get(), options, progress);
     this->Result.Iterations += moved.Steps;
-#ifdef UNTANGLE_TRACE
-    printf("  patch %zu points %zu simplices neg %d -> %d steps %d energy %g -> %g\n",
-      points.size(), patch.Simplices.size(), before, moved.Negative, moved.Steps,
-      moved.EnergyBefore, moved.EnergyAfter);
-#endif
     if (moved.Negative > before)
     {
       this->Solid.Points(points, Eigen::all) = kept;
