@@ -17,6 +17,7 @@
 #include "Geometry/Nesting.h"
 #include "Geometry/SignedDistance.h"
 #include "Volume/ApplyVolumeMap.h"
+#include "Volume/FreeBoundary.h"
 #include "Volume/TargetDistance.h"
 
 #include <utility>
@@ -111,10 +112,15 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   }
   vtkPolyData* boundary = this->GetWhole(1).Data;
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
-  const Eigen::MatrixXd targets =
+  Eigen::MatrixXd targets =
     vtkShapeConvert::ToPointArray(boundary, this->MapArray, 3, "the Boundary");
   shape::RequireFinite(targets, "the map array of the Boundary");
   const bool hasTarget = this->GetNumberOfInputConnections(4) > 0;
+  if (this->FreeBoundary && !hasTarget)
+  {
+    throw shape::InvalidInput("FreeBoundary needs the input 'Target', the surface that the "
+                              "boundary's images slide on; connect it, or turn FreeBoundary off");
+  }
   const double targetDistance = hasTarget
     ? shape::TargetDistance(mesh, targets,
         vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), progress.Part(0.0, 0.02))
@@ -130,8 +136,17 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   };
   const shape::VolumeFeatures features = vtkShapeFeatures::Read(wholes(2), wholes(3),
     this->MapArray, this->Options.FeatureWeight, LongestStep * shape::LongestSide(mesh.Points));
-  const shape::HarmonicVolumeMapResult result =
-    shape::HarmonicVolumeMap(mesh, targets, features, this->Options, progress.Part(0.02, 0.8));
+  shape::HarmonicVolumeMapResult result = shape::HarmonicVolumeMap(
+    mesh, targets, features, this->Options, progress.Part(0.02, this->FreeBoundary ? 0.3 : 0.8));
+  shape::FreeBoundaryResult freed;
+  if (this->FreeBoundary)
+  {
+    freed = shape::FreeBoundary(mesh, targets,
+      vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), features, this->Options,
+      result, progress.Part(0.3, 0.8));
+    targets = freed.Targets;
+    result = freed.Map;
+  }
 
   const double farthest = vtkShapeChargeSet::Farthest(result.OffsetDistance, mesh);
   const shape::SignedDistance distance(
@@ -177,6 +192,14 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     if (hasTarget)
     {
       vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.TargetDistance", targetDistance);
+    }
+    if (this->FreeBoundary)
+    {
+      vtkShapeConvert::AddFact(
+        output, "HarmonicVolumeMap.DistortionBefore", freed.DistortionBefore);
+      vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.DistortionAfter", freed.DistortionAfter);
+      vtkShapeConvert::AddFact(
+        output, "HarmonicVolumeMap.FreeBoundary", freed.Kept ? "Slid" : "NotLower");
     }
   }
 }

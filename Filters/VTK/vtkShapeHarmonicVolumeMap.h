@@ -36,6 +36,10 @@
  * Tolerance (reached), Levels (all that were asked for were fitted), NoImprovement (the last levels
  * gained less than LeastGain).
  *
+ * With FreeBoundary: .DistortionBefore, .DistortionAfter (mean symmetric Dirichlet energy of the
+ * solid, images scaled to its volume: 6 for an isometry), and in words .FreeBoundary: Slid, or
+ * NotLower where that did not lower it and the images stay where they were.
+ *
  * With FoldFree output 0 is what vtkShapeUntangle makes of the moved domain, with its arrays and
  * HarmonicVolumeMap.InvertedBefore and .InvertedAfter: a mesh, beside the charge set, which is the
  * map, folding or not.
@@ -129,6 +133,14 @@ public:
   ///@}
 
   ///@{
+  /// Whether the images of the boundary's points slide on the Target, which must be connected, so
+  /// that the map is distorted less. The boundary's solid is filled with tetrahedra for that.
+  /// Default: off.
+  vtkSetMacro(FreeBoundary, bool);
+  vtkGetMacro(FreeBoundary, bool);
+  ///@}
+
+  ///@{
   /// Whether the moved domain, which must have solid cells, is untangled so that none is inverted,
   /// its boundary on the boundary's image: see vtkShapeUntangle. The charge set stays the map,
   /// which may fold. Default: off.
@@ -151,6 +163,7 @@ private:
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
 
   std::string MapArray = "TargetPosition";
+  bool FreeBoundary = false;
   bool FoldFree = false;
   shape::HarmonicVolumeMapOptions Options;
 };

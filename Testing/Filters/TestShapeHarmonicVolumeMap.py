@@ -461,4 +461,24 @@ for domain, words in ((cloud([[0.0, 0.0, 0.0]]), 'FoldFree needs a Domain with s
     if domain is tables:
         tables.SetBlock(1, tetrahedra)
     assert words in error_of(unfit), words
+
+# FreeBoundary: the images slide on the target, and the map is distorted less.
+sphere = with_targets(surface, known)
+shapetesting.set_points(sphere, known)
+slid = new(tetrahedra, with_targets(surface, twisted))
+slid.SetInputDataObject(4, sphere)
+slid.SetFreeBoundary(True)
+slid.SetFoldFree(True)
+assert not shapetesting.run(slid)
+solid = slid.GetOutputDataObject(0)
+assert fact(solid, 'HarmonicVolumeMap.FreeBoundary') == 'Slid'
+before, after = (fact(solid, 'HarmonicVolumeMap.Distortion' + when)
+                 for when in ('Before', 'After'))
+assert 6.0 <= after < 0.8 * before, (before, after)
+assert fact(solid, 'HarmonicVolumeMap.InvertedAfter') == 0
+radii = numpy.linalg.norm(points(solid)[:len(ids)][ids >= 0], axis=1)
+assert radii.max() < 1.0 + 1e-6 and radii.min() > 0.98, 'they left the target'
+homeless = new(tetrahedra, with_targets(surface, twisted))
+homeless.SetFreeBoundary(True)
+assert "FreeBoundary needs the input 'Target'" in error_of(homeless)
 print('solids follow their boundary')
