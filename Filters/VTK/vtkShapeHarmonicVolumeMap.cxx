@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include "Core/Errors.h"
 #include "Core/Topology.h"
 #include "Geometry/Nesting.h"
 #include "Geometry/SignedDistance.h"
