@@ -274,8 +274,9 @@ std::vector<int> SolidCells::CellsAround(const std::vector<int>& simplex) const
 bool SolidCells::CanSplit(const std::vector<int>& simplex) const
 {
   const std::vector<int> around = this->CellsAround(simplex);
-  if (std::any_of(
-        around.begin(), around.end(), [&](int cell) { return this->Kinds[cell] != Tetrahedron; }))
+  if (around.empty() ||
+    std::any_of(
+      around.begin(), around.end(), [&](int cell) { return this->Kinds[cell] != Tetrahedron; }))
   {
     return false;
   }
