@@ -4,6 +4,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeFeatures.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeSolid.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -15,10 +16,12 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include "Core/Errors.h"
 #include "Core/Topology.h"
 #include "Volume/ApplyVolumeMap.h"
 #include "Volume/LayeredVolumeMap.h"
 #include "Volume/NearSourceSystem.h"
+#include "Volume/FreeBoundary.h"
 #include "Volume/TargetDistance.h"
 
 #include <string>
@@ -149,12 +152,26 @@ void AddBorders(
 void vtkShapeHarmonicVolumeMap::Solve(
   vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress)
 {
+  vtkDataObject* domain = this->GetInputDataObject(0, 0);
+  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
+  {
+    shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
+  }
+  if (this->FoldFree)
+  {
+    vtkShapeSolid::RequireOneSolid(domain, this->GetController());
+  }
   vtkPolyData* boundary = this->GetWhole(1).Data;
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
-  const Eigen::MatrixXd targets =
+  Eigen::MatrixXd targets =
     vtkShapeConvert::ToPointArray(boundary, this->MapArray, 3, "the Boundary");
   shape::RequireFinite(targets, "the map array of the Boundary");
   const bool hasTarget = this->GetNumberOfInputConnections(4) > 0;
+  if (this->FreeBoundary && !hasTarget)
+  {
+    throw shape::InvalidInput("FreeBoundary needs the input 'Target', the surface that the "
+                              "boundary's images slide on; connect it, or turn FreeBoundary off");
+  }
   const double targetDistance = hasTarget
     ? shape::TargetDistance(mesh, targets,
         vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), progress.Part(0.0, 0.02))
@@ -181,6 +198,17 @@ void vtkShapeHarmonicVolumeMap::Solve(
     : OneRegion(
         shape::HarmonicVolumeMap(mesh, targets, features, this->Options, part, this->Setup.get()),
         mesh);
+  shape::HarmonicVolumeMapResult result = shape::HarmonicVolumeMap(
+    mesh, targets, features, this->Options, progress.Part(0.02, this->FreeBoundary ? 0.3 : 0.8));
+  shape::FreeBoundaryResult freed;
+  if (this->FreeBoundary)
+  {
+    freed = shape::FreeBoundary(mesh, targets,
+      vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), features, this->Options,
+      result, progress.Part(0.3, 0.8));
+    targets = freed.Targets;
+    result = freed.Map;
+  }
 
   vtkShapeChargeSet::Write(result.Charges, charges);
   WriteLevels(result.Layers, levels);
@@ -244,6 +272,15 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(map, points, part); },
     progress.Part(0.82, 1.0));
+    { return shape::ApplyVolumeMap(result.Map, distance, farthest, points, part); },
+    progress.Part(0.82, this->FoldFree ? 0.9 : 1.0));
+  if (this->FoldFree)
+  {
+    const auto inverted = vtkShapeSolid::MakeFoldFree(
+      domain, moved, mesh, targets, this->GetController(), progress.Part(0.9, 1.0));
+    vtkShapeConvert::AddFact(moved, "HarmonicVolumeMap.InvertedBefore", inverted.first);
+    vtkShapeConvert::AddFact(moved, "HarmonicVolumeMap.InvertedAfter", inverted.second);
+  }
 
   vtkFieldData* facts = charges->GetFieldData();
   for (int i = 0; i < facts->GetNumberOfArrays(); ++i)
@@ -265,5 +302,30 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     kept->ShallowCopy(facts);
     charges->Initialize();
     charges->SetFieldData(kept);
+    vtkDataObject* output = this->GetOutputDataObject(port);
+    const std::pair<const char*, double> facts[] = { { "RMSEVertices", last.RMSEVertices },
+      { "RMSEInside", last.RMSEInside }, { "Maximum", last.Maximum },
+      { "RMSEFeatures", result.RMSEFeatures },
+      { "FeaturePoints", static_cast<double>(features.Points.rows()) },
+      { "OffsetDistance", result.OffsetDistance }, { "DeletedSources", result.DeletedSources },
+      { "InsertedSources", result.InsertedSources } };
+    for (const auto& [fact, value] : facts)
+    {
+      vtkShapeConvert::AddFact(output, std::string("HarmonicVolumeMap.") + fact, value);
+    }
+    this->AddCount(port, "HarmonicVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
+    vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.Stop", Word(result.Reason));
+    if (hasTarget)
+    {
+      vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.TargetDistance", targetDistance);
+    }
+    if (this->FreeBoundary)
+    {
+      vtkShapeConvert::AddFact(
+        output, "HarmonicVolumeMap.DistortionBefore", freed.DistortionBefore);
+      vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.DistortionAfter", freed.DistortionAfter);
+      vtkShapeConvert::AddFact(
+        output, "HarmonicVolumeMap.FreeBoundary", freed.Kept ? "Slid" : "NotLower");
+    }
   }
 }

@@ -52,6 +52,14 @@
  * surface around it, .BorderJumpRMS and .BorderJumpMaximum, by how much the two fitted maps differ
  * there, which the skin makes up for.
  *
+ * With FreeBoundary: .DistortionBefore, .DistortionAfter (mean symmetric Dirichlet energy of the
+ * solid, images scaled to its volume: 6 for an isometry), and in words .FreeBoundary: Slid, or
+ * NotLower where that did not lower it and the images stay where they were.
+ *
+ * With FoldFree output 0 is what vtkShapeUntangle makes of the moved domain, with its arrays and
+ * HarmonicVolumeMap.InvertedBefore and .InvertedAfter: a mesh, beside the charge set, which is the
+ * map, folding or not.
+ *
  * A singular value decomposition is a single library call: an abort takes effect at its end.
  *
  * The mathematics: shape::HarmonicVolumeMap.
@@ -161,6 +169,22 @@ public:
   ///@}
 
   ///@{
+  /// Whether the images of the boundary's points slide on the Target, which must be connected, so
+  /// that the map is distorted less. The boundary's solid is filled with tetrahedra for that.
+  /// Default: off.
+  vtkSetMacro(FreeBoundary, bool);
+  vtkGetMacro(FreeBoundary, bool);
+  ///@}
+
+  ///@{
+  /// Whether the moved domain, which must have solid cells, is untangled so that none is inverted,
+  /// its boundary on the boundary's image: see vtkShapeUntangle. The charge set stays the map,
+  /// which may fold. Default: off.
+  vtkSetMacro(FoldFree, bool);
+  vtkGetMacro(FoldFree, bool);
+  ///@}
+
+  ///@{
   /// GiB that one decomposition may take; a larger system is refused.
   vtkShapeOption(MaximumMemory, double);
   ///@}
@@ -179,6 +203,8 @@ private:
 
   std::string MapArray = "TargetPosition";
   bool Exact = false;
+  bool FreeBoundary = false;
+  bool FoldFree = false;
   shape::HarmonicVolumeMapOptions Options;
   std::shared_ptr<shape::AcceleratedSetup> Setup; ///< of the last boundary
 };

@@ -1,6 +1,7 @@
 #include "vtkShapeSolid.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeGather.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -14,13 +15,16 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "Core/Errors.h"
+#include "Volume/FoldFree.h"
 
 #include <map>
 #include <utility>
@@ -190,4 +194,55 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
   cells->AddArray(cellIds);
   cells->AddArray(vtkShapeConvert::ToIntegers(result.Inverted, "Inverted"));
   output->GetFieldData()->PassData(input->GetFieldData());
+}
+
+void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessController* controller)
+{
+  const std::vector<vtkDataSet*> leaves = vtkShapeConvert::Leaves(domain);
+  if (leaves.size() != 1 || (controller && controller->GetNumberOfProcesses() > 1))
+  {
+    throw shape::InvalidInput("FoldFree needs the Domain in one dataset and one process; join "
+                              "blocks with Merge Blocks, or apply Shape Untangle to the output, "
+                              "with the Domain as its RestShape, which joins them");
+  }
+  bool solid = false;
+  for (vtkIdType cell = 0; cell < leaves[0]->GetNumberOfCells() && !solid; ++cell)
+  {
+    solid = leaves[0]->GetCellType(cell) >= VTK_TETRA;
+  }
+  if (!solid)
+  {
+    throw shape::InvalidInput(
+      "FoldFree needs a Domain with solid cells, and this one has points or a surface alone, which "
+      "cannot be inverted; fill a surface with Shape Tetrahedralize, or turn FoldFree off");
+  }
+}
+
+std::pair<int, int> vtkShapeSolid::MakeFoldFree(vtkDataObject* domain, vtkDataObject* moved,
+  const shape::Mesh& boundary, const Eigen::MatrixXd& targets,
+  vtkMultiProcessController* controller, const shape::Progress& progress)
+{
+  RequireOneSolid(domain, controller);
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkShapeGather::GatherGrid(domain, nullptr);
+  const shape::UntangleResult result = shape::FoldFree(Read(grid, "the Domain"),
+    vtkShapeConvert::ToPoints(vtkShapeConvert::Leaves(moved)[0]), boundary, targets, progress);
+  auto* output = vtkPointSet::SafeDownCast(vtkShapeConvert::Leaves(moved)[0]);
+  if (auto* cells = vtkUnstructuredGrid::SafeDownCast(output))
+  {
+    const Eigen::MatrixXd sources =
+      vtkShapeConvert::ToPointArray(cells, "SourcePosition", 3, "the Domain");
+    vtkNew<vtkUnstructuredGrid> carried;
+    carried->ShallowCopy(cells);
+    cells->Initialize();
+    Write(result, carried, sources, cells);
+  }
+  else
+  {
+    // A structured grid has hexahedra, which are never split.
+    vtkNew<vtkPoints> points;
+    points->SetData(vtkShapeConvert::ToArray(result.Solid.Points, "Points"));
+    output->SetPoints(points);
+    output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(result.Inverted, "Inverted"));
+  }
+  return { result.InvertedBefore, result.InvertedAfter };
 }

@@ -88,6 +88,7 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
     rest = other.Points;
   }
   shape::Cells cells = given;
+  progress(0.05);
   const bool inPieces = vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) ||
     (controller && controller->GetNumberOfProcesses() > 1);
   if (inPieces)
@@ -95,7 +96,7 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
     Join(cells, rest);
   }
   shape::UntangleResult result =
-    shape::Untangle(cells, rest, this->Options, progress.Part(0.0, 0.95));
+    shape::Untangle(cells, rest, this->Options, progress.Part(0.05, 0.95));
   if (inPieces)
   {
     Follow(given, cells, result.Solid.Points);

@@ -21,7 +21,8 @@ import time
 import numpy
 import shapemap
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkReverseSense, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import (
+    vtkCleanPolyData, vtkPolyDataNormals, vtkReverseSense, vtkTriangleFilter)
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path += [os.path.join(ROOT, 'Utilities'), os.path.join(ROOT, 'Testing')]
@@ -29,6 +30,19 @@ sys.path += [os.path.join(ROOT, 'Utilities'), os.path.join(ROOT, 'Testing')]
 import off
 import shapetesting
 from shapetesting import array, fact, points
+
+
+def mended(surface):
+    """Triangles that disagree are turned, points that none uses are left out."""
+    clean = vtkCleanPolyData()
+    clean.PointMergingOff()
+    clean.SetInputData(surface)
+    agree = vtkPolyDataNormals()
+    agree.SetInputConnection(clean.GetOutputPort())
+    agree.SplittingOff()
+    agree.ConsistencyOn()
+    agree.Update()
+    return agree.GetOutput()
 
 
 def facing_outwards(surface):
@@ -116,6 +130,9 @@ for path in paths:
         places, boundary = data['moved'], data['boundary']
     else:
         rest, places, boundary, reason = carried(surface, settings)
+        if 'opposite orientation' in reason or 'no triangle uses' in reason:
+            rest, places, boundary, reason = carried(facing_outwards(mended(surface)), settings)
+            kept = ''  # the folder is for surfaces as they are
         if reason:
             print('%-26s no map: %s' % (name, reason.split('\n')[0]), flush=True)
             continue

@@ -222,6 +222,23 @@ tetrahedra = solid.GetOutputDataObject(0)
 assert (tetrahedra.GetNumberOfCells() > 642) == (rank == 0), 'the tetrahedra come once'
 assert rank > 0 or shapetesting.fact(tetrahedra, 'Tetrahedralize.Points') > 642
 
+# The pieces of a solid are untangled as one, across where they touch, on the first process.
+tangled = read('BallSmall.vtu')
+inner = numpy.linalg.norm(points(tangled), axis=1) < 0.3
+shapetesting.set_points(tangled, numpy.where(
+    inner[:, None], points(tangled) @ numpy.diag([-1.0, 1.0, 1.0]), points(tangled)))
+untangle = shapemap.vtkShapeUntangle()
+untangle.SetInputDataObject(0, piece(tangled))
+assert not shapetesting.run(untangle)
+untangled = untangle.GetOutputDataObject(0)
+assert untangled.GetNumberOfCells() == (tangled.GetNumberOfCells() if rank == 0 else 0)
+if rank == 0:
+    counts += [shapetesting.fact(untangled, 'Untangle.Inverted' + when)
+               for when in ('Before', 'After')]
+    assert counts[-2] > 0 == counts[-1], counts[-2:]
+else:
+    counts += [numpy.load(os.path.join(folder, 'truth.npz'))['counts'][k] for k in (-2, -1)]
+
 if processes == 1:
     numpy.savez(os.path.join(folder, 'truth.npz'),
                 places=points(mapped), targets=array(mapped, 'TargetPosition'),

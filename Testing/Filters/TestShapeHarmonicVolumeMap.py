@@ -3,6 +3,7 @@
 As an example: Domain is what is carried, Boundary the closed surface around it with the map array."""
 import numpy
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
@@ -424,4 +425,61 @@ assert '1 open loop' in error_of(new(inside, open_boundary))
 not_finite = array(moved_boundary, 'TargetPosition').copy()
 not_finite[5] = numpy.nan
 assert 'first at point 5' in error_of(new(inside, with_targets(surface, not_finite)))
+
+# FoldFree: tetrahedra that a coarse map inverts are untangled, their boundary exactly on its image;
+# the charges stay the map.
+solid = shapemap.vtkShapeTetrahedralize()
+solid.SetInputDataObject(surface)
+assert not shapetesting.run(solid)
+tetrahedra = solid.GetOutputDataObject(0)
+known = array(surface, 'TargetPosition')
+twisted = known.copy()  # by 200 degrees from pole to pole
+angles = 1.75 * known[:, 2]
+twisted[:, 0] = numpy.cos(angles) * known[:, 0] - numpy.sin(angles) * known[:, 1]
+twisted[:, 1] = numpy.sin(angles) * known[:, 0] + numpy.cos(angles) * known[:, 1]
+outcomes = []
+for fold_free in (False, True):
+    coarse = new(tetrahedra, with_targets(surface, twisted))
+    coarse.SetMaximumLevels(1)
+    coarse.SetFoldFree(fold_free)
+    assert not shapetesting.run(coarse)
+    outcomes.append([copy(coarse.GetOutputDataObject(port)) for port in (0, 1)])
+(folding, charges), (free, same_charges) = outcomes
+assert fact(free, 'HarmonicVolumeMap.InvertedBefore') > 0, 'the map does not fold'
+assert fact(free, 'HarmonicVolumeMap.InvertedAfter') == 0
+corners = points(free)[vtk_to_numpy(free.GetCells().GetConnectivityArray()).reshape(-1, 4)]
+assert (numpy.linalg.det(corners[:, 1:] - corners[:, :1]) > 0.0).all()
+ids = array(tetrahedra, 'OriginalPointId')
+assert (points(free)[:len(ids)][ids >= 0] == twisted[ids[ids >= 0]]).all()
+assert (array(free, 'SourcePosition')[:len(ids)] == points(tetrahedra)).all()
+assert (array(charges, 'Charge') == array(same_charges, 'Charge')).all()
+assert not folding.GetFieldData().HasArray('HarmonicVolumeMap.InvertedBefore')
+for domain, words in ((cloud([[0.0, 0.0, 0.0]]), 'FoldFree needs a Domain with solid cells'),
+                      (surface, 'FoldFree needs a Domain with solid cells'),
+                      (tables, 'FoldFree needs the Domain in one dataset')):
+    unfit = new(domain, moved_boundary)
+    unfit.SetFoldFree(True)
+    if domain is tables:
+        tables.SetBlock(1, tetrahedra)
+    assert words in error_of(unfit), words
+
+# FreeBoundary: the images slide on the target, and the map is distorted less.
+sphere = with_targets(surface, known)
+shapetesting.set_points(sphere, known)
+slid = new(tetrahedra, with_targets(surface, twisted))
+slid.SetInputDataObject(4, sphere)
+slid.SetFreeBoundary(True)
+slid.SetFoldFree(True)
+assert not shapetesting.run(slid)
+solid = slid.GetOutputDataObject(0)
+assert fact(solid, 'HarmonicVolumeMap.FreeBoundary') == 'Slid'
+before, after = (fact(solid, 'HarmonicVolumeMap.Distortion' + when)
+                 for when in ('Before', 'After'))
+assert 6.0 <= after < 0.8 * before, (before, after)
+assert fact(solid, 'HarmonicVolumeMap.InvertedAfter') == 0
+radii = numpy.linalg.norm(points(solid)[:len(ids)][ids >= 0], axis=1)
+assert radii.max() < 1.0 + 1e-6 and radii.min() > 0.98, 'they left the target'
+homeless = new(tetrahedra, with_targets(surface, twisted))
+homeless.SetFreeBoundary(True)
+assert "FreeBoundary needs the input 'Target'" in error_of(homeless)
 print('solids follow their boundary')

@@ -59,7 +59,7 @@ tangled.GetClientSideObject().SetOutput(moved(rest, spoiled))
 mended_filter = simple.ShapeUntangle(Input=tangled, RestShape=tetrahedra)
 mended_filter.UpdatePipeline()
 mended = shapetesting.output(mended_filter)
-assert fact(mended, 'Untangle.InvertedBefore') > 500
+assert fact(mended, 'Untangle.InvertedBefore') > 200
 assert fact(mended, 'Untangle.InvertedAfter') == 0 and cells(mended, 'Inverted').sum() == 0
 assert volumes(mended).min() > 0.0, 'a tetrahedron is inverted'
 count = len(spoiled)

@@ -23,8 +23,8 @@ w.click(window.PANEL + 'Delete')
 w.open('DentedSphere600.vtp')
 for proxy in filters:
     w.filter(proxy.get('label'))
-    if len(proxy.findall('InputProperty')) > 1:
-        # The window asks what goes into which port: OK is the first button, Cancel the second.
+    if sum(port.find('Hints/Optional') is None for port in proxy.findall('InputProperty')) > 1:
+        # Where it needs several, the window asks what goes into which port: OK is the first button, Cancel the second.
         for port in proxy.findall('InputProperty'):
             w.check(window.DIALOG + 'buttonFrame/' + port.get('name'), 'text', port.get('label'))
         w.click(window.DIALOG + 'buttonBox/1QPushButton1')

@@ -230,11 +230,9 @@ TEST(Untangle, IsTheSameInEveryScaleAndPlace)
   EXPECT_EQ(again.Solid.Points, result.Solid.Points) << "the same bits";
 }
 
-/// Two tetrahedra over a square whose boundary is fixed at places where one of them is inverted:
-/// the square's edges are fine, but its diagonal inside the solid lies outside.
 TEST(Untangle, SplitsWhatHasNoRoom)
 {
-  // The edge 2-3 is inside: faces around it are the boundary of a roof pushed in beyond it.
+  // Four tetrahedra around the axis 0-1, every point on the boundary.
   shape::Cells cells{ Eigen::MatrixXd(6, 3), Eigen::VectorXi::Constant(4, 10), Eigen::VectorXi(5),
     Eigen::VectorXi(16) };
   const Eigen::RowVector3d ring[4] = { { 0, 0, 1 }, { 1, 0, 0 }, { 0, 0, -1 }, { -1, 0, 0 } };

@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
+#include <tuple>
 
 namespace shape
 {
@@ -127,27 +127,40 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
 void SolidCells::MarkBoundary()
 {
   this->Boundary.assign(this->PointCells.size(), 0);
-  std::map<std::vector<int>, std::vector<int>> alone;
-  for (std::size_t cell = 0; cell < this->Kinds.size(); ++cell)
+  // Faces by their sorted points (-1 first in triangles): those that are there once.
+  struct Side
   {
-    for (const std::vector<int>& face : FacesOf(this->Kinds[cell]))
+    std::array<int, 4> Key;
+    int Cell, Face;
+  };
+  std::vector<Side> sides;
+  for (int cell = 0; cell < this->CellCount(); ++cell)
+  {
+    const auto& faces = FacesOf(this->Kinds[cell]);
+    for (std::size_t face = 0; face < faces.size(); ++face)
     {
-      std::vector<int> points;
-      for (const int corner : face)
-      {
-        points.push_back(this->Corners[cell][corner]);
-      }
-      std::vector<int> key = points;
-      std::sort(key.begin(), key.end());
-      const auto [place, isNew] = alone.emplace(key, points);
-      if (!isNew)
-      {
-        alone.erase(place);
-      }
+      Side side{ { -1, -1, -1, -1 }, cell, static_cast<int>(face) };
+      std::transform(faces[face].begin(), faces[face].end(), side.Key.begin(),
+        [&](int corner) { return this->Corners[cell][corner]; });
+      std::sort(side.Key.begin(), side.Key.end());
+      sides.push_back(side);
     }
   }
-  for (const auto& [key, face] : alone)
+  std::sort(sides.begin(), sides.end(),
+    [](const Side& a, const Side& b)
+    { return std::tie(a.Key, a.Cell, a.Face) < std::tie(b.Key, b.Cell, b.Face); });
+  for (std::size_t i = 0; i < sides.size(); ++i)
   {
+    if ((i > 0 && sides[i].Key == sides[i - 1].Key) ||
+      (i + 1 < sides.size() && sides[i].Key == sides[i + 1].Key))
+    {
+      continue;
+    }
+    std::vector<int> face;
+    for (const int corner : FacesOf(this->Kinds[sides[i].Cell])[sides[i].Face])
+    {
+      face.push_back(this->Corners[sides[i].Cell][corner]);
+    }
     for (std::size_t k = 0; k < face.size(); ++k)
     {
       this->Boundary[face[k]] = 1;
@@ -261,8 +274,9 @@ std::vector<int> SolidCells::CellsAround(const std::vector<int>& simplex) const
 bool SolidCells::CanSplit(const std::vector<int>& simplex) const
 {
   const std::vector<int> around = this->CellsAround(simplex);
-  if (std::any_of(
-        around.begin(), around.end(), [&](int cell) { return this->Kinds[cell] != Tetrahedron; }))
+  if (around.empty() ||
+    std::any_of(
+      around.begin(), around.end(), [&](int cell) { return this->Kinds[cell] != Tetrahedron; }))
   {
     return false;
   }

@@ -45,8 +45,8 @@ public:
   /// shape that is flatter than 1 in 20 of a regular one, or turned inside out, is mended.
   Eigen::Matrix3d Reference(int cell, int k, double size);
 
-  /// Whether an edge or face (two or three points) has only tetrahedra around it and is not of the
-  /// boundary: then it can be split.
+  /// Whether an edge or face (two or three points) is there, has only tetrahedra around it and is
+  /// not of the boundary: then it can be split.
   bool CanSplit(const std::vector<int>& simplex) const;
 
   /// Puts a point into the middle of an edge, a face or a tetrahedron, at rest, too: every

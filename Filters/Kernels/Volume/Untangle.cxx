@@ -3,6 +3,7 @@
 #include "Core/Errors.h"
 #include "Core/Orientation.h"
 #include "Core/Topology.h"
+#include "Volume/CellSplits.h"
 #include "Volume/LocalSizes.h"
 #include "Volume/SimplexPatch.h"
 #include "Volume/SlidingBoundary.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -47,37 +47,46 @@ public:
 
   UntangleResult Run(const Progress& progress)
   {
-    std::vector<int> bad = this->InvertedCells();
+    progress(0.02);
+    std::vector<int> bad = this->InvertedCells(progress.Part(0.02, 0.05));
     this->Result.InvertedBefore = static_cast<int>(bad.size());
+    CellSplits splits(this->Solid, [this](int point) { return this->Movable(point); });
     std::size_t least = bad.size();
     for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience;
          ++round)
     {
       const Progress part =
-        progress.Part(static_cast<double>(round) / Rounds, (round + 1.0) / Rounds);
-      this->SplitImpossible(bad);
+        progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
+      splits.Impossible(bad);
       if (round >= FirstSplitting)
       {
-        this->SplitStubborn(this->InvertedCells(), round);
+        splits.Stubborn(this->InvertedCells(),
+          round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar);
       }
       this->MovePoints(Rings[round], part);
-      bad = this->InvertedCells();
+      bad = this->InvertedCells(part.Part(0.99, 1.0));
       if (bad.size() < least)
       {
         least = bad.size();
         last = round;
       }
     }
+    progress(0.95);
     this->Finish(bad);
+    progress(1.0);
     return std::move(this->Result);
   }
 
 private:
-  std::vector<int> InvertedCells()
+  std::vector<int> InvertedCells(const Progress& progress = {})
   {
     std::vector<int> inverted;
     for (int cell = 0; cell < this->Solid.CellCount(); ++cell)
     {
+      if (cell % 16384 == 0)
+      {
+        progress(static_cast<double>(cell) / this->Solid.CellCount());
+      }
       if (this->Solid.Inverted(cell))
       {
         inverted.push_back(cell);
@@ -89,115 +98,6 @@ private:
   bool Movable(int point) const
   {
     return !this->Solid.OnBoundary(point) || (this->Sliding && this->Sliding->Freedom(point) > 0);
-  }
-
-  /// Inverted tetrahedra without a point that may move get one in an edge between such points, or
-  /// in a face, which neighbours share, too.
-  void SplitImpossible(const std::vector<int>& bad)
-  {
-    for (const int cell : bad)
-    {
-      const std::vector<int> points = this->Solid.PointsOf(cell);
-      if (points.size() == 4 &&
-        std::none_of(points.begin(), points.end(), [&](int point) { return this->Movable(point); }))
-      {
-        this->SplitLongest(points) || this->SplitFace(points);
-      }
-    }
-  }
-
-  /// Tetrahedra that stay inverted get room: every edge from their fixed points into the solid is
-  /// split, so that what lies around one fixed point can move without what
-  /// lies around the others. Where that was done, their longest edge is split.
-  void SplitStubborn(const std::vector<int>& bad, int round)
-  {
-    this->Collared.resize(this->Solid.PointCount(), 0);
-    const int allowed = round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar;
-    std::set<int> collar;
-    for (const int cell : bad)
-    {
-      for (const int point : this->Solid.PointsOf(cell))
-      {
-        if (!this->Movable(point) && this->Collared[point] < allowed)
-        {
-          collar.insert(point);
-        }
-      }
-    }
-    std::set<int> touched;
-    for (const int point : collar)
-    {
-      ++this->Collared[point];
-      std::set<int> ends;
-      for (const int cell : this->Solid.CellsOf(point))
-      {
-        ends.insert(this->Solid.PointsOf(cell).begin(), this->Solid.PointsOf(cell).end());
-      }
-      ends.erase(point);
-      for (const int end : ends)
-      {
-        if (this->Solid.CanSplit({ point, end }))
-        {
-          this->Solid.Split({ point, end });
-        }
-      }
-      touched.insert(point);
-    }
-    for (const int cell : bad)
-    {
-      const std::vector<int> points = this->Solid.PointsOf(cell);
-      if (points.size() != 4 ||
-        std::any_of(points.begin(), points.end(), [&](int point) { return touched.count(point); }))
-      {
-        continue;
-      }
-      if (this->SplitLongest(points) || this->SplitFace(points))
-      {
-        touched.insert(this->Solid.PointCount() - 1);
-      }
-    }
-  }
-
-  /// Edges between points that cannot move come first, then those with one.
-  bool SplitLongest(const std::vector<int>& points)
-  {
-    const Eigen::MatrixXd& places =
-      this->Solid.Rest.rows() > 0 ? this->Solid.Rest : this->Solid.Points;
-    std::pair<int, double> best = { -1, 0.0 };
-    std::vector<int> edge;
-    for (int a = 0; a < 4; ++a)
-    {
-      for (int b = 0; b < a; ++b)
-      {
-        const std::pair<int, double> rank = { !this->Movable(points[a]) + !this->Movable(points[b]),
-          (places.row(points[a]) - places.row(points[b])).norm() };
-        if (rank > best && this->Solid.CanSplit({ points[a], points[b] }))
-        {
-          best = rank;
-          edge = { points[a], points[b] };
-        }
-      }
-    }
-    if (!edge.empty())
-    {
-      this->Solid.Split(edge);
-    }
-    return !edge.empty();
-  }
-
-  bool SplitFace(const std::vector<int>& points)
-  {
-    for (int left = 0; left < 4; ++left)
-    {
-      std::vector<int> face = points;
-      face.erase(face.begin() + left);
-      if (this->Solid.CanSplit(face))
-      {
-        this->Solid.Split(face);
-        return true;
-      }
-    }
-    return false;
   }
 
   /// Each set of movable points around inverted cells that hangs together is a patch of its own.
@@ -317,11 +217,6 @@ private:
     const PatchResult moved =
       LowerEnergy(this->Solid.Points, patch, this->Sliding.get(), options, progress);
     this->Result.Iterations += moved.Steps;
-#ifdef UNTANGLE_TRACE
-    printf("  patch %zu points %zu simplices neg %d -> %d steps %d energy %g -> %g\n",
-      points.size(), patch.Simplices.size(), before, moved.Negative, moved.Steps,
-      moved.EnergyBefore, moved.EnergyAfter);
-#endif
     if (moved.Negative > before)
     {
       this->Solid.Points(points, Eigen::all) = kept;
@@ -352,7 +247,6 @@ private:
   UntangleOptions Options;
   SolidCells Solid;
   std::unique_ptr<SlidingBoundary> Sliding;
-  std::vector<int> Collared; ///< how often the edges of a fixed point were split
   UntangleResult Result;
 };
 
