@@ -20,8 +20,9 @@ struct ExactSurface
 struct LayeredVolumeMapOptions
 {
   /// A border's triangles are cut into 4^so many for the layer inside, which must meet the curved
-  /// values of the map outside, not chords of them; >= 0.
-  int BorderRefinement = 1;
+  /// values of the map outside, not chords of them; >= 0. With 1 instead of 0, jumps of MultiLevel
+  /// are 2 to 3 times smaller at 6 times the cost.
+  int BorderRefinement = 0;
   /// How thick a skin is, / the boundary's longest side: so many times the greatest jump / the
   /// targets' longest side. In a thinner one the map turns more sharply, in a thicker one it stays
   /// away from the layer's own for longer. At most half of the way to the charges beyond the
