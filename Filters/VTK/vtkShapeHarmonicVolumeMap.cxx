@@ -3,10 +3,13 @@
 #include "vtkShapeChargeSet.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFeatures.h"
+#include "vtkShapeGather.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -17,6 +20,7 @@
 #include "Volume/LayeredVolumeMap.h"
 #include "Volume/TargetDistance.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,6 +66,9 @@ namespace
 
 /// Between the points of a curve that is matched, as a share of the longest side of the boundary.
 constexpr double LongestStep = 0.01;
+
+/// What the names of the facts begin with.
+const std::string Facts = "HarmonicVolumeMap.";
 
 /// The levels of each region's map.
 void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult>& regions, vtkTable* output)
@@ -129,20 +136,15 @@ void AddBorders(
   for (int c = 0; c < columns.cols(); ++c)
   {
     output->GetAttributesAsFieldData(vtkDataObject::FIELD)
-      ->AddArray(
-        vtkShapeConvert::ToArray(columns.col(c), std::string("HarmonicVolumeMap.") + names[c]));
+      ->AddArray(vtkShapeConvert::ToArray(columns.col(c), Facts + names[c]));
   }
 }
 
 } // namespace
 
-void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
+void vtkShapeHarmonicVolumeMap::Solve(
+  vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress)
 {
-  vtkDataObject* domain = this->GetInputDataObject(0, 0);
-  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
-  {
-    shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
-  }
   vtkPolyData* boundary = this->GetWhole(1).Data;
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
   const Eigen::MatrixXd targets =
@@ -169,26 +171,13 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   }
   const shape::VolumeFeatures features = vtkShapeFeatures::Read(given.Features, given.Targets,
     this->MapArray, this->Options.FeatureWeight, LongestStep * shape::LongestSide(mesh.Points));
-  const shape::Progress part = progress.Part(0.02, 0.8);
+  const shape::Progress part = progress.Part(0.02, 1.0);
   const shape::LayeredVolumeMapResult result = this->Exact
     ? shape::LayeredVolumeMap(mesh, targets, given.Surfaces, features, this->Options, {}, part)
     : OneRegion(shape::HarmonicVolumeMap(mesh, targets, features, this->Options, part), mesh);
 
-  const shape::LayeredMap map(result.Charges, progress.Part(0.8, 0.82));
-  vtkDataObject* moved = this->GetOutputDataObject(0);
-  const auto counts = vtkShapeChargeSet::Move(
-    domain, moved,
-    [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    { return shape::ApplyVolumeMap(map, points, part); },
-    progress.Part(0.82, 1.0));
-
-  // Every process has found the same map: one of them hands it on.
-  if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
-  {
-    vtkShapeChargeSet::Write(
-      result.Charges, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
-    WriteLevels(result.Layers, vtkTable::SafeDownCast(this->GetOutputDataObject(2)));
-  }
+  vtkShapeChargeSet::Write(result.Charges, charges);
+  WriteLevels(result.Layers, levels);
   const auto& boundaryErrors = result.Borders.front();
   double deleted = 0.0, inserted = 0.0;
   auto reason = shape::HarmonicVolumeMapResult::Stop::Tolerance;
@@ -199,29 +188,76 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     reason =
       layer.Reason == shape::HarmonicVolumeMapResult::Stop::Tolerance ? reason : layer.Reason;
   }
+  const std::pair<const char*, double> facts[] = { { "RMSEVertices", boundaryErrors.RMSEVertices },
+    { "RMSEInside", boundaryErrors.RMSEInside }, { "Maximum", boundaryErrors.Maximum },
+    { "RMSEFeatures", result.RMSEFeatures },
+    { "FeaturePoints", static_cast<double>(features.Points.rows()) },
+    { "OffsetDistance", result.OffsetDistance }, { "DeletedSources", deleted },
+    { "InsertedSources", inserted } };
+  for (const auto& [fact, value] : facts)
+  {
+    vtkShapeConvert::AddFact(charges, Facts + fact, value);
+  }
+  vtkShapeConvert::AddFact(charges, Facts + "Stop", Word(reason));
+  if (this->Exact)
+  {
+    AddBorders(result.Borders, charges);
+  }
+  if (hasTarget)
+  {
+    vtkShapeConvert::AddFact(charges, Facts + "TargetDistance", targetDistance);
+  }
+}
+
+void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
+{
+  vtkMultiProcessController* controller = this->GetController();
+  const bool first = !controller || controller->GetLocalProcessId() == 0;
+  vtkDataObject* domain = this->GetInputDataObject(0, 0);
+  vtkDataObject* moved = this->GetOutputDataObject(0);
+  auto* charges = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+  auto* levels = vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+  vtkShapeGather::TogetherOrNotAtAll(controller,
+    [&]
+    {
+      for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
+      {
+        shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
+      }
+      if (first)
+      {
+        this->Solve(charges, levels, progress.Part(0.0, 0.8));
+      }
+    });
+  // What one process has found, all of them use.
+  vtkShapeGather::Share(charges, controller);
+  const shape::LayeredMap map(
+    vtkShapeChargeSet::Read(charges, "the map"), progress.Part(0.8, 0.82));
+  const auto counts = vtkShapeChargeSet::Move(
+    domain, moved,
+    [&](const Eigen::MatrixXd& points, const shape::Progress& part)
+    { return shape::ApplyVolumeMap(map, points, part); },
+    progress.Part(0.82, 1.0));
+
+  vtkFieldData* facts = charges->GetFieldData();
+  for (int i = 0; i < facts->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* fact = facts->GetAbstractArray(i);
+    if (std::string(fact->GetName()).rfind(Facts, 0) == 0)
+    {
+      moved->GetAttributesAsFieldData(vtkDataObject::FIELD)->AddArray(fact);
+    }
+  }
   for (const int port : { 0, 1 })
   {
-    vtkDataObject* output = this->GetOutputDataObject(port);
-    const std::pair<const char*, double> facts[] = {
-      { "RMSEVertices", boundaryErrors.RMSEVertices }, { "RMSEInside", boundaryErrors.RMSEInside },
-      { "Maximum", boundaryErrors.Maximum }, { "RMSEFeatures", result.RMSEFeatures },
-      { "FeaturePoints", static_cast<double>(features.Points.rows()) },
-      { "OffsetDistance", result.OffsetDistance }, { "DeletedSources", deleted },
-      { "InsertedSources", inserted }
-    };
-    for (const auto& [fact, value] : facts)
-    {
-      vtkShapeConvert::AddFact(output, std::string("HarmonicVolumeMap.") + fact, value);
-    }
-    this->AddCount(port, "HarmonicVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
-    vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.Stop", Word(reason));
-    if (this->Exact)
-    {
-      AddBorders(result.Borders, output);
-    }
-    if (hasTarget)
-    {
-      vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.TargetDistance", targetDistance);
-    }
+    this->AddCount(port, Facts + "OutsidePoints", static_cast<double>(counts[1]));
+  }
+  if (!first)
+  {
+    // One process hands the charges on; the others say the same facts about them.
+    vtkNew<vtkFieldData> kept;
+    kept->ShallowCopy(facts);
+    charges->Initialize();
+    charges->SetFieldData(kept);
   }
 }

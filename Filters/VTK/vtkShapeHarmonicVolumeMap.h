@@ -62,6 +62,9 @@
 
 #include "Volume/HarmonicVolumeMap.h" // for the options
 
+class vtkPolyData;
+class vtkTable;
+
 class VTKSHAPEFILTERS_EXPORT vtkShapeHarmonicVolumeMap : public vtkShapeAlgorithm
 {
 public:
@@ -160,6 +163,9 @@ protected:
 private:
   vtkShapeHarmonicVolumeMap(const vtkShapeHarmonicVolumeMap&) = delete;
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
+
+  /// Makes the charge set with the facts about it, and the table of levels, of the whole inputs.
+  void Solve(vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress);
 
   std::string MapArray = "TargetPosition";
   bool Exact = false;
