@@ -166,7 +166,7 @@ int main()
       pairs / Median([&] { shape::DirectGradients(sources, few, points); }));
     std::fflush(stdout);
   }
-  for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10 })
+  for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 2e-12 })
   {
     Compare("surface", sources, surface, charges, tolerance);
   }

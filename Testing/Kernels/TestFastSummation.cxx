@@ -104,9 +104,9 @@ TEST(FastSummation, KeepsItsToleranceForSurfacesAndVolumesAndChargesOfBothSigns)
         (one.Points.rowwise() - one.Sources.row(j)).rowwise().squaredNorm();
       slopes += (0.25 / M_PI * squared.inverse()).matrix() * one.Charges.row(j).cwiseAbs();
     }
-    for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10 })
+    for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-10, 2e-12 })
     {
-      if (tolerance < 1e-8 && one.Name != "volume")
+      if (tolerance < 1e-7 && one.Name != "volume")
       {
         continue; // a second of setting up
       }
@@ -120,7 +120,7 @@ TEST(FastSummation, KeepsItsToleranceForSurfacesAndVolumesAndChargesOfBothSigns)
         EXPECT_LT(error.col(c).norm() / sizes.col(c).norm(), tolerance) << what;
         EXPECT_LT((error.col(c).array() / sizes.col(c).array()).abs().maxCoeff(), 100 * tolerance)
           << what;
-        EXPECT_LT(gradientError.middleCols(3 * c, 3).norm() / slopes.col(c).norm(), 30 * tolerance)
+        EXPECT_LT(gradientError.middleCols(3 * c, 3).norm() / slopes.col(c).norm(), 50 * tolerance)
           << what;
       }
     }

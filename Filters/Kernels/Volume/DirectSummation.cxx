@@ -32,7 +32,7 @@ void Check(
 }
 
 /// The power of two that brings the sources' largest coordinate to about one: exact.
-double ScaleOf(const Eigen::MatrixXd& sources)
+double ScaleFor(const Eigen::MatrixXd& sources)
 {
   const double largest = sources.size() > 0 ? sources.cwiseAbs().maxCoeff() : 0.0;
   return largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
@@ -43,7 +43,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
   const Eigen::MatrixXd& points, bool gradient, const Progress& progress)
 {
   Check(sources, charges, points);
-  const double scale = ScaleOf(sources);
+  const double scale = ScaleFor(sources);
   const double factor = InverseFourPi * (gradient ? scale * scale : scale);
   const Eigen::MatrixXd places = scale * points;
   const int m = static_cast<int>(sources.rows());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <variant>
 
@@ -34,10 +35,13 @@ const Grade Grades[] = {
   { 1e-4, { { 4, 4, 1e-4, 1e-4 }, Small, Small, 80 }, 3e7, 800 },
   { 1e-5, { { 6, 6, 1e-6, 5e-6 }, Small, Small, 100 }, 6e7, 1400 },
   { 1e-6, { { 6, 8, 5e-7, 1e-6 }, Small, Small, 140 }, 7e7, 2000 },
-  { 1e-7, { { 8, 10, 2e-8, 7e-8 }, Rounding, Rounding, 200 }, 2.5e8, 4500 },
-  { 1e-8, { { 8, 10, 2e-9, 5e-9 }, Rounding, Rounding, 200 }, 4e8, 6500 },
-  { 1e-9, { { 10, 12, 1e-10, 7e-10 }, Rounding, Rounding, 300 }, 1e9, 7000 },
-  { 1e-10, { { 12, 14, 1e-11, 7e-11 }, Rounding, Rounding, 400 }, 2.5e9, 10000 },
+  { 1e-7, { { 8, 10, 2e-8, 7e-8 }, Rounding, Rounding, 200 }, 1e8, 4000 },
+  { 1e-8, { { 8, 10, 2e-9, 5e-9 }, Rounding, Rounding, 200 }, 1.2e8, 6000 },
+  { 1e-9, { { 10, 12, 1e-10, 7e-10 }, Rounding, Rounding, 300 }, 4e8, 7000 },
+  { 1e-10, { { 12, 14, 1e-11, 7e-11 }, Rounding, Rounding, 400 }, 9e8, 10000 },
+  { 1e-11, { { 14, 16, 1e-12, 7e-12 }, Rounding, Rounding, 500 }, 2e9, 13000 },
+  { FastSummationOptions::LeastTolerance, { { 14, 16, 1e-13, 1e-12 }, Rounding, Rounding, 500 },
+    2e9, 17500 },
 };
 
 /// The first grade that keeps the tolerance.
@@ -84,10 +88,12 @@ FastSummation::FastSummation(const Eigen::MatrixXd& sources, const Eigen::Matrix
   Check(points, "points");
   this->Self->Sources = sources.rows();
   this->Self->Points = points.rows();
-  if (!(options.Tolerance >= 1e-10 && options.Tolerance <= 0.1))
+  if (!(options.Tolerance >= FastSummationOptions::LeastTolerance && options.Tolerance <= 0.1))
   {
-    throw InvalidInput("the tolerance of a sum is " + std::to_string(options.Tolerance) +
-      "; give one from 1e-10 to 0.1, or use the direct method");
+    std::ostringstream number;
+    number << options.Tolerance;
+    throw InvalidInput("the tolerance of a sum is " + number.str() +
+      "; give one from 2e-12 to 0.1, or use the direct method");
   }
   const Grade& grade = GradeFor(options.Tolerance);
   const double m = static_cast<double>(sources.rows()), n = static_cast<double>(points.rows());

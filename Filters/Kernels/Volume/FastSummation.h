@@ -20,8 +20,9 @@ struct FastSummationOptions
   /// Of the multipole method: the root mean square over the points of a potential's error, divided
   /// by that of the potential of the charges' absolute values. A single point's error is at most a
   /// hundred times as large, relative to the potential of the absolute values there; a gradient's,
-  /// of the sum of |q| / (4 pi r^2), thirty times. 1e-10 to 0.1.
+  /// of the sum of |q| / (4 pi r^2), fifty times. LeastTolerance to 0.1.
   double Tolerance = 1e-6;
+  static constexpr double LeastTolerance = 2e-12;
 };
 
 /**

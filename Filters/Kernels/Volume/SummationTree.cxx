@@ -1,11 +1,11 @@
 #include "Volume/SummationTree.h"
 
-#include "Core/Parallel.h"
+#include "Volume/LatticeOrder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
+#include <utility>
 
 namespace shape
 {
@@ -13,54 +13,13 @@ namespace shape
 namespace
 {
 
-/// Halvings that a key tells.
-constexpr int KeyBits = SummationTree::Deepest;
 /// Boxes of points whose translations are grouped by class.
 constexpr int ChunkBoxes = 64;
-/// Roots around and including the one of the sources; one more number is for what is beyond.
-constexpr int Roots = 27;
-
-/// Up to 21 bits with two empty ones after each.
-std::uint64_t Spread(std::uint64_t bits)
-{
-  bits = (bits | bits << 32) & 0x1f00000000ffffULL;
-  bits = (bits | bits << 16) & 0x1f0000ff0000ffULL;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fULL;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3ULL;
-  return (bits | bits << 2) & 0x1249249249249249ULL;
-}
-
-struct Keyed
-{
-  std::uint64_t Key = 0;
-  int Id = 0;
-};
-
-/// Sorts by the key, those of equal keys by their place.
-void SortByKey(std::vector<Keyed>& items)
-{
-  constexpr int bits = 12;
-  std::vector<Keyed> sorted(items.size());
-  for (int shift = 0; shift < 3 * KeyBits; shift += bits)
-  {
-    std::array<int, (1 << bits) + 1> start{};
-    for (const Keyed& item : items)
-    {
-      ++start[(item.Key >> shift & ((1 << bits) - 1)) + 1];
-    }
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    for (const Keyed& item : items)
-    {
-      sorted[start[item.Key >> shift & ((1 << bits) - 1)]++] = item;
-    }
-    items.swap(sorted);
-  }
-}
 
 /// The places where the keys of [begin, end), all of one box of `level`, pass to the next octant.
 std::array<int, 9> Octants(const std::vector<std::uint64_t>& keys, int begin, int end, int level)
 {
-  const int shift = 3 * (KeyBits - 1 - level);
+  const int shift = 3 * (LatticeOrder::Halvings - 1 - level);
   std::array<int, 9> start{};
   start[0] = begin;
   for (std::uint64_t octant = 0; octant < 8; ++octant)
@@ -130,59 +89,18 @@ SummationTree::SummationTree(
   this->Shift = largest > distant * extent ? middle : Eigen::RowVector3d::Zero().eval();
   this->Origin = (middle - this->Shift).array() - 0.5 * this->Side;
 
-  std::vector<std::uint64_t> keys;
-  const auto order =
-    [&](const Eigen::MatrixXd& places, std::vector<int>& ids, std::vector<int>& rootStart)
-  {
-    const auto count = static_cast<int>(places.rows());
-    std::vector<Keyed> items(count);
-    std::vector<signed char> roots(count);
-    ParallelFor(count, 4096,
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          items[i].Id = i;
-          int root = 0;
-          for (int c = 0; c < 3; ++c)
-          {
-            const double at =
-              (this->Scale * places(i, c) - this->Shift[c] - this->Origin[c]) / this->Side;
-            // The outermost sources lie on the sides of the root, up to rounding.
-            const double cell = std::abs(at - 0.5) < 0.5 + 1e-9 ? 0.0 : std::floor(at);
-            constexpr double most = (1 << KeyBits) - 1;
-            root = std::abs(cell) <= 1.0 && root >= 0 ? 3 * root + 1 + static_cast<int>(cell) : -1;
-            const double inside = std::clamp(std::ldexp(at - cell, KeyBits), 0.0, most);
-            items[i].Key |= Spread(static_cast<std::uint64_t>(inside)) << c;
-          }
-          roots[i] = static_cast<signed char>(root);
-        }
-      });
-    SortByKey(items);
-    rootStart.assign(Roots + 2, 0);
-    for (const Keyed& item : items)
-    {
-      ++rootStart[roots[item.Id] + 2];
-    }
-    std::partial_sum(rootStart.begin(), rootStart.end(), rootStart.begin());
-    std::vector<int> next = rootStart;
-    keys.resize(count);
-    ids.resize(count);
-    for (const Keyed& item : items)
-    {
-      const int to = next[roots[item.Id] + 1]++;
-      ids[to] = item.Id;
-      keys[to] = item.Key;
-    }
-  };
-  std::vector<int> rootStart;
-  order(sources, this->SourceOrder, rootStart);
-  this->SplitSources(keys, leaf);
+  const Lattice lattice{ this->Origin, this->Side };
+  const auto scaled = [&](const Eigen::MatrixXd& places)
+  { return ((this->Scale * places).rowwise() - this->Shift).eval(); };
+  LatticeOrder order = OrderOnLattice(scaled(sources), lattice);
+  this->SourceOrder = std::move(order.Ids);
+  this->SplitSources(order.Keys, leaf);
   progress(0.4);
-  order(points, this->PointOrder, rootStart);
+  order = OrderOnLattice(scaled(points), lattice);
+  this->PointOrder = std::move(order.Ids);
   progress(0.7);
-  this->FarPoints = rootStart[1];
-  this->SplitPoints(keys, rootStart);
+  this->FarPoints = order.RootStart[0];
+  this->SplitPoints(order.Keys, order.RootStart);
   progress(1.0);
 }
 
@@ -239,14 +157,14 @@ void SummationTree::SplitPoints(
   const std::vector<std::uint64_t>& keys, const std::vector<int>& rootStart)
 {
   std::vector<Surroundings> around;
-  for (int root = 0; root < Roots; ++root)
+  for (int root = 0; root < LatticeOrder::Roots; ++root)
   {
-    if (rootStart[root + 1] < rootStart[root + 2])
+    if (rootStart[root] < rootStart[root + 1])
     {
       Box box;
       box.Cell = { root / 9 - 1, root / 3 % 3 - 1, root % 3 - 1 };
-      box.Begin = rootStart[root + 1];
-      box.End = rootStart[root + 2];
+      box.Begin = rootStart[root];
+      box.End = rootStart[root + 1];
       this->PointBoxes.push_back(box);
       around.push_back({ { 0 }, {} });
     }

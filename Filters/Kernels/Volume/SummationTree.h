@@ -2,6 +2,7 @@
 
 #include "Core/Progress.h"
 #include "Volume/InverseDistance.h"
+#include "Volume/LatticeOrder.h"
 #include "Volume/TranslationProduct.h"
 
 #include <Eigen/Core>
@@ -27,7 +28,7 @@ namespace shape
 class SummationTree
 {
 public:
-  static constexpr int Deepest = 16;
+  static constexpr int Deepest = LatticeOrder::Halvings;
 
   struct Box
   {

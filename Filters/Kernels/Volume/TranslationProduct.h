@@ -22,7 +22,7 @@ template <typename Real>
 struct TranslationProduct
 {
   /// Most rows, and most columns, of a matrix.
-  static constexpr int Most = 1200;
+  static constexpr int Most = 1600;
 
   const Real* Matrix = nullptr; ///< by columns, RowStride apart
   int RowStride = 0;
