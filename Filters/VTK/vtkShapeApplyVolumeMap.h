@@ -11,7 +11,10 @@
  * Inputs
  * - Input: what is moved: points or cells of any dataset, also composite or distributed.
  * - Map: one charge set: points with `Charge` (double, 3), field data `Affine` (3 tuples of 4), and
- *   as cells the closed surface that bounds the domain, at whose points there is no charge.
+ *   as cells the closed surface that bounds the domain, at whose points there is no charge. That of
+ *   a map of several layers has `RegionId` (int) at its points, and a tuple of 12 in `Affine` for
+ *   each region: a point is moved by the charges and the affine part of the region that it lies in
+ *   (Exact of vtkShapeHarmonicVolumeMap).
  *
  * Output
  * - 0: the input moved, with `SourcePosition` (double, 3). Points that are not moved keep their
@@ -22,7 +25,7 @@
  * Field data: ApplyVolumeMap.OutsidePoints and ApplyVolumeMap.NotInverted count the points with 1
  * and with 2 (over all processes, without ghosts).
  *
- * The mathematics: shape::ApplyVolumeMap, shape::InverseMap.
+ * The mathematics: shape::ApplyVolumeMap, shape::LayeredInverse.
  */
 #ifndef vtkShapeApplyVolumeMap_h
 #define vtkShapeApplyVolumeMap_h

@@ -116,6 +116,59 @@ def layers(case, head, skull, brain, **options):
                 seconds=time.time() - begin)
 
 
+def places_on(surface, count):
+    """Even random places on a surface, and the normals there."""
+    random = numpy.random.default_rng(1)
+    corners = points(surface)[scenes.shapetesting.triangles(surface)]
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas = numpy.linalg.norm(normals, axis=1)
+    chosen = random.choice(len(areas), count, p=areas / areas.sum())
+    shares = random.dirichlet([1.0, 1.0, 1.0], count)
+    return (numpy.einsum('ik,ikc->ic', shares, corners[chosen]),
+            normals[chosen] / areas[chosen, None])
+
+
+def exact(case, head, *inner, **options):
+    """The map of Exact as a row of the table. Prints, and checks, how far it jumps across each
+    border, at random places of it: the map itself, and the two that were fitted."""
+    features = scenes.append(*inner)
+    wanted = array(features, 'TargetPosition')
+    size = scenes.longest_side(array(head, 'TargetPosition'))
+    begin = time.time()
+    algorithm = scenes.volume_map(features, head, features=inner, Exact=True, **options)
+    seconds = time.time() - begin
+    solid, charges, table = (algorithm.GetOutputDataObject(port) for port in range(3))
+    assert array(solid, 'OutsideDomain').sum() == 0, 'features lie outside the domain'
+    misses = 100.0 * numpy.linalg.norm(points(solid) - wanted, axis=1) / size
+    by_region = {name: scenes.vtk_to_numpy(solid.GetFieldData().GetArray(
+        'HarmonicVolumeMap.Border' + name)) for name in ('RMSEInside', 'JumpRMS', 'JumpMaximum')}
+    for region, surface in enumerate(inner, 1):
+        places, normals = places_on(surface, 20000)
+        sides = [points(scenes.filter_of('ApplyVolumeMap', scenes.point_set(
+            places + step * size * normals), charges).GetOutputDataObject(0))
+            for step in (1e-10, -1e-10)]
+        jumps = numpy.linalg.norm(sides[0] - sides[1], axis=1) / size
+        print('%s: border %d: RMSE inside triangles %.2e, jump %.1e RMS, %.1e at most; of the fitted '
+              'maps %.1e, %.1e' % (case, region, by_region['RMSEInside'][region],
+                                   numpy.sqrt((jumps ** 2).mean()), jumps.max(),
+                                   by_region['JumpRMS'][region], by_region['JumpMaximum'][region]),
+              flush=True)
+        assert jumps.max() < 1e-6, 'the map jumps across a border'
+    rows = table.GetNumberOfRows()
+    levels = [table.GetValueByName(row, 'Level').ToInt() for row in range(rows)]
+    collocations = {}
+    for row in range(rows):
+        collocations[table.GetValueByName(row, 'RegionId').ToInt()] = table.GetValueByName(
+            row, 'Collocations').ToInt()
+    return dict(case=case, weight='', featureRows='', boundaryRows=sum(collocations.values()),
+                balance='', featureRMSE=numpy.sqrt((misses ** 2).mean()),
+                featureMaximum=misses.max(),
+                boundaryRMSE=100.0 * fact(solid, 'HarmonicVolumeMap.RMSEVertices'),
+                insideRMSE=100.0 * by_region['RMSEInside'].max(),
+                boundaryMaximum=100.0 * fact(solid, 'HarmonicVolumeMap.Maximum'),
+                levels=max(levels), stop=fact(solid, 'HarmonicVolumeMap.Stop'), seconds=seconds)
+
+
 def phantom(folder):
     shapes = [scenes.read('Phantom%sSmall.vtp' % name) for name in ('Head', 'Skull', 'Brain')]
     say('phantom, small: head %d, skull %d, brain %d points' % tuple(
@@ -138,7 +191,8 @@ def phantom(folder):
         assert abs(more['featureRMSE'] / rows[3]['featureRMSE'] - 1.0) < 0.2, 'levels matter'
         layered = [layers(case + ', layers', head, *inner),
                    layers(case + ', layers, finer', head, *inner, CollocationRatio=0.8,
-                          SourceRatio=1.2, MaximumLevels=16)]
+                          SourceRatio=1.2, MaximumLevels=16),
+                   exact(case + ', Exact', head, *inner)]
         every += rows + balanced + [more] + layered
         scenes.print_table(rows + balanced + [more] + layered, COLUMNS)
         explain(rows)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Geometry/SignedDistance.h"
-#include "Volume/ChargeSet.h"
+#include "Volume/PointCharges.h"
 
 #include <optional>
 
@@ -63,7 +63,7 @@ public:
   bool Folds() const { return this->DeterminantChangesSign; }
 
 private:
-  ChargeSet Map;
+  PointCharges Map;
   InverseMapOptions Options;
   double Farthest;
   SignedDistance Domain;

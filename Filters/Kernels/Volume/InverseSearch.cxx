@@ -1,5 +1,7 @@
 #include "Volume/InverseSearch.h"
 
+#include "Core/Parallel.h"
+
 #include <Eigen/LU>
 
 #include <cmath>
@@ -48,7 +50,59 @@ Eigen::MatrixXd NewtonSteps(const SearchedMap& map, const Search& search, const 
   return steps;
 }
 
+/// Fills a row for each point.
+template <typename Fill>
+Eigen::MatrixXd ByPoint(
+  const Eigen::MatrixXd& points, int columns, const Fill& fill, const Progress& progress)
+{
+  Eigen::MatrixXd rows(points.rows(), columns);
+  ParallelFor(
+    static_cast<int>(points.rows()), 32,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        fill(points.row(i).transpose(), rows.row(i));
+      }
+    },
+    progress);
+  return rows;
+}
+
 } // namespace
+
+SearchedMap::SearchedMap(const PointCharges& map)
+  : Evaluate(
+      [&map](const Eigen::MatrixXd& points, const Progress& progress)
+      {
+        return ByPoint(
+          points, 3,
+          [&map](const Eigen::Vector3d& place, auto row) { row = map.Evaluate(place).transpose(); },
+          progress);
+      })
+  , Jacobians(
+      [&map](const Eigen::MatrixXd& points, const Progress& progress)
+      {
+        return ByPoint(
+          points, 9,
+          [&map](const Eigen::Vector3d& place, auto row)
+          {
+            Eigen::Matrix3d jacobian;
+            map.Evaluate(place, jacobian);
+            row << jacobian.row(0), jacobian.row(1), jacobian.row(2);
+          },
+          progress);
+      })
+{
+}
+
+SearchedMap::SearchedMap(const LayeredMap& map)
+  : Evaluate([&map](const Eigen::MatrixXd& points, const Progress& progress)
+      { return map.Evaluate(points, progress); })
+  , Jacobians([&map](const Eigen::MatrixXd& points, const Progress& progress)
+      { return map.Jacobians(points, progress); })
+{
+}
 
 Eigen::Matrix3d Square(const Eigen::MatrixXd& jacobians, Eigen::Index i)
 {

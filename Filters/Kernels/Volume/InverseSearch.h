@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Volume/LayeredMap.h"
+#include "Volume/PointCharges.h"
 
 #include <functional>
 #include <utility>
@@ -37,20 +38,8 @@ struct SearchedMap
   Function Evaluate;  ///< n x 3
   Function Jacobians; ///< n x 9
 
-  SearchedMap(const ChargeSet& map)
-    : Evaluate([&map](const auto& points, const auto& progress)
-        { return shape::Evaluate(map, points, progress); })
-    , Jacobians([&map](const auto& points, const auto& progress)
-        { return shape::Jacobians(map, points, progress); })
-  {
-  }
-  SearchedMap(const LayeredMap& map)
-    : Evaluate(
-        [&map](const auto& points, const auto& progress) { return map.Evaluate(points, progress); })
-    , Jacobians([&map](const auto& points, const auto& progress)
-        { return map.Jacobians(points, progress); })
-  {
-  }
+  SearchedMap(const PointCharges& map);
+  SearchedMap(const LayeredMap& map);
 };
 
 /// Places on their way to preimages of targets (each n x 3).

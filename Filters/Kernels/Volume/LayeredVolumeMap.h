@@ -20,8 +20,9 @@ struct ExactSurface
 struct LayeredVolumeMapOptions
 {
   /// A border's triangles are cut into 4^so many for the layer inside, which must meet the curved
-  /// values of the map outside, not chords of them; >= 0.
-  int BorderRefinement = 1;
+  /// values of the map outside, not chords of them; >= 0. With 1 instead of 0, jumps of MultiLevel
+  /// are 2 to 3 times smaller at 6 times the cost.
+  int BorderRefinement = 0;
   /// How thick a skin is, / the boundary's longest side: so many times the greatest jump / the
   /// targets' longest side. In a thinner one the map turns more sharply, in a thicker one it stays
   /// away from the layer's own for longer. At most half of the way to the charges beyond the
@@ -61,7 +62,9 @@ struct LayeredVolumeMapResult
  *
  * Where a border's triangles meet at an angle, two maps that are smooth beyond it agree only to the
  * difference of their derivatives times the height of the facets over a smooth surface: that is the
- * least that jumps come to.
+ * least that jumps of fitted maps come to. On the phantom of 2562, 1926 and 1538 points, whose
+ * skull and brain go to a polycube and a cube, Accelerated leaves RMSEInside 3.1e-4, 5.6e-4
+ * and 2.9e-4 over, and jumps of 1.2e-3 and 7.9e-4 (RMS) for the skin to make up for.
  *
  * Regions are numbered as Tetrahedralize does: 0 inside the boundary, i + 1 inside surface i. A
  * region in several pieces that do not touch has a map for each: all but the first are numbered
