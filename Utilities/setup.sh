@@ -11,8 +11,8 @@ packages=(
   paraview paraview-dev python3-paraview qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
   libopenmpi-dev libdouble-conversion-dev libglew-dev
   # libraries
-  libeigen3-dev libhwy-dev libtbb-dev libopenblas-dev liblapacke-dev libnanoflann-dev libsuitesparse-dev
-  libtet1.5-dev
+  libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
+  libsuitesparse-dev libtet1.5-dev
   # tests: frameworks, style, a display, real models
   libgtest-dev clang-format-14 clang-tidy-14 xvfb xauth xdotool imagemagick libcgal-demo
 )

@@ -46,8 +46,8 @@ def with_flat_triangles(name, port):
     """The good input with two neighbouring points at one place: two triangles without area."""
     data = shapetesting.copy(filters.good_input(name, port))
     coordinates = shapetesting.points(data)
-    corners = shapetesting.triangles(data)
-    a, b = corners[corners.shape[0] // 2, :2]
+    cell = data.GetCell(data.GetNumberOfCells() // 2)
+    a, b = cell.GetPointId(0), cell.GetPointId(1)
     coordinates[a] = coordinates[b]
     shapetesting.set_points(data, coordinates)
     return data

@@ -11,6 +11,7 @@ import shapetesting
 # What a port that it requires takes in place of the closed surface: (filter, input) -> file of Data/.
 OTHER_INPUTS = {
     ('ShapeApplyVolumeMap', 'Map'): 'DentedSphereCharges.vtp',
+    ('ShapeUntangle', 'Input'): 'BallSmall.vtu',
 }
 
 GetActiveSource()

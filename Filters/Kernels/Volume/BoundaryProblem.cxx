@@ -109,6 +109,18 @@ BoundaryProblem::BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatu
   this->PlaceResidual.resize(0, 3);
 }
 
+Eigen::MatrixXd BoundaryProblem::Left() const
+{
+  return this->Residual.topRows(
+    this->Scaled.Surface.Points.rows() + this->Scaled.Surface.Triangles.rows());
+}
+
+Eigen::MatrixXd BoundaryProblem::Left(
+  const Eigen::MatrixXd& places, const Eigen::MatrixXd& targets, const Progress& progress) const
+{
+  return targets - Evaluate(this->Sum, places, progress);
+}
+
 void BoundaryProblem::Collocate(const Eigen::MatrixXd& points, const Progress& progress)
 {
   const ClosestPoints places = this->Field.Locator().Find(points, progress.Part(0.0, 0.5));
@@ -202,7 +214,8 @@ double BoundaryProblem::Add(
 
   // The least-squares factor of the step for each coordinate, over the weighted probes.
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(this->Probes.rows());
-  weights.segment(n, m).setConstant(static_cast<double>(this->Places.rows()) / m);
+  weights.segment(n, m).setConstant(
+    static_cast<double>(std::max<Eigen::Index>(1, this->Places.rows())) / m);
   weights.tail(this->RootWeights.size()) = this->RootWeights.cwiseAbs2();
   const auto inner = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
   { return Eigen::RowVector3d(weights.transpose() * a.cwiseProduct(b)); };

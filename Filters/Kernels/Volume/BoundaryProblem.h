@@ -19,8 +19,16 @@ public:
   BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatures& features,
     const HarmonicVolumeMapOptions& options, const Progress& progress);
 
-  const Mesh& Boundary() const { return this->Scaled.Surface; } ///< longest side 1
+  const Mesh& Boundary() const { return this->Scaled.Surface; }           ///< longest side 1
+  const Eigen::MatrixXd& Targets() const { return this->Scaled.Targets; } ///< longest side 1
   const SignedDistance& Distance() const { return this->Field; }
+  bool HasFeatures() const { return this->RootWeights.size() > 0; }
+
+  /// What the sum so far leaves over at the boundary's points, then at its centroids.
+  Eigen::MatrixXd Left() const;
+  /// The same at `places` that should go to `targets` (each k x 3).
+  Eigen::MatrixXd Left(
+    const Eigen::MatrixXd& places, const Eigen::MatrixXd& targets, const Progress& progress) const;
 
   /// Appends the boundary's places closest to `points` (n x 3) to those where maps are fitted.
   void Collocate(const Eigen::MatrixXd& points, const Progress& progress);

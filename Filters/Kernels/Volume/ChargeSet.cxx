@@ -1,6 +1,8 @@
 #include "Volume/ChargeSet.h"
 
 #include "Core/Parallel.h"
+#include "Volume/DirectSummation.h"
+#include "Volume/FastSummation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,28 +14,50 @@ namespace
 {
 
 constexpr double InverseFourPi = 0.25 / M_PI;
-/// Points that one pass over the charges serves: their arrays stay in the first-level cache and
-/// Eigen's fixed-size loops become vector instructions.
-constexpr int Block = 32;
-using Lane = Eigen::Array<double, Block, 1>;
-using Places = Eigen::Array<double, Block, 3>;
+/// The root mean square error that the multipole method may add to a map, in units of the image's
+/// size.
+constexpr double Error = 1e-10;
 
-/// One charge's six numbers side by side: its place and its weights, divided by 4 pi.
-Eigen::Matrix<double, 6, Eigen::Dynamic> Packed(const ChargeSet& set)
+/// The tolerance of a sum that keeps the map's error; large charges of changing sign, whose
+/// potentials cancel, need a smaller one. From 64 places beside the charges: it does not depend on
+/// the points.
+double ToleranceFor(const ChargeSet& set)
 {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> charges(6, set.Points.rows());
-  charges.topRows<3>() = set.Points.transpose();
-  charges.bottomRows<3>() = InverseFourPi * set.Charges.transpose();
-  return charges;
+  constexpr int count = 64;
+  const Eigen::RowVector3d middle = set.Points.colwise().mean();
+  Eigen::MatrixXd places(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    places.row(i) = 0.95 * set.Points.row(i * set.Points.rows() / count) + 0.05 * middle;
+  }
+  const Eigen::MatrixXd image = DirectPotentials(set.Points, set.Charges, places) +
+    places * set.Affine.leftCols<3>().transpose();
+  const double size = (image.colwise().maxCoeff() - image.colwise().minCoeff()).maxCoeff();
+  const Eigen::MatrixXd absolute = DirectPotentials(set.Points, set.Charges.cwiseAbs(), places);
+  return Error * size / absolute.maxCoeff();
 }
 
-/// The points [begin, end); a last, shorter block repeats its last point.
-Places BlockOf(const Eigen::MatrixXd& points, int begin, int end)
+/// The sums over the charges: pair by pair, or by the multipole method where that is faster and
+/// keeps the error.
+Eigen::MatrixXd Sums(
+  const ChargeSet& set, const Eigen::MatrixXd& points, bool gradients, const Progress& progress)
 {
-  Places place;
-  place.topRows(end - begin) = points.middleRows(begin, end - begin).array();
-  place.bottomRows(Block - (end - begin)).rowwise() = points.row(end - 1).array();
-  return place;
+  constexpr double worthATry = 1e9; // below it the multipole method is not faster
+  const double pairs = static_cast<double>(set.Points.rows()) * points.rows();
+  if (pairs > worthATry && points.allFinite())
+  {
+    const double tolerance = ToleranceFor(set);
+    if (tolerance >= FastSummationOptions::LeastTolerance)
+    {
+      FastSummationOptions options;
+      options.Tolerance = std::min(tolerance, 1e-6);
+      const FastSummation fast(set.Points, points, options, progress.Part(0.0, 0.3));
+      return gradients ? fast.Gradients(set.Charges, progress.Part(0.3, 1.0))
+                       : fast.Potentials(set.Charges, progress.Part(0.3, 1.0));
+    }
+  }
+  return gradients ? DirectGradients(set.Points, set.Charges, points, progress)
+                   : DirectPotentials(set.Points, set.Charges, points, progress);
 }
 
 } // namespace
@@ -41,79 +65,23 @@ Places BlockOf(const Eigen::MatrixXd& points, int begin, int end)
 Eigen::MatrixXd Evaluate(
   const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress)
 {
-  const int n = static_cast<int>(points.rows());
-  const Eigen::Index k = set.Points.rows();
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> charges = Packed(set);
-  Eigen::MatrixXd values(n, 3);
-  ParallelFor(
-    n, Block,
-    [&](int begin, int end)
-    {
-      const int size = end - begin;
-      const Places place = BlockOf(points, begin, end);
-      Lane sumX = Lane::Zero(), sumY = Lane::Zero(), sumZ = Lane::Zero();
-      for (Eigen::Index j = 0; j < k; ++j)
-      {
-        const double* charge = charges.data() + 6 * j;
-        const Lane inverse = ((place.col(0) - charge[0]).square() +
-          (place.col(1) - charge[1]).square() + (place.col(2) - charge[2]).square())
-                               .rsqrt();
-        sumX += charge[3] * inverse;
-        sumY += charge[4] * inverse;
-        sumZ += charge[5] * inverse;
-      }
-      values.middleRows(begin, size) =
-        points.middleRows(begin, size).lazyProduct(set.Affine.leftCols<3>().transpose()).rowwise() +
-        set.Affine.col(3).transpose();
-      values.col(0).segment(begin, size) += sumX.head(size).matrix();
-      values.col(1).segment(begin, size) += sumY.head(size).matrix();
-      values.col(2).segment(begin, size) += sumZ.head(size).matrix();
-    },
-    progress);
+  Eigen::MatrixXd values = Sums(set, points, false, progress);
+  values += points.lazyProduct(set.Affine.leftCols<3>().transpose());
+  values.rowwise() += set.Affine.col(3).transpose();
   return values;
 }
 
 Eigen::MatrixXd Jacobians(
   const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress)
 {
-  const int n = static_cast<int>(points.rows());
-  const Eigen::Index k = set.Points.rows();
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> charges = Packed(set);
-  Eigen::MatrixXd values(n, 9);
-  ParallelFor(
-    n, Block,
-    [&](int begin, int end)
+  Eigen::MatrixXd values = Sums(set, points, true, progress);
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int c = 0; c < 3; ++c)
     {
-      const Places place = BlockOf(points, begin, end);
-      Eigen::Array<double, Block, 9> sums = Eigen::Array<double, Block, 9>::Zero();
-      Places away;
-      for (Eigen::Index j = 0; j < k; ++j)
-      {
-        const double* charge = charges.data() + 6 * j;
-        for (int c = 0; c < 3; ++c)
-        {
-          away.col(c) = place.col(c) - charge[c];
-        }
-        const Lane squared = away.col(0).square() + away.col(1).square() + away.col(2).square();
-        away.colwise() *= squared.rsqrt() / squared;
-        for (int r = 0; r < 3; ++r)
-        {
-          for (int c = 0; c < 3; ++c)
-          {
-            sums.col(3 * r + c) -= charge[3 + r] * away.col(c);
-          }
-        }
-      }
-      for (int r = 0; r < 3; ++r)
-      {
-        for (int c = 0; c < 3; ++c)
-        {
-          values.col(3 * r + c).segment(begin, end - begin) =
-            sums.col(3 * r + c).head(end - begin) + set.Affine(r, c);
-        }
-      }
-    },
-    progress);
+      values.col(3 * r + c).array() += set.Affine(r, c);
+    }
+  }
   return values;
 }
 

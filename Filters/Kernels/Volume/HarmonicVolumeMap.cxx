@@ -1,5 +1,6 @@
 #include "Volume/HarmonicVolumeMap.h"
 
+#include "Volume/NearSourceSystem.h"
 #include "Volume/Solvers.h"
 
 #include <algorithm>
@@ -30,7 +31,8 @@ double NearestOffset(const Mesh& boundary, const HarmonicVolumeMapOptions& optio
 } // namespace
 
 HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::MatrixXd& targets,
-  const VolumeFeatures& features, const HarmonicVolumeMapOptions& given, const Progress& progress)
+  const VolumeFeatures& features, const HarmonicVolumeMapOptions& given, const Progress& progress,
+  AcceleratedSetup* setup)
 {
   RequireUsable(features, given);
   const ScaledBoundary scaled = ScaleBoundary(boundary, targets);
@@ -49,9 +51,19 @@ HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::Mat
   {
     SolveSingleShot(problem, options, result, progress.Part(0.05, 1.0));
   }
-  else
+  else if (options.Method == HarmonicVolumeMapOptions::MethodType::MultiLevel)
   {
     SolveMultiLevel(problem, options, result, progress.Part(0.05, 1.0));
+  }
+  else
+  {
+    AcceleratedSetup own;
+    SolveAccelerated(problem, options, setup ? *setup : own, result, progress.Part(0.05, 0.7));
+    if (problem.HasFeatures())
+    {
+      // Charges near the boundary hardly reach the features: farther ones share out the rest.
+      SolveMultiLevel(problem, options, result, progress.Part(0.7, 1.0));
+    }
   }
   result.Map = problem.Map();
   result.RMSEFeatures = problem.FeatureError();

@@ -10,17 +10,23 @@
 namespace shape
 {
 
+struct AcceleratedSetup;
+
 struct HarmonicVolumeMapOptions
 {
-  /// 0 is kept for a solver that is not built from dense decompositions.
   enum class MethodType
   {
+    /// A charge close to each point of the boundary, found by iteration with fast sums; where that
+    /// leaves too much, the boundary is refined.
+    Accelerated = 0,
     MultiLevel = 1, ///< a sum of harmonic maps, each fitted to what the ones before left over
     SingleShot = 2  ///< one map, from one decomposition of all sources and collocation points
   };
-  MethodType Method = MethodType::MultiLevel;
+  MethodType Method = MethodType::Accelerated;
   double Tolerance = 1e-4; ///< stop when RMSEInside is no more; >= 0
-  int MaximumLevels = 12;  ///< MultiLevel: most maps that are fitted; >= 1
+  int MaximumLevels = 12;  ///< most maps that are fitted; >= 1
+  /// Accelerated: most charges for each point of the boundary; >= 1.
+  double MostRefined = 4.0;
   /// MultiLevel: the sources are dealt into so many levels, at least 16 to each; >= 1.
   int SourceSubsets = 8;
   /// MultiLevel: stop where two levels in a row lower what is left over by less than this share;
@@ -52,9 +58,10 @@ struct HarmonicVolumeMapResult
 {
   enum class Stop
   {
-    Tolerance,    ///< RMSEInside reached the tolerance
-    Levels,       ///< every level asked for was fitted
-    NoImprovement ///< what was left over became hardly less
+    Tolerance,     ///< RMSEInside reached the tolerance
+    Levels,        ///< every level asked for was fitted
+    NoImprovement, ///< what was left over became hardly less
+    Refinement     ///< Accelerated: the boundary would have to be refined more than is allowed
   };
   /// One fitted map. Errors are those of the sum so far, over the whole boundary, divided by the
   /// longest side of the targets' box.
@@ -97,11 +104,14 @@ struct HarmonicVolumeMapResult
  * any way; charges sit in the voids, too (SourceShells). targets (n x 3): the image of each of its
  * points. Throws InvalidInput for a surface that is not closed or bounds several solids, values
  * that are not finite, options out of range, a feature outside the domain or a decomposition beyond
- * MaximumMemory; SolveFailure where LAPACK's does not converge; Aborted. A decomposition is a
- * single library call that cannot be interrupted.
+ * MaximumMemory; SolveFailure where LAPACK's does not converge, or no charge of Accelerated finds
+ * room; Aborted. A decomposition is a single library call that cannot be interrupted.
+ *
+ * setup: what Accelerated sets up for a boundary (NearSourceSystem.h), kept from call to call: it
+ * is made again only where the boundary differs.
  */
 HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::MatrixXd& targets,
   const VolumeFeatures& features = {}, const HarmonicVolumeMapOptions& options = {},
-  const Progress& progress = {});
+  const Progress& progress = {}, AcceleratedSetup* setup = nullptr);
 
 } // namespace shape

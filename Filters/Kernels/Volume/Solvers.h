@@ -26,6 +26,15 @@ void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
 void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress);
 
+/**
+ * One map from charges close to the boundary (NearSourceSystem), and more of them where that leaves
+ * too much over: the triangles that hold most of it are halved, and what is left is fitted with the
+ * charges of the refined boundary. Adds its levels to `result`, and keeps in `setup` what the next
+ * targets on the same boundary can use.
+ */
+void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
+  AcceleratedSetup& setup, HarmonicVolumeMapResult& result, const Progress& progress);
+
 /// How many points a ratio of the boundary's asks for, at least 16.
 int SampleCount(const Mesh& boundary, double ratio);
 

@@ -1,0 +1,193 @@
+#include "vtkShapeSolid.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Core/Errors.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+/// For each new point, the weights of the input's points in it: parents may be new points, too.
+std::vector<std::map<int, double>> WeightsOf(
+  const std::vector<std::array<int, 4>>& parents, int originalPoints)
+{
+  std::vector<std::map<int, double>> weights(parents.size());
+  for (std::size_t i = 0; i < parents.size(); ++i)
+  {
+    double count = 0.0;
+    for (const int parent : parents[i])
+    {
+      count += parent >= 0;
+    }
+    for (const int parent : parents[i])
+    {
+      if (parent >= originalPoints)
+      {
+        for (const auto& [point, weight] : weights[parent - originalPoints])
+        {
+          weights[i][point] += weight / count;
+        }
+      }
+      else if (parent >= 0)
+      {
+        weights[i][parent] += 1.0 / count;
+      }
+    }
+  }
+  return weights;
+}
+
+void WriteCells(const shape::Cells& solid, vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(vtkShapeConvert::ToArray(solid.Points, "Points"));
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> types;
+  cells->AllocateExact(solid.Kinds.size(), solid.Corners.size());
+  types->SetNumberOfValues(solid.Kinds.size());
+  for (Eigen::Index cell = 0; cell < solid.Kinds.size(); ++cell)
+  {
+    types->SetValue(cell, static_cast<unsigned char>(solid.Kinds(cell)));
+    const int first = solid.Offsets(cell), count = solid.Offsets(cell + 1) - first;
+    cells->InsertNextCell(count);
+    for (int k = 0; k < count; ++k)
+    {
+      cells->InsertCellPoint(solid.Corners(first + k));
+    }
+  }
+  output->SetPoints(points);
+  output->SetCells(types, cells);
+}
+
+vtkSmartPointer<vtkIdTypeArray> Ids(const char* name, vtkIdType count)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(count);
+  return ids;
+}
+
+} // namespace
+
+shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  shape::Cells cells = vtkShapeConvert::ToCells(grid, name);
+  for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
+  {
+    switch (cells.Kinds(cell))
+    {
+      case VTK_TETRA:
+      case VTK_PYRAMID:
+      case VTK_WEDGE:
+      case VTK_HEXAHEDRON:
+        break;
+      case VTK_VOXEL:
+        cells.Kinds(cell) = VTK_HEXAHEDRON;
+        std::swap(cells.Corners(cells.Offsets(cell) + 2), cells.Corners(cells.Offsets(cell) + 3));
+        std::swap(cells.Corners(cells.Offsets(cell) + 6), cells.Corners(cells.Offsets(cell) + 7));
+        break;
+      default:
+        throw shape::InvalidInput(name + " has a " +
+          vtkCellTypes::GetClassNameFromTypeId(cells.Kinds(cell)) + " (cell " +
+          std::to_string(cell) +
+          "), and only tetrahedra, pyramids, wedges and hexahedra can be untangled; take the "
+          "others out with Extract Cells By Type, or fill a surface with Shape Tetrahedralize");
+    }
+  }
+  return cells;
+}
+
+void vtkShapeSolid::RequireDataSets(vtkDataObject* data)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return;
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> it;
+  it.TakeReference(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    if (!vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+    {
+      throw shape::InvalidInput(std::string("a block is a ") +
+        it->GetCurrentDataObject()->GetClassName() +
+        ", which has no points; leave it out with Extract Block");
+    }
+  }
+}
+
+void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGrid* input,
+  const Eigen::MatrixXd& sources, vtkUnstructuredGrid* output)
+{
+  WriteCells(result.Solid, output);
+  const int kept = static_cast<int>(input->GetNumberOfPoints());
+  const int points = static_cast<int>(result.Solid.Points.rows());
+  const auto weights = WeightsOf(result.Parents, kept);
+  vtkPointData* from = input->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  to->CopyAllOn();
+  to->InterpolateAllocate(from, points);
+  auto pointIds = Ids("OriginalPointId", points);
+  Eigen::MatrixXd places(points, 3);
+  places.topRows(kept) = sources;
+  for (int i = 0; i < kept; ++i)
+  {
+    to->CopyData(from, i, i);
+    pointIds->SetValue(i, i);
+  }
+  vtkNew<vtkIdList> parents;
+  std::vector<double> shares;
+  for (int i = kept; i < points; ++i)
+  {
+    parents->Reset();
+    shares.clear();
+    places.row(i).setZero();
+    for (const auto& [point, weight] : weights[i - kept])
+    {
+      parents->InsertNextId(point);
+      shares.push_back(weight);
+      places.row(i) += weight * sources.row(point);
+    }
+    to->InterpolatePoint(from, i, parents, shares.data());
+    pointIds->SetValue(i, -1);
+  }
+  to->RemoveArray("Normals"); // which no longer fit
+  to->AddArray(pointIds);
+  to->AddArray(vtkShapeConvert::ToArray(places, "SourcePosition"));
+  vtkCellData* cells = output->GetCellData();
+  cells->CopyAllOn();
+  cells->CopyAllocate(input->GetCellData(), result.OriginalCell.size());
+  auto cellIds = Ids("OriginalCellId", result.OriginalCell.size());
+  for (Eigen::Index cell = 0; cell < result.OriginalCell.size(); ++cell)
+  {
+    cells->CopyData(input->GetCellData(), result.OriginalCell(cell), cell);
+    cellIds->SetValue(cell, result.OriginalCell(cell));
+  }
+  cells->RemoveArray("Normals");
+  cells->AddArray(cellIds);
+  cells->AddArray(vtkShapeConvert::ToIntegers(result.Inverted, "Inverted"));
+  output->GetFieldData()->PassData(input->GetFieldData());
+}

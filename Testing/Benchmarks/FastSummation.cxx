@@ -1,0 +1,177 @@
+// Measures the sums of 1/r, as lines "name value ...", for FastSummation.py. All times are CPU
+// seconds of the process, medians of five.
+#include "Volume/FastSummation.h"
+#include "Volume/DirectSummation.h"
+
+#include <hwy/targets.h>
+#include <immintrin.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <random>
+#include <string>
+
+namespace
+{
+
+double CpuSeconds()
+{
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return now.tv_sec + 1e-9 * now.tv_nsec;
+}
+
+double Median(const std::function<void()>& body)
+{
+  std::array<double, 5> seconds{};
+  for (double& one : seconds)
+  {
+    const double start = CpuSeconds();
+    body();
+    one = CpuSeconds() - start;
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[2];
+}
+
+constexpr int Rounds = 4000000;
+
+/// `Rounds` times 26 independent vector instructions: FMAs alone, or `Additions` additions among
+/// them, as many as the innermost loop has (3 of 16), for which some processors have ports of their
+/// own.
+template <int Additions>
+__attribute__((target("avx512f"), noinline)) void WideInstructions()
+{
+  __m512d values[26];
+  for (auto& value : values)
+  {
+    value = _mm512_set1_pd(1.0);
+  }
+  const __m512d factor = _mm512_set1_pd(0.999), more = _mm512_set1_pd(0.001);
+  for (int round = 0; round < Rounds; ++round)
+  {
+#pragma GCC unroll 26
+    for (int i = 0; i < 26; ++i)
+    {
+      values[i] = i % 5 == 4 && i / 5 < Additions ? _mm512_add_pd(values[i], more)
+                                                  : _mm512_fmadd_pd(values[i], factor, more);
+      asm volatile("" : "+v"(values[i]));
+    }
+  }
+}
+
+/// The same for processors with sixteen registers.
+template <int Additions>
+__attribute__((target("avx2,fma"), noinline)) void Instructions()
+{
+  __m256d values[13];
+  for (auto& value : values)
+  {
+    value = _mm256_set1_pd(1.0);
+  }
+  const __m256d factor = _mm256_set1_pd(0.999), more = _mm256_set1_pd(0.001);
+  for (int round = 0; round < 2 * Rounds; ++round)
+  {
+#pragma GCC unroll 13
+    for (int i = 0; i < 13; ++i)
+    {
+      values[i] = i % 5 == 4 && i / 5 < Additions ? _mm256_add_pd(values[i], more)
+                                                  : _mm256_fmadd_pd(values[i], factor, more);
+      asm volatile("" : "+x"(values[i]));
+    }
+  }
+}
+
+std::mt19937 Generator(1);
+
+/// Points on a bumpy sphere, times `scale`.
+Eigen::MatrixXd Surface(int count, double scale)
+{
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd points(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    Eigen::RowVector3d x(normal(Generator), normal(Generator), normal(Generator));
+    x.normalize();
+    points.row(i) = scale * x *
+      (1.0 + 0.3 * std::sin(3.0 * x[0] + 1.0) * std::cos(4.0 * x[1]) + 0.15 * std::sin(7.0 * x[2]));
+  }
+  return points;
+}
+
+/// Evenly distributed in the inside of the same surface.
+Eigen::MatrixXd Inside(int count)
+{
+  std::uniform_real_distribution<double> uniform;
+  Eigen::MatrixXd points = Surface(count, 0.99);
+  for (int i = 0; i < count; ++i)
+  {
+    points.row(i) *= std::cbrt(uniform(Generator));
+  }
+  return points;
+}
+
+/// Times of the multipole sum, and its error at 2000 of the points.
+void Compare(const std::string& name, const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
+  const Eigen::MatrixXd& charges, double tolerance)
+{
+  shape::FastSummationOptions options;
+  options.Method = shape::FastSummationOptions::MethodType::Multipole;
+  options.Tolerance = tolerance;
+  const double setUp = Median([&] { shape::FastSummation(sources, points, options); });
+  const shape::FastSummation fast(sources, points, options);
+  Eigen::MatrixXd potentials;
+  const double sum = Median([&] { potentials = fast.Potentials(charges); });
+  const double gradients = Median([&] { fast.Gradients(charges); });
+  const Eigen::VectorXi some = Eigen::VectorXi::LinSpaced(2000, 0, points.rows() - 1);
+  const Eigen::MatrixXd places = points(some, Eigen::all);
+  const Eigen::MatrixXd error =
+    potentials(some, Eigen::all) - shape::DirectPotentials(sources, charges, places);
+  const Eigen::MatrixXd sizes = shape::DirectPotentials(sources, charges.cwiseAbs(), places);
+  std::printf("%s %ld %ld %g %g %g %g %g %g\n", name.c_str(), long(sources.rows()),
+    long(points.rows()), tolerance, setUp, sum, gradients, error.norm() / sizes.norm(),
+    (error.array() / sizes.array()).abs().maxCoeff());
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main()
+{
+  setenv("VTK_SMP_MAX_THREADS", "1", 1);
+  const bool wide = (hwy::SupportedTargets() & HWY_AVX3) != 0;
+  const double fma = 26.0 * Rounds / Median(wide ? WideInstructions<0> : Instructions<0>);
+  const double mixed = 26.0 * Rounds / Median(wide ? WideInstructions<5> : Instructions<2>);
+  std::printf("vector %s %d %g %g\n", wide ? "N_AVX3" : "N_AVX2", wide ? 8 : 4, fma, mixed);
+
+  const int m = 100000;
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const Eigen::MatrixXd sources = Surface(m, 1.01);
+  Eigen::MatrixXd charges = Eigen::MatrixXd::NullaryExpr(
+    m, 3, [&](Eigen::Index, Eigen::Index) { return uniform(Generator); });
+  charges.col(1) = charges.col(1).cwiseAbs();
+  const Eigen::MatrixXd surface = Surface(m, 1.0);
+  for (const int columns : { 1, 2, 3 })
+  {
+    const Eigen::MatrixXd few = charges.leftCols(columns);
+    const Eigen::MatrixXd points = surface.topRows(20000);
+    const double pairs = double(m) * points.rows();
+    std::printf("direct %d %g %g\n", columns,
+      pairs / Median([&] { shape::DirectPotentials(sources, few, points); }),
+      pairs / Median([&] { shape::DirectGradients(sources, few, points); }));
+    std::fflush(stdout);
+  }
+  for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 2e-12 })
+  {
+    Compare("surface", sources, surface, charges, tolerance);
+  }
+  const int n = 1000000;
+  Compare("inside", sources, Inside(n), charges, 1e-6);
+  Compare("surface", sources, Surface(n, 1.0), charges, 1e-6);
+  return 0;
+}
