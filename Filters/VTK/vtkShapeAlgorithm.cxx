@@ -126,6 +126,7 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
+    this->OfferTimes(inputs, outputs);
     this->DescribeOutputs(inputs, outputs);
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()) ||
@@ -161,6 +162,37 @@ void vtkShapeAlgorithm::RequestOwnExtents(vtkInformationVector** inputs)
         pieces ? info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) : 1, 0, whole, own,
         vtkExtentTranslator::BLOCK_MODE, 0);
       info->Set(Pipeline::UPDATE_EXTENT(), own, 6);
+    }
+  }
+}
+
+void vtkShapeAlgorithm::OfferTimes(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::set<double> steps, ends;
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      const double* own = info->Get(Pipeline::TIME_STEPS());
+      steps.insert(own, own + info->Length(Pipeline::TIME_STEPS()));
+      const double* range = info->Get(Pipeline::TIME_RANGE());
+      ends.insert(range, range + info->Length(Pipeline::TIME_RANGE()));
+    }
+  }
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(port);
+    if (!steps.empty())
+    {
+      const std::vector<double> all(steps.begin(), steps.end());
+      info->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
+    }
+    if (!ends.empty())
+    {
+      const double range[] = { *ends.begin(), *ends.rbegin() };
+      info->Set(Pipeline::TIME_RANGE(), range, 2);
     }
   }
 }

@@ -156,6 +156,9 @@ private:
 
   struct InputPort;
   struct Count;
+  /// The outputs have every time that an input has: the pipeline hands on those of the first port
+  /// alone, and would not run a filter again for the times of another.
+  void OfferTimes(vtkInformationVector** inputs, vtkInformationVector* outputs);
   int CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   /// Asks a grid on another port than the first for this process's part of its own extent: the
   /// pipeline would ask it for the extent of the output, which is the first input's.
