@@ -42,8 +42,7 @@ template <typename Real>
 struct BoxOperators
 {
   static constexpr double InnerCube = 1.0, OuterCube = 3.0;
-  /// The sides of a box's surroundings that its own cubes do not reach: offsets up to this far are
-  /// of boxes whose parents touch.
+  /// Boxes whose parents touch are fewer than this many boxes apart along each axis.
   static constexpr int Reach = 4;
 
   /// Throws Aborted.
