@@ -19,9 +19,9 @@
 #include "Core/Errors.h"
 #include "Core/Topology.h"
 #include "Volume/ApplyVolumeMap.h"
+#include "Volume/FreeBoundary.h"
 #include "Volume/LayeredVolumeMap.h"
 #include "Volume/NearSourceSystem.h"
-#include "Volume/FreeBoundary.h"
 #include "Volume/TargetDistance.h"
 
 #include <string>
@@ -149,18 +149,9 @@ void AddBorders(
 
 } // namespace
 
-void vtkShapeHarmonicVolumeMap::Solve(
+Eigen::MatrixXd vtkShapeHarmonicVolumeMap::Solve(
   vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress)
 {
-  vtkDataObject* domain = this->GetInputDataObject(0, 0);
-  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
-  {
-    shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
-  }
-  if (this->FoldFree)
-  {
-    vtkShapeSolid::RequireOneSolid(domain, this->GetController());
-  }
   vtkPolyData* boundary = this->GetWhole(1).Data;
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
   Eigen::MatrixXd targets =
@@ -192,23 +183,25 @@ void vtkShapeHarmonicVolumeMap::Solve(
   }
   const shape::VolumeFeatures features = vtkShapeFeatures::Read(given.Features, given.Targets,
     this->MapArray, this->Options.FeatureWeight, LongestStep * shape::LongestSide(mesh.Points));
-  const shape::Progress part = progress.Part(0.02, 1.0);
-  const shape::LayeredVolumeMapResult result = this->Exact
-    ? shape::LayeredVolumeMap(mesh, targets, given.Surfaces, features, this->Options, {}, part)
-    : OneRegion(
-        shape::HarmonicVolumeMap(mesh, targets, features, this->Options, part, this->Setup.get()),
-        mesh);
-  shape::HarmonicVolumeMapResult result = shape::HarmonicVolumeMap(
-    mesh, targets, features, this->Options, progress.Part(0.02, this->FreeBoundary ? 0.3 : 0.8));
+  shape::HarmonicVolumeMapResult one;
   shape::FreeBoundaryResult freed;
+  if (this->FreeBoundary || !this->Exact)
+  {
+    one = shape::HarmonicVolumeMap(mesh, targets, features, this->Options,
+      progress.Part(0.02, this->FreeBoundary ? 0.3 : 1.0), this->Setup.get());
+  }
   if (this->FreeBoundary)
   {
     freed = shape::FreeBoundary(mesh, targets,
-      vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), features, this->Options,
-      result, progress.Part(0.3, 0.8));
+      vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), features, this->Options, one,
+      progress.Part(0.3, this->Exact ? 0.6 : 1.0));
     targets = freed.Targets;
-    result = freed.Map;
+    one = freed.Map;
   }
+  const shape::LayeredVolumeMapResult result = this->Exact
+    ? shape::LayeredVolumeMap(mesh, targets, given.Surfaces, features, this->Options, {},
+        progress.Part(this->FreeBoundary ? 0.6 : 0.02, 1.0))
+    : OneRegion(std::move(one), mesh);
 
   vtkShapeChargeSet::Write(result.Charges, charges);
   WriteLevels(result.Layers, levels);
@@ -241,6 +234,13 @@ void vtkShapeHarmonicVolumeMap::Solve(
   {
     vtkShapeConvert::AddFact(charges, Facts + "TargetDistance", targetDistance);
   }
+  if (this->FreeBoundary)
+  {
+    vtkShapeConvert::AddFact(charges, Facts + "DistortionBefore", freed.DistortionBefore);
+    vtkShapeConvert::AddFact(charges, Facts + "DistortionAfter", freed.DistortionAfter);
+    vtkShapeConvert::AddFact(charges, Facts + "FreeBoundary", freed.Kept ? "Slid" : "NotLower");
+  }
+  return targets;
 }
 
 void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
@@ -251,6 +251,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   vtkDataObject* moved = this->GetOutputDataObject(0);
   auto* charges = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
   auto* levels = vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+  Eigen::MatrixXd images; // of the boundary's points
   vtkShapeGather::TogetherOrNotAtAll(controller,
     [&]
     {
@@ -258,9 +259,13 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       {
         shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
       }
+      if (this->FoldFree)
+      {
+        vtkShapeSolid::RequireOneSolid(domain, controller);
+      }
       if (first)
       {
-        this->Solve(charges, levels, progress.Part(0.0, 0.8));
+        images = this->Solve(charges, levels, progress.Part(0.0, 0.8));
       }
     });
   // What one process has found, all of them use.
@@ -271,15 +276,14 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(map, points, part); },
-    progress.Part(0.82, 1.0));
-    { return shape::ApplyVolumeMap(result.Map, distance, farthest, points, part); },
     progress.Part(0.82, this->FoldFree ? 0.9 : 1.0));
   if (this->FoldFree)
   {
-    const auto inverted = vtkShapeSolid::MakeFoldFree(
-      domain, moved, mesh, targets, this->GetController(), progress.Part(0.9, 1.0));
-    vtkShapeConvert::AddFact(moved, "HarmonicVolumeMap.InvertedBefore", inverted.first);
-    vtkShapeConvert::AddFact(moved, "HarmonicVolumeMap.InvertedAfter", inverted.second);
+    const auto inverted = vtkShapeSolid::MakeFoldFree(domain, moved,
+      vtkShapeConvert::ToMesh(this->GetWhole(1).Data, "the Boundary"), images, controller,
+      progress.Part(0.9, 1.0));
+    vtkShapeConvert::AddFact(moved, Facts + "InvertedBefore", inverted.first);
+    vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);
   }
 
   vtkFieldData* facts = charges->GetFieldData();
@@ -302,30 +306,5 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     kept->ShallowCopy(facts);
     charges->Initialize();
     charges->SetFieldData(kept);
-    vtkDataObject* output = this->GetOutputDataObject(port);
-    const std::pair<const char*, double> facts[] = { { "RMSEVertices", last.RMSEVertices },
-      { "RMSEInside", last.RMSEInside }, { "Maximum", last.Maximum },
-      { "RMSEFeatures", result.RMSEFeatures },
-      { "FeaturePoints", static_cast<double>(features.Points.rows()) },
-      { "OffsetDistance", result.OffsetDistance }, { "DeletedSources", result.DeletedSources },
-      { "InsertedSources", result.InsertedSources } };
-    for (const auto& [fact, value] : facts)
-    {
-      vtkShapeConvert::AddFact(output, std::string("HarmonicVolumeMap.") + fact, value);
-    }
-    this->AddCount(port, "HarmonicVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
-    vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.Stop", Word(result.Reason));
-    if (hasTarget)
-    {
-      vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.TargetDistance", targetDistance);
-    }
-    if (this->FreeBoundary)
-    {
-      vtkShapeConvert::AddFact(
-        output, "HarmonicVolumeMap.DistortionBefore", freed.DistortionBefore);
-      vtkShapeConvert::AddFact(output, "HarmonicVolumeMap.DistortionAfter", freed.DistortionAfter);
-      vtkShapeConvert::AddFact(
-        output, "HarmonicVolumeMap.FreeBoundary", freed.Kept ? "Slid" : "NotLower");
-    }
   }
 }

@@ -199,7 +199,8 @@ private:
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
 
   /// Makes the charge set with the facts about it, and the table of levels, of the whole inputs.
-  void Solve(vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress);
+  /// Returns the images of the boundary's points.
+  Eigen::MatrixXd Solve(vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress);
 
   std::string MapArray = "TargetPosition";
   bool Exact = false;

@@ -89,8 +89,8 @@ TEST(Gmres, FindsTheWeightedLeastSquares)
   for (int c = 0; c < 2; ++c)
   {
     const Eigen::VectorXd left = b.col(c) - a * expected.col(c);
-    EXPECT_NEAR(result.Residuals(c),
-      std::sqrt(left.cwiseAbs2().dot(weights) / weights.sum()), 1e-10);
+    EXPECT_NEAR(
+      result.Residuals(c), std::sqrt(left.cwiseAbs2().dot(weights) / weights.sum()), 1e-10);
   }
 }
 
@@ -234,10 +234,10 @@ TEST(Accelerated, TheNumberOfThreadsChangesNoBit)
   setenv("VTK_SMP_MAX_THREADS", "3", 1);
   const auto three = shape::HarmonicVolumeMap(boundary, targets, {}, Accelerated()).Map;
   unsetenv("VTK_SMP_MAX_THREADS");
-  EXPECT_LT((shape::Evaluate(one, 0.9 * boundary.Points) -
-              shape::Evaluate(three, 0.9 * boundary.Points))
-              .cwiseAbs()
-              .maxCoeff(),
+  EXPECT_LT(
+    (shape::Evaluate(one, 0.9 * boundary.Points) - shape::Evaluate(three, 0.9 * boundary.Points))
+      .cwiseAbs()
+      .maxCoeff(),
     1e-9 * shape::LongestSide(targets));
 }
 
@@ -261,8 +261,7 @@ TEST(Accelerated, ThinWallsAndVoidsAreMet)
     }
     return values;
   };
-  const auto result =
-    shape::HarmonicVolumeMap(shell, exact(shell.Points), {}, Accelerated());
+  const auto result = shape::HarmonicVolumeMap(shell, exact(shell.Points), {}, Accelerated());
   const Eigen::MatrixXd between = 0.9 * outer.Points;
   const double error =
     (shape::Evaluate(result.Map, between) - exact(between)).rowwise().norm().maxCoeff();
