@@ -48,8 +48,7 @@ model = simple.XMLPolyDataReader(FileName=[shapetesting.data_file('DentedSphere6
 image = simple.OutputPort(simple.ShapeParameterize(Input=model), 1)
 ball = simple.XMLUnstructuredGridReader(FileName=[shapetesting.data_file('BallSmall.vtu')])
 carried = simple.ShapeHarmonicVolumeMap(
-    Domain=ball, Boundary=image, MapArray='SourcePosition', Method='MultiLevel',
-    OffsetDistance=0.15)
+    Domain=ball, Boundary=image, MapArray='SourcePosition')
 carried.UpdatePipeline()
 solid = shapetesting.output(carried, 0)
 levels = shapetesting.output(carried, 2)

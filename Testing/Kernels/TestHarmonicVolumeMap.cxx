@@ -162,8 +162,8 @@ TEST(HarmonicVolumeMap, TheReportedErrorsAreThoseOfTheMap)
     const double size = shape::LongestSide(targets);
     const Eigen::MatrixXd atPoints =
       (shape::Evaluate(result.Map, boundary.Points) - targets) / size;
-    const Eigen::MatrixXd inside = (shape::Evaluate(result.Map, shape::Centroids(boundary)) -
-                                     shape::CornerMeans(boundary.Triangles, targets)) /
+    const Eigen::MatrixXd inside = (shape::Evaluate(result.Map, shape::OffCentres(boundary)) -
+                                     shape::AtOffCentres(boundary, targets)) /
       size;
     const auto& level = result.Levels.back();
     EXPECT_NEAR(level.RMSEVertices, std::sqrt(atPoints.squaredNorm() / atPoints.rows()), 1e-10);
@@ -359,6 +359,7 @@ TEST(HarmonicVolumeMap, TheAutomaticOffsetFollowsTheSpacingOfTheCollocationPoint
   const shape::Mesh boundary = Bumpy(3);
   const Eigen::MatrixXd targets = Harmonic(boundary.Points);
   shape::HarmonicVolumeMapOptions options;
+  options.Method = Method::MultiLevel;
   options.MaximumLevels = 1;
   options.CollocationRatio = 0.8;
   const double coarse = shape::HarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance;

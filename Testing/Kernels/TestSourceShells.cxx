@@ -100,6 +100,7 @@ TEST(SourceShells, TheFirstLevelHasAsManyRowsAsThereArePoints)
   const Eigen::RowVector3d centre(0.2, 0, 0);
   const shape::Mesh ball = BallWithVoid(centre, 0.7);
   shape::HarmonicVolumeMapOptions options;
+  options.Method = shape::HarmonicVolumeMapOptions::MethodType::MultiLevel;
   options.SourceSubsets = 1;
   options.MaximumLevels = 1;
   options.Tolerance = 0.0;

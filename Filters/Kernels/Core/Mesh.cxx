@@ -2,7 +2,8 @@
 
 #include <Eigen/Geometry>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 namespace shape
 {
@@ -90,28 +91,28 @@ Eigen::MatrixXd Centroids(const Mesh& mesh)
   return CornerMeans(mesh.Triangles, mesh.Points);
 }
 
-Eigen::MatrixXd SpreadInside(const Mesh& mesh)
+Eigen::MatrixXd OffCentres(const Mesh& mesh)
 {
-  return AtSpreadInside(mesh.Triangles, mesh.Points);
+  return AtOffCentres(mesh, mesh.Points);
 }
 
-Eigen::MatrixXd AtSpreadInside(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
+Eigen::MatrixXd AtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values)
 {
-  // Multiples of the plastic number's inverse powers: of all sequences in the square that are as
-  // simple, the most evenly spread. What lies beyond the diagonal is turned back.
-  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
-  Eigen::MatrixXd places(triangles.rows(), values.cols());
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  constexpr std::array<double, 3> shares = { 0.08, 0.27, 0.65 };
+  Eigen::MatrixXd places(mesh.Triangles.rows(), values.cols());
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    double u = std::fmod(0.5 + first * static_cast<double>(t), 1.0);
-    double v = std::fmod(0.5 + second * static_cast<double>(t), 1.0);
-    if (u + v > 1.0)
-    {
-      u = 1.0 - u;
-      v = 1.0 - v;
-    }
-    places.row(t) = (1.0 - u - v) * values.row(triangles(t, 0)) + u * values.row(triangles(t, 1)) +
-      v * values.row(triangles(t, 2));
+    std::array<int, 3> corners = { mesh.Triangles(t, 0), mesh.Triangles(t, 1),
+      mesh.Triangles(t, 2) };
+    std::sort(corners.begin(), corners.end(),
+      [&](int a, int b)
+      {
+        const auto p = mesh.Points.row(a), q = mesh.Points.row(b);
+        return std::array<double, 3>{ p(0), p(1), p(2) } <
+          std::array<double, 3>{ q(0), q(1), q(2) };
+      });
+    places.row(t) = shares[0] * values.row(corners[0]) + shares[1] * values.row(corners[1]) +
+      shares[2] * values.row(corners[2]);
   }
   return places;
 }

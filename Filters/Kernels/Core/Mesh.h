@@ -55,12 +55,13 @@ Mesh FacingOutwards(Mesh mesh);
 /// Centroids of the triangles (m x 3).
 Eigen::MatrixXd Centroids(const Mesh& mesh);
 
-/// A place in each triangle (m x 3), here and there like random ones, but the same in every call:
-/// an error that is small only at corners and centroids shows.
-Eigen::MatrixXd SpreadInside(const Mesh& mesh);
+/// A place in each triangle (m x 3) as far from its edges as random ones are on average, and away
+/// from its centroid and its middles: an error that is small only where a map was fitted shows. The
+/// order of its corners' coordinates decides which corner it is near.
+Eigen::MatrixXd OffCentres(const Mesh& mesh);
 
-/// Values given at the points (n x d), interpolated linearly at the places of SpreadInside (m x d).
-Eigen::MatrixXd AtSpreadInside(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
+/// Values given at the points (n x d), interpolated linearly at the places of OffCentres (m x d).
+Eigen::MatrixXd AtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values);
 
 /// Means over each triangle's corners (m x d) of values given at the points (n x d).
 Eigen::MatrixXd CornerMeans(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);

@@ -99,9 +99,9 @@ BoundaryProblem::BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatu
   const Mesh& surface = scaled.Surface;
   const Eigen::Index n = surface.Points.rows(), m = surface.Triangles.rows();
   this->Probes.resize(n + m + count, 3);
-  this->Probes << surface.Points, SpreadInside(surface), places;
+  this->Probes << surface.Points, OffCentres(surface), places;
   this->Residual.resize(n + m + count, 3);
-  this->Residual << scaled.Targets, AtSpreadInside(surface.Triangles, scaled.Targets),
+  this->Residual << scaled.Targets, AtOffCentres(surface, scaled.Targets),
     (features.Targets.rowwise() - scaled.TargetOrigin) / scaled.TargetSize;
   this->Sum.Affine = AffineFit(surface.Points, scaled.Targets, PointAreas(surface));
   this->Residual -= Evaluate(this->Sum, this->Probes);

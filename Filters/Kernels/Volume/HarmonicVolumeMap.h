@@ -71,7 +71,7 @@ struct HarmonicVolumeMapResult
     int Sources = 0;           ///< columns of the system
     int Collocations = 0;      ///< rows of the system, features included
     double RMSEVertices = 0.0; ///< at the boundary's points
-    double RMSEInside = 0.0;   ///< at a place in each triangle (SpreadInside)
+    double RMSEInside = 0.0;   ///< at a place in each triangle (OffCentres)
     double Maximum = 0.0;      ///< over both
     double Seconds = 0.0;
     bool Kept = true; ///< false: no factor of it lowers what is left, so it is not in the sum

@@ -258,10 +258,10 @@ LayeredVolumeMapResult::Border ErrorsAt(const Mapped& surface, const ChargeSet& 
 {
   const Eigen::VectorXd vertices =
     (Evaluate(map, surface.Surface.Points) - surface.Targets).rowwise().norm() / size;
-  const Eigen::VectorXd inside = (Evaluate(map, SpreadInside(surface.Surface)) -
-                                   AtSpreadInside(surface.Surface.Triangles, surface.Targets))
-                                   .rowwise()
-                                   .norm() /
+  const Eigen::VectorXd inside =
+    (Evaluate(map, OffCentres(surface.Surface)) - AtOffCentres(surface.Surface, surface.Targets))
+      .rowwise()
+      .norm() /
     size;
   LayeredVolumeMapResult::Border border;
   border.RMSEVertices = std::sqrt(vertices.squaredNorm() / vertices.size());

@@ -22,7 +22,7 @@ struct LayeredVolumeMapOptions
   /// A border's triangles are cut into 4^so many for the layer inside, which must meet the curved
   /// values of the map outside, not chords of them; >= 0. With 1 instead of 0, jumps of MultiLevel
   /// are 2 to 3 times smaller at 6 times the cost.
-  int BorderRefinement = 0;
+  int BorderRefinement = 1;
   /// How thick a skin is, / the boundary's longest side: so many times the greatest jump / the
   /// targets' longest side. In a thinner one the map turns more sharply, in a thicker one it stays
   /// away from the layer's own for longer. At most half of the way to the charges beyond the
@@ -36,7 +36,7 @@ struct LayeredVolumeMapResult
   struct Border
   {
     double RMSEVertices = 0.0; ///< at its points
-    double RMSEInside = 0.0;   ///< at a place in each of its triangles (SpreadInside)
+    double RMSEInside = 0.0;   ///< at a place in each of its triangles (OffCentres)
     double Maximum = 0.0;      ///< over both
     /// How far the two layers' fitted maps are from each other, without the skin, at random places;
     /// 0 for the boundary.

@@ -224,9 +224,9 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
       for (int b = begin; b < end; ++b)
       {
         const Block& block = this->Blocks[b];
-        const Eigen::MatrixXf inputs =
-          (block.TakesRows ? left : tested)(block.Inputs, Eigen::all).cast<float>();
-        charges(block.Own, Eigen::all) = (block.Inverse * inputs).cast<double>();
+        // Double again: rounding of the inputs to float would make it a little less than linear.
+        const Eigen::MatrixXd inputs = (block.TakesRows ? left : tested)(block.Inputs, Eigen::all);
+        charges(block.Own, Eigen::all) = block.Inverse.cast<double>() * inputs;
       }
     });
   return charges;
