@@ -134,9 +134,7 @@ def main(model_path, folder):
     # The solid ball into the model.
     ball = simple.XMLUnstructuredGridReader(FileName=[BALL])
     harmonic = simple.ShapeHarmonicVolumeMap(
-        Domain=ball, Boundary=simple.OutputPort(parameterize, 1), MapArray='SourcePosition',
-        Method='MultiLevel', CollocationRatio=0.2, SourceRatio=0.25, SourceSubsets=8,
-        MaximumLevels=16)
+        Domain=ball, Boundary=simple.OutputPort(parameterize, 1), MapArray='SourcePosition')
     outputs, map_seconds = update(harmonic, 'harmonic map of the ball')
     errors = [fact(outputs[0], 'HarmonicVolumeMap.' + name)
               for name in ('RMSEVertices', 'RMSEInside', 'Maximum')]

@@ -14,9 +14,21 @@ namespace shape
 namespace
 {
 
-/// Where the boundary leaves more than so many tolerances over after the first map, its parts are
-/// thin or its gaps narrow.
-constexpr double Crowded = 10.0;
+/// So many tolerances that a map leaves over make the next one's solver more patient, and so many
+/// of the charges that find less room than they want: gaps are narrow then, and parts thin.
+constexpr double ToughTolerances = 10.0, CrowdedShare = 0.002;
+
+NearSourceSystem::Effort EffortAfter(
+  const NearSourceSystem& system, double left, const HarmonicVolumeMapOptions& options)
+{
+  if (left <= ToughTolerances * options.Tolerance)
+  {
+    return NearSourceSystem::Effort::Little;
+  }
+  return system.Shrunk() > CrowdedShare * static_cast<double>(system.Sources().rows())
+    ? NearSourceSystem::Effort::Most
+    : NearSourceSystem::Effort::More;
+}
 
 /// A refined boundary with the images of its points.
 struct RefinedBoundary
@@ -82,18 +94,18 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
 {
   auto start = std::chrono::steady_clock::now();
   const Mesh& boundary = problem.Boundary();
+  auto effort = NearSourceSystem::Effort::Little;
   if (!setup.System || setup.Boundary.Points.rows() != boundary.Points.rows() ||
     setup.Boundary.Triangles.rows() != boundary.Triangles.rows() ||
     setup.Boundary.Points != boundary.Points || setup.Boundary.Triangles != boundary.Triangles)
   {
     setup.Boundary = boundary;
     setup.System = std::make_unique<NearSourceSystem>(
-      problem.Distance(), boundary, false, progress.Part(0.0, 0.3));
+      problem.Distance(), boundary, effort, progress.Part(0.0, 0.3));
   }
   result.OffsetDistance = setup.System->Offset();
   RefinedBoundary refined{ boundary, problem.Targets() };
   const double most = options.MostRefined * static_cast<double>(boundary.Points.rows());
-  bool crowded = false;
   for (int number = 1;; ++number)
   {
     const double done = 0.3 + 0.7 * (1.0 - 1.0 / number);
@@ -102,7 +114,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
     if (number > 1)
     {
       finer = std::make_unique<NearSourceSystem>(
-        problem.Distance(), refined.Surface, crowded, part.Part(0.0, 0.3));
+        problem.Distance(), refined.Surface, effort, part.Part(0.0, 0.3));
     }
     const NearSourceSystem& system = finer ? *finer : *setup.System;
     Eigen::MatrixXd targets(system.Rows().rows(), 3);
@@ -138,7 +150,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
       result.Reason = HarmonicVolumeMapResult::Stop::NoImprovement;
       return;
     }
-    crowded = crowded || level.RMSEInside > Crowded * options.Tolerance;
+    effort = EffortAfter(system, level.RMSEInside, options);
     Refine(refined, left - system.Values(fit.Solution));
     if (static_cast<double>(refined.Surface.Points.rows()) > most)
     {

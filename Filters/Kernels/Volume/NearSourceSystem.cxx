@@ -130,7 +130,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
 } // namespace
 
 NearSourceSystem::NearSourceSystem(
-  const SignedDistance& boundary, const Mesh& surface, bool crowded, const Progress& progress)
+  const SignedDistance& boundary, const Mesh& surface, Effort effort, const Progress& progress)
 {
   const Eigen::MatrixXd normals = PointNormals(surface);
   const Eigen::VectorXd areas = PointAreas(surface);
@@ -149,7 +149,7 @@ NearSourceSystem::NearSourceSystem(
   this->NearOffset = *hundredth;
   const CoarseLevel coarse =
     PlaceCoarse(boundary, surface.Points(near.Sites, Eigen::all), normals(near.Sites, Eigen::all),
-      areas(near.Sites), crowded ? 32 : 128, progress.Part(0.3, 0.4));
+      areas(near.Sites), effort == Effort::Little ? 128 : 32, progress.Part(0.3, 0.4));
   const Eigen::Index n = surface.Points.rows(), m = surface.Triangles.rows();
   this->System.Sites = surface.Points(near.Sites, Eigen::all);
   this->System.Sources = near.Points;
@@ -161,10 +161,10 @@ NearSourceSystem::NearSourceSystem(
   this->AllSources.resize(near.Points.rows() + coarse.Sources.rows(), 3);
   this->AllSources << near.Points, coarse.Sources;
   SchwarzOptions blocks;
-  if (crowded)
+  if (effort != Effort::Little)
   {
-    blocks.Own = 200;
-    blocks.Around = 400;
+    blocks.Own = effort == Effort::More ? 64 : 200;
+    blocks.Around = effort == Effort::More ? 200 : 400;
     blocks.MostAmplified = 0.0;
   }
   this->Preconditioner = std::make_unique<SchwarzPreconditioner>(

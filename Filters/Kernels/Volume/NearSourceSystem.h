@@ -18,11 +18,18 @@ namespace shape
 class NearSourceSystem
 {
 public:
+  /// Time and memory, for convergence where the surface's triangles are uneven, or where parts are
+  /// thin and gaps narrow: three times, and six times as much.
+  enum class Effort
+  {
+    Little,
+    More,
+    Most
+  };
   /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
-  /// refinement of it. crowded: takes more time and memory, and converges where parts are thin or
-  /// gaps narrow, too. Throws SolveFailure where no charge has room, Aborted.
-  NearSourceSystem(const SignedDistance& boundary, const Mesh& surface, bool crowded = false,
-    const Progress& progress = {});
+  /// refinement of it. Throws SolveFailure where no charge has room, Aborted.
+  NearSourceSystem(const SignedDistance& boundary, const Mesh& surface,
+    Effort effort = Effort::Little, const Progress& progress = {});
 
   /// m x 3: where values are wanted.
   const Eigen::MatrixXd& Rows() const { return this->System.Rows; }
