@@ -338,14 +338,6 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
   return whole;
 }
 
-void vtkShapeGather::Share(vtkPolyData* data, vtkMultiProcessController* controller)
-{
-  if (IsParallel(controller))
-  {
-    controller->Broadcast(data, 0);
-  }
-}
-
 void vtkShapeGather::AgreeOnFailure(
   vtkMultiProcessController* controller, bool& failed, std::string& message)
 {

@@ -42,9 +42,6 @@ vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name
 vtkSmartPointer<vtkUnstructuredGrid> GatherGrid(
   vtkDataObject* data, vtkMultiProcessController* controller);
 
-/// Gives every process what the first one has in `data`.
-void Share(vtkPolyData* data, vtkMultiProcessController* controller);
-
 /// Does `work` on every process; where it throws on one, throws on all: what Execute does before a
 /// collective call goes in here, since no process may wait for one that has failed.
 void TogetherOrNotAtAll(vtkMultiProcessController* controller, const std::function<void()>& work);

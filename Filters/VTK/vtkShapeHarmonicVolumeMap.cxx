@@ -6,7 +6,9 @@
 #include "vtkShapeGather.h"
 #include "vtkShapeSolid.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
@@ -249,8 +251,8 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   const bool first = !controller || controller->GetLocalProcessId() == 0;
   vtkDataObject* domain = this->GetInputDataObject(0, 0);
   vtkDataObject* moved = this->GetOutputDataObject(0);
-  auto* charges = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-  auto* levels = vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+  vtkNew<vtkPolyData> found;
+  vtkNew<vtkTable> table;
   Eigen::MatrixXd images; // of the boundary's points
   vtkShapeGather::TogetherOrNotAtAll(controller,
     [&]
@@ -263,15 +265,10 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       {
         vtkShapeSolid::RequireOneSolid(domain, controller);
       }
-      if (first)
-      {
-        images = this->Solve(charges, levels, progress.Part(0.0, 0.8));
-      }
+      // Every process has the whole boundary and finds the same map.
+      images = this->Solve(found, table, progress.Part(0.0, 0.8));
     });
-  // What one process has found, all of them use.
-  vtkShapeGather::Share(charges, controller);
-  const shape::LayeredMap map(
-    vtkShapeChargeSet::Read(charges, "the map"), progress.Part(0.8, 0.82));
+  const shape::LayeredMap map(vtkShapeChargeSet::Read(found, "the map"), progress.Part(0.8, 0.82));
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
@@ -286,25 +283,29 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);
   }
 
-  vtkFieldData* facts = charges->GetFieldData();
+  // One process hands the charges on; the others say the same facts about them.
+  auto* charges = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+  if (first)
+  {
+    charges->CopyStructure(found);
+    charges->GetPointData()->ShallowCopy(found->GetPointData());
+    charges->GetCellData()->ShallowCopy(found->GetCellData());
+    charges->GetFieldData()->ShallowCopy(found->GetFieldData());
+    auto* levels = vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+    levels->GetRowData()->ShallowCopy(table->GetRowData());
+  }
+  vtkFieldData* facts = found->GetFieldData();
   for (int i = 0; i < facts->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* fact = facts->GetAbstractArray(i);
     if (std::string(fact->GetName()).rfind(Facts, 0) == 0)
     {
       moved->GetAttributesAsFieldData(vtkDataObject::FIELD)->AddArray(fact);
+      charges->GetFieldData()->AddArray(fact);
     }
   }
   for (const int port : { 0, 1 })
   {
     this->AddCount(port, Facts + "OutsidePoints", static_cast<double>(counts[1]));
-  }
-  if (!first)
-  {
-    // One process hands the charges on; the others say the same facts about them.
-    vtkNew<vtkFieldData> kept;
-    kept->ShallowCopy(facts);
-    charges->Initialize();
-    charges->SetFieldData(kept);
   }
 }
