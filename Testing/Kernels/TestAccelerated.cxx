@@ -229,7 +229,7 @@ TEST(Accelerated, TheSetupServesOtherTargets)
   EXPECT_LT(InteriorError(smaller, other), 1e-2);
 }
 
-TEST(Accelerated, TheNumberOfThreadsChangesNoBit)
+TEST(Accelerated, TheNumberOfThreadsHardlyMatters)
 {
   const shape::Mesh boundary = Egg(4);
   const Eigen::MatrixXd targets = Harmonic(boundary.Points);

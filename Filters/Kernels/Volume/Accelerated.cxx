@@ -117,6 +117,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
         problem.Distance(), refined.Surface, effort, part.Part(0.0, 0.3));
     }
     const NearSourceSystem& system = finer ? *finer : *setup.System;
+    result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());
     Eigen::MatrixXd targets(system.Rows().rows(), 3);
     targets << refined.Targets, CornerMeans(refined.Surface.Triangles, refined.Targets);
     const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.3, 0.4));
@@ -126,15 +127,8 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
     const GmresResult fit = system.Solve(left, gmres, part.Part(0.4, 0.9));
     const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
 
-    HarmonicVolumeMapResult::Level level = problem.Errors();
-    level.Number = number;
-    level.Sources = static_cast<int>(system.Sources().rows());
-    level.Collocations = static_cast<int>(system.Rows().rows());
-    level.Kept = gain > 0.0;
-    const auto now = std::chrono::steady_clock::now();
-    level.Seconds = std::chrono::duration<double>(now - start).count();
-    start = now;
-    result.Levels.push_back(level);
+    AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);
+    const HarmonicVolumeMapResult::Level& level = result.Levels.back();
     if (level.RMSEInside <= options.Tolerance)
     {
       result.Reason = HarmonicVolumeMapResult::Stop::Tolerance;

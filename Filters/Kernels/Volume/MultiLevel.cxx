@@ -159,15 +159,8 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
       problem.Solve(number == 1 ? coarseRows : problem.Collocations(), subset, part.Part(0.0, 0.8));
     const double gain = problem.Add(subset, fit.Charges, part.Part(0.8, 1.0));
 
-    HarmonicVolumeMapResult::Level level = problem.Errors();
-    level.Number = static_cast<int>(result.Levels.size());
-    level.Sources = static_cast<int>(subset.rows());
-    level.Collocations = fit.Rows;
-    level.Kept = gain > 0.0;
-    const auto now = std::chrono::steady_clock::now();
-    level.Seconds = std::chrono::duration<double>(now - start).count();
-    start = now;
-    result.Levels.push_back(level);
+    AddLevel(problem, subset.rows(), fit.Rows, gain, start, result);
+    const HarmonicVolumeMapResult::Level& level = result.Levels.back();
     if (level.RMSEInside <= options.Tolerance)
     {
       result.Reason = HarmonicVolumeMapResult::Stop::Tolerance;

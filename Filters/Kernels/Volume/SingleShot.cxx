@@ -41,10 +41,24 @@ Eigen::MatrixXd SampleBoundary(
     options.Seed, progress));
 }
 
+void AddLevel(const BoundaryProblem& problem, Eigen::Index sources, Eigen::Index rows, double gain,
+  std::chrono::steady_clock::time_point& start, HarmonicVolumeMapResult& result)
+{
+  HarmonicVolumeMapResult::Level level = problem.Errors();
+  level.Number = static_cast<int>(result.Levels.size());
+  level.Sources = static_cast<int>(sources);
+  level.Collocations = static_cast<int>(rows);
+  level.Kept = gain > 0.0;
+  const auto now = std::chrono::steady_clock::now();
+  level.Seconds = std::chrono::duration<double>(now - start).count();
+  start = now;
+  result.Levels.push_back(level);
+}
+
 void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress)
 {
-  const auto start = std::chrono::steady_clock::now();
+  auto start = std::chrono::steady_clock::now();
   const int rows = SampleCount(problem.Boundary(), options.CollocationRatio);
   const int sourceCount = SampleCount(problem.Boundary(), options.SourceRatio);
   problem.RequireMemory(rows, sourceCount);
@@ -55,17 +69,13 @@ void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
   problem.Collocate(SampleBoundary(problem, options, progress.Part(0.15, 0.2)), Progress());
   const BoundaryProblem::Fit fit =
     problem.Solve(problem.Collocations(), sources, progress.Part(0.2, 0.95));
-  const bool kept = problem.Add(sources, fit.Charges, progress.Part(0.95, 1.0)) > 0.0;
-  HarmonicVolumeMapResult::Level level = problem.Errors();
-  level.Number = 1;
-  level.Sources = static_cast<int>(sources.rows());
-  level.Collocations = fit.Rows;
-  level.Kept = kept;
-  level.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result.Levels.push_back(level);
-  result.Reason = !kept                     ? HarmonicVolumeMapResult::Stop::NoImprovement
-    : level.RMSEInside <= options.Tolerance ? HarmonicVolumeMapResult::Stop::Tolerance
-                                            : HarmonicVolumeMapResult::Stop::Levels;
+  const double gain = problem.Add(sources, fit.Charges, progress.Part(0.95, 1.0));
+  AddLevel(problem, sources.rows(), fit.Rows, gain, start, result);
+  const bool kept = gain > 0.0;
+  result.Reason = !kept ? HarmonicVolumeMapResult::Stop::NoImprovement
+    : result.Levels.back().RMSEInside <= options.Tolerance
+    ? HarmonicVolumeMapResult::Stop::Tolerance
+    : HarmonicVolumeMapResult::Stop::Levels;
 }
 
 } // namespace shape

@@ -2,6 +2,8 @@
 
 #include "Volume/BoundaryProblem.h"
 
+#include <chrono>
+
 namespace shape
 {
 
@@ -34,6 +36,11 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
  */
 void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
   AcceleratedSetup& setup, HarmonicVolumeMapResult& result, const Progress& progress);
+
+/// Adds the level that has just been fitted: its errors and, since `start`, which becomes now, its
+/// seconds.
+void AddLevel(const BoundaryProblem& problem, Eigen::Index sources, Eigen::Index rows, double gain,
+  std::chrono::steady_clock::time_point& start, HarmonicVolumeMapResult& result);
 
 /// How many points a ratio of the boundary's asks for, at least 16.
 int SampleCount(const Mesh& boundary, double ratio);
