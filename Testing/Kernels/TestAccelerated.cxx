@@ -91,6 +91,7 @@ TEST(Gmres, FindsTheWeightedLeastSquares)
     const Eigen::VectorXd left = b.col(c) - a * expected.col(c);
     EXPECT_NEAR(
       result.Residuals(c), std::sqrt(left.cwiseAbs2().dot(weights) / weights.sum()), 1e-10);
+    EXPECT_LT((result.Left.col(c) - left).norm(), 1e-9 * left.norm());
   }
 }
 

@@ -82,6 +82,23 @@ TEST(DirectSummation, IsRightToRoundingForEveryProcessorAndNumberOfColumns)
   EXPECT_GE(tested, 1);
 }
 
+TEST(DirectSummation, ASmallErrorOfTheRootsIsAsSmallAsPromised)
+{
+  const Eigen::MatrixXd sources = Random(501, 3, 1), points = Random(61, 3, 2);
+  const Eigen::MatrixXd charges = Random(501, 3, 3).cwiseAbs();
+  const std::int64_t supported = hwy::SupportedTargets();
+  for (std::int64_t left = supported; left != 0; left &= left - 1)
+  {
+    hwy::SetSupportedTargetsForTest(left & -left);
+    const Eigen::MatrixXd right = shape::DirectPotentials(sources, charges, points);
+    const Eigen::MatrixXd small =
+      shape::DirectPotentials(sources, charges, points, shape::RootError::Small);
+    EXPECT_LE((small - right).cwiseQuotient(right).cwiseAbs().maxCoeff(), 1e-8)
+      << hwy::TargetName(left & -left);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
 TEST(DirectSummation, IsRightWhateverTheUnitOfLength)
 {
   const Eigen::MatrixXd sources = Random(100, 3, 4), charges = Random(100, 3, 5);
@@ -154,7 +171,7 @@ TEST(DirectSummation, EmptySumsAreZeroAndWrongSizesAreRefused)
   EXPECT_THROW(shape::DirectPotentials(points, Random(4, 3, 1), points), shape::InvalidInput);
   EXPECT_THROW(
     shape::DirectPotentials(points, Random(5, 3, 1), Random(5, 2, 1)), shape::InvalidInput);
-  EXPECT_THROW(shape::DirectPotentials(
-                 points, Random(5, 3, 1), points, shape::Progress([](double) { return false; })),
+  EXPECT_THROW(shape::DirectPotentials(points, Random(5, 3, 1), points, shape::RootError::Rounding,
+                 shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

@@ -73,6 +73,25 @@ TEST(ClosestPoint, AgreesWithTheSearchOfEveryTriangle)
   }
 }
 
+TEST(ClosestPoint, PlacesOnTheSurfaceFindThemselvesHoweverOftenTheyAreGiven)
+{
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 24, 12);
+  const Eigen::MatrixXd places = shape::OffCentres(torus);
+  Eigen::MatrixXd points(3 * places.rows(), 3);
+  for (Eigen::Index t = 0; t < places.rows(); ++t)
+  {
+    points.middleRows(3 * t, 2).rowwise() = places.row(t);
+    points.row(3 * t + 2) = torus.Points.row(torus.Triangles(t, 0));
+  }
+  const shape::ClosestPoints found = shape::SurfaceLocator(torus).Find(points);
+  for (Eigen::Index t = 0; t < places.rows(); ++t)
+  {
+    EXPECT_EQ(found.Triangles(3 * t), t);
+    EXPECT_EQ(found.Triangles(3 * t + 1), t);
+  }
+  EXPECT_LT(found.Distances.maxCoeff(), 1e-15);
+}
+
 TEST(ClosestPoint, ATriangleWithoutAreaIsItsLongestEdge)
 {
   shape::Mesh mesh{ Eigen::MatrixXd(3, 3), Eigen::MatrixXi(1, 3) };

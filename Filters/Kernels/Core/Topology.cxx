@@ -1,9 +1,8 @@
 #include "Core/Topology.h"
 
 #include "Core/Errors.h"
+#include "Core/HalfEdges.h"
 
-#include <algorithm>
-#include <array>
 #include <numeric>
 #include <vector>
 
@@ -34,36 +33,6 @@ public:
 private:
   std::vector<int> Parent;
 };
-
-/// One triangle's side, from Begin to End.
-struct HalfEdge
-{
-  int Begin;
-  int End;
-  int Triangle;
-  int Low() const { return std::min(this->Begin, this->End); }
-  int High() const { return std::max(this->Begin, this->End); }
-};
-
-std::vector<HalfEdge> SortedHalfEdges(const Mesh& mesh)
-{
-  std::vector<HalfEdge> sides;
-  sides.reserve(3 * mesh.Triangles.rows());
-  for (int t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      sides.push_back({ mesh.Triangles(t, corner), mesh.Triangles(t, (corner + 1) % 3), t });
-    }
-  }
-  std::sort(sides.begin(), sides.end(),
-    [](const HalfEdge& a, const HalfEdge& b)
-    {
-      return std::array<int, 3>{ a.Low(), a.High(), a.Triangle } <
-        std::array<int, 3>{ b.Low(), b.High(), b.Triangle };
-    });
-  return sides;
-}
 
 void CheckIndices(const Mesh& mesh)
 {
@@ -204,7 +173,7 @@ Topology SurfaceTopology(const Mesh& mesh)
   CheckIndices(mesh);
   Topology topology;
   CountComponents(mesh, topology);
-  const std::vector<HalfEdge> sides = SortedHalfEdges(mesh);
+  const std::vector<HalfEdge> sides = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
   DisjointSets loops(static_cast<int>(mesh.Points.rows()));
   std::vector<char> open(mesh.Points.rows(), 0);
   int edges = 0;

@@ -7,8 +7,10 @@
 #include <unsupported/Eigen/BVH>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -32,38 +34,84 @@ RowVector3d OnSegment(const Eigen::Matrix3d& corners, int i, int j, const RowVec
   return barycentric;
 }
 
-/// What Eigen's branch and bound minimises: the squared distance from Place to a triangle.
+using Tree = Eigen::KdBVH<double, 3, int>;
+
+/// A triangle with what its plane needs: side by side for the search.
+struct Facet
+{
+  Eigen::Matrix3d Corners;
+  RowVector3d Normal; ///< unit; zero where there is none
+};
+
+/// The triangle closest to Place that has been seen so far.
 struct Nearest
 {
-  using Scalar = double;
-  const std::vector<Eigen::Matrix3d>& Corners; ///< of the triangles
   RowVector3d Place;
-  double Bound2; ///< no less than the least squared distance: boxes farther away are not opened
-  double Distance2 = std::numeric_limits<double>::infinity();
+  double Bound2; ///< no less than the least squared distance: what is farther away is not looked at
   int Triangle = -1;
   RowVector3d Barycentric = RowVector3d::Zero();
 
-  // Eigen's search calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
-  double minimumOnVolume(const Eigen::AlignedBox3d& box) const
+  void Look(const Facet& facet, int triangle)
   {
-    const double distance2 = box.squaredExteriorDistance(this->Place.transpose());
-    return distance2 <= this->Bound2 ? distance2 : std::numeric_limits<double>::infinity();
-  }
-  double minimumOnObject(int triangle)
-  {
-    const Eigen::Matrix3d& corners = this->Corners[triangle];
-    const RowVector3d barycentric = ClosestInTriangle(corners, this->Place);
-    const double distance2 = (barycentric * corners - this->Place).squaredNorm();
-    if (distance2 < this->Distance2 || this->Triangle < 0)
+    // The plane is seldom nearer than the best so far: most triangles end here.
+    const double height = (this->Place - facet.Corners.row(0)).dot(facet.Normal);
+    if (height * height > this->Bound2)
     {
-      this->Distance2 = distance2;
+      return;
+    }
+    const RowVector3d barycentric = ClosestInTriangle(facet.Corners, this->Place);
+    const double distance2 = (barycentric * facet.Corners - this->Place).squaredNorm();
+    if (distance2 < this->Bound2)
+    {
+      this->Bound2 = distance2;
       this->Triangle = triangle;
       this->Barycentric = barycentric;
     }
-    return distance2;
   }
-  // NOLINTEND(readability-identifier-naming)
 };
+
+/// Depth first, the nearer box first: without the queue of Eigen's search it takes a third of the
+/// time.
+void Search(const Tree& tree, const std::vector<Facet>& facets, Nearest& nearest)
+{
+  struct Box
+  {
+    int Node;
+    double Distance2;
+  };
+  std::array<Box, 128> open; // a tree halves its triangles: one box waits for each level
+  int count = 0;
+  open[count++] = { tree.getRootIndex(), 0.0 };
+  while (count > 0)
+  {
+    const Box box = open[--count];
+    if (box.Distance2 > nearest.Bound2)
+    {
+      continue;
+    }
+    Tree::VolumeIterator volume = nullptr, volumeEnd = nullptr;
+    Tree::ObjectIterator object = nullptr, objectEnd = nullptr;
+    tree.getChildren(box.Node, volume, volumeEnd, object, objectEnd);
+    for (; object != objectEnd; ++object)
+    {
+      nearest.Look(facets[*object], *object);
+    }
+    const int first = count;
+    for (; volume != volumeEnd; ++volume)
+    {
+      const double distance2 =
+        tree.getVolume(*volume).squaredExteriorDistance(nearest.Place.transpose());
+      if (distance2 <= nearest.Bound2)
+      {
+        open[count++] = { *volume, distance2 };
+      }
+    }
+    if (count - first == 2 && open[first].Distance2 < open[first + 1].Distance2)
+    {
+      std::swap(open[first], open[first + 1]);
+    }
+  }
+}
 
 } // namespace
 
@@ -101,8 +149,8 @@ RowVector3d ClosestInTriangle(const Eigen::Matrix3d& corners, const RowVector3d&
 struct SurfaceLocator::Locator
 {
   Mesh Surface;
-  std::vector<Eigen::Matrix3d> Corners; ///< of the triangles, side by side for the search
-  Eigen::KdBVH<double, 3, int> Tree;
+  std::vector<Facet> Facets;
+  Tree Boxes; ///< of the triangles
 };
 
 SurfaceLocator::SurfaceLocator(const Mesh& mesh)
@@ -117,13 +165,15 @@ SurfaceLocator::SurfaceLocator(const Mesh& mesh)
   std::iota(triangles.begin(), triangles.end(), 0);
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(triangles.size());
-  this->Impl->Corners.reserve(triangles.size());
+  this->Impl->Facets.reserve(triangles.size());
+  const Eigen::MatrixXd normals = AreaVectors(mesh).rowwise().normalized();
   for (const int t : triangles)
   {
-    const Eigen::Matrix3d& corners = this->Impl->Corners.emplace_back(shape::Corners(mesh, t));
+    const Eigen::Matrix3d corners = Corners(mesh, t);
+    this->Impl->Facets.push_back({ corners, normals.row(t) });
     boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
   }
-  this->Impl->Tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+  this->Impl->Boxes.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
 }
 
 SurfaceLocator::~SurfaceLocator() = default;
@@ -146,15 +196,20 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
     {
       // Points that follow each other are mostly neighbours: what is closest to the one before is a
       // good bound, and with a margin for rounding it changes no result.
-      constexpr double margin = 1.0 + 1e-9;
+      constexpr double margin = 1.0 + 1e-9, most = std::numeric_limits<double>::max();
       RowVector3d before = RowVector3d::Constant(std::numeric_limits<double>::quiet_NaN());
       for (int i = begin; i < end; ++i)
       {
         const RowVector3d place = points.row(i);
-        const double bound2 = i == begin ? std::numeric_limits<double>::infinity()
-                                         : margin * (place - before).squaredNorm();
-        Nearest nearest{ this->Impl->Corners, place, bound2 };
-        Eigen::BVMinimize(this->Impl->Tree, nearest);
+        const double bound2 = i == begin ? most : margin * (place - before).squaredNorm();
+        Nearest nearest{ place, bound2 };
+        Search(this->Impl->Boxes, this->Impl->Facets, nearest);
+        if (nearest.Triangle < 0 && bound2 < most)
+        {
+          // On the surface, rounding can be more than the margin.
+          nearest.Bound2 = most;
+          Search(this->Impl->Boxes, this->Impl->Facets, nearest);
+        }
         if (nearest.Triangle < 0)
         {
           throw InvalidInput("a place is too far from every triangle for its distance to be a "
@@ -162,7 +217,7 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
         }
         result.Triangles(i) = nearest.Triangle;
         result.Barycentrics.row(i) = nearest.Barycentric;
-        before = nearest.Barycentric * this->Impl->Corners[nearest.Triangle];
+        before = nearest.Barycentric * this->Impl->Facets[nearest.Triangle].Corners;
         result.Positions.row(i) = before;
         result.Distances(i) = (before - place).norm();
       }

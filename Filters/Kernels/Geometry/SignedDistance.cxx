@@ -1,11 +1,11 @@
 #include "Geometry/SignedDistance.h"
 
+#include "Core/HalfEdges.h"
 #include "Core/Parallel.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -15,6 +15,8 @@ namespace shape
 
 namespace
 {
+
+using Eigen::RowVector3d;
 
 /// Twice the area over the longest edge squared, up to which a triangle's normal is rounding error.
 constexpr double Flat = 1e-10;
@@ -27,13 +29,11 @@ SignedDistance::SignedDistance(const Mesh& surface)
   , EdgeNormals(3 * surface.Triangles.rows(), 3)
   , PointNormals(Eigen::MatrixXd::Zero(surface.Points.rows(), 3))
 {
-  std::vector<std::array<int, 3>> edges; // lower point, higher point, row of EdgeNormals
-  edges.reserve(3 * surface.Triangles.rows());
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
     const Eigen::Matrix3d corners = Corners(surface, t);
-    const Eigen::RowVector3d u = corners.row(1) - corners.row(0);
-    const Eigen::RowVector3d v = corners.row(2) - corners.row(0);
+    const RowVector3d u = corners.row(1) - corners.row(0);
+    const RowVector3d v = corners.row(2) - corners.row(0);
     const double longest2 = std::max({ u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm() });
     if (!(u.cross(v).norm() > Flat * longest2))
     {
@@ -41,30 +41,25 @@ SignedDistance::SignedDistance(const Mesh& surface)
     }
     for (int k = 0; k < 3; ++k)
     {
-      const int here = surface.Triangles(t, k);
-      const int next = surface.Triangles(t, (k + 1) % 3);
-      const int last = surface.Triangles(t, (k + 2) % 3);
-      const Eigen::RowVector3d a = surface.Points.row(next) - surface.Points.row(here);
-      const Eigen::RowVector3d b = surface.Points.row(last) - surface.Points.row(here);
+      const RowVector3d a = corners.row((k + 1) % 3) - corners.row(k);
+      const RowVector3d b = corners.row((k + 2) % 3) - corners.row(k);
       const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-      this->PointNormals.row(here) += angle * this->TriangleNormals.row(t);
-      edges.push_back({ std::min(next, last), std::max(next, last), 3 * t + k });
+      this->PointNormals.row(surface.Triangles(t, k)) += angle * this->TriangleNormals.row(t);
     }
   }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t first = 0; first < edges.size();)
+  const std::vector<HalfEdge> sides = SortedHalfEdges(surface.Triangles, surface.Points.rows());
+  for (auto first = sides.begin(); first != sides.end();)
   {
-    std::size_t last = first;
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    for (; last < edges.size() && edges[last][0] == edges[first][0] &&
-         edges[last][1] == edges[first][1];
+    RowVector3d sum = RowVector3d::Zero();
+    auto last = first;
+    for (; last != sides.end() && last->Low() == first->Low() && last->High() == first->High();
          ++last)
     {
-      sum += this->TriangleNormals.row(edges[last][2] / 3);
+      sum += this->TriangleNormals.row(last->Triangle);
     }
-    for (; first < last; ++first)
+    for (; first != last; ++first)
     {
-      this->EdgeNormals.row(edges[first][2]) = sum;
+      this->EdgeNormals.row(3 * first->Triangle + (first->Corner + 2) % 3) = sum;
     }
   }
 }
@@ -87,9 +82,9 @@ SignedDistance::Result SignedDistance::Evaluate(
       zeros += isZero;
       (isZero ? zero : other) = k;
     }
-    const Eigen::RowVector3d normal = zeros == 0 ? this->TriangleNormals.row(t)
-      : zeros == 1                               ? this->EdgeNormals.row(3 * t + zero)
-                                                 : this->PointNormals.row(triangles(t, other));
+    const RowVector3d normal = zeros == 0 ? this->TriangleNormals.row(t)
+      : zeros == 1                        ? this->EdgeNormals.row(3 * t + zero)
+                                          : this->PointNormals.row(triangles(t, other));
     const double side = (points.row(i) - result.Closest.Positions.row(i)).dot(normal);
     if (side < 0.0)
     {

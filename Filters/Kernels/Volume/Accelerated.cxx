@@ -18,6 +18,10 @@ namespace
 /// of the charges that find less room than they want: gaps are narrow then, and parts thin.
 constexpr double ToughTolerances = 10.0, CrowdedShare = 0.002;
 
+/// Iterations go on until each coordinate's error is so much of the tolerance, for all three and
+/// places between the rows to keep it, or until they hardly lower it.
+constexpr double ShareOfTolerance = 0.5, LeastGainOfIteration = 0.05;
+
 NearSourceSystem::Effort EffortAfter(
   const NearSourceSystem& system, double left, const HarmonicVolumeMapOptions& options)
 {
@@ -122,8 +126,8 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
     targets << refined.Targets, CornerMeans(refined.Surface.Triangles, refined.Targets);
     const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.3, 0.4));
     GmresOptions gmres;
-    gmres.Tolerance = 0.1 * options.Tolerance;
-    gmres.LeastGain = options.LeastGain;
+    gmres.Tolerance = ShareOfTolerance * options.Tolerance;
+    gmres.LeastGain = LeastGainOfIteration;
     const GmresResult fit = system.Solve(left, gmres, part.Part(0.4, 0.9));
     const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
 
@@ -145,7 +149,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
       return;
     }
     effort = EffortAfter(system, level.RMSEInside, options);
-    Refine(refined, left - system.Values(fit.Solution));
+    Refine(refined, fit.Left);
     if (static_cast<double>(refined.Surface.Points.rows()) > most)
     {
       result.Reason = HarmonicVolumeMapResult::Stop::Refinement;

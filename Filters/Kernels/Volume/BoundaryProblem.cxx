@@ -76,6 +76,7 @@ BoundaryProblem::BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatu
   : Scaled(scaled)
   , Field(scaled.Surface)
   , Components(SurfaceTopology(scaled.Surface).ComponentId)
+  , SumError(std::clamp(0.03 * options.Tolerance, 1e-10, 1e-5))
   , Threshold(options.SingularValueThreshold)
   , MaximumMemory(options.MaximumMemory)
 {
@@ -112,7 +113,7 @@ BoundaryProblem::BoundaryProblem(const ScaledBoundary& scaled, const VolumeFeatu
 Eigen::MatrixXd BoundaryProblem::Left(
   const Eigen::MatrixXd& places, const Eigen::MatrixXd& targets, const Progress& progress) const
 {
-  return targets - Evaluate(this->Sum, places, progress);
+  return targets - Evaluate(this->Sum, places, progress, this->SumError);
 }
 
 void BoundaryProblem::Collocate(const Eigen::MatrixXd& points, const Progress& progress)
@@ -128,7 +129,7 @@ void BoundaryProblem::Collocate(const Eigen::MatrixXd& points, const Progress& p
   this->PlaceResidual.conservativeResize(before + points.rows(), 3);
   this->PlaceResidual.bottomRows(points.rows()) =
     Interpolate(this->Scaled.Surface.Triangles, this->Scaled.Targets, places) -
-    Evaluate(this->Sum, places.Positions, progress.Part(0.5, 1.0));
+    Evaluate(this->Sum, places.Positions, progress.Part(0.5, 1.0), this->SumError);
 }
 
 void BoundaryProblem::RequireMemory(int boundaryRows, int sources) const
@@ -204,7 +205,8 @@ double BoundaryProblem::Add(
   const Eigen::Index m = this->Scaled.Surface.Triangles.rows();
   ChargeSet step{ sources, charges };
   step.Affine.setZero();
-  const Eigen::MatrixXd change = Evaluate(step, this->Probes, progress.Part(0.0, 0.8));
+  const Eigen::MatrixXd change =
+    Evaluate(step, this->Probes, progress.Part(0.0, 0.8), this->SumError);
 
   // The least-squares factor of the step for each coordinate, over the weighted probes.
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(this->Probes.rows());
@@ -225,7 +227,7 @@ double BoundaryProblem::Add(
   const double left = inner(this->Residual, this->Residual).sum();
   this->Residual -= change * factors.asDiagonal();
   this->PlaceResidual -=
-    Evaluate(step, this->Places, progress.Part(0.8, 1.0)) * factors.asDiagonal();
+    Evaluate(step, this->Places, progress.Part(0.8, 1.0), this->SumError) * factors.asDiagonal();
   const Eigen::Index before = this->Sum.Points.rows();
   this->Sum.Points.conservativeResize(before + sources.rows(), 3);
   this->Sum.Charges.conservativeResize(before + sources.rows(), 3);

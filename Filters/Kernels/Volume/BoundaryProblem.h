@@ -78,6 +78,7 @@ private:
   Eigen::MatrixXd Places;           ///< of the collocations
   Eigen::MatrixXd PlaceResidual;    ///< there
   ChargeSet Sum;                    ///< scaled
+  double SumError = 0.0;            ///< of evaluations, far below the tolerance
   double Threshold = 0.0, MaximumMemory = 0.0;
 };
 

@@ -23,10 +23,10 @@ struct ChargeSet
 };
 
 /// f at `points` (n x 3), n x 3. Large sums are taken by the multipole method (FastSummation.h)
-/// where that is faster and adds no more than 1e-10 of the image's size. The same bits for any
-/// number of threads; not finite at a charge's own place. Throws Aborted.
-Eigen::MatrixXd Evaluate(
-  const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress = {});
+/// where that is faster and its root mean square error no more than `error` of the image's size.
+/// The same bits for any number of threads; not finite at a charge's own place. Throws Aborted.
+Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
+  const Progress& progress = {}, double error = 1e-10);
 
 /// The derivative of f at `points`, n x 9: column 3 r + c is d f_r / d y_c. The same bits for any
 /// number of threads; not finite at a charge's own place. Throws Aborted.

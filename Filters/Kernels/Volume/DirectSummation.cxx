@@ -2,7 +2,6 @@
 
 #include "Core/Errors.h"
 #include "Core/Parallel.h"
-#include "Volume/InverseDistance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +39,7 @@ double ScaleFor(const Eigen::MatrixXd& sources)
 
 /// `gradient`: three values for each column of the charges.
 Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
-  const Eigen::MatrixXd& points, bool gradient, const Progress& progress)
+  const Eigen::MatrixXd& points, bool gradient, RootError error, const Progress& progress)
 {
   Check(sources, charges, points);
   const double scale = ScaleFor(sources);
@@ -75,6 +74,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
           sum.PointCount = end - begin;
           sum.Values = values.data() + begin + valuesPerColumn * column * std::ptrdiff_t(n);
           sum.ValueStride = n;
+          sum.Error = error;
           gradient ? AddGradients(sum) : AddPotentials(sum);
         }
       },
@@ -86,15 +86,15 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
 } // namespace
 
 Eigen::MatrixXd DirectPotentials(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
-  const Eigen::MatrixXd& points, const Progress& progress)
+  const Eigen::MatrixXd& points, RootError error, const Progress& progress)
 {
-  return Sum(sources, charges, points, false, progress);
+  return Sum(sources, charges, points, false, error, progress);
 }
 
 Eigen::MatrixXd DirectGradients(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, const Progress& progress)
 {
-  return Sum(sources, charges, points, true, progress);
+  return Sum(sources, charges, points, true, RootError::Rounding, progress);
 }
 
 } // namespace shape

@@ -128,8 +128,9 @@ Eigen::MatrixXd FastSummation::Parts::Sum(
   }
   if (const auto* places = std::get_if<Places>(&this->Method))
   {
-    return gradients ? DirectGradients(places->Sources, charges, places->Points, progress)
-                     : DirectPotentials(places->Sources, charges, places->Points, progress);
+    return gradients
+      ? DirectGradients(places->Sources, charges, places->Points, progress)
+      : DirectPotentials(places->Sources, charges, places->Points, RootError::Rounding, progress);
   }
   const Eigen::Index values = gradients ? 3 : 1;
   Eigen::MatrixXd sums(this->Points, values * charges.cols());

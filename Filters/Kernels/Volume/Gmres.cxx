@@ -36,7 +36,11 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
   result.Residuals = start;
   std::vector<Eigen::MatrixXd> basis{ normalized(rightSide, start) };
   std::vector<Eigen::MatrixXd> hessenbergs(columns, Eigen::MatrixXd::Zero(most + 1, most));
-  std::vector<Eigen::VectorXd> factors(columns);
+  std::vector<Eigen::VectorXd> factors(columns), rests(columns);
+  for (Eigen::Index c = 0; c < columns; ++c)
+  {
+    rests[c] = start.segment(c, 1);
+  }
   constexpr int patience = 2; // iterations in a row
   int idle = 0;
   while (result.Iterations < most && result.Residuals.maxCoeff() > options.Tolerance)
@@ -66,7 +70,8 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
       const Eigen::MatrixXd h = hessenbergs[c].topLeftCorner(k + 2, k + 1);
       const Eigen::VectorXd wanted = start(c) * Eigen::VectorXd::Unit(k + 2, 0);
       factors[c] = h.completeOrthogonalDecomposition().solve(wanted);
-      result.Residuals(c) = (wanted - h * factors[c]).norm();
+      rests[c] = wanted - h * factors[c];
+      result.Residuals(c) = rests[c].norm();
     }
     ++result.Iterations;
     idle =
@@ -76,15 +81,20 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
       break;
     }
   }
-  Eigen::MatrixXd combination = Eigen::MatrixXd::Zero(rightSide.rows(), columns);
-  for (int i = 0; i < result.Iterations; ++i)
+  const auto combined = [&](const std::vector<Eigen::VectorXd>& weightsOfBasis)
   {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(rightSide.rows(), columns);
     for (Eigen::Index c = 0; c < columns; ++c)
     {
-      combination.col(c) += factors[c](i) * basis[i].col(c);
+      for (Eigen::Index i = 0; i < weightsOfBasis[c].size(); ++i)
+      {
+        sum.col(c) += weightsOfBasis[c](i) * basis[i].col(c);
+      }
     }
-  }
-  result.Solution = b(combination);
+    return sum;
+  };
+  result.Solution = b(combined(factors));
+  result.Left = combined(rests);
   return result;
 }
 

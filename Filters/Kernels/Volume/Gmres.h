@@ -21,7 +21,8 @@ struct GmresOptions
 struct GmresResult
 {
   Eigen::MatrixXd Solution;
-  Eigen::RowVectorXd Residuals; ///< of each column: weighted root mean square at the end
+  Eigen::MatrixXd Left;         ///< b - A x
+  Eigen::RowVectorXd Residuals; ///< of each column: its weighted root mean square
   int Iterations = 0;
 };
 

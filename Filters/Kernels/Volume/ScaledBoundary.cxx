@@ -3,6 +3,7 @@
 #include "Core/Errors.h"
 #include "Core/Topology.h"
 #include "Geometry/Nesting.h"
+#include "Volume/LatticeOrder.h"
 
 #include <Eigen/LU>
 
@@ -19,7 +20,8 @@ namespace shape
 namespace
 {
 
-/// The points that triangles use, in the order of their coordinates.
+/// The points that triangles use, in an order that depends on their coordinates alone and puts
+/// neighbours side by side: searches and sums run through memory that is at hand.
 std::vector<int> UsedPointsByPlace(const Mesh& boundary, const Topology& topology)
 {
   std::vector<int> used;
@@ -36,7 +38,16 @@ std::vector<int> UsedPointsByPlace(const Mesh& boundary, const Topology& topolog
       boundary.Points(i, 2) };
   };
   std::stable_sort(used.begin(), used.end(), [&](int a, int b) { return place(a) < place(b); });
-  return used;
+  const Eigen::MatrixXd places = boundary.Points(used, Eigen::all);
+  const LatticeOrder order =
+    OrderOnLattice(places, { places.colwise().minCoeff(), LongestSide(places) });
+  std::vector<int> ordered;
+  ordered.reserve(used.size());
+  for (const int k : order.Ids)
+  {
+    ordered.push_back(used[k]);
+  }
+  return ordered;
 }
 
 /// The triangles, each from its lowest corner, in ascending order.

@@ -23,30 +23,37 @@ namespace
 
 using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<PointRows, 3>;
-using Tests = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Means = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// 1 / (4 pi r), points' count x sources' count, by one thread.
-Eigen::MatrixXd LocalPotentials(const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources)
+/// 1 / (4 pi r), sources' count x points' count, by one thread. In single precision, the places are
+/// taken from the first source: they are close to each other.
+template <typename Real>
+Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> LocalPotentials(
+  const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points)
 {
-  Eigen::MatrixXd matrix(points.rows(), sources.rows());
-  for (Eigen::Index j = 0; j < sources.rows(); ++j)
+  const Eigen::RowVector3d origin = sources.row(0);
+  const Eigen::Array<Real, Eigen::Dynamic, 3> from =
+    (sources.rowwise() - origin).template cast<Real>().array();
+  const Eigen::Array<Real, Eigen::Dynamic, 3> to =
+    (points.rowwise() - origin).template cast<Real>().array();
+  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> matrix(sources.rows(), points.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    matrix.col(j) = 0.25 / M_PI *
-      ((points.col(0).array() - sources(j, 0)).square() +
-        (points.col(1).array() - sources(j, 1)).square() +
-        (points.col(2).array() - sources(j, 2)).square())
+    matrix.col(i) = static_cast<Real>(0.25 / M_PI) *
+      ((from.col(0) - to(i, 0)).square() + (from.col(1) - to(i, 1)).square() +
+        (from.col(2) - to(i, 2)).square())
         .rsqrt();
   }
   return matrix;
 }
 
 /// The rows that the tests of some sites look at, ascending.
-std::vector<int> TestedRows(const Tests& tests, const std::vector<int>& sites)
+std::vector<int> TestedRows(const Means& tests, const std::vector<int>& sites)
 {
   std::vector<int> rows;
   for (const int site : sites)
   {
-    for (Tests::InnerIterator entry(tests, site); entry; ++entry)
+    for (Means::InnerIterator entry(tests, site); entry; ++entry)
     {
       rows.push_back(static_cast<int>(entry.col()));
     }
@@ -54,6 +61,24 @@ std::vector<int> TestedRows(const Tests& tests, const std::vector<int>& sites)
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
+}
+
+/// The means over the sites of each cluster: clusters' count x sites' count.
+Means MeansOver(const Eigen::VectorXi& clusters, Eigen::Index count)
+{
+  Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count);
+  for (const int cluster : clusters)
+  {
+    sizes(cluster) += 1.0;
+  }
+  Means means(count, clusters.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < clusters.size(); ++i)
+  {
+    entries.emplace_back(clusters(i), static_cast<int>(i), 1.0 / sizes(clusters(i)));
+  }
+  means.setFromTriplets(entries.begin(), entries.end());
+  return means;
 }
 
 /// Sites near the centre of `own` that are not among them, nearest first.
@@ -111,19 +136,13 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
   const Eigen::MatrixXd& coarseSources, const Eigen::VectorXi& clusters,
   const SchwarzOptions& options, const Progress& progress)
   : Tests(system.Tests)
-  , Rows(system.Rows)
   , CoarseSources(coarseSources)
-  , Clusters(clusters)
-  , ClusterSizes(Eigen::VectorXd::Zero(coarseSources.rows()))
+  , ClusterMeans(MeansOver(clusters, coarseSources.rows()))
 {
   const BlasThreads single(1); // the blocks are shared out among the threads
-  for (const int cluster : clusters)
-  {
-    this->ClusterSizes(cluster) += 1.0;
-  }
   const std::vector<std::vector<int>> parts = MedianClusters(system.Sites, options.Own);
-  const PointRows places = system.Sites;
-  const Tree tree(3, std::cref(places), 16);
+  const PointRows sites = system.Sites;
+  const Tree tree(3, std::cref(sites), 16);
   this->Blocks.resize(parts.size());
   ParallelFor(
     static_cast<int>(parts.size()), 1,
@@ -136,22 +155,57 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
       }
     },
     progress.Part(0.0, 0.8));
+  this->GatherPlaces(system);
+  this->SetUpCoarse(progress.Part(0.8, 1.0));
+}
 
-  const Eigen::Index count = coarseSources.rows();
-  Eigen::MatrixXd coarse(count, count);
-  constexpr Eigen::Index panel = 64;
-  for (Eigen::Index first = 0; first < count; first += panel)
+void SchwarzPreconditioner::GatherPlaces(const TestedSystem& system)
+{
+  const auto sites = static_cast<int>(system.Sites.rows());
+  std::vector<int> number(system.Rows.rows(), -1);
+  for (Block& block : this->Blocks)
   {
-    progress(0.8 + 0.2 * static_cast<double>(first) / static_cast<double>(count));
-    const Eigen::Index width = std::min(panel, count - first);
-    coarse.middleCols(first, width) =
-      this->ClusterMeans(PotentialMatrix(system.Sites, coarseSources.middleRows(first, width)));
+    for (int& input : block.Inputs)
+    {
+      if (block.TakesRows)
+      {
+        if (number[input] < 0)
+        {
+          number[input] = sites + static_cast<int>(this->Rows.size());
+          this->Rows.push_back(input);
+        }
+        input = number[input];
+      }
+    }
+  }
+  this->Places.resize(sites + static_cast<Eigen::Index>(this->Rows.size()), 3);
+  this->Places << system.Tests * system.Rows, system.Rows(this->Rows, Eigen::all);
+}
+
+void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
+{
+  const Eigen::Index count = this->CoarseSources.rows();
+  Eigen::MatrixXd coarse(count, count); // transposed
+  for (Eigen::Index c = 0; c < count; ++c)
+  {
+    progress(static_cast<double>(c) / static_cast<double>(count));
+    // A mean of potentials is the potential of a charge that is shared out among the places.
+    std::vector<int> sites;
+    std::vector<double> shares;
+    for (Means::InnerIterator entry(this->ClusterMeans, c); entry; ++entry)
+    {
+      sites.push_back(static_cast<int>(entry.col()));
+      shares.push_back(entry.value());
+    }
+    coarse.col(c) = DirectPotentials(this->Places(sites, Eigen::all),
+      Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size())),
+      this->CoarseSources);
   }
   // In narrow gaps coarse charges are nearly redundant: the ridge keeps them small.
   constexpr double ridge = 1e-4;
-  Eigen::MatrixXd normal = coarse.transpose() * coarse;
+  Eigen::MatrixXd normal = coarse * coarse.transpose();
   normal.diagonal().array() += ridge * normal.diagonal().mean();
-  this->CoarseInverse = normal.llt().solve(coarse.transpose());
+  this->CoarseInverse = normal.llt().solve(coarse);
 }
 
 SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem& system,
@@ -162,62 +216,57 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
   std::vector<int> sites = own;
   sites.insert(sites.end(), around.begin(), around.end());
   const auto all = static_cast<Eigen::Index>(sites.size());
-  // Own columns of a transposed inverse are own rows of the inverse.
-  const Eigen::MatrixXd unit =
-    Eigen::MatrixXd::Identity(all, static_cast<Eigen::Index>(own.size()));
+  const auto count = static_cast<Eigen::Index>(own.size());
   const std::vector<int> rows = TestedRows(system.Tests, sites);
-  const Eigen::MatrixXd potentials =
-    LocalPotentials(system.Rows(rows, Eigen::all), system.Sources(sites, Eigen::all));
+  const Eigen::MatrixXd sources = system.Sources(sites, Eigen::all);
+  const Eigen::MatrixXd places = system.Rows(rows, Eigen::all);
+  // Own columns of a transposed inverse are own rows of the inverse.
   if (mostAmplified > 0.0)
   {
-    Eigen::MatrixXd tested = Eigen::MatrixXd::Zero(all, all);
+    const Eigen::MatrixXf potentials = LocalPotentials<float>(sources, places);
+    Eigen::MatrixXf tested = Eigen::MatrixXf::Zero(all, all); // transposed
     for (Eigen::Index i = 0; i < all; ++i)
     {
-      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(
-             system.Tests, sites[i]);
-           entry; ++entry)
+      for (Means::InnerIterator entry(system.Tests, sites[i]); entry; ++entry)
       {
         const auto row = std::lower_bound(rows.begin(), rows.end(), static_cast<int>(entry.col()));
-        tested.row(i) += entry.value() * potentials.row(row - rows.begin());
+        tested.col(i) += static_cast<float>(entry.value()) * potentials.col(row - rows.begin());
       }
     }
-    const Eigen::MatrixXd inverse = tested.transpose().partialPivLu().solve(unit).transpose();
-    if (inverse.rowwise().norm().maxCoeff() * tested.colwise().norm().maxCoeff() < mostAmplified)
+    const Eigen::MatrixXf inverse =
+      tested.partialPivLu().solve(Eigen::MatrixXf::Identity(all, count));
+    if (inverse.colwise().norm().maxCoeff() * tested.rowwise().norm().maxCoeff() < mostAmplified)
     {
       block.Inputs = sites;
-      block.Inverse = inverse.cast<float>();
+      block.Inverse = inverse.transpose();
       return block;
     }
   }
   constexpr double ridge = 1e-8;
-  const Eigen::MatrixXd weighted = potentials.transpose() * system.Weights(rows).asDiagonal();
-  Eigen::MatrixXd normal = weighted * potentials;
+  const Eigen::MatrixXd potentials = LocalPotentials<double>(sources, places);
+  const Eigen::MatrixXd weighted = potentials * system.Weights(rows).asDiagonal();
+  Eigen::MatrixXd normal = weighted * potentials.transpose();
   normal.diagonal() *= 1.0 + ridge;
   block.TakesRows = true;
   block.Inputs = rows;
-  block.Inverse = (normal.ldlt().solve(unit).transpose() * weighted).cast<float>();
+  block.Inverse =
+    (normal.ldlt().solve(Eigen::MatrixXd::Identity(all, count)).transpose() * weighted)
+      .cast<float>();
   return block;
-}
-
-Eigen::MatrixXd SchwarzPreconditioner::ClusterMeans(const Eigen::MatrixXd& values) const
-{
-  Eigen::MatrixXd means = Eigen::MatrixXd::Zero(this->ClusterSizes.size(), values.cols());
-  for (Eigen::Index i = 0; i < values.rows(); ++i)
-  {
-    means.row(this->Clusters(i)) += values.row(i);
-  }
-  return this->ClusterSizes.cwiseInverse().asDiagonal() * means;
 }
 
 Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) const
 {
-  const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
-  Eigen::MatrixXd charges(n + c, residual.cols());
-  charges.bottomRows(c) = this->CoarseInverse * this->ClusterMeans(this->Tests * residual);
-  const Eigen::MatrixXd left =
-    residual - DirectPotentials(this->CoarseSources, charges.bottomRows(c), this->Rows);
-  const Eigen::MatrixXd tested = this->Tests * left;
   const BlasThreads single(1);
+  const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
+  Eigen::MatrixXd left(this->Places.rows(), residual.cols());
+  left.topRows(n) = this->Tests * residual;
+  left.bottomRows(left.rows() - n) = residual(this->Rows, Eigen::all);
+  Eigen::MatrixXd charges(n + c, residual.cols());
+  charges.bottomRows(c) = this->CoarseInverse * (this->ClusterMeans * left.topRows(n));
+  // Across a test the potentials of charges so far away hardly change: they count as at its site.
+  left -=
+    DirectPotentials(this->CoarseSources, charges.bottomRows(c), this->Places, RootError::Small);
   ParallelFor(static_cast<int>(this->Blocks.size()), 16,
     [&](int begin, int end)
     {
@@ -225,7 +274,7 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
       {
         const Block& block = this->Blocks[b];
         // Double again: rounding of the inputs to float would make it a little less than linear.
-        const Eigen::MatrixXd inputs = (block.TakesRows ? left : tested)(block.Inputs, Eigen::all);
+        const Eigen::MatrixXd inputs = left(block.Inputs, Eigen::all);
         charges(block.Own, Eigen::all) = block.Inverse.cast<double>() * inputs;
       }
     });

@@ -51,20 +51,23 @@ private:
   struct Block
   {
     std::vector<int> Own;    ///< sites
-    std::vector<int> Inputs; ///< sites of whose tests, or rows of which, it takes what is left
-    bool TakesRows = false;
+    std::vector<int> Inputs; ///< of what is left, what it takes: see Places
+    bool TakesRows = false;  ///< and not tests
     Eigen::MatrixXf Inverse; ///< own x inputs
   };
   static Block MakeBlock(const TestedSystem& system, const std::vector<int>& own,
     const std::vector<int>& around, double mostAmplified);
-  Eigen::MatrixXd ClusterMeans(const Eigen::MatrixXd& values) const;
+  void GatherPlaces(const TestedSystem& system);
+  void SetUpCoarse(const Progress& progress);
 
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests;
-  Eigen::MatrixXd Rows, CoarseSources;
-  Eigen::VectorXi Clusters;
-  Eigen::VectorXd ClusterSizes;
-  Eigen::MatrixXd CoarseInverse; ///< c x c, from the means over clusters
   std::vector<Block> Blocks;
+  /// Where the blocks take what is left: at all sites, for the means that test there, then at Rows.
+  Eigen::MatrixXd Places;
+  std::vector<int> Rows; ///< that blocks take
+  Eigen::MatrixXd CoarseSources;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> ClusterMeans; ///< c x n
+  Eigen::MatrixXd CoarseInverse; ///< c x c, from the means over clusters
 };
 
 /// Splits points at the medians of their longest extents until no part has more than `most`: the

@@ -1,0 +1,45 @@
+#include "Core/HalfEdges.h"
+
+#include <array>
+#include <numeric>
+
+namespace shape
+{
+
+std::vector<HalfEdge> SortedHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points)
+{
+  const auto side = [&](int triangle, int corner)
+  {
+    return HalfEdge{ triangles(triangle, corner), triangles(triangle, (corner + 1) % 3), triangle,
+      corner };
+  };
+  const auto forAll = [&](const auto& visit)
+  {
+    for (int t = 0; t < triangles.rows(); ++t)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        visit(side(t, corner));
+      }
+    }
+  };
+  // Few share their lower point: counted first, they are sorted in no time.
+  std::vector<int> start(points + 1, 0);
+  forAll([&](const HalfEdge& edge) { ++start[edge.Low() + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<HalfEdge> sides(3 * triangles.rows());
+  std::vector<int> next(start.begin(), start.end() - 1);
+  forAll([&](const HalfEdge& edge) { sides[next[edge.Low()]++] = edge; });
+  for (Eigen::Index low = 0; low < points; ++low)
+  {
+    std::sort(sides.begin() + start[low], sides.begin() + start[low + 1],
+      [](const HalfEdge& a, const HalfEdge& b)
+      {
+        return std::array<int, 2>{ a.High(), a.Triangle } <
+          std::array<int, 2>{ b.High(), b.Triangle };
+      });
+  }
+  return sides;
+}
+
+} // namespace shape

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <vector>
+
+namespace shape
+{
+
+/// One triangle's side, from the point Begin at its corner Corner to End at the next one.
+struct HalfEdge
+{
+  int Begin;
+  int End;
+  int Triangle;
+  int Corner;
+  int Low() const { return std::min(this->Begin, this->End); }
+  int High() const { return std::max(this->Begin, this->End); }
+};
+
+/// The sides of all triangles (m x 3, indices less than `points`): those of one edge side by side,
+/// in the order of Low, High, Triangle.
+std::vector<HalfEdge> SortedHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points);
+
+} // namespace shape
