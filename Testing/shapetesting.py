@@ -57,6 +57,17 @@ def triangles(surface):
     return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
 
+def places_on(surface, count, random):
+    """Random places on triangles, evenly over the area, and the unit normals there."""
+    corners = points(surface)[triangles(surface)]
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas = numpy.linalg.norm(normals, axis=1)
+    chosen = random.choice(len(areas), count, p=areas / areas.sum())
+    shares = random.dirichlet([1.0, 1.0, 1.0], count)
+    return numpy.einsum('ik,ikc->ic', shares, corners[chosen]), (
+        normals[chosen] / areas[chosen, None])
+
+
 def set_points(data, coordinates):
     data.GetPoints().SetData(numpy_to_vtk(numpy.ascontiguousarray(coordinates), deep=True))
 

@@ -96,20 +96,10 @@ def cloud(places):
 random = numpy.random.default_rng(3)
 
 
-def places_on(surface, count):
-    corners = points(surface)[triangles(surface)]
-    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas = numpy.linalg.norm(normals, axis=1)
-    chosen = random.choice(len(areas), count, p=areas / areas.sum())
-    shares = random.dirichlet([1.0, 1.0, 1.0], count)
-    return numpy.einsum('ik,ikc->ic', shares, corners[chosen]), (
-        normals[chosen] / areas[chosen, None])
-
-
 size = 2.0
 for region, reader in ((1, skull), (2, brain)):
     surface = reader.SMProxy.GetClientSideObject().GetOutputDataObject(0)
-    places, normals = places_on(surface, 5000)
+    places, normals = shapetesting.places_on(surface, 5000, random)
     sides = [points(applied(cloud(places + step * normals))) for step in (1e-9, -1e-9)]
     jump = numpy.linalg.norm(sides[0] - sides[1], axis=1) / size
     print('border of region', region, 'jumps by', jump.max(), 'at most; the fitted maps by',

@@ -14,25 +14,12 @@ namespace shape
 namespace
 {
 
-/// So many tolerances that a map leaves over make the next one's solver more patient, and so many
-/// of the charges that find less room than they want: gaps are narrow then, and parts thin.
-constexpr double ToughTolerances = 10.0, CrowdedShare = 0.002;
-
 /// Iterations go on until each coordinate's error is so much of the tolerance, for all three and
 /// places between the rows to keep it, or until they hardly lower it.
-constexpr double ShareOfTolerance = 0.5, LeastGainOfIteration = 0.05;
+constexpr double ShareOfTolerance = 0.5;
 
-NearSourceSystem::Effort EffortAfter(
-  const NearSourceSystem& system, double left, const HarmonicVolumeMapOptions& options)
-{
-  if (left <= ToughTolerances * options.Tolerance)
-  {
-    return NearSourceSystem::Effort::Little;
-  }
-  return system.Shrunk() > CrowdedShare * static_cast<double>(system.Sources().rows())
-    ? NearSourceSystem::Effort::Most
-    : NearSourceSystem::Effort::More;
-}
+/// So many tolerances that a map leaves over make the next one's solver more patient.
+constexpr double ToughTolerances = 1.5;
 
 /// A refined boundary with the images of its points.
 struct RefinedBoundary
@@ -127,7 +114,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
     const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.3, 0.4));
     GmresOptions gmres;
     gmres.Tolerance = ShareOfTolerance * options.Tolerance;
-    gmres.LeastGain = LeastGainOfIteration;
+    gmres.LeastGain = options.LeastGain;
     const GmresResult fit = system.Solve(left, gmres, part.Part(0.4, 0.9));
     const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
 
@@ -148,7 +135,9 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
       result.Reason = HarmonicVolumeMapResult::Stop::NoImprovement;
       return;
     }
-    effort = EffortAfter(system, level.RMSEInside, options);
+    effort = level.RMSEInside > ToughTolerances * options.Tolerance
+      ? NearSourceSystem::Effort::More
+      : NearSourceSystem::Effort::Little;
     Refine(refined, fit.Left);
     if (static_cast<double>(refined.Surface.Points.rows()) > most)
     {

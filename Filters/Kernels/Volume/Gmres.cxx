@@ -41,7 +41,7 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
   {
     rests[c] = start.segment(c, 1);
   }
-  constexpr int patience = 2; // iterations in a row
+  constexpr int patience = 3; // iterations in a row
   int idle = 0;
   while (result.Iterations < most && result.Residuals.maxCoeff() > options.Tolerance)
   {

@@ -63,8 +63,9 @@ struct LayeredVolumeMapResult
  * Where a border's triangles meet at an angle, two maps that are smooth beyond it agree only to the
  * difference of their derivatives times the height of the facets over a smooth surface: that is the
  * least that jumps of fitted maps come to. On the phantom of 2562, 1926 and 1538 points, whose
- * skull and brain go to a polycube and a cube, Accelerated leaves RMSEInside 3.1e-4, 5.6e-4
- * and 2.9e-4 over, and jumps of 1.2e-3 and 7.9e-4 (RMS) for the skin to make up for.
+ * skull and brain go to a polycube and a cube, Accelerated leaves RMSEInside 2.6e-4, 5.2e-4
+ * and 1.1e-4 over, and jumps of 6.9e-4 and 2.5e-4 (RMS) for the skin to make up for; with 23042,
+ * 12048 and 11618 points 6.3e-5, 1.4e-4 and 5.9e-5 (Testing/Benchmarks/Phantom.py).
  *
  * Regions are numbered as Tetrahedralize does: 0 inside the boundary, i + 1 inside surface i. A
  * region in several pieces that do not touch has a map for each: all but the first are numbered

@@ -142,7 +142,6 @@ NearSourceSystem::NearSourceSystem(
       "no charge finds room outside the boundary; its triangles face the wrong way "
       "or it is folded onto itself");
   }
-  this->ShrunkSources = near.Shrunk;
   Eigen::VectorXd offsets = near.Offsets;
   const auto hundredth = offsets.begin() + offsets.size() / 100;
   std::nth_element(offsets.begin(), hundredth, offsets.end());
@@ -163,8 +162,7 @@ NearSourceSystem::NearSourceSystem(
   SchwarzOptions blocks;
   if (effort != Effort::Little)
   {
-    blocks.Own = effort == Effort::More ? 64 : 200;
-    blocks.Around = effort == Effort::More ? 200 : 400;
+    blocks.Around = 200;
     blocks.MostAmplified = 0.0;
   }
   this->Preconditioner = std::make_unique<SchwarzPreconditioner>(

@@ -18,13 +18,12 @@ namespace shape
 class NearSourceSystem
 {
 public:
-  /// Time and memory, for convergence where the surface's triangles are uneven, or where parts are
-  /// thin and gaps narrow: three times, and six times as much.
+  /// Three times the time and memory, for convergence where the surface's triangles are uneven,
+  /// where parts are thin and gaps narrow, and where little is left to be gained.
   enum class Effort
   {
     Little,
-    More,
-    Most
+    More
   };
   /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
   /// refinement of it. Throws SolveFailure where no charge has room, Aborted.
@@ -37,10 +36,6 @@ public:
   const Eigen::MatrixXd& Sources() const { return this->AllSources; }
   /// Of the charges that are closest to the boundary, but for one in a hundred.
   double Offset() const { return this->NearOffset; }
-  int Shrunk() const
-  {
-    return this->ShrunkSources;
-  } ///< charges nearer than there is resolution for
 
   /// Charges (Solution: k x 3) for values at Rows() (m x 3). Throws Aborted.
   GmresResult Solve(const Eigen::MatrixXd& values, const GmresOptions& options,
@@ -53,7 +48,6 @@ private:
   TestedSystem System;
   Eigen::MatrixXd AllSources;
   double NearOffset = 0.0;
-  int ShrunkSources = 0;
   std::unique_ptr<SchwarzPreconditioner> Preconditioner;
   std::unique_ptr<FastSummation> Sums;
 };

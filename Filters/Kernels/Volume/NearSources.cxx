@@ -10,7 +10,7 @@ NearSources PlaceNearSources(const SignedDistance& boundary, const Eigen::Matrix
   const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress)
 {
   constexpr double room = 0.6, nearer = 0.7;
-  constexpr int steps = 8;
+  constexpr int steps = 4;
   const Eigen::Index n = sites.rows();
   Eigen::VectorXd reached = offsets;
   std::vector<int> open;
@@ -56,7 +56,6 @@ NearSources PlaceNearSources(const SignedDistance& boundary, const Eigen::Matrix
     if (reached(i) > 0.0)
     {
       placed.push_back(i);
-      sources.Shrunk += reached(i) < offsets(i) ? 1 : 0;
     }
   }
   sources.Points = places(placed);
