@@ -218,6 +218,25 @@ void vtkShapeGather::TogetherOrNotAtAll(
   }
 }
 
+void vtkShapeGather::Share(vtkMultiProcessController* controller, vtkDataObject* data)
+{
+  if (IsParallel(controller))
+  {
+    controller->Broadcast(data, 0);
+  }
+}
+
+void vtkShapeGather::Share(vtkMultiProcessController* controller, Eigen::MatrixXd& matrix)
+{
+  if (IsParallel(controller))
+  {
+    vtkIdType sizes[] = { matrix.rows(), matrix.cols() };
+    controller->Broadcast(sizes, 2, 0);
+    matrix.resize(sizes[0], sizes[1]);
+    controller->Broadcast(matrix.data(), matrix.size(), 0);
+  }
+}
+
 void vtkShapeGather::Reduce(
   vtkMultiProcessController* controller, double* values, int count, Reduction reduction)
 {

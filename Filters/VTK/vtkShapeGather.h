@@ -2,6 +2,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -45,6 +47,12 @@ vtkSmartPointer<vtkUnstructuredGrid> GatherGrid(
 /// Does `work` on every process; where it throws on one, throws on all: what Execute does before a
 /// collective call goes in here, since no process may wait for one that has failed.
 void TogetherOrNotAtAll(vtkMultiProcessController* controller, const std::function<void()>& work);
+
+///@{
+/// What the first process has, on every process.
+void Share(vtkMultiProcessController* controller, vtkDataObject* data);
+void Share(vtkMultiProcessController* controller, Eigen::MatrixXd& matrix);
+///@}
 
 /// How the processes' values become one.
 enum class Reduction

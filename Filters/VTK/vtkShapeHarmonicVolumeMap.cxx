@@ -265,9 +265,13 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       {
         vtkShapeSolid::RequireOneSolid(domain, controller);
       }
-      // Every process has the whole boundary and finds the same map.
-      images = this->Solve(found, table, progress.Part(0.0, 0.8));
+      if (first)
+      {
+        images = this->Solve(found, table, progress.Part(0.0, 0.8));
+      }
     });
+  vtkShapeGather::Share(controller, found);
+  vtkShapeGather::Share(controller, images);
   const shape::LayeredMap map(vtkShapeChargeSet::Read(found, "the map"), progress.Part(0.8, 0.82));
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,

@@ -223,6 +223,14 @@ for algorithm in (gridded, carried):
     outside = array(grid, 'OutsideDomain')
     assert (points(grid)[outside == 1] == array(grid, 'SourcePosition')[outside == 1]).all()
     assert outside.any() and not outside.all()
+# The charges of a map whose own domain is an image in pieces serve another filter.
+onward = shapemap.vtkShapeApplyVolumeMap()
+onward.SetInputDataObject(0, domain)
+onward.SetInputConnection(1, gridded.GetOutputPort(1))
+assert onward.UpdatePiece(rank, processes, 0)
+if rank in workers:
+    compare('Moved', array(onward.GetOutputDataObject(0), 'SourcePosition'),
+            points(onward.GetOutputDataObject(0)))
 
 
 class Series(VTKPythonAlgorithmBase):
