@@ -5,11 +5,10 @@
 #include "vtkShapeFeatures.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeSolid.h"
+#include "vtkShapeVolumeMapFacts.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -75,45 +74,7 @@ namespace
 constexpr double LongestStep = 0.01;
 
 /// What the names of the facts begin with.
-const std::string Facts = "HarmonicVolumeMap.";
-
-/// The levels of each region's map.
-void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult>& regions, vtkTable* output)
-{
-  Eigen::MatrixXd columns(0, 9);
-  for (std::size_t region = 0; region < regions.size(); ++region)
-  {
-    for (const auto& level : regions[region].Levels)
-    {
-      columns.conservativeResize(columns.rows() + 1, Eigen::NoChange);
-      columns.bottomRows<1>() << level.Number, level.Sources, level.Collocations,
-        level.RMSEVertices, level.RMSEInside, level.Maximum, level.Seconds, level.Kept,
-        static_cast<double>(region);
-    }
-  }
-  const char* names[] = { "Level", "Sources", "Collocations", "RMSEVertices", "RMSEInside",
-    "Maximum", "Seconds", "Kept", "RegionId" };
-  for (int c = 0; c < columns.cols(); ++c)
-  {
-    output->AddColumn(vtkShapeConvert::ToArray(columns.col(c), names[c]));
-  }
-}
-
-const char* Word(shape::HarmonicVolumeMapResult::Stop reason)
-{
-  switch (reason)
-  {
-    case shape::HarmonicVolumeMapResult::Stop::Tolerance:
-      return "Tolerance";
-    case shape::HarmonicVolumeMapResult::Stop::NoImprovement:
-      return "NoImprovement";
-    case shape::HarmonicVolumeMapResult::Stop::Refinement:
-      return "Refinement";
-    case shape::HarmonicVolumeMapResult::Stop::Levels:
-      break;
-  }
-  return "Levels";
-}
+const std::string Facts = vtkShapeVolumeMapFacts::Prefix;
 
 /// One harmonic map as a solution of one region.
 shape::LayeredVolumeMapResult OneRegion(shape::HarmonicVolumeMapResult map, const shape::Mesh& mesh)
@@ -128,25 +89,6 @@ shape::LayeredVolumeMapResult OneRegion(shape::HarmonicVolumeMapResult map, cons
   result.OffsetDistance = map.OffsetDistance;
   result.Layers.push_back(std::move(map));
   return result;
-}
-
-/// Errors at the borders, an entry for each region.
-void AddBorders(
-  const std::vector<shape::LayeredVolumeMapResult::Border>& borders, vtkDataObject* output)
-{
-  Eigen::MatrixXd columns(borders.size(), 5);
-  for (std::size_t i = 0; i < borders.size(); ++i)
-  {
-    columns.row(i) << borders[i].RMSEVertices, borders[i].RMSEInside, borders[i].Maximum,
-      borders[i].JumpRMS, borders[i].JumpMaximum;
-  }
-  const char* names[] = { "BorderRMSEVertices", "BorderRMSEInside", "BorderMaximum",
-    "BorderJumpRMS", "BorderJumpMaximum" };
-  for (int c = 0; c < columns.cols(); ++c)
-  {
-    output->GetAttributesAsFieldData(vtkDataObject::FIELD)
-      ->AddArray(vtkShapeConvert::ToArray(columns.col(c), Facts + names[c]));
-  }
 }
 
 } // namespace
@@ -206,32 +148,10 @@ Eigen::MatrixXd vtkShapeHarmonicVolumeMap::Solve(
     : OneRegion(std::move(one), mesh);
 
   vtkShapeChargeSet::Write(result.Charges, charges);
-  WriteLevels(result.Layers, levels);
-  const auto& boundaryErrors = result.Borders.front();
-  double deleted = 0.0, inserted = 0.0;
-  auto reason = shape::HarmonicVolumeMapResult::Stop::Tolerance;
-  for (const shape::HarmonicVolumeMapResult& layer : result.Layers)
-  {
-    deleted += layer.DeletedSources;
-    inserted += layer.InsertedSources;
-    reason =
-      layer.Reason == shape::HarmonicVolumeMapResult::Stop::Tolerance ? reason : layer.Reason;
-  }
-  const std::pair<const char*, double> facts[] = { { "RMSEVertices", boundaryErrors.RMSEVertices },
-    { "RMSEInside", boundaryErrors.RMSEInside }, { "Maximum", boundaryErrors.Maximum },
-    { "RMSEFeatures", result.RMSEFeatures },
-    { "FeaturePoints", static_cast<double>(features.Points.rows()) },
-    { "OffsetDistance", result.OffsetDistance }, { "DeletedSources", deleted },
-    { "InsertedSources", inserted } };
-  for (const auto& [fact, value] : facts)
-  {
-    vtkShapeConvert::AddFact(charges, Facts + fact, value);
-  }
-  vtkShapeConvert::AddFact(charges, Facts + "Stop", Word(reason));
-  if (this->Exact)
-  {
-    AddBorders(result.Borders, charges);
-  }
+  vtkShapeVolumeMapFacts::WriteLevels(result.Layers, levels);
+  vtkShapeVolumeMapFacts::AddFacts(result, this->Options.Method, this->Exact, charges);
+  vtkShapeConvert::AddFact(
+    charges, Facts + "FeaturePoints", static_cast<double>(features.Points.rows()));
   if (hasTarget)
   {
     vtkShapeConvert::AddFact(charges, Facts + "TargetDistance", targetDistance);

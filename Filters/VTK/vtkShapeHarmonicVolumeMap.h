@@ -32,10 +32,13 @@
  * Field data of outputs 0 and 1: HarmonicVolumeMap.RMSEVertices, .RMSEInside, .Maximum,
  * .RMSEFeatures (0 without features), .FeaturePoints, .OffsetDistance (of the nearest charges),
  * .OutsidePoints (over all processes, without ghosts), .DeletedSources, .InsertedSources,
- * .TargetDistance (root mean square / longest side; with Target only), and in words .Stop:
- * Tolerance (reached), Levels (all that were asked for were fitted), NoImprovement (the last levels
- * gained less than LeastGain), Refinement (Accelerated: the boundary would have
- * to be refined more than MostRefined).
+ * .TargetDistance (root mean square / longest side; with Target only); of Accelerated, and 0
+ * otherwise: .Iterations, .RefinedPoints (that the boundary was refined by),
+ * .PointsWithoutCharge (of the boundary: in gaps too narrow for one, or in the middle of triangles
+ * without area); and in words .Method and .Stop: Tolerance (reached), Levels (all that were asked
+ * for were fitted), NoImprovement (the last levels gained less than LeastGain), Refinement
+ * (Accelerated: the boundary would have to be refined more than MostRefined). With Exact the
+ * counts are sums over the layers' maps.
  *
  * With Exact, closed surfaces among the Features are met as well as the boundary is: by the maximum
  * principle no one harmonic map can, so each is a border between layers, and each layer has a

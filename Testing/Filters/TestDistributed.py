@@ -73,6 +73,7 @@ volume = shapemap.vtkShapeHarmonicVolumeMap()
 volume.SetInputDataObject(0, ball)
 volume.SetInputConnection(1, sphere.GetOutputPort(1))
 volume.SetMapArray('SourcePosition')
+volume.SetMaximumLevels(2)  # refinement would magnify the rounding in which the sphere maps differ
 assert not shapetesting.run(volume)
 carried = volume.GetOutputDataObject(0)
 assert volume.GetOutputDataObject(1).GetNumberOfPoints() > 0 or rank > 0

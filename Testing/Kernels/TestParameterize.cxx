@@ -24,6 +24,21 @@ TEST(Parameterize, OntoTheSphereFlipsNoTriangleAndSaysHow)
   EXPECT_GT(map.Iterations, 0);
 }
 
+TEST(Parameterize, MirrorsNoSurfaceThatFacesInwards)
+{
+  shape::Mesh mesh = shapetest::Icosphere(3);
+  mesh.Points.col(0) *= 2.0;
+  mesh.Triangles = mesh.Triangles.rowwise().reverse().eval();
+  ASSERT_LT(shape::EnclosedVolume(mesh), 0.0);
+  const shape::ParameterizeResult map = shape::Parameterize(mesh);
+  const shape::Mesh image{ map.Positions, mesh.Triangles };
+  for (Eigen::Index t = 0; t < image.Triangles.rows(); ++t)
+  {
+    EXPECT_LT(shape::Corners(image, t).determinant(), 0.0);
+  }
+  EXPECT_LT((map.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
+}
+
 TEST(Parameterize, OfAnEllipsoidIsNearlyConformalWhereRadialProjectionIsNot)
 {
   shape::Mesh mesh = shapetest::Icosphere(4);

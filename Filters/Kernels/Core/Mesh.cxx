@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <random>
 
 namespace shape
 {
@@ -113,6 +115,22 @@ Eigen::MatrixXd AtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values)
       });
     places.row(t) = shares[0] * values.row(corners[0]) + shares[1] * values.row(corners[1]) +
       shares[2] * values.row(corners[2]);
+  }
+  return places;
+}
+
+Eigen::MatrixXd RandomPlaces(const Mesh& mesh, int count, unsigned int seed)
+{
+  const Eigen::VectorXd areas = AreaVectors(mesh).rowwise().norm();
+  std::mt19937 random(seed);
+  std::discrete_distribution<int> triangle(areas.begin(), areas.end());
+  std::uniform_real_distribution<double> uniform;
+  Eigen::MatrixXd places(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    const Eigen::Matrix3d corners = Corners(mesh, triangle(random));
+    const double root = std::sqrt(uniform(random)), along = uniform(random);
+    places.row(i) = Eigen::RowVector3d(1.0 - root, root * (1.0 - along), root * along) * corners;
   }
   return places;
 }

@@ -63,6 +63,9 @@ Eigen::MatrixXd OffCentres(const Mesh& mesh);
 /// Values given at the points (n x d), interpolated linearly at the places of OffCentres (m x d).
 Eigen::MatrixXd AtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values);
 
+/// Random places on the triangles (count x 3), evenly over their area.
+Eigen::MatrixXd RandomPlaces(const Mesh& mesh, int count, unsigned int seed);
+
 /// Means over each triangle's corners (m x d) of values given at the points (n x d).
 Eigen::MatrixXd CornerMeans(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
 

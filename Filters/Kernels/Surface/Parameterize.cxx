@@ -59,6 +59,11 @@ ParameterizeResult OntoSphere(
   const SphereMapResult map = SphereMap(surface, ForSphere(options), progress);
   ParameterizeResult result;
   result.Positions = map.Points;
+  if (EnclosedVolume(surface) < 0.0)
+  {
+    result.Positions.col(2) *=
+      -1.0; // that image faces outwards: the map would mirror what is inside
+  }
   result.Method = Word(map.Method);
   result.Iterations = map.Iterations;
   result.ReinsertedPoints = map.Reinserted;

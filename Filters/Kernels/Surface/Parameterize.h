@@ -39,7 +39,8 @@ struct ParameterizeResult
 };
 
 /**
- * Maps a surface onto a simple domain without flipping a triangle.
+ * Maps a surface onto a simple domain without flipping a triangle. The image of a closed surface
+ * that faces inwards faces inwards, too: the map mirrors nothing.
  *
  * Throws InvalidInput where the surface is not of the kind that the domain needs, SolveFailure
  * where a triangle would be flipped, Aborted.

@@ -18,6 +18,10 @@ namespace
 /// places between the rows to keep it, or until they hardly lower it.
 constexpr double ShareOfTolerance = 0.5;
 
+/// Boundaries of fewer points may be refined as far as one of so many: it takes seconds, and
+/// those of a few hundred points have the longest triangles.
+constexpr double CheapPoints = 2500.0;
+
 /// So many tolerances that a map leaves over make the next one's solver more patient.
 constexpr double ToughTolerances = 1.5;
 
@@ -95,8 +99,10 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
       problem.Distance(), boundary, effort, progress.Part(0.0, 0.3));
   }
   result.OffsetDistance = setup.System->Offset();
+  result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
   RefinedBoundary refined{ boundary, problem.Targets() };
-  const double most = options.MostRefined * static_cast<double>(boundary.Points.rows());
+  const double most =
+    options.MostRefined * std::max(CheapPoints, static_cast<double>(boundary.Points.rows()));
   for (int number = 1;; ++number)
   {
     const double done = 0.3 + 0.7 * (1.0 - 1.0 / number);
@@ -116,6 +122,8 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
     gmres.Tolerance = ShareOfTolerance * options.Tolerance;
     gmres.LeastGain = options.LeastGain;
     const GmresResult fit = system.Solve(left, gmres, part.Part(0.4, 0.9));
+    result.Iterations += fit.Iterations;
+    result.RefinedPoints = static_cast<int>(refined.Surface.Points.rows() - boundary.Points.rows());
     const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
 
     AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);

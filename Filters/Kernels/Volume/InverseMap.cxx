@@ -113,8 +113,12 @@ InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest
   }
   this->Seeds = SeedsIn(this->Domain, options.SeedsAcross, progress.Part(0.2, 0.4));
   this->SeedImages = Evaluate(map, this->Seeds, progress.Part(0.4, 0.6));
-  Eigen::MatrixXd sampled(this->Seeds.rows() + domain.Points.rows(), 3);
-  sampled << this->Seeds, domain.Points;
+  // A map folds first at its boundary, and in the middle of long triangles, too.
+  constexpr Eigen::Index wanted = 5000;
+  const Eigen::MatrixXd onBoundary = RandomPlaces(
+    domain, static_cast<int>(std::max(wanted - domain.Points.rows(), Eigen::Index(0))), 1);
+  Eigen::MatrixXd sampled(this->Seeds.rows() + domain.Points.rows() + onBoundary.rows(), 3);
+  sampled << this->Seeds, domain.Points, onBoundary;
   const Eigen::MatrixXd jacobians = Jacobians(map, sampled, progress.Part(0.6, 1.0));
   int positive = 0, negative = 0;
   for (Eigen::Index i = 0; i < jacobians.rows(); ++i)

@@ -28,8 +28,8 @@ struct InverseMapOptions
  * Where f folds, a point has several preimages: one of them is found, always the same.
  *
  * A point is outside the image where it lies outside the boundary's image (by more than the
- * edges there) and the derivative's determinant has one sign at all seeds and boundary
- * points; otherwise it is searched for. Keeps copies; used from any thread.
+ * edges there) and the derivative's determinant has one sign at all seeds, boundary points and
+ * random places on the boundary; otherwise it is searched for. Keeps copies; used from any thread.
  */
 class InverseMap
 {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <random>
 #include <utility>
 
 namespace shape
@@ -78,23 +77,6 @@ Mesh Refined(const Mesh& mesh)
       0.5 * (mesh.Points.row(edges[e].first) + mesh.Points.row(edges[e].second));
   }
   return refined;
-}
-
-/// Random places on a surface, evenly over its area.
-Eigen::MatrixXd RandomPlaces(const Mesh& mesh, int count, unsigned int seed)
-{
-  const Eigen::VectorXd areas = AreaVectors(mesh).rowwise().norm();
-  std::mt19937 random(seed);
-  std::discrete_distribution<int> triangle(areas.begin(), areas.end());
-  std::uniform_real_distribution<double> uniform;
-  Eigen::MatrixXd places(count, 3);
-  for (int i = 0; i < count; ++i)
-  {
-    const Eigen::Matrix3d corners = Corners(mesh, triangle(random));
-    const double root = std::sqrt(uniform(random)), along = uniform(random);
-    places.row(i) = Eigen::RowVector3d(1.0 - root, root * (1.0 - along), root * along) * corners;
-  }
-  return places;
 }
 
 /// The layers of a solid: what bounds each, and where the images of those points are.

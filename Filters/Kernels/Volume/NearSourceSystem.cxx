@@ -142,6 +142,7 @@ NearSourceSystem::NearSourceSystem(
       "no charge finds room outside the boundary; its triangles face the wrong way "
       "or it is folded onto itself");
   }
+  this->WithoutCharge = static_cast<int>(surface.Points.rows() - near.Sites.size());
   Eigen::VectorXd offsets = near.Offsets;
   const auto hundredth = offsets.begin() + offsets.size() / 100;
   std::nth_element(offsets.begin(), hundredth, offsets.end());

@@ -34,6 +34,8 @@ public:
   const Eigen::MatrixXd& Rows() const { return this->System.Rows; }
   /// Of all charges, the coarse ones last: k x 3.
   const Eigen::MatrixXd& Sources() const { return this->AllSources; }
+  /// How many points of the surface have no charge: in gaps too narrow, or without a normal.
+  int PointsWithoutCharge() const { return this->WithoutCharge; }
   /// Of the charges that are closest to the boundary, but for one in a hundred.
   double Offset() const { return this->NearOffset; }
 
@@ -48,6 +50,7 @@ private:
   TestedSystem System;
   Eigen::MatrixXd AllSources;
   double NearOffset = 0.0;
+  int WithoutCharge = 0;
   std::unique_ptr<SchwarzPreconditioner> Preconditioner;
   std::unique_ptr<FastSummation> Sums;
 };
