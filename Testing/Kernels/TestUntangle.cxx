@@ -1,6 +1,7 @@
 #include "Core/Errors.h"
 #include "Core/Orientation.h"
 #include "Volume/EllipticEnergy.h"
+#include "Volume/MeanPositions.h"
 #include "Volume/Untangle.h"
 
 #include <gtest/gtest.h>
@@ -167,6 +168,24 @@ TEST(EllipticEnergy, EpsilonGivesTheChiAskedFor)
     const double epsilon = shape::EllipticEnergy::EpsilonFor(determinant, 0.02, 1e-10);
     EXPECT_NEAR(shape::EllipticEnergy::Chi(determinant, epsilon), 0.02, 1e-12);
   }
+}
+
+TEST(MeanPositions, PointsInsideAreTheMeansOfTheirNeighbours)
+{
+  shape::Cells cells = Cube(4, 12);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-3.0, 3.0);
+  const shape::SolidCells regular(cells, {}, "the cube");
+  for (int point = 0; point < regular.PointCount(); ++point)
+  {
+    if (!regular.OnBoundary(point))
+    {
+      cells.Points.row(point) << uniform(random), uniform(random), uniform(random);
+    }
+  }
+  // Wherever they were: in a cube of hexahedra, neighbours lie evenly around.
+  const Eigen::MatrixXd means = shape::MeanPositions(shape::SolidCells(cells, {}, "the cube"));
+  EXPECT_LT((means - regular.Points).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(Untangle, MakesEveryKindOfCellPositive)

@@ -5,12 +5,14 @@
 #include "Core/Topology.h"
 #include "Volume/CellSplits.h"
 #include "Volume/LocalSizes.h"
+#include "Volume/MeanPositions.h"
 #include "Volume/SimplexPatch.h"
 #include "Volume/SlidingBoundary.h"
 #include "Volume/SolidCells.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -28,6 +30,8 @@ constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
 /// So many rounds without fewer inverted cells than ever before are the end.
 constexpr int Patience = 6;
+/// So many times more inverted cells than there have been are a wrong way: it is left.
+constexpr std::size_t MostWorse = 2;
 /// So many rounds after one another the edges of a fixed point may be split once more.
 constexpr int RoundsPerCollar = 4;
 
@@ -45,6 +49,9 @@ public:
     }
   }
 
+  /// Forgets where the points inside are, and begins with each in the middle of its neighbours.
+  void StartFromMeans() { this->Solid.Points = MeanPositions(this->Solid); }
+
   UntangleResult Run(const Progress& progress)
   {
     progress(0.02);
@@ -52,6 +59,7 @@ public:
     this->Result.InvertedBefore = static_cast<int>(bad.size());
     CellSplits splits(this->Solid, [this](int point) { return this->Movable(point); });
     std::size_t least = bad.size();
+    SolidCells best = this->Solid;
     for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience;
          ++round)
     {
@@ -69,7 +77,18 @@ public:
       {
         least = bad.size();
         last = round;
+        best = this->Solid;
       }
+      else if (bad.size() > MostWorse * least)
+      {
+        this->Solid = best;
+        bad = this->InvertedCells();
+      }
+    }
+    if (bad.size() > least)
+    {
+      this->Solid = best;
+      bad = this->InvertedCells();
     }
     progress(0.95);
     this->Finish(bad);
@@ -271,7 +290,26 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
         "; give the same cells before they were moved");
     }
   }
-  UntangleResult result = Untangler(cells, rest, options).Run(progress);
+  UntangleResult result = Untangler(cells, rest, options).Run(progress.Part(0.0, 0.5));
+  // What is left is a matter of patience, or of where it began.
+  UntangleOptions patient = options;
+  patient.MaximumIterations =
+    3 * std::min(options.MaximumIterations, std::numeric_limits<int>::max() / 3);
+  for (int attempt = 0; attempt < 2 && result.InvertedAfter > 0; ++attempt)
+  {
+    Untangler again(cells, rest, patient);
+    if (attempt > 0)
+    {
+      again.StartFromMeans();
+    }
+    UntangleResult other = again.Run(progress.Part(0.5 + 0.25 * attempt, 0.75 + 0.25 * attempt));
+    if (other.InvertedAfter < result.InvertedAfter)
+    {
+      other.InvertedBefore = result.InvertedBefore;
+      result = std::move(other);
+    }
+  }
+  progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)
   {
     result.MovedPoints += result.Solid.Points.row(i) != cells.Points.row(i);
