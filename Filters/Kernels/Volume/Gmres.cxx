@@ -41,7 +41,9 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
   {
     rests[c] = start.segment(c, 1);
   }
-  constexpr int patience = 3; // iterations in a row
+  // Iterations in a row: a plateau far from the goal is often left again.
+  constexpr int patience = 3, patienceNear = 2;
+  constexpr double nearGoal = 4.0;
   int idle = 0;
   while (result.Iterations < most && result.Residuals.maxCoeff() > options.Tolerance)
   {
@@ -76,7 +78,8 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
     ++result.Iterations;
     idle =
       (result.Residuals.array() > (1.0 - options.LeastGain) * last.array()).all() ? idle + 1 : 0;
-    if (idle == patience)
+    if (idle >=
+      (result.Residuals.maxCoeff() > nearGoal * options.Tolerance ? patience : patienceNear))
     {
       break;
     }

@@ -14,7 +14,8 @@ struct GmresOptions
   int MaximumIterations = 40; ///< >= 1
   /// Stop when no column's weighted root mean square residual is more; >= 0.
   double Tolerance = 1e-8;
-  /// Stop when an iteration lowers every column's residual by less than this share; >= 0, < 1.
+  /// Stop when three iterations in a row lower every column's residual by less than this share, or
+  /// two where no residual is more than four tolerances; >= 0, < 1.
   double LeastGain = 0.0;
 };
 

@@ -31,7 +31,7 @@ struct HarmonicVolumeMapOptions
   /// MultiLevel: the sources are dealt into so many levels, at least 16 to each; >= 1.
   int SourceSubsets = 8;
   /// Stop where two levels of MultiLevel in a row, or one of Accelerated after the first, lower
-  /// what is left over by less than this share; Accelerated's iterations where three do; >= 0, < 1.
+  /// what is left over by less than this share; Accelerated's iterations (Gmres.h), too; >= 0, < 1.
   double LeastGain = 0.02;
   double FeatureWeight = 20.0;   ///< of features that bring no weights; > 0
   double CollocationRatio = 0.4; ///< points where the map is fitted / points of the boundary; > 0
@@ -103,8 +103,8 @@ struct HarmonicVolumeMapResult
  * preconditioned by local blocks, sums by the multipole method (NearSourceSystem.h,
  * SchwarzPreconditioner.h, FastSummation.h). Then triangles that hold most of what is left are
  * halved and a further map is fitted to that, until the tolerance is met. Time and memory grow
- * nearly as the boundary does. On one core of 2.2 GHz, sphere maps: bear_bis of 10096 points 1.6 s,
- * RMSEInside 9.1e-5; bunny00 of 37706, 2.9 s, 7.5e-5; the same in 113114, 5.1 s, 6.4e-5
+ * nearly as the boundary does. CPU seconds of sphere maps: bear_bis of 10096 points 1.6,
+ * RMSEInside 9.1e-5; bunny00 of 37706, 2.9, 7.5e-5; the same in 113114, 5.1, 6.4e-5
  * (Testing/Benchmarks/VolumeMap.py). MultiLevel meets soft features better, SingleShot is the
  * paper's first method: both decompose dense matrices, and are for small boundaries.
  *

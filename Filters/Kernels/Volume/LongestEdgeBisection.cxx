@@ -1,5 +1,7 @@
 #include "Volume/LongestEdgeBisection.h"
 
+#include "Core/HalfEdges.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -17,33 +19,13 @@ struct Edges
   Eigen::MatrixXi OfTriangle;            ///< m x 3: column k is the edge from corner k to the next
 };
 
-Edges EdgesOf(const Eigen::MatrixXi& triangles)
+Edges EdgesOf(const Mesh& surface)
 {
-  struct Side
-  {
-    int Low, High, Triangle, Corner;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.rows());
-  for (int t = 0; t < triangles.rows(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int a = triangles(t, k), b = triangles(t, (k + 1) % 3);
-      sides.push_back({ std::min(a, b), std::max(a, b), t, k });
-    }
-  }
-  std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
-    {
-      return std::array<int, 4>{ a.Low, a.High, a.Triangle, a.Corner } <
-        std::array<int, 4>{ b.Low, b.High, b.Triangle, b.Corner };
-    });
   Edges edges;
-  edges.OfTriangle.resize(triangles.rows(), 3);
-  for (const Side& side : sides)
+  edges.OfTriangle.resize(surface.Triangles.rows(), 3);
+  for (const HalfEdge& side : SortedHalfEdges(surface.Triangles, surface.Points.rows()))
   {
-    const std::pair<int, int> ends(side.Low, side.High);
+    const std::pair<int, int> ends(side.Low(), side.High());
     if (edges.Ends.empty() || edges.Ends.back() != ends)
     {
       edges.Ends.push_back(ends);
@@ -116,7 +98,7 @@ void Close(std::vector<char>& halved, const Edges& edges, const std::vector<int>
 
 Eigen::MatrixXi BisectLongestEdges(Mesh& surface, const std::vector<char>& marked)
 {
-  const Edges edges = EdgesOf(surface.Triangles);
+  const Edges edges = EdgesOf(surface);
   const std::vector<int> longest = LongestCorners(surface, edges);
   std::vector<char> halved(edges.Ends.size(), 0);
   for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
