@@ -53,13 +53,17 @@ class Bench:
             subprocess.run(['cmake', '--build', arguments.build, '--target', 'volume_map_case'],
                            check=True, stdout=subprocess.DEVNULL)
 
-    def once(self, size, data, method, settings):
-        """One measurement as a dictionary, or None where it fails."""
+    def once(self, size, data, method, settings, seconds=None):
+        """One measurement as a dictionary, or None where it fails or takes longer than it may."""
         command = [self.case, os.path.join(self.arguments.models, SIZES[size]), data, method,
                    'Cache=' + self.folder, *settings]
         if data == 'B' and size in REFERENCE:
             command.append('Reference=' + os.path.join(self.folder, SIZES[size] + '.reference'))
-        done = subprocess.run(command, capture_output=True, text=True, env=self.environment)
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, env=self.environment,
+                                  timeout=seconds)
+        except subprocess.TimeoutExpired:
+            return None
         if done.returncode != 0:
             print('    %s %s %s %s: %s' % (size, data, method, ' '.join(settings), (
                 done.stderr.strip() or 'signal %d' % -done.returncode)[:160]), flush=True)
@@ -88,12 +92,18 @@ class Bench:
 
     def elements(self, size, accelerated):
         """Finite elements for data A: at TetGen's default and refined, by the best solver; and the
-        best of them that takes no longer than `accelerated`."""
-        solver = min(SOLVERS, key=lambda words: (self.once(
-            size, 'A', 'FEM', ('Refine=4',) + words) or {'cpu': 1e9})['cpu'])
+        best of them that takes no longer than `accelerated`. The solvers are tried on the finest
+        mesh that one of them solves in ten times as long."""
+        limit = accelerated['cpu'] if accelerated else 10.0
+        for refine in (('Refine=4',), ('Refine=1',), ()):
+            trials = {words: self.once(size, 'A', 'FEM', refine + words, 10.0 * limit + 5.0)
+                      for words in SOLVERS}
+            trials = {words: trial['cpu'] for words, trial in trials.items() if trial}
+            if trials:
+                break
+        solver = min(trials, key=trials.get)
         name = 'FEM %s ' % '+'.join(word.split('=')[1] for word in solver)
         default = self.row(name + 'default', size, 'A', 'FEM', solver)
-        limit = accelerated['cpu'] if accelerated else 4.0 * default['cpu']
         best = (default['interior'], default, ())
         for settings in REFINEMENTS:
             refined = self.row(name + ' '.join(settings), size, 'A', 'FEM', solver + settings, 1)
