@@ -61,8 +61,8 @@ ParameterizeResult OntoSphere(
   result.Positions = map.Points;
   if (EnclosedVolume(surface) < 0.0)
   {
-    result.Positions.col(2) *=
-      -1.0; // that image faces outwards: the map would mirror what is inside
+    // The image faces outwards: the map would mirror what is inside.
+    result.Positions.col(2) *= -1.0;
   }
   result.Method = Word(map.Method);
   result.Iterations = map.Iterations;

@@ -59,7 +59,7 @@ public:
     this->Result.InvertedBefore = static_cast<int>(bad.size());
     CellSplits splits(this->Solid, [this](int point) { return this->Movable(point); });
     std::size_t least = bad.size();
-    SolidCells best = this->Solid;
+    auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(this->Solid);
     for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience;
          ++round)
     {
@@ -77,17 +77,17 @@ public:
       {
         least = bad.size();
         last = round;
-        best = this->Solid;
+        *best = this->Solid;
       }
       else if (bad.size() > MostWorse * least)
       {
-        this->Solid = best;
+        this->Solid = *best;
         bad = this->InvertedCells();
       }
     }
     if (bad.size() > least)
     {
-      this->Solid = best;
+      this->Solid = *best;
       bad = this->InvertedCells();
     }
     progress(0.95);
