@@ -3,7 +3,7 @@ import os
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BUILD = os.environ.get('SHAPEMAP_BUILD', os.path.join(ROOT, 'build'))
@@ -22,6 +22,15 @@ def read(name):
     reader.Update()
     assert reader.GetOutput().GetNumberOfPoints() > 0, 'cannot read ' + data_file(name)
     return reader.GetOutput()
+
+
+def write(surface, path):
+    """Every bit of a surface, for read()."""
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(surface)
+    writer.SetDataModeToBinary()
+    assert writer.Write(), 'cannot write ' + path
 
 
 def output(proxy, port=0):

@@ -4,7 +4,6 @@
 #include "Volume/DirectSummation.h"
 
 #include <hwy/targets.h>
-#include <immintrin.h>
 
 #include <algorithm>
 #include <array>
@@ -39,53 +38,39 @@ double Median(const std::function<void()>& body)
   return seconds[2];
 }
 
-constexpr int Rounds = 4000000;
+// Independent instructions on the registers of a list, in assembly: what compilers make of
+// intrinsics may go by way of memory.
+#define ZERO(list) ".irp n," list "\n vxorpd %%ymm\\n, %%ymm\\n, %%ymm\\n\n .endr\n"
+#define FMA(width, list)                                                                           \
+  ".irp n," list "\n vfmadd213pd %%" width "15, %%" width "14, %%" width "\\n\n .endr\n"
+#define ADD(width, list)                                                                           \
+  ".irp n," list "\n vaddpd %%" width "15, %%" width "\\n, %%" width "\\n\n .endr\n"
 
-/// `Rounds` times 26 independent vector instructions: FMAs alone, or `Additions` additions among
-/// them, as many as the innermost loop has (3 of 16), for which some processors have ports of their
-/// own.
-template <int Additions>
-__attribute__((target("avx512f"), noinline)) void WideInstructions()
-{
-  __m512d values[26];
-  for (auto& value : values)
-  {
-    value = _mm512_set1_pd(1.0);
-  }
-  const __m512d factor = _mm512_set1_pd(0.999), more = _mm512_set1_pd(0.001);
-  for (int round = 0; round < Rounds; ++round)
-  {
-#pragma GCC unroll 26
-    for (int i = 0; i < 26; ++i)
-    {
-      values[i] = i % 5 == 4 && i / 5 < Additions ? _mm512_add_pd(values[i], more)
-                                                  : _mm512_fmadd_pd(values[i], factor, more);
-      asm volatile("" : "+v"(values[i]));
-    }
-  }
-}
+/// Registers that both kinds of processors have and that the sums may be in.
+#define ALL "0,1,2,3,4,5,6,7,8,9,10,11,12,13"
+#define MIXTURE(width)                                                                             \
+  FMA(width, "0,1,2,3")                                                                            \
+  ADD(width, "4") FMA(width, "5,6,7,8") ADD(width, "9") FMA(width, "10,11,12") ADD(width, "13")
 
-/// The same for processors with sixteen registers.
-template <int Additions>
-__attribute__((target("avx2,fma"), noinline)) void Instructions()
-{
-  __m256d values[13];
-  for (auto& value : values)
-  {
-    value = _mm256_set1_pd(1.0);
+constexpr int Rounds = 8000000, InRound = 14;
+
+#define REPEATED(name, isa, block)                                                                 \
+  __attribute__((target(isa), noinline)) void name()                                               \
+  {                                                                                                \
+    long rounds = Rounds;                                                                          \
+    asm volatile(ZERO(ALL ",14,15") ".p2align 6\n1:\n" block "dec %0\n jnz 1b\n vzeroupper\n"      \
+                 : "+r"(rounds)                                                                    \
+                 :                                                                                 \
+                 : "cc", "xmm0", "xmm1", "xmm2", "xmm3", "xmm4", "xmm5", "xmm6", "xmm7", "xmm8",   \
+                 "xmm9", "xmm10", "xmm11", "xmm12", "xmm13", "xmm14", "xmm15");                    \
   }
-  const __m256d factor = _mm256_set1_pd(0.999), more = _mm256_set1_pd(0.001);
-  for (int round = 0; round < 2 * Rounds; ++round)
-  {
-#pragma GCC unroll 13
-    for (int i = 0; i < 13; ++i)
-    {
-      values[i] = i % 5 == 4 && i / 5 < Additions ? _mm256_add_pd(values[i], more)
-                                                  : _mm256_fmadd_pd(values[i], factor, more);
-      asm volatile("" : "+x"(values[i]));
-    }
-  }
-}
+
+/// FMAs alone, or three additions among fourteen instructions, for which some processors have ports
+/// of their own: the innermost loop has three of sixteen.
+REPEATED(WideFmas, "avx512f", FMA("zmm", ALL))
+REPEATED(WideMixture, "avx512f", MIXTURE("zmm"))
+REPEATED(Fmas, "avx2,fma", FMA("ymm", ALL))
+REPEATED(Mixture, "avx2,fma", MIXTURE("ymm"))
 
 std::mt19937 Generator(1);
 
@@ -145,8 +130,9 @@ int main()
 {
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
   const bool wide = (hwy::SupportedTargets() & HWY_AVX3) != 0;
-  const double fma = 26.0 * Rounds / Median(wide ? WideInstructions<0> : Instructions<0>);
-  const double mixed = 26.0 * Rounds / Median(wide ? WideInstructions<5> : Instructions<2>);
+  constexpr double instructions = static_cast<double>(Rounds) * InRound;
+  const double fma = instructions / Median(wide ? WideFmas : Fmas);
+  const double mixed = instructions / Median(wide ? WideMixture : Mixture);
   std::printf("vector %s %d %g %g\n", wide ? "N_AVX3" : "N_AVX2", wide ? 8 : 4, fma, mixed);
 
   const int m = 100000;

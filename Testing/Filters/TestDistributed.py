@@ -68,12 +68,16 @@ disk.SetInputDataObject(piece(shapetesting.without_cells(whole, (17,))))
 assert not shapetesting.run(disk)
 flat = disk.GetOutputDataObject(0)
 
+# The sphere that one process finds, in pieces: those of several differ from it by rounding, which the
+# volume map magnifies.
+sphere_file = os.path.join(folder, 'sphere.vtp')
+if processes == 1:
+    shapetesting.write(sphere.GetOutputDataObject(1), sphere_file)
 ball = piece(read('BallSmall.vtu'))
 volume = shapemap.vtkShapeHarmonicVolumeMap()
 volume.SetInputDataObject(0, ball)
-volume.SetInputConnection(1, sphere.GetOutputPort(1))
+volume.SetInputDataObject(1, piece(read(sphere_file)))
 volume.SetMapArray('SourcePosition')
-volume.SetMaximumLevels(2)  # refinement would magnify the rounding in which the sphere maps differ
 assert not shapetesting.run(volume)
 carried = volume.GetOutputDataObject(0)
 assert volume.GetOutputDataObject(1).GetNumberOfPoints() > 0 or rank > 0

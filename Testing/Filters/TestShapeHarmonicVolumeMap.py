@@ -63,6 +63,14 @@ errors = [levels.GetValueByName(i, 'RMSEInside').ToDouble()
           for i in range(levels.GetNumberOfRows())]
 assert errors == sorted(errors, reverse=True), 'a level made the map worse'
 assert errors[-1] == fact(solid, 'HarmonicVolumeMap.RMSEInside')
+assert fact(solid, 'HarmonicVolumeMap.Method') == 'Accelerated'
+# A charge for each point of the refined boundary, and a few far ones.
+sources = [levels.GetValueByName(i, 'Sources').ToInt() for i in range(levels.GetNumberOfRows())]
+refined_points = shapetesting.output(image, 0).GetNumberOfPoints() + fact(
+    solid, 'HarmonicVolumeMap.RefinedPoints')
+assert refined_points < sources[-1] < 1.1 * refined_points
+assert fact(solid, 'HarmonicVolumeMap.PointsWithoutCharge') == 0
+assert fact(solid, 'HarmonicVolumeMap.Iterations') >= len(sources)
 
 # An affine map of the boundary is the same affine map inside, to rounding.
 surface = read('DentedSphere600.vtp')

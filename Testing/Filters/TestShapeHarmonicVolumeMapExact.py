@@ -206,17 +206,9 @@ message = error_of(sphere(0.4, 1.0), sphere(0.4, 1.0, 0.3))
 assert 'feature 0' in message and 'feature 1' in message and 'cross' in message, message
 
 # A charge set of layers survives a file; one that is cut short is refused with the reason.
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 path = os.path.join(shapetesting.BUILD, 'Testing', 'ExactCharges.vtp')
-writer = vtkXMLPolyDataWriter()
-writer.SetFileName(path)
-writer.SetInputData(charges)
-writer.SetDataModeToBinary()
-writer.Write()
-kept = vtkXMLPolyDataReader()
-kept.SetFileName(path)
-kept.Update()
-before, charges = points(applied(cloud(inside[::9]))), kept.GetOutput()
+shapetesting.write(charges, path)
+before, charges = points(applied(cloud(inside[::9]))), read(path)
 assert (points(applied(cloud(inside[::9]))) == before).all()
 broken = copy(charges)
 broken.GetPointData().RemoveArray('RegionId')

@@ -210,6 +210,27 @@ TEST(Accelerated, RefinesWhereTheBoundaryMapBendsSharply)
   ASSERT_GT(fine.Levels.size(), coarse.Levels.size());
   EXPECT_LT(fine.Levels.back().RMSEInside, 0.5 * coarse.Levels.back().RMSEInside);
   EXPECT_LT(fine.Levels.back().Sources, 1.5 * static_cast<double>(boundary.Points.rows()));
+  EXPECT_EQ(coarse.RefinedPoints, 0);
+  EXPECT_EQ(fine.RefinedPoints, fine.Levels.back().Sources - coarse.Levels.back().Sources);
+  EXPECT_GT(fine.Iterations, coarse.Iterations);
+}
+
+TEST(Accelerated, PointsAtGapsTooNarrowForChargesAreCounted)
+{
+  // A ball, and one with a slit.
+  const shape::Mesh ball = shapetest::Icosphere(3);
+  const Eigen::Index n = ball.Points.rows(), m = ball.Triangles.rows();
+  shape::Mesh slit{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
+  slit.Points << ball.Points, ball.Points * Eigen::Vector3d(0.5, 0.5, 1e-4).asDiagonal();
+  slit.Triangles << ball.Triangles,
+    (ball.Triangles.array() + static_cast<int>(n)).rowwise().reverse();
+  auto options = Accelerated();
+  options.MaximumLevels = 1;
+  const auto without = shape::HarmonicVolumeMap(ball, Harmonic(ball.Points), {}, options);
+  const auto with = shape::HarmonicVolumeMap(slit, Harmonic(slit.Points), {}, options);
+  EXPECT_EQ(without.PointsWithoutCharge, 0);
+  EXPECT_EQ(with.PointsWithoutCharge, n);
+  EXPECT_EQ(with.Levels.back().Sources, without.Levels.back().Sources);
 }
 
 TEST(Accelerated, TheSetupServesOtherTargets)

@@ -1,10 +1,13 @@
 #include "Core/Errors.h"
+#include "Core/HalfEdges.h"
 #include "Core/Topology.h"
 #include "TestShapes.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <set>
 
 namespace
 {
@@ -29,6 +32,25 @@ std::string Refusal(const shape::Mesh& mesh)
 }
 
 } // namespace
+
+TEST(Topology, HalfEdgesOfOneEdgeLieSideBySide)
+{
+  const shape::Mesh mesh = WithoutTriangles(shapetest::Icosphere(2), 3);
+  const auto sides = shape::SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  ASSERT_EQ(sides.size(), 3 * mesh.Triangles.rows());
+  std::set<std::array<int, 2>> seen;
+  std::array<int, 3> before{ -1, -1, -1 };
+  for (const shape::HalfEdge& side : sides)
+  {
+    EXPECT_EQ(side.Begin, mesh.Triangles(side.Triangle, side.Corner));
+    EXPECT_EQ(side.End, mesh.Triangles(side.Triangle, (side.Corner + 1) % 3));
+    seen.insert({ side.Triangle, side.Corner });
+    const std::array<int, 3> key{ side.Low(), side.High(), side.Triangle };
+    EXPECT_LT(before, key);
+    before = key;
+  }
+  EXPECT_EQ(seen.size(), sides.size());
+}
 
 TEST(Topology, EulerNumberIsTwoMinusTwiceTheGenus)
 {

@@ -116,18 +116,6 @@ def layers(case, head, skull, brain, **options):
                 seconds=time.time() - begin)
 
 
-def places_on(surface, count):
-    """Even random places on a surface, and the normals there."""
-    random = numpy.random.default_rng(1)
-    corners = points(surface)[scenes.shapetesting.triangles(surface)]
-    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas = numpy.linalg.norm(normals, axis=1)
-    chosen = random.choice(len(areas), count, p=areas / areas.sum())
-    shares = random.dirichlet([1.0, 1.0, 1.0], count)
-    return (numpy.einsum('ik,ikc->ic', shares, corners[chosen]),
-            normals[chosen] / areas[chosen, None])
-
-
 def exact(case, head, *inner, **options):
     """The map of Exact as a row of the table. Prints, and checks, how far it jumps across each
     border, at random places of it: the map itself, and the two that were fitted."""
@@ -143,7 +131,8 @@ def exact(case, head, *inner, **options):
     by_region = {name: scenes.vtk_to_numpy(solid.GetFieldData().GetArray(
         'HarmonicVolumeMap.Border' + name)) for name in ('RMSEInside', 'JumpRMS', 'JumpMaximum')}
     for region, surface in enumerate(inner, 1):
-        places, normals = places_on(surface, 20000)
+        places, normals = scenes.shapetesting.places_on(
+            surface, 20000, numpy.random.default_rng(1))
         sides = [points(scenes.filter_of('ApplyVolumeMap', scenes.point_set(
             places + step * size * normals), charges).GetOutputDataObject(0))
             for step in (1e-10, -1e-10)]

@@ -165,9 +165,10 @@ Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double thre
   return kept;
 }
 
-/// Right^T potentials Right. Each vector is even or odd along each axis: sums and differences of
-/// the eight octants first leave products of an eighth of the size.
-Eigen::MatrixXd Projected(Eigen::MatrixXd potentials, const Spectrum& modes, int octant)
+/// Sums and differences of each two of eight octants that lie side by side, along each axis in
+/// turn.
+template <typename Octant>
+void AddAndSubtract(const Octant& octant)
 {
   for (int axis = 1; axis < 8; axis *= 2)
   {
@@ -175,23 +176,20 @@ Eigen::MatrixXd Projected(Eigen::MatrixXd potentials, const Spectrum& modes, int
     {
       if ((axes & axis) == 0)
       {
-        auto low = potentials.middleCols(axes * octant, octant);
-        auto high = potentials.middleCols((axes | axis) * octant, octant);
-        low += high;
-        high = low - 2.0 * high;
-      }
-    }
-    for (int axes = 0; axes < 8; ++axes)
-    {
-      if ((axes & axis) == 0)
-      {
-        auto low = potentials.middleRows(axes * octant, octant);
-        auto high = potentials.middleRows((axes | axis) * octant, octant);
+        auto low = octant(axes), high = octant(axes | axis);
         low += high;
         high = low - 2.0 * high;
       }
     }
   }
+}
+
+/// Right^T potentials Right. Each vector is even or odd along each axis: sums and differences of
+/// the eight octants first leave products of an eighth of the size.
+Eigen::MatrixXd Projected(Eigen::MatrixXd potentials, const Spectrum& modes, int octant)
+{
+  AddAndSubtract([&](int axes) { return potentials.middleCols(axes * octant, octant); });
+  AddAndSubtract([&](int axes) { return potentials.middleRows(axes * octant, octant); });
   std::array<std::vector<int>, 8> ofParity;
   for (int mode = 0; mode < static_cast<int>(modes.Parities.size()); ++mode)
   {
