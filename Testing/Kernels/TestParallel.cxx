@@ -85,14 +85,14 @@ TEST(Parallel, BlasUsesAsManyThreadsAndThenAsBefore)
   const int before = openblas_get_num_threads();
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
   {
-    const shape::BlasThreads threads;
+    const shape::BlasThreads threads(true);
     EXPECT_EQ(openblas_get_num_threads(), 1);
   }
   setenv("VTK_SMP_MAX_THREADS", "2", 1);
   {
-    const shape::BlasThreads threads(1000);
+    const shape::BlasThreads threads(shape::BlasThreads::WorthSharing(1000));
     EXPECT_EQ(openblas_get_num_threads(), 2);
-    const shape::BlasThreads few(100);
+    const shape::BlasThreads few(shape::BlasThreads::WorthSharing(100));
     EXPECT_EQ(openblas_get_num_threads(), 1);
   }
   unsetenv("VTK_SMP_MAX_THREADS");

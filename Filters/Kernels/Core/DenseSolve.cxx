@@ -27,7 +27,7 @@ SingularValues::SingularValues(Eigen::MatrixXd a)
   const auto rows = static_cast<lapack_int>(this->Reflectors.rows());
   const auto columns = static_cast<lapack_int>(this->Reflectors.cols());
   this->Factors.resize(columns);
-  const BlasThreads threads(columns);
+  const BlasThreads threads(BlasThreads::WorthSharing(columns));
   const lapack_int factorised = LAPACKE_dgeqrf(
     LAPACK_COL_MAJOR, rows, columns, this->Reflectors.data(), rows, this->Factors.data());
   Eigen::MatrixXd triangle = this->Reflectors.topRows(columns).triangularView<Eigen::Upper>();
@@ -53,7 +53,7 @@ void SingularValues::ApplyQ(Eigen::MatrixXd& b, bool transposed) const
 {
   const auto rows = static_cast<lapack_int>(this->Reflectors.rows());
   const auto reflectors = static_cast<lapack_int>(this->Reflectors.cols());
-  const BlasThreads threads(reflectors);
+  const BlasThreads threads(BlasThreads::WorthSharing(reflectors));
   if (LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', transposed ? 'T' : 'N', rows,
         static_cast<lapack_int>(b.cols()), reflectors, this->Reflectors.data(), rows,
         this->Factors.data(), b.data(), rows) != 0)

@@ -19,11 +19,10 @@ int ThreadCount()
   return asked > 0 ? asked : oneapi::tbb::info::default_concurrency();
 }
 
-BlasThreads::BlasThreads(int shorterSide)
+BlasThreads::BlasThreads(bool several)
   : Before(openblas_get_num_threads())
 {
-  constexpr int worthSharing = 512;
-  openblas_set_num_threads(shorterSide < worthSharing ? 1 : ThreadCount());
+  openblas_set_num_threads(several ? ThreadCount() : 1);
 }
 
 BlasThreads::~BlasThreads()

@@ -3,7 +3,6 @@
 #include "Core/Progress.h"
 
 #include <functional>
-#include <limits>
 
 namespace shape
 {
@@ -20,8 +19,9 @@ int ThreadCount();
 class BlasThreads
 {
 public:
-  /// shorterSide: of the largest matrix, where that is known.
-  explicit BlasThreads(int shorterSide = std::numeric_limits<int>::max());
+  explicit BlasThreads(bool several);
+  /// Several where a matrix's shorter side is worth it.
+  static bool WorthSharing(int shorterSide) { return shorterSide >= 512; }
   ~BlasThreads();
   BlasThreads(const BlasThreads&) = delete;
   BlasThreads& operator=(const BlasThreads&) = delete;

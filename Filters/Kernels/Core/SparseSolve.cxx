@@ -20,6 +20,18 @@ struct SparseCholesky::Factor
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> Solver;
 #endif
   bool Analysed = false;
+
+  /// Whether the factorisation takes so long that BLAS should use several threads: for small ones
+  /// they would do hardly more than wait for each other.
+  bool WorthSharing()
+  {
+#ifdef SHAPEMAP_CHOLMOD
+    constexpr double operations = 3e9;
+    return this->Solver.cholmod().fl > operations;
+#else
+    return false;
+#endif
+  }
 };
 
 SparseCholesky::SparseCholesky()
@@ -36,12 +48,12 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 void SparseCholesky::Factorize(const Eigen::SparseMatrix<double>& a)
 {
-  const BlasThreads threads;
   if (!this->Impl->Analysed)
   {
     this->Impl->Solver.analyzePattern(a);
     this->Impl->Analysed = true;
   }
+  const BlasThreads threads(this->Impl->WorthSharing());
   this->Impl->Solver.factorize(a);
   if (this->Impl->Solver.info() != Eigen::Success)
   {
@@ -51,7 +63,7 @@ void SparseCholesky::Factorize(const Eigen::SparseMatrix<double>& a)
 
 Eigen::MatrixXd SparseCholesky::Solve(const Eigen::MatrixXd& b) const
 {
-  const BlasThreads threads;
+  const BlasThreads one(false);
   return this->Impl->Solver.solve(b);
 }
 

@@ -251,7 +251,7 @@ typename BoxOperators<Real>::Operator Pack(
 template <typename Real>
 BoxOperators<Real>::BoxOperators(const BoxAccuracy& accuracy, const Progress& progress)
 {
-  const BlasThreads one(1);
+  const BlasThreads one(false);
   const CubePoints inner(accuracy.InnerNodes, InnerCube), outer(accuracy.OuterNodes, OuterCube);
   this->InnerPoints = inner.Places;
   this->OuterPoints = outer.Places;

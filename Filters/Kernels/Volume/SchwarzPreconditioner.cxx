@@ -139,7 +139,7 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
   , CoarseSources(coarseSources)
   , ClusterMeans(MeansOver(clusters, coarseSources.rows()))
 {
-  const BlasThreads single(1); // the blocks are shared out among the threads
+  const BlasThreads single(false); // the blocks are shared out among the threads
   const std::vector<std::vector<int>> parts = MedianClusters(system.Sites, options.Own);
   const PointRows sites = system.Sites;
   const Tree tree(3, std::cref(sites), 16);
@@ -259,7 +259,7 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
 
 Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) const
 {
-  const BlasThreads single(1);
+  const BlasThreads single(false);
   const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
   Eigen::MatrixXd left(this->Places.rows(), residual.cols());
   left.topRows(n) = this->Tests * residual;

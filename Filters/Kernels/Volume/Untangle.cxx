@@ -52,11 +52,14 @@ public:
   /// Forgets where the points inside are, and begins with each in the middle of its neighbours.
   void StartFromMeans() { this->Solid.Points = MeanPositions(this->Solid); }
 
-  UntangleResult Run(const Progress& progress)
+  /// Moves points, in steps that may take `patience` times as many iterations as asked for, until
+  /// no cell is inverted or no way to fewer of them is found. Returns how many are.
+  int Run(int patience, const Progress& progress)
   {
+    this->MaximumSteps = patience *
+      std::min(this->Options.MaximumIterations, std::numeric_limits<int>::max() / patience);
     progress(0.02);
     std::vector<int> bad = this->InvertedCells(progress.Part(0.02, 0.05));
-    this->Result.InvertedBefore = static_cast<int>(bad.size());
     CellSplits splits(this->Solid, [this](int point) { return this->Movable(point); });
     std::size_t least = bad.size();
     auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(this->Solid);
@@ -90,13 +93,33 @@ public:
       this->Solid = *best;
       bad = this->InvertedCells();
     }
-    progress(0.95);
-    this->Finish(bad);
     progress(1.0);
-    return std::move(this->Result);
+    return static_cast<int>(bad.size());
   }
 
-private:
+  UntangleResult Finish()
+  {
+    UntangleResult result;
+    result.Iterations = this->Iterations;
+    result.Solid = this->Solid.Result();
+    result.OriginalCell =
+      Eigen::Map<const Eigen::VectorXi>(this->Solid.OriginalCells.data(), this->Solid.CellCount());
+    result.Parents = this->Solid.Parents;
+    result.Inverted = Eigen::VectorXi::Zero(this->Solid.CellCount());
+    for (const int cell : this->InvertedCells())
+    {
+      result.Inverted(cell) = 1;
+    }
+    result.InvertedAfter = result.Inverted.sum();
+    Eigen::VectorXi parts = Eigen::VectorXi::Zero(this->Solid.CellCount());
+    for (const int original : this->Solid.OriginalCells)
+    {
+      ++parts(original);
+    }
+    result.SplitCells = static_cast<int>((parts.array() > 1).count());
+    return result;
+  }
+
   std::vector<int> InvertedCells(const Progress& progress = {})
   {
     std::vector<int> inverted;
@@ -114,6 +137,7 @@ private:
     return inverted;
   }
 
+private:
   bool Movable(int point) const
   {
     return !this->Solid.OnBoundary(point) || (this->Sliding && this->Sliding->Freedom(point) > 0);
@@ -231,42 +255,21 @@ private:
       return;
     }
     PatchOptions options;
-    options.MaximumSteps = this->Options.MaximumIterations;
+    options.MaximumSteps = this->MaximumSteps;
     const Eigen::MatrixXd kept = this->Solid.Points(points, Eigen::all);
     const PatchResult moved =
       LowerEnergy(this->Solid.Points, patch, this->Sliding.get(), options, progress);
-    this->Result.Iterations += moved.Steps;
+    this->Iterations += moved.Steps;
     if (moved.Negative > before)
     {
       this->Solid.Points(points, Eigen::all) = kept;
     }
   }
 
-  void Finish(const std::vector<int>& bad)
-  {
-    UntangleResult& result = this->Result;
-    result.Solid = this->Solid.Result();
-    result.OriginalCell =
-      Eigen::Map<const Eigen::VectorXi>(this->Solid.OriginalCells.data(), this->Solid.CellCount());
-    result.Parents = this->Solid.Parents;
-    result.InvertedAfter = static_cast<int>(bad.size());
-    result.Inverted = Eigen::VectorXi::Zero(this->Solid.CellCount());
-    for (const int cell : bad)
-    {
-      result.Inverted(cell) = 1;
-    }
-    Eigen::VectorXi parts = Eigen::VectorXi::Zero(this->Solid.CellCount());
-    for (const int original : this->Solid.OriginalCells)
-    {
-      ++parts(original);
-    }
-    result.SplitCells = static_cast<int>((parts.array() > 1).count());
-  }
-
   UntangleOptions Options;
   SolidCells Solid;
   std::unique_ptr<SlidingBoundary> Sliding;
-  UntangleResult Result;
+  int MaximumSteps = 0, Iterations = 0;
 };
 
 } // namespace
@@ -290,25 +293,23 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
         "; give the same cells before they were moved");
     }
   }
-  UntangleResult result = Untangler(cells, rest, options).Run(progress.Part(0.0, 0.5));
-  // What is left is a matter of patience, or of where it began.
-  UntangleOptions patient = options;
-  patient.MaximumIterations =
-    3 * std::min(options.MaximumIterations, std::numeric_limits<int>::max() / 3);
-  for (int attempt = 0; attempt < 2 && result.InvertedAfter > 0; ++attempt)
+  // What is left then is a matter of patience, or of where it began.
+  constexpr int patience = 3;
+  auto best = std::make_unique<Untangler>(cells, rest, options);
+  const auto invertedBefore = static_cast<int>(best->InvertedCells().size());
+  int left = best->Run(1, progress.Part(0.0, 0.5));
+  left = left > 0 ? best->Run(patience, progress.Part(0.5, 0.7)) : 0;
+  if (left > 0)
   {
-    Untangler again(cells, rest, patient);
-    if (attempt > 0)
+    auto other = std::make_unique<Untangler>(cells, rest, options);
+    other->StartFromMeans();
+    if (other->Run(patience, progress.Part(0.7, 0.95)) < left)
     {
-      again.StartFromMeans();
-    }
-    UntangleResult other = again.Run(progress.Part(0.5 + 0.25 * attempt, 0.75 + 0.25 * attempt));
-    if (other.InvertedAfter < result.InvertedAfter)
-    {
-      other.InvertedBefore = result.InvertedBefore;
-      result = std::move(other);
+      best.swap(other);
     }
   }
+  UntangleResult result = best->Finish();
+  result.InvertedBefore = invertedBefore;
   progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)
   {

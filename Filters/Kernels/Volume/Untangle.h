@@ -49,8 +49,8 @@ struct UntangleResult
  * as those with four points on it; those are split, and so are, in the end, the edges of other ones
  * that stay inverted. New points are put on no edge or face of the boundary.
  *
- * Where that leaves inverted cells, all is done again with three times as many Newton steps, and
- * then once more with the points inside put into the middle of their neighbours first; the best
+ * Where that leaves inverted cells, it goes on with three times as many Newton steps, and then all
+ * is done once more with the points inside put into the middle of their neighbours first; the best
  * result counts. What stays inverted, since the boundary itself is, is counted and marked. Throws
  * InvalidInput for other cells, coordinates that are not finite, options out of range, or a rest
  * shape of another number of points; Aborted.
