@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/// A solid of hexahedra. Points: n x 3. Hexahedra: m x 8 indices in VTK's order: four around the
+/// bottom, counter-clockwise seen from the top, then those above them.
+struct HexMesh
+{
+  Eigen::MatrixXd Points;
+  Eigen::MatrixXi Hexahedra;
+};
+
+/// The ends of the three edges at each corner of a hexahedron, right-handed.
+inline constexpr int HexNeighbours[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
+  { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
+
+/// The corners of the six faces of a hexahedron, counter-clockwise seen from outside.
+inline constexpr int HexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
+  { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+
+} // namespace shape

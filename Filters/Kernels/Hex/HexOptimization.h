@@ -1,0 +1,41 @@
+#pragma once
+
+#include "Core/HexMesh.h"
+#include "Core/Progress.h"
+#include "Volume/SimplexPatch.h"
+
+namespace shape
+{
+
+struct HexOptimizationOptions
+{
+  int Sweeps = 6;       ///< over all points, at each sharpness; >= 0
+  int WorstSweeps = 60; ///< over the points of bad hexahedra, at each greater sharpness; >= 0
+  double Bad = 0.7;     ///< hexahedra of a lower scaled Jacobian are bad
+};
+
+struct HexOptimizationResult
+{
+  double LeastBefore = 0.0, LeastAfter = 0.0; ///< scaled Jacobians
+  int InvertedBefore = 0, InvertedAfter = 0;  ///< hexahedra with a scaled Jacobian of 0 or less
+};
+
+/**
+ * Moves the points of hexahedra so that the worst scaled Jacobian becomes as good as it can.
+ *
+ * Point by point, the sum of exp(k (1 - s)) over the corners around it is lowered by a Newton step
+ * with a line search (StarEnergy), for k that grows from 2 to 20; then k = 25 to 90 for the points
+ * of bad hexahedra only, which raises the worst corners at little cost of the others (the l_p to
+ * l_infinity continuation of Livesu, Sheffer, Vining and Tarini, "Practical hex-mesh optimization
+ * via edge-cone rectification", 2015, with the determinants themselves). Inverted hexahedra have a
+ * finite energy, too, and are turned.
+ *
+ * mesh: its points are moved; every point that the constraint does not leave free stays, at any
+ * time, where it may be: what is reported holds for the result as it is. Points are moved in sets
+ * without a common hexahedron, so any number of threads gives the same bits. Throws InvalidInput
+ * where an index is out of range or options are negative, Aborted.
+ */
+HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
+  const HexOptimizationOptions& options = {}, const Progress& progress = {});
+
+} // namespace shape

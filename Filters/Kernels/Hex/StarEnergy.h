@@ -1,0 +1,53 @@
+#pragma once
+
+#include "Core/HexMesh.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * The hexahedra around a point, as a function of where it is:
+ *
+ *   E(x) = sum over the corners that x belongs to of exp(sharpness (1 - s)),
+ *
+ * s being the determinant of a corner's three edges divided by their lengths. Any place has a
+ * value, also where hexahedra are inverted. The greater the sharpness, the more it is the worst
+ * corner that counts: log(E) / sharpness tends to 1 - min s.
+ */
+class StarEnergy
+{
+public:
+  /// The star of `points`' column `point`; around: its hexahedra, each with the corner that it is.
+  StarEnergy(const Eigen::Matrix3Xd& points, const Eigen::MatrixXi& hexahedra,
+    const std::vector<std::array<int, 2>>& around);
+
+  double Value(const Eigen::Vector3d& x, double sharpness) const;
+
+  struct Expansion
+  {
+    double Value = 0.0;
+    Eigen::Vector3d Gradient = Eigen::Vector3d::Zero();
+    /// A positive definite stand-in for the second derivative: exact in the first derivatives of s.
+    Eigen::Matrix3d Curvature = Eigen::Matrix3d::Zero();
+  };
+  Expansion Expand(const Eigen::Vector3d& x, double sharpness) const;
+
+  /// The length of the longest edge from x to a neighbour.
+  double Reach(const Eigen::Vector3d& x) const;
+
+private:
+  /// A hexahedron seen from one of its corners: the ends of the three edges from there, and the
+  /// corners across the faces between the second and third of them, and so on around.
+  struct View
+  {
+    std::array<Eigen::Vector3d, 3> Ends, Across;
+  };
+  std::vector<View> Views;
+};
+
+} // namespace shape

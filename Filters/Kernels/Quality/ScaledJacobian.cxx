@@ -1,0 +1,66 @@
+#include "Quality/ScaledJacobian.h"
+
+#include "Core/Parallel.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+double Scaled(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c)
+{
+  const double lengths = a.norm() * b.norm() * c.norm();
+  return lengths > 0.0 ? std::clamp(a.dot(b.cross(c)) / lengths, -1.0, 1.0) : -1.0;
+}
+
+} // namespace
+
+double ScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners)
+{
+  double least = 1.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int* ends = HexNeighbours[corner];
+    const auto edge = [&](int k) -> Eigen::RowVector3d
+    { return corners.row(ends[k]) - corners.row(corner); };
+    least = std::min(least, Scaled(edge(0), edge(1), edge(2)));
+  }
+  const auto between = [&](const int* low, const int* high)
+  {
+    Eigen::RowVector3d axis = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < 4; ++k)
+    {
+      axis += corners.row(high[k]) - corners.row(low[k]);
+    }
+    return axis;
+  };
+  return std::min(least,
+    Scaled(between(HexFaces[0], HexFaces[1]), between(HexFaces[2], HexFaces[3]),
+      between(HexFaces[4], HexFaces[5])));
+}
+
+Eigen::VectorXd ScaledJacobians(const HexMesh& mesh)
+{
+  Eigen::VectorXd values(mesh.Hexahedra.rows());
+  ParallelFor(static_cast<int>(values.size()), 1024,
+    [&](int begin, int end)
+    {
+      Eigen::Matrix<double, 8, 3> corners;
+      for (int hex = begin; hex < end; ++hex)
+      {
+        for (int k = 0; k < 8; ++k)
+        {
+          corners.row(k) = mesh.Points.row(mesh.Hexahedra(hex, k));
+        }
+        values(hex) = ScaledJacobian(corners);
+      }
+    });
+  return values;
+}
+
+} // namespace shape

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "Core/HexMesh.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/**
+ * The scaled Jacobian of a hexahedron, as Verdict has it (Stimpson, Ernst, Knupp, Pebay and
+ * Thompson, "The Verdict geometric quality library", 2007, section 7.12): the least, over the eight
+ * corners and the centre, of the determinant of the three edges there, divided by their lengths. 1
+ * for a box, positive in one that solvers accept, -1 where an edge has no length.
+ *
+ * corners: 8 x 3, in VTK's order.
+ */
+double ScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners);
+
+/// Those of all hexahedra (m).
+Eigen::VectorXd ScaledJacobians(const HexMesh& mesh);
+
+} // namespace shape
