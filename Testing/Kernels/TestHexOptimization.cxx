@@ -191,9 +191,9 @@ TEST(HexOptimization, PointsOfTheBoundaryStayOnIt)
   }
   const auto result = shape::OptimizeHexahedra(mesh, OnSphere(sides));
   EXPECT_EQ(result.InvertedAfter, 0);
-  // A corner's three edges dip into the sphere by half their length: at 120 degrees around it, their
-  // determinant is 3 sqrt(3) / 2 cos^2 a sin a with sin a = length / 2. The edges beside a corner
-  // cannot all be longer than a sixth of a great circle's quarter by much.
+  // A corner's three edges dip into the sphere by half their length: at 120 degrees around it,
+  // their determinant is 3 sqrt(3) / 2 cos^2 a sin a with sin a = length / 2. The edges beside a
+  // corner cannot all be longer than a sixth of a great circle's quarter by much.
   const double dip = std::sin(M_PI / 24.0);
   EXPECT_GT(result.LeastAfter, 1.5 * std::sqrt(3.0) * (1.0 - dip * dip) * dip);
   for (int point = 0; point < mesh.Points.rows(); ++point)

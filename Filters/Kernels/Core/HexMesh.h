@@ -21,4 +21,11 @@ inline constexpr int HexNeighbours[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6
 inline constexpr int HexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
   { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
 
+/// The faces that one hexahedron has alone (q x 4), counter-clockwise seen from outside, in the
+/// order of their hexahedra.
+Eigen::MatrixXi BoundaryQuads(const HexMesh& mesh);
+
+/// Each quad (q x 4) as two triangles (2q x 3).
+Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads);
+
 } // namespace shape

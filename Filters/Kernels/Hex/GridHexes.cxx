@@ -1,0 +1,153 @@
+#include "Hex/GridHexes.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Geometry/SignedDistance.h"
+#include "Hex/HexOptimization.h"
+#include "Hex/OnSurface.h"
+#include "Hex/VoxelSolid.h"
+#include "Quality/ScaledJacobian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// How far outside, in cells, the centre of a cell may lie that counts as inside: with a little,
+/// thin parts stay whole.
+constexpr double Reaches[] = { 0.15, 0.0, 0.3, -0.15 };
+/// By which cells become smaller where the topology is not the surface's.
+constexpr double Shrinkage = 0.85;
+constexpr double AutomaticHexahedra = 16000.0;
+
+/// The size of cells of which a solid has so many, those of the layer around them included.
+double CellSizeFor(const Mesh& surface, double hexahedra)
+{
+  const double volume = EnclosedVolume(surface);
+  const double area = 0.5 * AreaVectors(surface).rowwise().norm().sum();
+  // A third of the area for what the grid's steps add to it and the cells that they take away.
+  double size = std::cbrt(volume / hexahedra);
+  for (int step = 0; step < 50; ++step)
+  {
+    size = std::cbrt((volume + 0.5 * area * size) / hexahedra);
+  }
+  return size;
+}
+
+/// The signed distance at the centres of cells around a surface.
+SampledGrid SampleDistance(const SignedDistance& distance, double size, const Progress& progress)
+{
+  const Eigen::MatrixXd& points = distance.Locator().Surface().Points;
+  const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
+  SampledGrid grid;
+  grid.Spacing = size;
+  grid.Counts = ((high - low) / size).array().ceil().cast<int>() + 3;
+  grid.Origin = 0.5 * (low + high) - 0.5 * size * (grid.Counts.array() - 1).matrix().cast<double>();
+  Eigen::MatrixXd centres(grid.Counts.prod(), 3);
+  for (int z = 0; z < grid.Counts(2); ++z)
+  {
+    for (int y = 0; y < grid.Counts(1); ++y)
+    {
+      for (int x = 0; x < grid.Counts(0); ++x)
+      {
+        centres.row(grid.Index(x, y, z)) = grid.Point(x, y, z);
+      }
+    }
+  }
+  grid.Values = distance.Evaluate(centres, progress).Distances;
+  return grid;
+}
+
+/// The cubes of a grid that have the surface's topology, if there are such.
+std::optional<HexMesh> CubesOf(const SampledGrid& distances, int eulerNumber)
+{
+  for (const double reach : Reaches)
+  {
+    SampledGrid levels = distances;
+    levels.Values.array() -= reach * levels.Spacing;
+    VoxelSolid solid = FindVoxelSolid(levels);
+    if (solid.Pinched > 0)
+    {
+      continue;
+    }
+    KeepLargestPart(levels, solid.Inside);
+    HexMesh cubes = VoxelHexahedra(levels, solid.Inside);
+    if (cubes.Hexahedra.rows() == 0)
+    {
+      continue;
+    }
+    const Topology topology = SurfaceTopology({ cubes.Points, SplitQuads(BoundaryQuads(cubes)) });
+    if (topology.EulerNumber == eulerNumber && topology.NonManifoldEdges == 0 &&
+      topology.NonManifoldPoints == 0)
+    {
+      return cubes;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+GridHexesResult GridHexes(
+  const Mesh& surface, const GridHexesOptions& options, const Progress& progress)
+{
+  if (!std::isfinite(options.CellSize) || options.CellSize < 0.0)
+  {
+    throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
+      "; it must be positive, or 0 for an automatic one");
+  }
+  if (options.MaximumHexahedra < 1)
+  {
+    throw InvalidInput("MaximumHexahedra must be at least 1");
+  }
+  const Topology topology = RequireClosedSurface(surface, "the surface");
+  const double least = CellSizeFor(surface, options.MaximumHexahedra);
+  double size = options.CellSize > 0.0
+    ? options.CellSize
+    : CellSizeFor(surface, std::min<double>(AutomaticHexahedra, options.MaximumHexahedra));
+  if (size < least)
+  {
+    throw InvalidInput("CellSize is " + std::to_string(size) + ", which makes more than " +
+      std::to_string(options.MaximumHexahedra) + " hexahedra; at least " + std::to_string(least) +
+      " is needed, or a greater MaximumHexahedra");
+  }
+  const SignedDistance distance(surface);
+  std::optional<HexMesh> cubes;
+  for (; !cubes; size *= Shrinkage)
+  {
+    if (size < least)
+    {
+      throw SolveFailure("no grid of " + std::to_string(options.MaximumHexahedra) +
+        " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
+        ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
+    }
+    cubes = CubesOf(SampleDistance(distance, size, progress.Part(0.0, 0.1)), topology.EulerNumber);
+  }
+  GridHexesResult result;
+  result.CellSize = size / Shrinkage;
+  result.Solid = std::move(*cubes);
+  const std::vector<int> outer = AddPadding(result.Solid);
+  std::vector<char> on(result.Solid.Points.rows(), 0);
+  for (const int point : outer)
+  {
+    on[point] = 1;
+  }
+  const OnSurface constraint(distance.Locator(), on);
+  result.Solid.Points(outer, Eigen::all) =
+    distance.Locator().Find(result.Solid.Points(outer, Eigen::all)).Positions;
+  OptimizeHexahedra(result.Solid, constraint, {}, progress.Part(0.1, 1.0));
+  const Eigen::VectorXd quality = ScaledJacobians(result.Solid);
+  result.LeastScaledJacobian = quality.minCoeff();
+  result.MeanScaledJacobian = quality.mean();
+  result.Inverted = static_cast<int>((quality.array() <= 0.0).count());
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,228 @@
+#include "Hex/VoxelSolid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace shape
+{
+namespace
+{
+
+/// Whether the marked ones of eight cells around a corner hang together by faces: cells that
+/// differ in one bit have a common one.
+bool HangTogether(unsigned int cells)
+{
+  if (cells == 0)
+  {
+    return true;
+  }
+  unsigned int reached = cells & (~cells + 1), before = 0;
+  while (reached != before)
+  {
+    before = reached;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      constexpr unsigned int low[] = { 0x55, 0x33, 0x0f };
+      const int step = 1 << axis;
+      reached |= (((reached & low[axis]) << step) | ((reached >> step) & low[axis])) & cells;
+    }
+  }
+  return reached == cells;
+}
+
+bool IsManifold(unsigned int cells)
+{
+  return HangTogether(cells) && HangTogether(~cells & 0xff);
+}
+
+/// The eight cells around the corner that cell (x, y, z) has towards the origin.
+std::array<int, 8> CellsAround(const SampledGrid& grid, int x, int y, int z)
+{
+  std::array<int, 8> cells{};
+  for (int k = 0; k < 8; ++k)
+  {
+    cells[k] = grid.Index(x - 1 + (k & 1), y - 1 + (k >> 1 & 1), z - 1 + (k >> 2));
+  }
+  return cells;
+}
+
+/// Of eight cells around a pinched corner, the one that is to change sides: one that mends it where
+/// there is such, -1 where all have changed before. Cells that change once only come to an end.
+int CellToChange(unsigned int pattern, const std::array<int, 8>& cells,
+  const Eigen::VectorXd& levels, const std::vector<char>& changed)
+{
+  int best = -1;
+  for (const bool mending : { true, false })
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 8; ++k)
+    {
+      if (!changed[cells[k]] && (!mending || IsManifold(pattern ^ (1U << k))) &&
+        std::abs(levels(cells[k])) < least)
+      {
+        least = std::abs(levels(cells[k]));
+        best = cells[k];
+      }
+    }
+    if (best >= 0)
+    {
+      break;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+VoxelSolid FindVoxelSolid(const SampledGrid& grid)
+{
+  VoxelSolid solid;
+  solid.Inside.resize(grid.Values.size());
+  std::transform(grid.Values.begin(), grid.Values.end(), solid.Inside.begin(),
+    [](double level) { return static_cast<char>(level < 0.0); });
+  std::vector<char> changed(solid.Inside.size(), 0);
+  for (int before = -1; before < solid.Changed;)
+  {
+    before = solid.Changed;
+    solid.Pinched = 0;
+    for (int z = 1; z < grid.Counts(2); ++z)
+    {
+      for (int y = 1; y < grid.Counts(1); ++y)
+      {
+        for (int x = 1; x < grid.Counts(0); ++x)
+        {
+          const std::array<int, 8> cells = CellsAround(grid, x, y, z);
+          unsigned int pattern = 0;
+          for (int k = 0; k < 8; ++k)
+          {
+            pattern |= static_cast<unsigned int>(solid.Inside[cells[k]]) << k;
+          }
+          if (!IsManifold(pattern))
+          {
+            ++solid.Pinched;
+            const int cell = CellToChange(pattern, cells, grid.Values, changed);
+            if (cell >= 0)
+            {
+              solid.Inside[cell] ^= 1;
+              changed[cell] = 1;
+              ++solid.Changed;
+            }
+          }
+        }
+      }
+    }
+  }
+  return solid;
+}
+
+void KeepLargestPart(const SampledGrid& grid, std::vector<char>& inside)
+{
+  const int strides[] = { 1, grid.Counts(0), grid.Counts(0) * grid.Counts(1) };
+  std::vector<int> part(inside.size(), -1);
+  std::vector<std::size_t> sizes;
+  for (std::size_t first = 0; first < inside.size(); ++first)
+  {
+    if (!inside[first] || part[first] >= 0)
+    {
+      continue;
+    }
+    std::vector<int> cells = { static_cast<int>(first) };
+    part[first] = static_cast<int>(sizes.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      for (const int stride : strides)
+      {
+        for (const int next : { cells[i] - stride, cells[i] + stride })
+        {
+          if (inside[next] && part[next] < 0)
+          {
+            part[next] = static_cast<int>(sizes.size());
+            cells.push_back(next);
+          }
+        }
+      }
+    }
+    sizes.push_back(cells.size());
+  }
+  const auto largest =
+    static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  std::transform(part.begin(), part.end(), inside.begin(),
+    [&](int id) { return static_cast<char>(id == largest && !sizes.empty()); });
+}
+
+HexMesh VoxelHexahedra(const SampledGrid& grid, const std::vector<char>& inside)
+{
+  constexpr int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  const Eigen::RowVector3i counts = grid.Counts.array() + 1;
+  std::vector<int> pointOf(static_cast<std::size_t>(counts.prod()), -1);
+  std::vector<Eigen::RowVector3d> points;
+  HexMesh mesh;
+  mesh.Hexahedra.resize(std::count(inside.begin(), inside.end(), 1), 8);
+  Eigen::Index hex = 0;
+  for (int z = 0; z < grid.Counts(2); ++z)
+  {
+    for (int y = 0; y < grid.Counts(1); ++y)
+    {
+      for (int x = 0; x < grid.Counts(0); ++x)
+      {
+        if (!inside[grid.Index(x, y, z)])
+        {
+          continue;
+        }
+        for (int k = 0; k < 8; ++k)
+        {
+          const int i = x + corners[k][0], j = y + corners[k][1], l = z + corners[k][2];
+          int& point = pointOf[i + static_cast<std::size_t>(counts(0)) * (j + counts(1) * l)];
+          if (point < 0)
+          {
+            point = static_cast<int>(points.size());
+            points.push_back(grid.Point(i, j, l).array() - 0.5 * grid.Spacing);
+          }
+          mesh.Hexahedra(hex, k) = point;
+        }
+        ++hex;
+      }
+    }
+  }
+  mesh.Points.resize(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh.Points.row(static_cast<Eigen::Index>(i)) = points[i];
+  }
+  return mesh;
+}
+
+std::vector<int> AddPadding(HexMesh& mesh)
+{
+  const Eigen::MatrixXi quads = BoundaryQuads(mesh);
+  std::vector<int> onBoundary(quads.data(), quads.data() + quads.size());
+  std::sort(onBoundary.begin(), onBoundary.end());
+  onBoundary.erase(std::unique(onBoundary.begin(), onBoundary.end()), onBoundary.end());
+  const auto before = static_cast<int>(mesh.Points.rows());
+  const auto added = static_cast<int>(onBoundary.size());
+  std::vector<int> copies(onBoundary.size());
+  mesh.Points.conservativeResize(before + added, 3);
+  for (int i = 0; i < added; ++i)
+  {
+    copies[i] = before + i;
+    mesh.Points.row(before + i) = mesh.Points.row(onBoundary[i]);
+  }
+  const Eigen::Index cells = mesh.Hexahedra.rows();
+  mesh.Hexahedra.conservativeResize(cells + quads.rows(), 8);
+  for (Eigen::Index q = 0; q < quads.rows(); ++q)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto place = std::lower_bound(onBoundary.begin(), onBoundary.end(), quads(q, k));
+      mesh.Hexahedra(cells + q, k) = quads(q, k);
+      mesh.Hexahedra(cells + q, k + 4) = copies[place - onBoundary.begin()];
+    }
+  }
+  return copies;
+}
+
+} // namespace shape

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "Core/HexMesh.h"
+#include "Geometry/IsoSurface.h"
+
+#include <vector>
+
+namespace shape
+{
+
+/// The cells of a uniform grid that make up a solid.
+struct VoxelSolid
+{
+  std::vector<char> Inside; ///< for each sample of the grid
+  int Changed = 0;          ///< cells that the samples alone would have told otherwise
+  int Pinched = 0;          ///< corners of cells where it still touches itself
+};
+
+/**
+ * Cubes around those samples that are negative, changed where the solid or what is outside would
+ * touch itself in a corner or an edge only: of the eight cells there the one whose sample is
+ * nearest to 0 changes sides, until the boundary is a manifold ("well-composed": Latecki, "3D
+ * well-composed pictures", 1997).
+ *
+ * levels: at the centres of the cells; those on the grid's sides must be positive.
+ */
+VoxelSolid FindVoxelSolid(const SampledGrid& levels);
+
+/// The part of a solid that hangs together by faces and has the most cells.
+void KeepLargestPart(const SampledGrid& grid, std::vector<char>& inside);
+
+/// Its cells, cubes of the grid's spacing around the samples.
+HexMesh VoxelHexahedra(const SampledGrid& grid, const std::vector<char>& inside);
+
+/**
+ * A layer of hexahedra on the boundary: a copy of each of its points, in the same place, and a
+ * hexahedron for each of its quads. Returns the copies, which are the boundary's points now, in the
+ * order of the points that they were made of.
+ *
+ * mesh: its boundary is a manifold.
+ */
+std::vector<int> AddPadding(HexMesh& mesh);
+
+} // namespace shape

@@ -1,0 +1,203 @@
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Geometry/ClosestPoint.h"
+#include "Hex/GridHexes.h"
+#include "Hex/VoxelSolid.h"
+#include "Quality/ScaledJacobian.h"
+#include "TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+namespace
+{
+
+shape::Mesh Boundary(const shape::HexMesh& mesh)
+{
+  return { mesh.Points, shape::SplitQuads(shape::BoundaryQuads(mesh)) };
+}
+
+/// A grid of n^3 unit cells, all of them outside.
+shape::SampledGrid Outside(int n)
+{
+  return { Eigen::RowVector3d::Zero(), 1.0, Eigen::RowVector3i::Constant(n),
+    Eigen::VectorXd::Constant(n * n * n, 1.0) };
+}
+
+} // namespace
+
+TEST(HexMesh, TheBoundaryIsThatOfTheSolid)
+{
+  shape::SampledGrid grid = Outside(5);
+  for (const int x : { 1, 2, 3 })
+  {
+    grid.Values(grid.Index(x, 2, 2)) = -1.0;
+  }
+  const shape::HexMesh mesh = shape::VoxelHexahedra(grid, shape::FindVoxelSolid(grid).Inside);
+  EXPECT_EQ(mesh.Hexahedra.rows(), 3);
+  EXPECT_EQ(mesh.Points.rows(), 16);
+  EXPECT_EQ(shape::ScaledJacobians(mesh), Eigen::VectorXd::Ones(3));
+  EXPECT_EQ(shape::BoundaryQuads(mesh).rows(), 14);
+  const shape::Mesh boundary = Boundary(mesh);
+  EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber, 2);
+  EXPECT_NEAR(shape::EnclosedVolume(boundary), 3.0, 1e-12);
+  EXPECT_EQ(mesh.Points.row(mesh.Hexahedra(0, 0)), Eigen::RowVector3d(0.5, 1.5, 1.5));
+}
+
+TEST(VoxelSolid, CellsThatTouchInAnEdgeOrACornerAreMended)
+{
+  for (const Eigen::RowVector3i& other :
+    { Eigen::RowVector3i(3, 3, 2), Eigen::RowVector3i(3, 3, 3) })
+  {
+    shape::SampledGrid grid = Outside(6);
+    grid.Values(grid.Index(2, 2, 2)) = -1.0;
+    grid.Values(grid.Index(other(0), other(1), other(2))) = -0.5;
+    const shape::VoxelSolid solid = shape::FindVoxelSolid(grid);
+    EXPECT_EQ(solid.Pinched, 0);
+    // The cell that is nearest to the surface goes.
+    EXPECT_EQ(solid.Changed, 1);
+    EXPECT_EQ(std::count(solid.Inside.begin(), solid.Inside.end(), 1), 1);
+    EXPECT_TRUE(solid.Inside[grid.Index(2, 2, 2)]);
+  }
+}
+
+TEST(VoxelSolid, WhatIsNotPinchedIsAManifold)
+{
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int mended = 0;
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    shape::SampledGrid grid = Outside(12);
+    const Eigen::MatrixXd waves = 2.0 *
+      Eigen::MatrixXd::NullaryExpr(
+        8, 4, [&](Eigen::Index, Eigen::Index) { return uniform(generator); });
+    for (int z = 1; z < 11; ++z)
+    {
+      for (int y = 1; y < 11; ++y)
+      {
+        for (int x = 1; x < 11; ++x)
+        {
+          grid.Values(grid.Index(x, y, z)) =
+            (waves * Eigen::Vector4d(x, y, z, 1.0)).array().sin().sum();
+        }
+      }
+    }
+    shape::VoxelSolid solid = shape::FindVoxelSolid(grid);
+    if (solid.Pinched > 0)
+    {
+      continue;
+    }
+    ++mended;
+    const auto topology =
+      shape::SurfaceTopology(Boundary(shape::VoxelHexahedra(grid, solid.Inside)));
+    EXPECT_EQ(topology.NonManifoldEdges, 0);
+    EXPECT_EQ(topology.NonManifoldPoints, 0);
+    EXPECT_EQ(topology.OpenLoops, 0);
+    const auto before = std::count(solid.Inside.begin(), solid.Inside.end(), 1);
+    shape::KeepLargestPart(grid, solid.Inside);
+    EXPECT_LE(std::count(solid.Inside.begin(), solid.Inside.end(), 1), before);
+    EXPECT_TRUE(
+      shape::RequireClosedSurface(Boundary(shape::VoxelHexahedra(grid, solid.Inside)), "x")
+        .Components >= 1);
+  }
+  EXPECT_GT(mended, 10);
+}
+
+TEST(VoxelSolid, PaddingKeepsTheTopologyAndAddsAHexahedronForEachQuad)
+{
+  shape::SampledGrid grid = Outside(7);
+  for (int z = 2; z < 5; ++z)
+  {
+    for (int x = 2; x < 5; ++x)
+    {
+      grid.Values(grid.Index(x, 3, z)) = x == 3 && z == 3 ? 1.0 : -1.0; // a ring
+    }
+  }
+  shape::HexMesh mesh = shape::VoxelHexahedra(grid, shape::FindVoxelSolid(grid).Inside);
+  const Eigen::MatrixXi quads = shape::BoundaryQuads(mesh);
+  const Eigen::Index points = mesh.Points.rows(), hexahedra = mesh.Hexahedra.rows();
+  const std::vector<int> copies = shape::AddPadding(mesh);
+  EXPECT_EQ(mesh.Hexahedra.rows(), hexahedra + quads.rows());
+  EXPECT_EQ(mesh.Points.rows(), points + static_cast<Eigen::Index>(copies.size()));
+  const Eigen::MatrixXi outer = shape::BoundaryQuads(mesh);
+  EXPECT_EQ(outer.rows(), quads.rows());
+  EXPECT_EQ(std::set<int>(outer.data(), outer.data() + outer.size()),
+    std::set<int>(copies.begin(), copies.end()));
+  EXPECT_EQ(shape::RequireClosedSurface(Boundary(mesh), "the boundary").EulerNumber, 0);
+  // Blown up, the layer faces outwards.
+  const Eigen::RowVector3d middle(3.0, 3.0, 3.0);
+  shape::HexMesh cube{ Eigen::MatrixXd(8, 3), Eigen::MatrixXi(1, 8) };
+  cube.Points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
+  cube.Hexahedra << 0, 1, 2, 3, 4, 5, 6, 7;
+  for (const int copy : shape::AddPadding(cube))
+  {
+    cube.Points.row(copy) = 3.0 * cube.Points.row(copy).array() - 1.0;
+  }
+  EXPECT_EQ(cube.Hexahedra.rows(), 7);
+  EXPECT_GT(shape::ScaledJacobians(cube).minCoeff(), 0.5);
+}
+
+TEST(GridHexes, FillASphereAndATorusWithGoodHexahedraOnTheirSurface)
+{
+  shape::GridHexesOptions options;
+  options.CellSize = 0.2;
+  for (const shape::Mesh& surface : { shapetest::Icosphere(4), shapetest::Torus(1.0, 0.4, 60, 30) })
+  {
+    const shape::GridHexesResult result = shape::GridHexes(surface, options);
+    EXPECT_EQ(result.Inverted, 0);
+    EXPECT_EQ(result.LeastScaledJacobian, shape::ScaledJacobians(result.Solid).minCoeff());
+    EXPECT_GT(result.LeastScaledJacobian, 0.6);
+    EXPECT_GT(result.MeanScaledJacobian, 0.8);
+    const shape::Mesh boundary = Boundary(result.Solid);
+    EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber,
+      shape::SurfaceTopology(surface).EulerNumber);
+    const std::set<int> points(
+      boundary.Triangles.data(), boundary.Triangles.data() + boundary.Triangles.size());
+    const shape::SurfaceLocator locator(surface);
+    for (const int point : points)
+    {
+      EXPECT_LT(locator.Find(boundary.Points.row(point)).Distances(0), 1e-12);
+    }
+    EXPECT_NEAR(shape::EnclosedVolume(boundary), shape::EnclosedVolume(surface),
+      0.03 * shape::EnclosedVolume(surface));
+  }
+}
+
+TEST(GridHexes, CellsBecomeSmallerUntilTheTopologyIsTheSurfaces)
+{
+  // The hole is 0.02 wide.
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.99, 80, 60);
+  shape::GridHexesOptions options;
+  options.CellSize = 0.28; // four cells around the hole
+  const shape::GridHexesResult result = shape::GridHexes(torus, options);
+  EXPECT_LT(result.CellSize, 0.28);
+  EXPECT_EQ(shape::RequireClosedSurface(Boundary(result.Solid), "the boundary").EulerNumber, 0);
+  options.MaximumHexahedra = 2000;
+  EXPECT_THROW(shape::GridHexes(torus, options), shape::SolveFailure);
+}
+
+TEST(GridHexes, NamesWhatIsWrong)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  const auto refused = [&](const shape::Mesh& surface, double size, int most)
+  {
+    shape::GridHexesOptions options;
+    options.CellSize = size;
+    options.MaximumHexahedra = most;
+    EXPECT_THROW(shape::GridHexes(surface, options), shape::InvalidInput) << size << " " << most;
+  };
+  refused(sphere, -1.0, 1000);
+  refused(sphere, std::numeric_limits<double>::quiet_NaN(), 1000);
+  refused(sphere, 0.01, 1000);
+  refused(sphere, 0.5, 0);
+  shape::Mesh open = sphere;
+  open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
+  refused(open, 0.5, 1000);
+  EXPECT_THROW(
+    shape::GridHexes(sphere, {}, shape::Progress([](double fraction) { return fraction < 0.5; })),
+    shape::Aborted);
+}
