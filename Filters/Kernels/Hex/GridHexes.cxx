@@ -65,8 +65,16 @@ SampledGrid SampleDistance(const SignedDistance& distance, double size, const Pr
   return grid;
 }
 
+/// How many components of a surface bound solids from outside.
+int CountSolids(const Mesh& surface)
+{
+  const std::vector<Mesh> components = SplitComponents(surface);
+  return static_cast<int>(std::count_if(components.begin(), components.end(),
+    [](const Mesh& component) { return EnclosedVolume(component) > 0.0; }));
+}
+
 /// The cubes of a grid that have the surface's topology, if there are such.
-std::optional<HexMesh> CubesOf(const SampledGrid& distances, int eulerNumber)
+std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wanted, int solids)
 {
   for (const double reach : Reaches)
   {
@@ -77,15 +85,14 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, int eulerNumber)
     {
       continue;
     }
-    KeepLargestPart(levels, solid.Inside);
+    KeepLargestParts(levels, solids, solid.Inside);
     HexMesh cubes = VoxelHexahedra(levels, solid.Inside);
     if (cubes.Hexahedra.rows() == 0)
     {
       continue;
     }
     const Topology topology = SurfaceTopology({ cubes.Points, SplitQuads(BoundaryQuads(cubes)) });
-    if (topology.EulerNumber == eulerNumber && topology.NonManifoldEdges == 0 &&
-      topology.NonManifoldPoints == 0)
+    if (topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components)
     {
       return cubes;
     }
@@ -119,6 +126,7 @@ GridHexesResult GridHexes(
       " is needed, or a greater MaximumHexahedra");
   }
   const SignedDistance distance(surface);
+  const int solids = CountSolids(surface);
   std::optional<HexMesh> cubes;
   for (; !cubes; size *= Shrinkage)
   {
@@ -126,9 +134,10 @@ GridHexesResult GridHexes(
     {
       throw SolveFailure("no grid of " + std::to_string(options.MaximumHexahedra) +
         " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
+        " and number of components " + std::to_string(topology.Components) +
         ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
     }
-    cubes = CubesOf(SampleDistance(distance, size, progress.Part(0.0, 0.1)), topology.EulerNumber);
+    cubes = CubesOf(SampleDistance(distance, size, progress.Part(0.0, 0.1)), topology, solids);
   }
   GridHexesResult result;
   result.CellSize = size / Shrinkage;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 
 namespace shape
 {
@@ -118,7 +119,7 @@ VoxelSolid FindVoxelSolid(const SampledGrid& grid)
   return solid;
 }
 
-void KeepLargestPart(const SampledGrid& grid, std::vector<char>& inside)
+void KeepLargestParts(const SampledGrid& grid, int count, std::vector<char>& inside)
 {
   const int strides[] = { 1, grid.Counts(0), grid.Counts(0) * grid.Counts(1) };
   std::vector<int> part(inside.size(), -1);
@@ -147,10 +148,16 @@ void KeepLargestPart(const SampledGrid& grid, std::vector<char>& inside)
     }
     sizes.push_back(cells.size());
   }
-  const auto largest =
-    static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  std::vector<int> order(sizes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return sizes[a] > sizes[b]; });
+  std::vector<char> kept(sizes.size(), 0);
+  for (int i = 0; i < std::min(count, static_cast<int>(order.size())); ++i)
+  {
+    kept[order[i]] = 1;
+  }
   std::transform(part.begin(), part.end(), inside.begin(),
-    [&](int id) { return static_cast<char>(id == largest && !sizes.empty()); });
+    [&](int id) { return static_cast<char>(id >= 0 && kept[id]); });
 }
 
 HexMesh VoxelHexahedra(const SampledGrid& grid, const std::vector<char>& inside)

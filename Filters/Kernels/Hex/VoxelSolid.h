@@ -26,8 +26,8 @@ struct VoxelSolid
  */
 VoxelSolid FindVoxelSolid(const SampledGrid& levels);
 
-/// The part of a solid that hangs together by faces and has the most cells.
-void KeepLargestPart(const SampledGrid& grid, std::vector<char>& inside);
+/// Of the parts of a solid that hang together by faces, the `count` that have the most cells.
+void KeepLargestParts(const SampledGrid& grid, int count, std::vector<char>& inside);
 
 /// Its cells, cubes of the grid's spacing around the samples.
 HexMesh VoxelHexahedra(const SampledGrid& grid, const std::vector<char>& inside);
