@@ -206,10 +206,12 @@ def skeleton(folder):
     full = curve('6310 points', *arguments('FigureA'), **inputs)
     # Other samples, sources, levels and offsets, where the features weigh as much against the
     # boundary as at weight 20 on the small figure: the errors belong to the balance.
+    many = dict(LeastGain=0.0, MaximumLevels=24)
+    samples = measure('', 20.0, *arguments('FigureASmall'), **inputs, **many)['boundaryRows']
     balanced = [measure(case, weight, *arguments(name), **inputs, **options)
                 for case, weight, name, options in (
-                    ('1134, 24 levels', 20.0, 'FigureASmall',
-                     dict(LeastGain=0.0, MaximumLevels=24)),
+                    ('1134, 24 levels', 20.0 * samples / small[3]['boundaryRows'], 'FigureASmall',
+                     many),
                     ('1134, four times the samples', 80.0, 'FigureASmall',
                      dict(CollocationRatio=1.6, SourceRatio=1.6)),
                     ('6310, same balance',
