@@ -1,5 +1,6 @@
 #include "Core/Errors.h"
 #include "Hex/HexOptimization.h"
+#include "Hex/HexUntangling.h"
 #include "Hex/StarEnergy.h"
 #include "Quality/ScaledJacobian.h"
 
@@ -203,6 +204,44 @@ TEST(HexOptimization, PointsOfTheBoundaryStayOnIt)
       EXPECT_NEAR(mesh.Points.row(point).norm(), 1.0, 1e-15);
     }
   }
+}
+
+TEST(HexUntangling, TurnsWhatNoPointAloneCanTurn)
+{
+  // Two neighbours have changed places.
+  constexpr int n = 4, side = n + 1;
+  const shape::HexMesh grid = Grid(n);
+  const Fixed constraint(Sides(grid, n));
+  const int one = 1 + side * (2 + side * 2), other = one + 2;
+  shape::HexMesh mesh = grid;
+  mesh.Points.row(one).swap(mesh.Points.row(other));
+  ASSERT_LT(shape::ScaledJacobians(mesh).minCoeff(), 0.0);
+  EXPECT_EQ(shape::UntangleHexahedra(mesh, constraint), 0);
+  EXPECT_GT(shape::ScaledJacobians(mesh).minCoeff(), 0.3);
+  for (int point = 0; point < grid.Points.rows(); ++point)
+  {
+    if (OnSide(grid, point, n))
+    {
+      EXPECT_EQ(mesh.Points.row(point), grid.Points.row(point));
+    }
+  }
+  shape::HexMesh good = grid;
+  EXPECT_EQ(shape::UntangleHexahedra(good, constraint), 0);
+  EXPECT_EQ(good.Points, grid.Points);
+}
+
+TEST(HexUntangling, CountsWhatTheBoundaryKeepsInverted)
+{
+  constexpr int n = 3;
+  shape::HexMesh mesh = Grid(n);
+  const Fixed constraint(Sides(mesh, n));
+  mesh.Points.row(0) << 0.4, 0.4, 0.4; // a corner of the boundary, beyond the first cells
+  const double before = static_cast<double>((shape::ScaledJacobians(mesh).array() <= 0.0).count());
+  const int left = shape::UntangleHexahedra(mesh, constraint);
+  EXPECT_GT(left, 0);
+  EXPECT_LE(left, before);
+  EXPECT_EQ(left, (shape::ScaledJacobians(mesh).array() <= 0.0).count());
+  EXPECT_TRUE(mesh.Points.allFinite());
 }
 
 TEST(HexOptimization, AnyNumberOfThreadsGivesTheSameBits)

@@ -46,10 +46,24 @@ public:
     this->ForAll(marked, [&](int point) { this->Move(point, sharpness); });
   }
 
-  /// Moves the marked points into the middle of their neighbours.
+  /// Moves all points, or those that are marked, into the middle of their neighbours.
   void Smooth(const std::vector<char>& marked)
   {
     this->ForAll(marked, [&](int point) { this->MoveToMean(point); });
+  }
+
+  /// Puts every point where it may be.
+  void Project()
+  {
+    this->ForAll({},
+      [&](int point)
+      {
+        if (this->Constraint.Freedom(point) < 3)
+        {
+          this->Points.col(point) =
+            this->Constraint.Nearest(point, this->Points.col(point).transpose()).transpose();
+        }
+      });
   }
 
   Eigen::MatrixXd Places() const { return this->Points.transpose(); }
@@ -120,27 +134,41 @@ private:
     }
     if (count > 0)
     {
-      const Eigen::Vector3d mean = sum / count;
+      const Eigen::Vector3d mean = 0.5 * (this->Points.col(point) + sum / count);
       this->Points.col(point) =
         freedom == 3 ? mean : this->Constraint.Nearest(point, mean.transpose()).transpose();
     }
   }
 
+  /// A Newton step along the directions that the constraint allows; where these lead nowhere, as at
+  /// a ridge of the surface, one in any direction and back to where the point may be.
   void Move(int point, double sharpness)
   {
     const Eigen::Vector3d x = this->Points.col(point);
     const StarEnergy star(this->Points, this->Hexahedra, this->Around[point]);
     const StarEnergy::Expansion here = star.Expand(x, sharpness);
     const bool free = this->Constraint.Freedom(point) == 3;
-    const PointDirections basis = free ? PointDirections(Eigen::Matrix3d::Identity())
-                                       : this->Constraint.Directions(point, x.transpose());
-    Eigen::MatrixXd curvature = basis.transpose() * here.Curvature * basis;
+    const PointDirections all = Eigen::Matrix3d::Identity();
+    const PointDirections allowed = free ? all : this->Constraint.Directions(point, x.transpose());
+    if (!this->Step(point, star, here, allowed, sharpness) && !free)
+    {
+      this->Step(point, star, here, all, sharpness);
+    }
+  }
+
+  /// Whether a step along some directions lowers the energy; if so, it is taken.
+  bool Step(int point, const StarEnergy& star, const StarEnergy::Expansion& here,
+    const PointDirections& directions, double sharpness)
+  {
+    const Eigen::Vector3d x = this->Points.col(point);
+    Eigen::MatrixXd curvature = directions.transpose() * here.Curvature * directions;
     constexpr double ridge = 1e-6;
     curvature.diagonal().array() += ridge * curvature.trace();
-    Eigen::Vector3d step = -basis * curvature.ldlt().solve(basis.transpose() * here.Gradient);
+    Eigen::Vector3d step =
+      -directions * curvature.ldlt().solve(directions.transpose() * here.Gradient);
     if (!step.allFinite())
     {
-      return;
+      return false;
     }
     // The expansion says nothing about places beyond the neighbours.
     const double longest = 0.5 * star.Reach(x), length = step.norm();
@@ -148,16 +176,17 @@ private:
     for (double share = 1.0; share > 0.02; share *= 0.4)
     {
       Eigen::Vector3d place = x + share * step;
-      if (!free)
+      if (this->Constraint.Freedom(point) < 3)
       {
         place = this->Constraint.Nearest(point, place.transpose()).transpose();
       }
       if (star.Value(place, sharpness) < here.Value)
       {
         this->Points.col(point) = place;
-        return;
+        return true;
       }
     }
+    return false;
   }
 
   const Eigen::MatrixXi& Hexahedra;
@@ -261,9 +290,9 @@ void SmoothInverted(
 HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, const Progress& progress)
 {
-  if (options.Sweeps < 0 || options.WorstSweeps < 0)
+  if (options.Smoothings < 0 || options.Sweeps < 0 || options.WorstSweeps < 0)
   {
-    throw InvalidInput("Sweeps and WorstSweeps must not be negative");
+    throw InvalidInput("Smoothings, Sweeps and WorstSweeps must not be negative");
   }
   if (mesh.Hexahedra.size() == 0)
   {
@@ -280,6 +309,11 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
 
   Optimizer optimizer(mesh, constraint);
   const double steps = static_cast<double>(std::size(Sharpnesses)) * options.Sweeps;
+  for (int sweep = 0; sweep < options.Smoothings; ++sweep)
+  {
+    optimizer.Smooth({});
+  }
+  optimizer.Project();
   SmoothInverted(optimizer, mesh.Hexahedra, progress.Part(0.0, 0.1));
   double done = 0.0;
   for (const double sharpness : Sharpnesses)

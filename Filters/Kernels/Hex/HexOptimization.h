@@ -9,6 +9,7 @@ namespace shape
 
 struct HexOptimizationOptions
 {
+  int Smoothings = 0;   ///< sweeps that move every point half way to its neighbours' mean first
   int Sweeps = 6;       ///< over all points, at each sharpness; >= 0
   int WorstSweeps = 60; ///< over the points of bad hexahedra, at each greater sharpness; >= 0
   double Bad = 0.7;     ///< hexahedra of a lower scaled Jacobian are bad
