@@ -206,6 +206,22 @@ TEST(HexOptimization, PointsOfTheBoundaryStayOnIt)
   }
 }
 
+TEST(HexOptimization, SmoothingMakesPointsMeansOfTheirNeighbours)
+{
+  constexpr int n = 4;
+  shape::HexMesh mesh = Shaken(n, 0.8);
+  const Fixed constraint(Sides(Grid(n), n));
+  shape::SmoothHexahedra(mesh, constraint, 200);
+  EXPECT_LT((mesh.Points - Grid(n).Points).cwiseAbs().maxCoeff(), 1e-12);
+  mesh = Grid(n);
+  shape::SmoothHexahedra(mesh, OnSphere(Sides(mesh, n)), 0);
+  for (int point = 0; point < mesh.Points.rows(); ++point)
+  {
+    EXPECT_TRUE(
+      !OnSide(Grid(n), point, n) || std::abs(mesh.Points.row(point).norm() - 1.0) < 1e-15);
+  }
+}
+
 TEST(HexUntangling, TurnsWhatNoPointAloneCanTurn)
 {
   // Two neighbours have changed places.

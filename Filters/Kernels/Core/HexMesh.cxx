@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace shape
 {
@@ -59,6 +58,21 @@ Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads)
     triangles.row(2 * q + 1) << quads(q, 0), quads(q, 2), quads(q, 3);
   }
   return triangles;
+}
+
+void GrowRings(const Eigen::MatrixXi& hexahedra, int rings, std::vector<char>& marked)
+{
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::vector<char> before = marked;
+    for (const auto hex : hexahedra.rowwise())
+    {
+      if (std::any_of(hex.begin(), hex.end(), [&](int point) { return before[point]; }))
+      {
+        std::for_each(hex.begin(), hex.end(), [&](int point) { marked[point] = 1; });
+      }
+    }
+  }
 }
 
 } // namespace shape

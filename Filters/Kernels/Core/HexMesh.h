@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace shape
 {
 
@@ -27,5 +29,8 @@ Eigen::MatrixXi BoundaryQuads(const HexMesh& mesh);
 
 /// Each quad (q x 4) as two triangles (2q x 3).
 Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads);
+
+/// Marks, of n points, also those of the hexahedra that have a marked one; `rings` times.
+void GrowRings(const Eigen::MatrixXi& hexahedra, int rings, std::vector<char>& marked);
 
 } // namespace shape

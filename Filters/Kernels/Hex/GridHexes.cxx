@@ -4,7 +4,6 @@
 #include "Core/Topology.h"
 #include "Geometry/SignedDistance.h"
 #include "Hex/HexOptimization.h"
-#include "Hex/HexUntangling.h"
 #include "Hex/OnSurface.h"
 #include "Hex/VoxelSolid.h"
 #include "Quality/ScaledJacobian.h"
@@ -150,16 +149,9 @@ GridHexesResult GridHexes(
     on[point] = 1;
   }
   const OnSurface constraint(distance.Locator(), on);
-  HexOptimizationOptions optimization;
-  optimization.Smoothings = 2;
-  const HexOptimizationResult first =
-    OptimizeHexahedra(result.Solid, constraint, optimization, progress.Part(0.1, 0.7));
-  if (first.InvertedAfter > 0)
-  {
-    UntangleHexahedra(result.Solid, constraint, progress.Part(0.7, 0.8));
-    optimization.Smoothings = 0;
-    OptimizeHexahedra(result.Solid, constraint, optimization, progress.Part(0.8, 1.0));
-  }
+  constexpr int smoothings = 2;
+  SmoothHexahedra(result.Solid, constraint, smoothings);
+  OptimizeHexahedra(result.Solid, constraint, {}, progress.Part(0.1, 1.0));
   const Eigen::VectorXd quality = ScaledJacobians(result.Solid);
   result.LeastScaledJacobian = quality.minCoeff();
   result.MeanScaledJacobian = quality.mean();

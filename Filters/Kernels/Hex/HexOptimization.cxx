@@ -2,6 +2,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Parallel.h"
+#include "Hex/HexUntangling.h"
 #include "Hex/StarEnergy.h"
 #include "Quality/ScaledJacobian.h"
 
@@ -24,7 +25,7 @@ constexpr double WorstSharpnesses[] = { 25, 30, 40, 60, 90 };
 class Optimizer
 {
 public:
-  Optimizer(HexMesh& mesh, const PointConstraint& constraint)
+  Optimizer(const HexMesh& mesh, const PointConstraint& constraint)
     : Hexahedra(mesh.Hexahedra)
     , Points(mesh.Points.transpose())
     , Constraint(constraint)
@@ -46,10 +47,10 @@ public:
     this->ForAll(marked, [&](int point) { this->Move(point, sharpness); });
   }
 
-  /// Moves all points, or those that are marked, into the middle of their neighbours.
-  void Smooth(const std::vector<char>& marked)
+  /// Moves all points, or those that are marked, half way to the middle of their neighbours.
+  void Smooth(const std::vector<char>& marked = {})
   {
-    this->ForAll(marked, [&](int point) { this->MoveToMean(point); });
+    this->ForAll(marked, [&](int point) { this->MoveTowardsMean(point); });
   }
 
   /// Puts every point where it may be.
@@ -115,7 +116,7 @@ private:
 
   /// Of those neighbours that are as little free as it is: a point of a surface stays amidst those
   /// of the surface.
-  void MoveToMean(int point)
+  void MoveTowardsMean(int point)
   {
     const int freedom = this->Constraint.Freedom(point);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -233,19 +234,6 @@ private:
   Eigen::VectorXd Values;
 };
 
-/// Marks the points of the hexahedra that have a marked point.
-void Grow(const Eigen::MatrixXi& hexahedra, std::vector<char>& marked)
-{
-  const std::vector<char> before = marked;
-  for (const auto hex : hexahedra.rowwise())
-  {
-    if (std::any_of(hex.begin(), hex.end(), [&](int point) { return before[point]; }))
-    {
-      std::for_each(hex.begin(), hex.end(), [&](int point) { marked[point] = 1; });
-    }
-  }
-}
-
 /// Marks the points of hexahedra of a lower scaled Jacobian, none where there is none.
 std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
 {
@@ -263,65 +251,19 @@ std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
   return marked;
 }
 
-/// Smooths around inverted hexahedra, farther and farther, until there is none: the energy has
-/// minima in which some are.
-void SmoothInverted(
-  Optimizer& optimizer, const Eigen::MatrixXi& hexahedra, const Progress& progress)
+/// One run over all sharpnesses; the best state on the way is offered.
+void Run(const HexMesh& mesh, const PointConstraint& constraint,
+  const HexOptimizationOptions& options, Best& best, const Progress& progress)
 {
-  constexpr int rounds = 10;
-  for (int round = 0; round < rounds; ++round)
-  {
-    std::vector<char> marked = PointsOfBad({ optimizer.Places(), hexahedra }, 0.0);
-    if (marked.empty())
-    {
-      return;
-    }
-    for (int ring = 0; ring < round; ++ring)
-    {
-      Grow(hexahedra, marked);
-    }
-    optimizer.Smooth(marked);
-    progress((round + 1.0) / rounds);
-  }
-}
-
-} // namespace
-
-HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
-  const HexOptimizationOptions& options, const Progress& progress)
-{
-  if (options.Smoothings < 0 || options.Sweeps < 0 || options.WorstSweeps < 0)
-  {
-    throw InvalidInput("Smoothings, Sweeps and WorstSweeps must not be negative");
-  }
-  if (mesh.Hexahedra.size() == 0)
-  {
-    return {};
-  }
-  if (mesh.Hexahedra.minCoeff() < 0 || mesh.Hexahedra.maxCoeff() >= mesh.Points.rows())
-  {
-    throw InvalidInput("a hexahedron has a point that is not there");
-  }
-  Best best(mesh);
-  HexOptimizationResult result;
-  result.LeastBefore = best.ScaledJacobiansOfBest().minCoeff();
-  result.InvertedBefore = Best::Inverted(best.ScaledJacobiansOfBest());
-
   Optimizer optimizer(mesh, constraint);
   const double steps = static_cast<double>(std::size(Sharpnesses)) * options.Sweeps;
-  for (int sweep = 0; sweep < options.Smoothings; ++sweep)
-  {
-    optimizer.Smooth({});
-  }
-  optimizer.Project();
-  SmoothInverted(optimizer, mesh.Hexahedra, progress.Part(0.0, 0.1));
   double done = 0.0;
   for (const double sharpness : Sharpnesses)
   {
     for (int sweep = 0; sweep < options.Sweeps; ++sweep)
     {
       optimizer.Sweep(sharpness);
-      progress(0.1 + 0.7 * ++done / steps);
+      progress(0.8 * ++done / steps);
     }
     best.Offer(optimizer.Places());
   }
@@ -341,6 +283,67 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
       progress(0.8 + 0.2 * ++done / (std::size(WorstSharpnesses) * options.WorstSweeps));
     }
     best.Offer(std::move(now.Points));
+  }
+}
+
+void RequireIndices(const HexMesh& mesh)
+{
+  if (mesh.Hexahedra.size() > 0 &&
+    (mesh.Hexahedra.minCoeff() < 0 || mesh.Hexahedra.maxCoeff() >= mesh.Points.rows()))
+  {
+    throw InvalidInput("a hexahedron has a point that is not there");
+  }
+}
+
+} // namespace
+
+void SmoothHexahedra(HexMesh& mesh, const PointConstraint& constraint, int sweeps)
+{
+  RequireIndices(mesh);
+  Optimizer optimizer(mesh, constraint);
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    optimizer.Smooth();
+  }
+  optimizer.Project();
+  constexpr int rounds = 10;
+  for (int round = 0; round < rounds; ++round)
+  {
+    mesh.Points = optimizer.Places();
+    std::vector<char> marked = PointsOfBad(mesh, 0.0);
+    if (marked.empty())
+    {
+      break;
+    }
+    GrowRings(mesh.Hexahedra, round, marked);
+    optimizer.Smooth(marked);
+  }
+  mesh.Points = optimizer.Places();
+}
+
+HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
+  const HexOptimizationOptions& options, const Progress& progress)
+{
+  if (options.Sweeps < 0 || options.WorstSweeps < 0)
+  {
+    throw InvalidInput("Sweeps and WorstSweeps must not be negative");
+  }
+  RequireIndices(mesh);
+  if (mesh.Hexahedra.size() == 0)
+  {
+    return {};
+  }
+  Best best(mesh);
+  HexOptimizationResult result;
+  result.LeastBefore = best.ScaledJacobiansOfBest().minCoeff();
+  result.InvertedBefore = Best::Inverted(best.ScaledJacobiansOfBest());
+  Run(mesh, constraint, options, best, progress.Part(0.0, 0.5));
+  if (Best::Inverted(best.ScaledJacobiansOfBest()) > 0)
+  {
+    HexMesh untangled = mesh;
+    UntangleHexahedra(untangled, constraint, progress.Part(0.5, 0.6));
+    best.Offer(untangled.Points);
+    Run(untangled, constraint, options, best, progress.Part(0.6, 1.0));
   }
   result.LeastAfter = best.ScaledJacobiansOfBest().minCoeff();
   result.InvertedAfter = Best::Inverted(best.ScaledJacobiansOfBest());

@@ -9,7 +9,6 @@ namespace shape
 
 struct HexOptimizationOptions
 {
-  int Smoothings = 0;   ///< sweeps that move every point half way to its neighbours' mean first
   int Sweeps = 6;       ///< over all points, at each sharpness; >= 0
   int WorstSweeps = 60; ///< over the points of bad hexahedra, at each greater sharpness; >= 0
   double Bad = 0.7;     ///< hexahedra of a lower scaled Jacobian are bad
@@ -29,14 +28,20 @@ struct HexOptimizationResult
  * of bad hexahedra only, which raises the worst corners at little cost of the others (the l_p to
  * l_infinity continuation of Livesu, Sheffer, Vining and Tarini, "Practical hex-mesh optimization
  * via edge-cone rectification", 2015, with the determinants themselves). Inverted hexahedra have a
- * finite energy, too, and are turned.
+ * finite energy, too, and are turned; where some stay, UntangleHexahedra helps, and all is done
+ * again.
  *
- * mesh: its points are moved; every point that the constraint does not leave free stays, at any
- * time, where it may be: what is reported holds for the result as it is. Points are moved in sets
+ * mesh: its points, each where it may be, are moved, and none is ever elsewhere: what is reported
+ * holds for the result as it is. Points are moved in sets
  * without a common hexahedron, so any number of threads gives the same bits. Throws InvalidInput
  * where an index is out of range or options are negative, Aborted.
  */
 HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options = {}, const Progress& progress = {});
+
+/// Moves every point half way to the middle of those neighbours that are as little free as it is,
+/// `sweeps` times, and puts it where it may be; then goes on around inverted hexahedra, farther and
+/// farther from them, up to ten times. Throws InvalidInput where an index is out of range.
+void SmoothHexahedra(HexMesh& mesh, const PointConstraint& constraint, int sweeps);
 
 } // namespace shape

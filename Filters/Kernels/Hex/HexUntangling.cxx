@@ -12,19 +12,6 @@ namespace
 
 constexpr int Rings[] = { 1, 2, 3, 4, 6 };
 
-/// Marks the points of the hexahedra that have a marked point.
-void Grow(const Eigen::MatrixXi& hexahedra, std::vector<char>& marked)
-{
-  const std::vector<char> before = marked;
-  for (const auto hex : hexahedra.rowwise())
-  {
-    if (std::any_of(hex.begin(), hex.end(), [&](int point) { return before[point]; }))
-    {
-      std::for_each(hex.begin(), hex.end(), [&](int point) { marked[point] = 1; });
-    }
-  }
-}
-
 double MeanEdge(const HexMesh& mesh, Eigen::Index hex)
 {
   double sum = 0.0;
@@ -94,10 +81,7 @@ int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Pr
         std::for_each(points.begin(), points.end(), [&](int point) { marked[point] = 1; });
       }
     }
-    for (int ring = 1; ring < rings; ++ring)
-    {
-      Grow(mesh.Hexahedra, marked);
-    }
+    GrowRings(mesh.Hexahedra, rings - 1, marked);
     const auto done = static_cast<double>(&rings - Rings);
     const double rounds = std::size(Rings);
     const Eigen::MatrixXd kept = mesh.Points;
