@@ -32,7 +32,8 @@ double CellSizeFor(const Mesh& surface, double hexahedra)
 {
   const double volume = EnclosedVolume(surface);
   const double area = 0.5 * AreaVectors(surface).rowwise().norm().sum();
-  // A third of the area for what the grid's steps add to it and the cells that they take away.
+  // The layer has more hexahedra than the cells whose room it takes: half a cell's volume for each
+  // cell's area was measured.
   double size = std::cbrt(volume / hexahedra);
   for (int step = 0; step < 50; ++step)
   {
