@@ -129,7 +129,7 @@ GridHexesResult GridHexes(
   const SignedDistance distance(surface);
   const int solids = CountSolids(surface);
   std::optional<HexMesh> cubes;
-  for (; !cubes; size *= Shrinkage)
+  for (int attempt = 1; !cubes; ++attempt, size *= Shrinkage)
   {
     if (size < least)
     {
@@ -138,7 +138,9 @@ GridHexesResult GridHexes(
         " and number of components " + std::to_string(topology.Components) +
         ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
     }
-    cubes = CubesOf(SampleDistance(distance, size, progress.Part(0.0, 0.1)), topology, solids);
+    const Progress part =
+      progress.Part(0.1 * (1.0 - 1.0 / attempt), 0.1 * (1.0 - 1.0 / (attempt + 1)));
+    cubes = CubesOf(SampleDistance(distance, size, part), topology, solids);
   }
   GridHexesResult result;
   result.CellSize = size / Shrinkage;

@@ -1,5 +1,7 @@
 #include "Quality/CellSimplices.h"
 
+#include "Core/HexMesh.h"
+
 namespace shape
 {
 namespace
@@ -23,10 +25,16 @@ const CornerTable& TableOf(CellShape shape)
   static const CornerTable wedge{ { { 0, 1, 2, 3 }, { 1, 2, 0, 4 }, { 2, 0, 1, 5 }, { 3, 5, 4, 0 },
                                     { 4, 3, 5, 1 }, { 5, 4, 3, 2 } },
     1.0 / (6.0 * 2.0) };
-  static const CornerTable hexahedron{ { { 0, 1, 3, 4 }, { 1, 2, 0, 5 }, { 2, 3, 1, 6 },
-                                         { 3, 0, 2, 7 }, { 4, 7, 5, 0 }, { 5, 4, 6, 1 },
-                                         { 6, 5, 7, 2 }, { 7, 6, 4, 3 } },
-    1.0 / 8.0 };
+  static const CornerTable hexahedron = []
+  {
+    CornerTable table{ {}, 1.0 / 8.0 };
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const int* ends = HexNeighbours[corner];
+      table.Corners.push_back({ corner, ends[0], ends[1], ends[2] });
+    }
+    return table;
+  }();
   switch (shape)
   {
     case CellShape::Triangle:

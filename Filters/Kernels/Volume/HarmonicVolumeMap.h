@@ -103,8 +103,8 @@ struct HarmonicVolumeMapResult
  * preconditioned by local blocks, sums by the multipole method (NearSourceSystem.h,
  * SchwarzPreconditioner.h, FastSummation.h). Then triangles that hold most of what is left are
  * halved and a further map is fitted to that, until the tolerance is met. Time and memory grow
- * nearly as the boundary does. CPU seconds of sphere maps: bear_bis of 10096 points 1.6,
- * RMSEInside 9.1e-5; bunny00 of 37706, 2.9, 7.5e-5; the same in 113114, 5.1, 6.4e-5
+ * nearly as the boundary does. CPU seconds of sphere maps: bear_bis of 10096 points 1.8,
+ * RMSEInside 9.1e-5; bunny00 of 37706, 3.0, 7.5e-5; the same in 113114, 6.0, 6.4e-5
  * (Testing/Benchmarks/VolumeMap.py). MultiLevel meets soft features better, SingleShot is the
  * paper's first method: both decompose dense matrices, and are for small boundaries.
  *

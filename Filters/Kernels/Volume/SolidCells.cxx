@@ -1,6 +1,7 @@
 #include "Volume/SolidCells.h"
 
 #include "Core/Errors.h"
+#include "Core/HexMesh.h"
 #include "Core/Orientation.h"
 #include "Quality/CellSimplices.h"
 
@@ -29,8 +30,15 @@ const std::vector<std::vector<int>>& FacesOf(int kind)
     { 3, 0, 4 } };
   static const Faces wedge = { { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 },
     { 2, 0, 3, 5 } };
-  static const Faces hexahedron = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
-    { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+  static const Faces hexahedron = []
+  {
+    Faces faces;
+    for (const auto& face : HexFaces)
+    {
+      faces.emplace_back(std::begin(face), std::end(face));
+    }
+    return faces;
+  }();
   return kind == Tetrahedron ? tetrahedron
     : kind == Pyramid        ? pyramid
     : kind == Wedge          ? wedge
