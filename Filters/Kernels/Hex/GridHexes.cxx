@@ -1,15 +1,15 @@
 #include "Hex/GridHexes.h"
 
 #include "Core/Errors.h"
-#include "Core/Topology.h"
-#include "Geometry/SignedDistance.h"
-#include "Hex/HexOptimization.h"
-#include "Hex/OnSurface.h"
-#include "Hex/VoxelSolid.h"
+#include "Geometry/ClosestPoint.h"
+#include "Hex/SolidCubes.h"
+#include "Hex/SurfaceFeatures.h"
+#include "Quality/HausdorffDistance.h"
 #include "Quality/ScaledJacobian.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,85 +20,196 @@ namespace shape
 namespace
 {
 
-/// How far outside, in cells, the centre of a cell may lie that counts as inside: with a little,
-/// thin parts stay whole.
-constexpr double Reaches[] = { 0.15, 0.0, 0.3, -0.15 };
-/// By which cells become smaller where the topology is not the surface's.
+/// By which cells become smaller where they have not the solid's topology.
 constexpr double Shrinkage = 0.85;
-constexpr double AutomaticHexahedra = 16000.0;
+/// Of the first grid with an automatic size, and by which there are more in the next ones.
+constexpr double AutomaticHexahedra = 16500.0, Growth = 1.7;
+/// What is good enough not to go on to smaller cells everywhere.
+/// The area of the smallest patch with borders of its own, in faces of cells.
+constexpr double LeastPatch = 4.0;
+constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
 
-/// The size of cells of which a solid has so many, those of the layer around them included.
-double CellSizeFor(const Mesh& surface, double hexahedra)
+class GridSearch
 {
-  const double volume = EnclosedVolume(surface);
-  const double area = 0.5 * AreaVectors(surface).rowwise().norm().sum();
-  // The layer has more hexahedra than the cells whose room it takes: half a cell's volume for each
-  // cell's area was measured.
-  double size = std::cbrt(volume / hexahedra);
-  for (int step = 0; step < 50; ++step)
+public:
+  GridSearch(const Mesh& surface, const GridHexesOptions& options, const Progress& progress)
+    : Options(options)
+    , Cubes(surface, progress)
+    , Bounding(this->Cubes.Boundary().Surface)
+    , Diagonal((this->Cubes.Surface().Points.colwise().maxCoeff() -
+        this->Cubes.Surface().Points.colwise().minCoeff())
+                 .norm())
   {
-    size = std::cbrt((volume + 0.5 * area * size) / hexahedra);
   }
-  return size;
-}
 
-/// The signed distance at the centres of cells around a surface.
-SampledGrid SampleDistance(const SignedDistance& distance, double size, const Progress& progress)
-{
-  const Eigen::MatrixXd& points = distance.Locator().Surface().Points;
-  const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
-  SampledGrid grid;
-  grid.Spacing = size;
-  grid.Counts = ((high - low) / size).array().ceil().cast<int>() + 3;
-  grid.Origin = 0.5 * (low + high) - 0.5 * size * (grid.Counts.array() - 1).matrix().cast<double>();
-  Eigen::MatrixXd centres(grid.Counts.prod(), 3);
-  for (int z = 0; z < grid.Counts(2); ++z)
+  double LeastSize(const GridWarp& warp = GridWarp()) const
   {
-    for (int y = 0; y < grid.Counts(1); ++y)
+    return this->Cubes.CellSizeFor(this->Options.MaximumHexahedra, warp);
+  }
+
+  /// Rounds of grids, each finer where the one before was not good enough. size: of the cells in
+  /// the first; where it is 0, such that there are about `hexahedra` in each.
+  void Refine(double size, double hexahedra, int rounds, const Progress& progress)
+  {
+    std::vector<Magnifier> magnifiers;
+    for (int round = 0; round < rounds; ++round)
     {
-      for (int x = 0; x < grid.Counts(0); ++x)
+      const GridWarp warp(magnifiers);
+      const Progress part = progress.Part(
+        static_cast<double>(round) / this->Options.Rounds, (round + 1.0) / this->Options.Rounds);
+      std::optional<GridHexesResult> result =
+        this->Fill(size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp), warp, part);
+      if (!result)
       {
-        centres.row(grid.Index(x, y, z)) = grid.Point(x, y, z);
+        return;
+      }
+      const bool done =
+        this->Reaches(*result, this->Options.WantedScaledJacobian, this->Options.WantedDistance);
+      if (!done)
+      {
+        this->Magnify(*result, magnifiers);
+      }
+      result->Rounds = ++this->Rounds;
+      if (!this->Best || this->Score(*result) > this->Score(*this->Best))
+      {
+        this->Best = std::move(*result);
+      }
+      if (done)
+      {
+        return;
       }
     }
   }
-  grid.Values = distance.Evaluate(centres, progress).Distances;
-  return grid;
-}
 
-/// How many components of a surface bound solids from outside.
-int CountSolids(const Mesh& surface)
-{
-  const std::vector<Mesh> components = SplitComponents(surface);
-  return static_cast<int>(std::count_if(components.begin(), components.end(),
-    [](const Mesh& component) { return EnclosedVolume(component) > 0.0; }));
-}
-
-/// The cubes of a grid that have the surface's topology, if there are such.
-std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wanted, int solids)
-{
-  for (const double reach : Reaches)
+  bool IsAccepted() const
   {
-    SampledGrid levels = distances;
-    levels.Values.array() -= reach * levels.Spacing;
-    VoxelSolid solid = FindVoxelSolid(levels);
-    if (solid.Pinched > 0)
+    return this->Best && this->Reaches(*this->Best, AcceptedScaledJacobian, AcceptedDistance);
+  }
+
+  GridHexesResult Result()
+  {
+    if (!this->Best)
     {
-      continue;
+      const Topology& topology = this->Cubes.SurfaceTopology();
+      throw SolveFailure("no grid of " + std::to_string(this->Options.MaximumHexahedra) +
+        " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
+        " and number of components " + std::to_string(topology.Components) +
+        ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
     }
-    KeepLargestParts(levels, solids, solid.Inside);
-    HexMesh cubes = VoxelHexahedra(levels, solid.Inside);
-    if (cubes.Hexahedra.rows() == 0)
+    this->Best->Rounds = this->Rounds;
+    return std::move(*this->Best);
+  }
+
+private:
+  /// The hexahedra that cells of this size make, or of a smaller one that has the topology.
+  std::optional<GridHexesResult> Fill(double size, const GridWarp& warp, const Progress& progress)
+  {
+    const double least = this->LeastSize(warp);
+    for (; size >= least * (1.0 - 1e-9); size *= Shrinkage)
     {
-      continue;
+      if (std::optional<HexMesh> cubes = this->Cubes.Fill(size, warp, progress.Part(0.0, 0.1)))
+      {
+        GridHexesResult result;
+        result.CellSize = size;
+        result.Crossings = this->Cubes.Boundary().Crossings;
+        result.Features = FindFeatures(
+          this->Bounding.Surface(), this->Options.FeatureAngle, LeastPatch * size * size);
+        result.Fit = FitHexahedra(*cubes, this->Bounding, result.Features,
+          { this->Options.PaddingLayers }, progress.Part(0.1, 1.0));
+        return result;
+      }
     }
-    const Topology topology = SurfaceTopology({ cubes.Points, SplitQuads(BoundaryQuads(cubes)) });
-    if (topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components)
+    return std::nullopt;
+  }
+
+  bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance) const
+  {
+    return result.Fit.LeastScaledJacobian >= scaledJacobian &&
+      result.Fit.Distance <= distance * this->Diagonal;
+  }
+
+  /// The greater, the better. Creases count most among what is not inverted, then what is accepted.
+  double Score(const GridHexesResult& result) const
+  {
+    const HexFit& fit = result.Fit;
+    if (fit.Inverted > 0)
     {
-      return cubes;
+      return -fit.Inverted;
+    }
+    const bool accepted = this->Reaches(result, AcceptedScaledJacobian, AcceptedDistance);
+    return std::min(fit.LeastScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
+      std::min(this->Options.WantedDistance * this->Diagonal / fit.Distance, 1.0) +
+      (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
+  }
+
+  /// Adds magnifiers where the surfaces are far from each other, and at bad hexahedra.
+  void Magnify(const GridHexesResult& result, std::vector<Magnifier>& magnifiers) const
+  {
+    constexpr double radius = 2.5, apart = 1.5; // cells, radii
+    constexpr double strength = 0.4, share = 0.9;
+    const HexMesh& solid = result.Fit.Solid;
+    const Mesh boundary{ solid.Points, SplitQuads(result.Fit.Quads) };
+    const PlacesAndDistances far =
+      DistancesBetween(this->Bounding.Surface(), SurfaceLocator(boundary));
+    std::vector<int> order(far.Distances.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+      [&](int a, int b) { return far.Distances(a) > far.Distances(b); });
+    const std::size_t before = magnifiers.size();
+    const auto add = [&](const Eigen::RowVector3d& centre)
+    {
+      if (std::none_of(magnifiers.begin() + static_cast<std::ptrdiff_t>(before), magnifiers.end(),
+            [&](const Magnifier& other)
+            { return (other.Centre - centre).norm() < apart * other.Radius; }))
+      {
+        magnifiers.push_back({ centre, radius * result.CellSize, strength });
+      }
+    };
+    for (const int i : order)
+    {
+      if (far.Distances(i) < share * this->Options.WantedDistance * this->Diagonal)
+      {
+        break;
+      }
+      add(far.Places.row(i));
+    }
+    const Eigen::VectorXd quality = ScaledJacobians(solid);
+    for (Eigen::Index hex = 0; hex < quality.size(); ++hex)
+    {
+      if (quality(hex) < AcceptedScaledJacobian)
+      {
+        add(solid.Points(solid.Hexahedra.row(hex), Eigen::all).colwise().mean());
+      }
     }
   }
-  return std::nullopt;
+
+  const GridHexesOptions& Options;
+  SolidCubes Cubes;
+  const SurfaceLocator Bounding; ///< what bounds the solid
+  const double Diagonal;
+  std::optional<GridHexesResult> Best;
+  int Rounds = 0;
+};
+
+void RequireInRange(const GridHexesOptions& options)
+{
+  const auto require = [](bool holds, const char* name, double value, const char* range)
+  {
+    if (!holds)
+    {
+      throw InvalidInput(
+        std::string(name) + " is " + std::to_string(value) + "; it must be " + range);
+    }
+  };
+  require(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize", options.CellSize,
+    "positive, or 0 for an automatic one");
+  require(
+    options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
+  require(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
+  require(options.Rounds >= 1, "Rounds", options.Rounds, "at least 1");
+  require(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
+    options.FeatureAngle, "in (0, 180]");
+  require(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
 }
 
 } // namespace
@@ -106,60 +217,32 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wan
 GridHexesResult GridHexes(
   const Mesh& surface, const GridHexesOptions& options, const Progress& progress)
 {
-  if (!std::isfinite(options.CellSize) || options.CellSize < 0.0)
+  RequireInRange(options);
+  GridSearch search(surface, options, progress.Part(0.0, 0.05));
+  if (options.CellSize > 0.0)
   {
-    throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
-      "; it must be positive, or 0 for an automatic one");
-  }
-  if (options.MaximumHexahedra < 1)
-  {
-    throw InvalidInput("MaximumHexahedra must be at least 1");
-  }
-  const Topology topology = RequireClosedSurface(surface, "the surface");
-  const double least = CellSizeFor(surface, options.MaximumHexahedra);
-  double size = options.CellSize > 0.0
-    ? options.CellSize
-    : CellSizeFor(surface, std::min<double>(AutomaticHexahedra, options.MaximumHexahedra));
-  if (size < least)
-  {
-    throw InvalidInput("CellSize is " + std::to_string(size) + ", which makes more than " +
-      std::to_string(options.MaximumHexahedra) + " hexahedra; at least " + std::to_string(least) +
-      " is needed, or a greater MaximumHexahedra");
-  }
-  const SignedDistance distance(surface);
-  const int solids = CountSolids(surface);
-  std::optional<HexMesh> cubes;
-  for (int attempt = 1; !cubes; ++attempt, size *= Shrinkage)
-  {
-    if (size < least)
+    const double least = search.LeastSize();
+    if (options.CellSize < least)
     {
-      throw SolveFailure("no grid of " + std::to_string(options.MaximumHexahedra) +
-        " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
-        " and number of components " + std::to_string(topology.Components) +
-        ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
+      throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
+        ", which makes more than " + std::to_string(options.MaximumHexahedra) +
+        " hexahedra; at least " + std::to_string(least) +
+        " is needed, or a greater MaximumHexahedra");
     }
-    const Progress part =
-      progress.Part(0.1 * (1.0 - 1.0 / attempt), 0.1 * (1.0 - 1.0 / (attempt + 1)));
-    cubes = CubesOf(SampleDistance(distance, size, part), topology, solids);
+    search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 1.0));
+    return search.Result();
   }
-  GridHexesResult result;
-  result.CellSize = size / Shrinkage;
-  result.Solid = std::move(*cubes);
-  const std::vector<int> outer = AddPadding(result.Solid);
-  std::vector<char> on(result.Solid.Points.rows(), 0);
-  for (const int point : outer)
+  double begin = 0.05;
+  int rounds = options.Rounds;
+  for (double hexahedra = std::min<double>(AutomaticHexahedra, options.MaximumHexahedra);
+       hexahedra <= options.MaximumHexahedra && !search.IsAccepted(); hexahedra *= Growth)
   {
-    on[point] = 1;
+    const double end = 0.5 * (begin + 1.0);
+    search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
+    begin = end;
+    rounds = (rounds + 1) / 2;
   }
-  const OnSurface constraint(distance.Locator(), on);
-  constexpr int smoothings = 2;
-  SmoothHexahedra(result.Solid, constraint, smoothings);
-  OptimizeHexahedra(result.Solid, constraint, {}, progress.Part(0.1, 1.0));
-  const Eigen::VectorXd quality = ScaledJacobians(result.Solid);
-  result.LeastScaledJacobian = quality.minCoeff();
-  result.MeanScaledJacobian = quality.mean();
-  result.Inverted = static_cast<int>((quality.array() <= 0.0).count());
-  return result;
+  return search.Result();
 }
 
 } // namespace shape

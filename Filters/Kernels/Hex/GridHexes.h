@@ -1,8 +1,9 @@
 #pragma once
 
-#include "Core/HexMesh.h"
 #include "Core/Mesh.h"
 #include "Core/Progress.h"
+#include "Hex/HexFit.h"
+#include "Hex/SurfaceFeatures.h"
 
 namespace shape
 {
@@ -10,31 +11,44 @@ namespace shape
 struct GridHexesOptions
 {
   /// Of the grid, in the surface's units; a smaller one is used where this one cannot have the
-  /// surface's topology. 0: what gives about 16,000 hexahedra.
+  /// solid's topology. 0: one that gives about 20,000 hexahedra, or smaller ones where these are
+  /// not good enough.
   double CellSize = 0.0;
   int MaximumHexahedra = 200000; ///< no smaller cells are tried than give so many
+  int PaddingLayers = 1;         ///< of hexahedra around the cells; >= 1
+  double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
+  /// The scaled Jacobian of the worst hexahedron that is aimed at.
+  double WantedScaledJacobian = 0.62;
+  /// The distance between the surfaces that is aimed at, as a share of the diagonal of the box.
+  double WantedDistance = 0.0045;
+  int Rounds = 6; ///< of making cells smaller where the result is not as wanted; >= 1
 };
 
 struct GridHexesResult
 {
-  HexMesh Solid;
-  double CellSize = 0.0;            ///< the one that was used
-  double LeastScaledJacobian = 0.0; ///< positive where no hexahedron is inverted
-  double MeanScaledJacobian = 0.0;
-  int Inverted = 0; ///< hexahedra with a scaled Jacobian of 0 or less
+  HexFit Fit;               ///< its distance is to what bounds the solid
+  SurfaceFeatures Features; ///< creases that were looked for, patches at least 4 cells large
+  double CellSize = 0.0;    ///< the one that was used, where the grid was not made finer
+  int Crossings = 0;        ///< pairs of the surface's triangles that cross
+  int Rounds = 0;           ///< how many grids were made
 };
 
 /**
- * Hexahedra inside a closed surface: the cells of a regular grid whose centres lie in it, with a
- * layer of hexahedra around them whose outer points lie on the surface, and all points where the
- * worst scaled Jacobian is as good as it can be (OptimizeHexahedra).
+ * Hexahedra inside a closed surface: the cells of a regular grid whose centres lie in it, with
+ * layers of hexahedra around them whose boundary lies on the surface and has its creases
+ * (FitHexahedra).
  *
- * The boundary of the result is a manifold of the surface's Euler number. Cells become smaller
- * until that is so: thin parts and narrow gaps ask for it.
+ * Where the result is farther from the surface than wanted, or has bad hexahedra, the next grid is
+ * one of smaller cells there: space is magnified around these places before the grid is laid
+ * (GridWarp), and the connections stay those of a regular grid. The best result is kept.
  *
- * surface: closed, facing outwards, one solid that hangs together. Throws InvalidInput as
- * RequireClosedSurface, and where options are out of range; SolveFailure where no grid of so few
- * cells has the topology of the surface, Aborted.
+ * The boundary of the result is a manifold of the surface's Euler number and number of components.
+ * Cells become smaller until that is so: thin parts and narrow gaps ask for it. Where the surface
+ * crosses itself the solid is what it winds around at least once (SolidCubes).
+ *
+ * surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface, and where
+ * options are out of range; SolveFailure where no grid of so few cells has the topology of the
+ * surface, Aborted.
  */
 GridHexesResult GridHexes(
   const Mesh& surface, const GridHexesOptions& options = {}, const Progress& progress = {});

@@ -40,8 +40,10 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   const HexOptimizationOptions& options = {}, const Progress& progress = {});
 
 /// Moves every point half way to the middle of those neighbours that are as little free as it is,
-/// `sweeps` times, and puts it where it may be; then goes on around inverted hexahedra, farther and
-/// farther from them, up to ten times. Throws InvalidInput where an index is out of range.
+/// `sweeps` times, and puts it where it may be. Throws InvalidInput where an index is out of range.
 void SmoothHexahedra(HexMesh& mesh, const PointConstraint& constraint, int sweeps);
+
+/// The same around inverted hexahedra, farther and farther from them, up to ten times.
+void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint);
 
 } // namespace shape

@@ -3,6 +3,9 @@
 #include "Quality/ScaledJacobian.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -27,48 +30,120 @@ double MeanEdge(const HexMesh& mesh, Eigen::Index hex)
   return sum / 24.0;
 }
 
-/// The corners of all hexahedra with a marked point, each beside that of a cube of about its size.
-SimplexPatch PatchOf(
-  const HexMesh& mesh, const PointConstraint& constraint, const std::vector<char>& marked)
+/// The hexahedra around each point.
+std::vector<std::vector<int>> HexahedraAround(const HexMesh& mesh)
 {
-  SimplexPatch patch;
-  std::vector<char> used(marked.size(), 0);
-  for (Eigen::Index hex = 0; hex < mesh.Hexahedra.rows(); ++hex)
+  std::vector<std::vector<int>> around(mesh.Points.rows());
+  for (int hex = 0; hex < static_cast<int>(mesh.Hexahedra.rows()); ++hex)
   {
-    const auto points = mesh.Hexahedra.row(hex);
-    if (std::none_of(points.begin(), points.end(), [&](int point) { return marked[point]; }))
+    for (const int point : mesh.Hexahedra.row(hex))
+    {
+      around[point].push_back(hex);
+    }
+  }
+  return around;
+}
+
+/// Hexahedra with a marked point, each set of them that hangs together by marked points.
+std::vector<std::vector<int>> Pieces(
+  const HexMesh& mesh, const std::vector<std::vector<int>>& around, const std::vector<char>& marked)
+{
+  std::vector<std::vector<int>> pieces;
+  std::vector<char> seen(mesh.Hexahedra.rows(), 0);
+  for (std::size_t point = 0; point < marked.size(); ++point)
+  {
+    if (!marked[point] || around[point].empty() || seen[around[point][0]])
     {
       continue;
     }
+    std::vector<int> piece = { around[point][0] };
+    seen[piece[0]] = 1;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+    {
+      for (const int corner : mesh.Hexahedra.row(piece[i]))
+      {
+        for (const int hex : around[corner])
+        {
+          if (marked[corner] && !seen[hex])
+          {
+            seen[hex] = 1;
+            piece.push_back(hex);
+          }
+        }
+      }
+    }
+    std::sort(piece.begin(), piece.end());
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+/// The corners of hexahedra, each beside that of a cube of about its size.
+SimplexPatch PatchOf(const HexMesh& mesh, const std::vector<int>& hexahedra,
+  const PointConstraint& constraint, const std::vector<char>& marked)
+{
+  SimplexPatch patch;
+  for (const int hex : hexahedra)
+  {
+    const auto points = mesh.Hexahedra.row(hex);
     const auto gradients = HatGradients(MeanEdge(mesh, hex) * Eigen::Matrix3d::Identity());
     for (int corner = 0; corner < 8; ++corner)
     {
       const int* ends = HexNeighbours[corner];
       patch.Simplices.push_back(
         { { points(corner), points(ends[0]), points(ends[1]), points(ends[2]) }, gradients });
-      used[points(corner)] = 1;
+      if (marked[points(corner)] && constraint.Freedom(points(corner)) > 0)
+      {
+        patch.FreePoints.push_back(points(corner));
+      }
     }
   }
-  for (int point = 0; point < static_cast<int>(marked.size()); ++point)
-  {
-    if (marked[point] && used[point] && constraint.Freedom(point) > 0)
-    {
-      patch.FreePoints.push_back(point);
-    }
-  }
+  std::sort(patch.FreePoints.begin(), patch.FreePoints.end());
+  patch.FreePoints.erase(
+    std::unique(patch.FreePoints.begin(), patch.FreePoints.end()), patch.FreePoints.end());
   return patch;
+}
+
+int CountInverted(const HexMesh& mesh, const std::vector<int>& hexahedra)
+{
+  const Eigen::VectorXd values =
+    ScaledJacobians({ mesh.Points, mesh.Hexahedra(hexahedra, Eigen::all) });
+  return static_cast<int>((values.array() <= 0.0).count());
+}
+
+/// Lowers the energy of a piece, unless it then has more inverted hexahedra.
+void Untangle(HexMesh& mesh, const std::vector<int>& hexahedra, const PointConstraint& constraint,
+  const std::vector<char>& marked, const Progress& progress)
+{
+  const SimplexPatch patch = PatchOf(mesh, hexahedra, constraint, marked);
+  // What does not turn in a few steps needs more points around it, not more steps.
+  constexpr std::size_t most = 20000;
+  constexpr int steps = 40;
+  if (patch.FreePoints.empty() || patch.FreePoints.size() > most)
+  {
+    return;
+  }
+  const int before = CountInverted(mesh, hexahedra);
+  const Eigen::MatrixXd kept = mesh.Points(patch.FreePoints, Eigen::all);
+  PatchOptions options;
+  options.MaximumSteps = steps;
+  LowerEnergy(mesh.Points, patch, &constraint, options, progress);
+  if (CountInverted(mesh, hexahedra) > before)
+  {
+    mesh.Points(patch.FreePoints, Eigen::all) = kept;
+  }
 }
 
 } // namespace
 
 int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
 {
+  const std::vector<std::vector<int>> around = HexahedraAround(mesh);
   Eigen::VectorXd values = ScaledJacobians(mesh);
   const auto inverted = [&] { return static_cast<int>((values.array() <= 0.0).count()); };
   for (const int& rings : Rings)
   {
-    const int before = inverted();
-    if (before == 0)
+    if (inverted() == 0)
     {
       break;
     }
@@ -82,17 +157,15 @@ int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Pr
       }
     }
     GrowRings(mesh.Hexahedra, rings - 1, marked);
-    const auto done = static_cast<double>(&rings - Rings);
-    const double rounds = std::size(Rings);
-    const Eigen::MatrixXd kept = mesh.Points;
-    LowerEnergy(mesh.Points, PatchOf(mesh, constraint, marked), &constraint, {},
-      progress.Part(done / rounds, (done + 1.0) / rounds));
-    values = ScaledJacobians(mesh);
-    if (inverted() > before)
+    const double done = static_cast<double>(&rings - Rings) / std::size(Rings);
+    const std::vector<std::vector<int>> pieces = Pieces(mesh, around, marked);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
     {
-      mesh.Points = kept;
-      values = ScaledJacobians(mesh);
+      const double share = 1.0 / static_cast<double>(std::size(Rings) * pieces.size());
+      const double begin = done + static_cast<double>(i) * share;
+      Untangle(mesh, pieces[i], constraint, marked, progress.Part(begin, begin + share));
     }
+    values = ScaledJacobians(mesh);
   }
   progress(1.0);
   return inverted();

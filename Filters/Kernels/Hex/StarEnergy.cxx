@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shape
 {
@@ -39,15 +40,18 @@ constexpr auto Across = CornersAcross();
 /// The edges of a corner and what they come to.
 struct CornerEdges
 {
-  CornerEdges(const Vector3d& a, const Vector3d& b, const Vector3d& c)
+  CornerEdges(const Vector3d& a, const Vector3d& b, const Vector3d& c, double least)
     : A(a)
     , B(b)
     , C(c)
     , Normal(b.cross(c))
-    , Lengths(std::sqrt(a.squaredNorm() * b.squaredNorm() * c.squaredNorm()))
-    , Scaled(this->Lengths > 0.0 ? a.dot(this->Normal) / this->Lengths : -1.0)
+    , Least(a.dot(this->Normal) < 0.0 ? 0.0 : least)
+    , Lengths(std::sqrt(this->Square(a) * this->Square(b) * this->Square(c)))
+    , Scaled(a.dot(this->Normal) / this->Lengths)
   {
   }
+
+  double Square(const Vector3d& edge) const { return edge.squaredNorm() + this->Least; }
 
   /// The derivative of the scaled determinant by the first edge.
   Vector3d Slope() const { return this->Normal / this->Lengths - this->Along(this->A); }
@@ -57,10 +61,10 @@ struct CornerEdges
     return this->Along(this->A) + this->Along(this->B) + this->Along(this->C) -
       (this->Normal + this->C.cross(this->A) + this->A.cross(this->B)) / this->Lengths;
   }
-  Vector3d Along(const Vector3d& edge) const { return this->Scaled / edge.squaredNorm() * edge; }
+  Vector3d Along(const Vector3d& edge) const { return this->Scaled / this->Square(edge) * edge; }
 
   Vector3d A, B, C, Normal;
-  double Lengths, Scaled;
+  double Least, Lengths, Scaled;
 };
 
 void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares, double sharpness,
@@ -68,10 +72,6 @@ void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares,
 {
   const double term = std::exp(sharpness * (1.0 - edges.Scaled));
   sum.Value += term;
-  if (edges.Lengths == 0.0)
-  {
-    return;
-  }
   sum.Gradient -= sharpness * term * slope;
   sum.Curvature.noalias() += sharpness * sharpness * term * slope * slope.transpose();
   // Of the second derivative of s: near a right corner it is -1 / length^2 across the edge.
@@ -95,6 +95,12 @@ StarEnergy::StarEnergy(const Eigen::Matrix3Xd& points, const Eigen::MatrixXi& he
       view.Across[k] = points.col(hexahedra(hex, shape::Across[corner][k]));
     }
   }
+  if (!around.empty())
+  {
+    constexpr double share = 0.05;
+    const double least = share * this->Reach(points.col(hexahedra(around[0][0], around[0][1])));
+    this->LeastSquare = std::max(least * least, std::numeric_limits<double>::min());
+  }
 }
 
 double StarEnergy::Value(const Vector3d& x, double sharpness) const
@@ -102,13 +108,13 @@ double StarEnergy::Value(const Vector3d& x, double sharpness) const
   double sum = 0.0;
   for (const View& view : this->Views)
   {
-    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x);
+    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, this->LeastSquare);
     sum += std::exp(sharpness * (1.0 - own.Scaled));
     for (int k = 0; k < 3; ++k)
     {
       const Vector3d& end = view.Ends[k];
       const CornerEdges beside(
-        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end);
+        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end, this->LeastSquare);
       sum += std::exp(sharpness * (1.0 - beside.Scaled));
     }
   }
@@ -120,16 +126,15 @@ StarEnergy::Expansion StarEnergy::Expand(const Vector3d& x, double sharpness) co
   Expansion sum;
   for (const View& view : this->Views)
   {
-    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x);
+    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, this->LeastSquare);
     Add(own, own.SlopeAtCorner(),
-      1.0 / own.A.squaredNorm() + 1.0 / own.B.squaredNorm() + 1.0 / own.C.squaredNorm(), sharpness,
-      sum);
+      1.0 / own.Square(own.A) + 1.0 / own.Square(own.B) + 1.0 / own.Square(own.C), sharpness, sum);
     for (int k = 0; k < 3; ++k)
     {
       const Vector3d& end = view.Ends[k];
       const CornerEdges beside(
-        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end);
-      Add(beside, beside.Slope(), 1.0 / beside.A.squaredNorm(), sharpness, sum);
+        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end, this->LeastSquare);
+      Add(beside, beside.Slope(), 1.0 / beside.Square(beside.A), sharpness, sum);
     }
   }
   return sum;

@@ -15,9 +15,11 @@ namespace shape
  *
  *   E(x) = sum over the corners that x belongs to of exp(sharpness (1 - s)),
  *
- * s being the determinant of a corner's three edges divided by their lengths. Any place has a
- * value, also where hexahedra are inverted. The greater the sharpness, the more it is the worst
- * corner that counts: log(E) / sharpness tends to 1 - min s.
+ * s being the determinant of a corner's three edges divided by their lengths, where it is positive
+ * by sqrt(length^2 + least^2): the scaled Jacobian alone would let edges shrink to nothing. least
+ * is 0.05 of the point's longest edge. (Where it is negative, shrinking must not help.) Any place
+ * has a value, also where hexahedra are inverted. The greater the sharpness, the more it is the
+ * worst corner that counts: log(E) / sharpness tends to 1 - min s.
  */
 class StarEnergy
 {
@@ -48,6 +50,7 @@ private:
     std::array<Eigen::Vector3d, 3> Ends, Across;
   };
   std::vector<View> Views;
+  double LeastSquare = 0.0;
 };
 
 } // namespace shape

@@ -50,6 +50,16 @@ std::array<int, 8> CellsAround(const SampledGrid& grid, int x, int y, int z)
   return cells;
 }
 
+unsigned int PatternOf(const std::array<int, 8>& cells, const std::vector<char>& inside)
+{
+  unsigned int pattern = 0;
+  for (int k = 0; k < 8; ++k)
+  {
+    pattern |= static_cast<unsigned int>(inside[cells[k]]) << k;
+  }
+  return pattern;
+}
+
 /// Of eight cells around a pinched corner, the one that is to change sides: one that mends it where
 /// there is such, -1 where all have changed before. Cells that change once only come to an end.
 int CellToChange(unsigned int pattern, const std::array<int, 8>& cells,
@@ -76,6 +86,98 @@ int CellToChange(unsigned int pattern, const std::array<int, 8>& cells,
   return best;
 }
 
+/// Changes single cells of a solid, whose boundary is a manifold, without changing its topology.
+class CellFlipper
+{
+public:
+  CellFlipper(const SampledGrid& grid, std::vector<char>& inside)
+    : Grid(grid)
+    , Inside(inside)
+    , Changed(inside.size(), 0)
+  {
+  }
+
+  int Count() const { return this->Flips; }
+
+  /// Changes a cell where that is allowed.
+  bool Flip(const Eigen::RowVector3i& cell)
+  {
+    const int index = this->Grid.Index(cell(0), cell(1), cell(2));
+    if (this->Changed[index] || !this->SharesADisc(cell))
+    {
+      return false;
+    }
+    this->Inside[index] ^= 1;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const std::array<int, 8> cells = CellsAround(
+        this->Grid, cell(0) + (corner & 1), cell(1) + (corner >> 1 & 1), cell(2) + (corner >> 2));
+      if (!IsManifold(PatternOf(cells, this->Inside)))
+      {
+        this->Inside[index] ^= 1;
+        return false;
+      }
+    }
+    this->Changed[index] = 1;
+    ++this->Flips;
+    return true;
+  }
+
+private:
+  /// Whether the faces that a cell has in common with the solid make up a disc.
+  bool SharesADisc(const Eigen::RowVector3i& cell) const
+  {
+    std::array<int, 3> shared{}; // of the two faces across each axis
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (cell(axis) < 1 || cell(axis) + 2 > this->Grid.Counts(axis) - 1)
+      {
+        return false; // the outermost cells stay outside
+      }
+      for (const int step : { -1, 1 })
+      {
+        Eigen::RowVector3i next = cell;
+        next(axis) += step;
+        shared[axis] += this->Inside[this->Grid.Index(next(0), next(1), next(2))];
+      }
+    }
+    const int faces = shared[0] + shared[1] + shared[2];
+    const bool pair = std::find(shared.begin(), shared.end(), 2) != shared.end();
+    const bool gap = std::find(shared.begin(), shared.end(), 0) != shared.end();
+    return faces > 0 && faces < 6 && !(faces == 2 && pair) && !(faces == 4 && gap);
+  }
+
+  const SampledGrid& Grid;
+  std::vector<char>& Inside;
+  std::vector<char> Changed;
+  int Flips = 0;
+};
+
+/// How far a place, in a cell's own coordinates in [0, 1], is from the nearest of the cells around
+/// that is on the other side; 2 where none is.
+double DistanceToOtherSide(const SampledGrid& grid, const std::vector<char>& inside,
+  const Eigen::RowVector3i& cell, const Eigen::RowVector3d& place)
+{
+  const char here = inside[grid.Index(cell(0), cell(1), cell(2))];
+  double least = 4.0;
+  for (int z = -1; z <= 1; ++z)
+  {
+    for (int y = -1; y <= 1; ++y)
+    {
+      for (int x = -1; x <= 1; ++x)
+      {
+        if (inside[grid.Index(cell(0) + x, cell(1) + y, cell(2) + z)] != here)
+        {
+          const Eigen::Array3d step(x, y, z), at = place.transpose().array();
+          const Eigen::Array3d gap = (step > 0).select(1.0 - at, (step < 0).select(at, 0.0));
+          least = std::min(least, gap.square().sum());
+        }
+      }
+    }
+  }
+  return std::sqrt(least);
+}
+
 } // namespace
 
 VoxelSolid FindVoxelSolid(const SampledGrid& grid)
@@ -96,11 +198,7 @@ VoxelSolid FindVoxelSolid(const SampledGrid& grid)
         for (int x = 1; x < grid.Counts(0); ++x)
         {
           const std::array<int, 8> cells = CellsAround(grid, x, y, z);
-          unsigned int pattern = 0;
-          for (int k = 0; k < 8; ++k)
-          {
-            pattern |= static_cast<unsigned int>(solid.Inside[cells[k]]) << k;
-          }
+          const unsigned int pattern = PatternOf(cells, solid.Inside);
           if (!IsManifold(pattern))
           {
             ++solid.Pinched;
@@ -117,6 +215,56 @@ VoxelSolid FindVoxelSolid(const SampledGrid& grid)
     }
   }
   return solid;
+}
+
+int CoverSurface(
+  const SampledGrid& grid, const Eigen::MatrixXd& places, double reach, std::vector<char>& inside)
+{
+  // The places in the coordinates of the cells, cell by cell.
+  const Eigen::MatrixXd scaled = ((places.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
+  const Eigen::MatrixXi cells = scaled.array().floor().cast<int>();
+  std::vector<int> order(places.rows());
+  std::iota(order.begin(), order.end(), 0);
+  const auto cellOf = [&](int i) { return grid.Index(cells(i, 0), cells(i, 1), cells(i, 2)); };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return cellOf(a) < cellOf(b); });
+  CellFlipper flipper(grid, inside);
+  const auto flipNeighbour = [&](const Eigen::RowVector3i& cell)
+  {
+    std::array<Eigen::RowVector3i, 6> around;
+    for (int k = 0; k < 6; ++k)
+    {
+      around[k] = cell;
+      around[k](k / 2) += k % 2 == 0 ? -1 : 1;
+    }
+    const char here = inside[grid.Index(cell(0), cell(1), cell(2))];
+    const auto levelOf = [&](const Eigen::RowVector3i& at)
+    { return std::abs(grid.Values(grid.Index(at(0), at(1), at(2)))); };
+    std::stable_sort(around.begin(), around.end(),
+      [&](const Eigen::RowVector3i& a, const Eigen::RowVector3i& b)
+      { return levelOf(a) < levelOf(b); });
+    return std::any_of(around.begin(), around.end(),
+      [&](const Eigen::RowVector3i& at)
+      { return inside[grid.Index(at(0), at(1), at(2))] == here && flipper.Flip(at); });
+  };
+  for (int before = -1; before < flipper.Count();)
+  {
+    before = flipper.Count();
+    for (std::size_t first = 0, end = 0; first < order.size(); first = end)
+    {
+      const Eigen::RowVector3i cell = cells.row(order[first]);
+      double farthest = 0.0;
+      for (end = first; end < order.size() && cellOf(order[end]) == cellOf(order[first]); ++end)
+      {
+        const Eigen::RowVector3d within = scaled.row(order[end]) - cell.cast<double>();
+        farthest = std::max(farthest, DistanceToOtherSide(grid, inside, cell, within));
+      }
+      if (farthest > reach && !flipper.Flip(cell))
+      {
+        flipNeighbour(cell);
+      }
+    }
+  }
+  return flipper.Count();
 }
 
 void KeepLargestParts(const SampledGrid& grid, int count, std::vector<char>& inside)

@@ -1,0 +1,109 @@
+#include "Hex/HexFit.h"
+
+#include "Hex/HexOptimization.h"
+#include "Hex/OnFeatures.h"
+#include "Hex/PatchedBoundary.h"
+#include "Quality/HausdorffDistance.h"
+#include "Quality/ScaledJacobian.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// The layers that creases ask for. False where the creases of the result are not the surface's.
+bool AddLayers(
+  HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, PatchedBoundary& boundary)
+{
+  const std::vector<int> groups = LayerGroups(surface, features);
+  for (const int patch : PatchesBesideStraightCorners(boundary, groups))
+  {
+    PadPatches(mesh, { patch }, boundary);
+  }
+  for (int group = 0; group < features.Patches; ++group)
+  {
+    std::vector<int> patches;
+    for (int patch = 0; patch < features.Patches; ++patch)
+    {
+      if (groups[patch] == group)
+      {
+        patches.push_back(patch);
+      }
+    }
+    if (!patches.empty())
+    {
+      PadPatches(mesh, patches, boundary);
+    }
+  }
+  return MatchCurves(mesh, surface, features, boundary);
+}
+
+/// With these features, if they are found on the hexahedra.
+std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface,
+  const SurfaceFeatures& features, int layers, const Progress& progress)
+{
+  std::optional<PatchedBoundary> boundary = MatchFeatures(core, surface, features);
+  if (!boundary)
+  {
+    return std::nullopt;
+  }
+  HexFit fit;
+  fit.Solid = core;
+  for (int layer = 1; layer < layers; ++layer)
+  {
+    PadBoundary(fit.Solid, *boundary);
+  }
+  if (!AddLayers(fit.Solid, surface.Surface(), features, *boundary))
+  {
+    return std::nullopt;
+  }
+  const OnFeatures constraint(surface.Surface(), features, *boundary, fit.Solid.Points.rows());
+  for (const auto& [point, place] : boundary->Starts)
+  {
+    fit.Solid.Points.row(point) = place;
+  }
+  constexpr int smoothings = 2;
+  SmoothHexahedra(fit.Solid, constraint, smoothings);
+  SpreadLayers(*boundary, fit.Solid.Points);
+  SmoothInverted(fit.Solid, constraint);
+  OptimizeHexahedra(fit.Solid, constraint, {}, progress.Part(0.0, 0.95));
+  const Eigen::VectorXd quality = ScaledJacobians(fit.Solid);
+  fit.LeastScaledJacobian = quality.minCoeff();
+  fit.MeanScaledJacobian = quality.mean();
+  fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
+  fit.Quads = std::move(boundary->Quads);
+  fit.PatchOf = std::move(boundary->PatchOf);
+  fit.Distance = HausdorffDistance(
+    surface.Surface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress.Part(0.95, 1.0))
+                   .Larger();
+  fit.CreasesKept = true;
+  return fit;
+}
+
+} // namespace
+
+HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
+  const SurfaceFeatures& features, const HexFitOptions& options, const Progress& progress)
+{
+  std::optional<HexFit> fit =
+    FitWith(core, surface, features, options.PaddingLayers, progress.Part(0.0, 0.6));
+  if (features.Curves.empty() || (fit && fit->LeastScaledJacobian >= options.LeastWithCreases))
+  {
+    return std::move(fit.value());
+  }
+  const SurfaceFeatures none = WithoutCurves(features);
+  std::optional<HexFit> smooth =
+    FitWith(core, surface, none, options.PaddingLayers, progress.Part(0.6, 1.0));
+  if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
+  {
+    fit = std::move(smooth);
+    fit->CreasesKept = false;
+  }
+  return std::move(fit.value());
+}
+
+} // namespace shape

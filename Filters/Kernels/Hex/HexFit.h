@@ -1,0 +1,47 @@
+#pragma once
+
+#include "Core/HexMesh.h"
+#include "Core/Progress.h"
+#include "Geometry/ClosestPoint.h"
+#include "Hex/SurfaceFeatures.h"
+
+namespace shape
+{
+
+struct HexFitOptions
+{
+  int PaddingLayers = 1; ///< of hexahedra around what is given; >= 1
+  /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
+  double LeastWithCreases = 0.3;
+};
+
+/// Hexahedra whose boundary lies on a surface.
+struct HexFit
+{
+  HexMesh Solid;
+  Eigen::MatrixXi Quads;            ///< q x 4: its boundary, counter-clockwise seen from outside
+  Eigen::VectorXi PatchOf;          ///< q: the patch of the surface that a quad lies on
+  double LeastScaledJacobian = 0.0; ///< positive where no hexahedron is inverted
+  double MeanScaledJacobian = 0.0;
+  int Inverted = 0; ///< hexahedra with a scaled Jacobian of 0 or less
+  /// The larger one-sided Hausdorff distance between the surface and the boundary.
+  double Distance = 0.0;
+  /// Whether every curve and corner of the features is one of the hexahedra; where not, none is.
+  bool CreasesKept = false;
+};
+
+/**
+ * Puts the boundary of hexahedra on a surface near it: layers of hexahedra around them, whose outer
+ * points lie on the surface, its creases on chains of edges and its corners on points; then all
+ * points are moved so that the worst scaled Jacobian is as good as it can be (OptimizeHexahedra).
+ *
+ * Where the hexahedra are too coarse for the creases, or bad with them, there is one patch.
+ *
+ * core: its boundary is a manifold. surface: closed, oriented consistently. features: of it. Throws
+ * Aborted.
+ */
+HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
+  const SurfaceFeatures& features, const HexFitOptions& options = {},
+  const Progress& progress = {});
+
+} // namespace shape

@@ -1,0 +1,226 @@
+#include "Hex/HexSweeps.h"
+
+#include "Core/Parallel.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace shape
+{
+namespace
+{
+
+/// What a point's place is worth: the hexahedra around it, and how far its target is.
+class PointEnergy
+{
+public:
+  PointEnergy(const StarEnergy& star, double sharpness)
+    : Star(star)
+    , Sharpness(sharpness)
+  {
+  }
+
+  /// Draws to `target` as long as the least scaled Jacobian around is better than `acceptable`.
+  void Attract(const Eigen::Vector3d& from, const Eigen::Vector3d& target, double acceptable)
+  {
+    const double reach = this->Star.Reach(from);
+    this->Target = target;
+    this->Pull = 4.0 * std::exp(this->Sharpness * (1.0 - acceptable)) / (reach * reach);
+  }
+
+  double Value(const Eigen::Vector3d& x) const
+  {
+    return this->Star.Value(x, this->Sharpness) + this->Pull * (x - this->Target).squaredNorm();
+  }
+
+  StarEnergy::Expansion Expand(const Eigen::Vector3d& x) const
+  {
+    StarEnergy::Expansion here = this->Star.Expand(x, this->Sharpness);
+    here.Value += this->Pull * (x - this->Target).squaredNorm();
+    here.Gradient += 2.0 * this->Pull * (x - this->Target);
+    here.Curvature.diagonal().array() += 2.0 * this->Pull;
+    return here;
+  }
+
+  double Reach(const Eigen::Vector3d& x) const { return this->Star.Reach(x); }
+
+private:
+  const StarEnergy& Star;
+  double Sharpness, Pull = 0.0;
+  Eigen::Vector3d Target = Eigen::Vector3d::Zero();
+};
+
+/// Moves a point along some directions where that lowers the energy, and tells whether it did.
+bool Step(Eigen::Ref<Eigen::Vector3d> point, const PointEnergy& energy,
+  const StarEnergy::Expansion& here, const PointDirections& directions,
+  const PointConstraint& constraint, int id)
+{
+  const Eigen::Vector3d x = point;
+  Eigen::MatrixXd curvature = directions.transpose() * here.Curvature * directions;
+  constexpr double ridge = 1e-6;
+  curvature.diagonal().array() += ridge * curvature.trace();
+  Eigen::Vector3d step =
+    -directions * curvature.ldlt().solve(directions.transpose() * here.Gradient);
+  if (!step.allFinite())
+  {
+    return false;
+  }
+  // The expansion says nothing about places beyond the neighbours.
+  const double longest = 0.5 * energy.Reach(x), length = step.norm();
+  step *= length > longest ? longest / length : 1.0;
+  for (double share = 1.0; share > 0.02; share *= 0.4)
+  {
+    Eigen::Vector3d place = x + share * step;
+    if (constraint.Freedom(id) < 3)
+    {
+      place = constraint.Nearest(id, place.transpose()).transpose();
+    }
+    if (energy.Value(place) < here.Value)
+    {
+      point = place;
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
+  : Hexahedra(mesh.Hexahedra)
+  , Points(mesh.Points.transpose())
+  , Constraint(constraint)
+  , Around(mesh.Points.rows())
+{
+  for (int hex = 0; hex < this->Hexahedra.rows(); ++hex)
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      this->Around[this->Hexahedra(hex, corner)].push_back({ hex, corner });
+    }
+  }
+  this->FindIndependentSets();
+}
+
+void HexSweeps::Lower(double sharpness, const std::vector<char>& marked)
+{
+  this->ForAll(marked, [&](int point) { this->Move(point, sharpness, nullptr); });
+}
+
+void HexSweeps::Lower(double sharpness, const PointTargets& targets)
+{
+  this->ForAll({}, [&](int point) { this->Move(point, sharpness, &targets); });
+}
+
+void HexSweeps::Smooth(const std::vector<char>& marked)
+{
+  this->ForAll(marked, [&](int point) { this->MoveTowardsMean(point); });
+}
+
+void HexSweeps::Project()
+{
+  this->ForAll({},
+    [&](int point)
+    {
+      if (this->Constraint.Freedom(point) < 3)
+      {
+        this->Points.col(point) =
+          this->Constraint.Nearest(point, this->Points.col(point).transpose()).transpose();
+      }
+    });
+}
+
+/// Points without a common hexahedron, greedily.
+void HexSweeps::FindIndependentSets()
+{
+  std::vector<int> setOf(this->Around.size(), -1);
+  for (std::size_t point = 0; point < this->Around.size(); ++point)
+  {
+    std::vector<char> taken(this->IndependentSets.size() + 1, 0);
+    for (const auto& incidence : this->Around[point])
+    {
+      for (const int other : this->Hexahedra.row(incidence[0]))
+      {
+        if (setOf[other] >= 0)
+        {
+          taken[setOf[other]] = 1;
+        }
+      }
+    }
+    const auto set = std::find(taken.begin(), taken.end(), 0) - taken.begin();
+    if (set == static_cast<std::ptrdiff_t>(this->IndependentSets.size()))
+    {
+      this->IndependentSets.emplace_back();
+    }
+    setOf[point] = static_cast<int>(set);
+    if (!this->Around[point].empty() && this->Constraint.Freedom(static_cast<int>(point)) > 0)
+    {
+      this->IndependentSets[set].push_back(static_cast<int>(point));
+    }
+  }
+}
+
+template <typename Body>
+void HexSweeps::ForAll(const std::vector<char>& marked, const Body& body)
+{
+  for (const std::vector<int>& set : this->IndependentSets)
+  {
+    std::vector<int> points;
+    std::copy_if(set.begin(), set.end(), std::back_inserter(points),
+      [&](int point) { return marked.empty() || marked[point]; });
+    ParallelFor(static_cast<int>(points.size()), 64,
+      [&](int begin, int end)
+      { std::for_each(&points[begin], &points[begin] + end - begin, body); });
+  }
+}
+
+void HexSweeps::MoveTowardsMean(int point)
+{
+  const int freedom = this->Constraint.Freedom(point);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (const auto& [hex, corner] : this->Around[point])
+  {
+    for (const int end : HexNeighbours[corner])
+    {
+      const int neighbour = this->Hexahedra(hex, end);
+      if (this->Constraint.Freedom(neighbour) <= freedom)
+      {
+        sum += this->Points.col(neighbour);
+        ++count;
+      }
+    }
+  }
+  if (count > 0)
+  {
+    const Eigen::Vector3d mean = 0.5 * (this->Points.col(point) + sum / count);
+    this->Points.col(point) =
+      freedom == 3 ? mean : this->Constraint.Nearest(point, mean.transpose()).transpose();
+  }
+}
+
+/// A Newton step along the directions that the constraint allows; where these lead nowhere, as at a
+/// ridge of the surface, one in any direction and back to where the point may be.
+void HexSweeps::Move(int point, double sharpness, const PointTargets* targets)
+{
+  const Eigen::Vector3d x = this->Points.col(point);
+  const StarEnergy star(this->Points, this->Hexahedra, this->Around[point]);
+  PointEnergy energy(star, sharpness);
+  if (targets != nullptr && targets->Wanted[point])
+  {
+    energy.Attract(x, targets->Places.col(point), targets->Acceptable);
+  }
+  const StarEnergy::Expansion here = energy.Expand(x);
+  const bool free = this->Constraint.Freedom(point) == 3;
+  const PointDirections all = Eigen::Matrix3d::Identity();
+  const PointDirections allowed = free ? all : this->Constraint.Directions(point, x.transpose());
+  if (!Step(this->Points.col(point), energy, here, allowed, this->Constraint, point) && !free)
+  {
+    Step(this->Points.col(point), energy, here, all, this->Constraint, point);
+  }
+}
+
+} // namespace shape

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "Geometry/ClosestPoint.h"
+#include "Hex/PatchedBoundary.h"
+#include "Hex/SurfaceFeatures.h"
+#include "Volume/SimplexPatch.h"
+
+#include <vector>
+
+namespace shape
+{
+
+/// Points of a boundary keep to the corner, the curve or the patch of a surface that they lie on;
+/// the others are free.
+class OnFeatures : public PointConstraint
+{
+public:
+  /// points: how many the hexahedra have.
+  OnFeatures(const Mesh& surface, const SurfaceFeatures& features, const PatchedBoundary& boundary,
+    Eigen::Index points);
+
+  int Freedom(int point) const override;
+  PointDirections Directions(int point, const Eigen::RowVector3d& place) const override;
+  Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& place) const override;
+
+private:
+  static constexpr int Free = -1;
+  std::vector<int> PlaceOf;             ///< of each point an index into Places, or Free
+  std::vector<int> FreedomOf;           ///< 0 at a corner, 1 on a curve, 2 on a patch, 3
+  std::vector<SurfaceLocator> Places;   ///< patches, then curves, then corners, as triangles
+  std::vector<Eigen::MatrixXd> Normals; ///< of the patches' triangles
+};
+
+} // namespace shape

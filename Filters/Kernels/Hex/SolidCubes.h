@@ -1,0 +1,54 @@
+#pragma once
+
+#include "Core/HexMesh.h"
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+#include "Core/Topology.h"
+#include "Geometry/SolidBoundary.h"
+#include "Hex/GridWarp.h"
+
+#include <optional>
+#include <utility>
+
+namespace shape
+{
+
+/**
+ * The cells of grids that fill a solid and have its topology: what a closed surface winds around at
+ * least once.
+ *
+ * The topology of a surface that crosses itself is not known: it is the Euler number and number of
+ * components that two successive grids agree on.
+ */
+class SolidCubes
+{
+public:
+  /// surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface, Aborted.
+  explicit SolidCubes(const Mesh& surface, const Progress& progress = {});
+
+  /// The surface, facing outwards.
+  const Mesh& Surface() const { return this->Whole; }
+  /// What of it bounds the solid, and how often it crosses itself.
+  const SolidBoundaryResult& Boundary() const { return this->Bounding; }
+  /// Of the surface: what the solid has to have where it does not cross itself.
+  const Topology& SurfaceTopology() const { return this->Wanted; }
+
+  /// The size of cells in the warped space that make about so many hexahedra, those of a layer
+  /// around them included.
+  double CellSizeFor(double hexahedra, const GridWarp& warp) const;
+
+  /// The cells of a uniform grid in the warped space, carried back; nothing where none of the
+  /// choices of cells on the boundary has the solid's topology. Throws as SolidLevels.
+  std::optional<HexMesh> Fill(double size, const GridWarp& warp, const Progress& progress = {});
+
+private:
+  bool HasTopology(const HexMesh& cubes);
+
+  Mesh Whole;
+  Topology Wanted;
+  int Solids; ///< components that bound solids from outside
+  SolidBoundaryResult Bounding;
+  std::optional<std::pair<int, int>> Before; ///< Euler number and components of the last grid
+};
+
+} // namespace shape

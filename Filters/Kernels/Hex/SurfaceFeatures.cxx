@@ -1,0 +1,274 @@
+#include "Hex/SurfaceFeatures.h"
+
+#include "Core/HalfEdges.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+/// An edge between two triangles.
+struct Hinge
+{
+  int Low, High;
+  std::array<int, 2> Triangles;
+  double Length;
+  bool Sharp;
+  double Angle; ///< inside, in degrees
+};
+
+std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
+{
+  const Eigen::MatrixXd normals = AreaVectors(mesh).rowwise().normalized();
+  const double least = std::cos(angle * M_PI / 180.0);
+  const std::vector<HalfEdge> halves = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  std::vector<Hinge> hinges;
+  for (std::size_t i = 0; i + 1 < halves.size(); ++i)
+  {
+    const HalfEdge &a = halves[i], &b = halves[i + 1];
+    if (a.Low() != b.Low() || a.High() != b.High())
+    {
+      continue; // at a border
+    }
+    const double length = (mesh.Points.row(a.Begin) - mesh.Points.row(a.End)).norm();
+    const double cosine = normals.row(a.Triangle).dot(normals.row(b.Triangle));
+    const Eigen::RowVector3d across =
+      mesh.Points.row(mesh.Triangles(b.Triangle, (b.Corner + 2) % 3)) - mesh.Points.row(a.Begin);
+    const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / M_PI;
+    const double inside = across.dot(normals.row(a.Triangle)) > 0.0 ? 180.0 + turn : 180.0 - turn;
+    hinges.push_back(
+      { a.Low(), a.High(), { a.Triangle, b.Triangle }, length, cosine < least, inside });
+  }
+  return hinges;
+}
+
+class DisjointSets
+{
+public:
+  explicit DisjointSets(Eigen::Index count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  int Find(int i)
+  {
+    while (this->Parent[i] != i)
+    {
+      i = this->Parent[i] = this->Parent[this->Parent[i]];
+    }
+    return i;
+  }
+  void Unite(int a, int b)
+  {
+    a = this->Find(a);
+    b = this->Find(b);
+    this->Parent[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<int> Parent;
+};
+
+/// Unites the smallest patch with the one it has the longest border with until none is too small.
+void UniteSmall(
+  DisjointSets& sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas, double least)
+{
+  std::map<int, double> sizes;
+  for (int t = 0; t < static_cast<int>(areas.size()); ++t)
+  {
+    sizes[sets.Find(t)] += areas(t);
+  }
+  std::map<int, std::map<int, double>> borders;
+  for (const Hinge& hinge : hinges)
+  {
+    const int a = sets.Find(hinge.Triangles[0]), b = sets.Find(hinge.Triangles[1]);
+    if (a != b)
+    {
+      borders[a][b] += hinge.Length;
+      borders[b][a] += hinge.Length;
+    }
+  }
+  const auto bySecond = [](const auto& a, const auto& b) { return a.second < b.second; };
+  while (!borders.empty())
+  {
+    auto smallest = sizes.end();
+    for (auto size = sizes.begin(); size != sizes.end(); ++size)
+    {
+      // A patch without a border is a component of its own.
+      if (borders.count(size->first) > 0 &&
+        (smallest == sizes.end() || size->second < smallest->second))
+      {
+        smallest = size;
+      }
+    }
+    if (smallest == sizes.end() || smallest->second >= least)
+    {
+      return;
+    }
+    const int gone = smallest->first;
+    const auto around = borders[gone];
+    const int into = std::max_element(around.begin(), around.end(), bySecond)->first;
+    sets.Unite(gone, into);
+    for (const auto& [other, length] : around)
+    {
+      borders[other].erase(gone);
+      if (other != into)
+      {
+        borders[other][into] += length;
+        borders[into][other] += length;
+      }
+      if (borders[other].empty())
+      {
+        borders.erase(other);
+      }
+    }
+    borders.erase(gone);
+    sizes[into] += smallest->second;
+    sizes.erase(gone);
+  }
+}
+
+/// The borders between patches, walked from corner to corner.
+class CurveWalk
+{
+public:
+  CurveWalk(const std::vector<Hinge>& hinges, const Eigen::VectorXi& patchOf)
+  {
+    for (const Hinge& hinge : hinges)
+    {
+      std::array<int, 2> patches = { patchOf(hinge.Triangles[0]), patchOf(hinge.Triangles[1]) };
+      if (patches[0] != patches[1])
+      {
+        std::sort(patches.begin(), patches.end());
+        this->Edges.push_back(
+          { { hinge.Low, hinge.High }, patches, hinge.Length, hinge.Angle, false });
+        this->At[hinge.Low].push_back(static_cast<int>(this->Edges.size()) - 1);
+        this->At[hinge.High].push_back(static_cast<int>(this->Edges.size()) - 1);
+      }
+    }
+  }
+
+  void Run(SurfaceFeatures& features)
+  {
+    for (const auto& [point, edges] : this->At)
+    {
+      if (this->IsCorner(point))
+      {
+        features.Corners.push_back(point);
+        for (const int edge : edges)
+        {
+          this->Follow(point, edge, features.Curves);
+        }
+      }
+    }
+    for (std::size_t edge = 0; edge < this->Edges.size(); ++edge)
+    {
+      this->Follow(this->Edges[edge].Ends[0], static_cast<int>(edge), features.Curves);
+    }
+  }
+
+private:
+  struct Edge
+  {
+    std::array<int, 2> Ends, Patches;
+    double Length, Angle;
+    bool Taken;
+  };
+
+  bool IsCorner(int point) const
+  {
+    const std::vector<int>& edges = this->At.at(point);
+    return edges.size() != 2 || this->Edges[edges[0]].Patches != this->Edges[edges[1]].Patches;
+  }
+
+  void Follow(int first, int edge, std::vector<FeatureCurve>& curves)
+  {
+    if (this->Edges[edge].Taken)
+    {
+      return;
+    }
+    FeatureCurve curve;
+    curve.Patches = this->Edges[edge].Patches;
+    curve.Points = { first };
+    double length = 0.0;
+    for (int point = first;;)
+    {
+      this->Edges[edge].Taken = true;
+      length += this->Edges[edge].Length;
+      curve.Angle += this->Edges[edge].Length * this->Edges[edge].Angle;
+      const std::array<int, 2>& ends = this->Edges[edge].Ends;
+      point = ends[0] == point ? ends[1] : ends[0];
+      if (point == first && !this->IsCorner(point))
+      {
+        curve.Closed = true;
+        break;
+      }
+      curve.Points.push_back(point);
+      if (this->IsCorner(point))
+      {
+        break;
+      }
+      const std::vector<int>& edges = this->At.at(point);
+      edge = edges[0] == edge ? edges[1] : edges[0];
+    }
+    curve.Angle /= length;
+    curves.push_back(std::move(curve));
+  }
+
+  std::vector<Edge> Edges;
+  std::map<int, std::vector<int>> At; ///< the edges at each point
+};
+
+} // namespace
+
+SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
+{
+  const std::vector<Hinge> hinges = FindHinges(mesh, angle);
+  DisjointSets sets(mesh.Triangles.rows());
+  for (const Hinge& hinge : hinges)
+  {
+    if (!hinge.Sharp)
+    {
+      sets.Unite(hinge.Triangles[0], hinge.Triangles[1]);
+    }
+  }
+  UniteSmall(sets, hinges, 0.5 * AreaVectors(mesh).rowwise().norm(), leastArea);
+  SurfaceFeatures features;
+  features.PatchOf.resize(mesh.Triangles.rows());
+  std::map<int, int> numbers;
+  for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
+  {
+    features.PatchOf(t) =
+      numbers.emplace(sets.Find(t), static_cast<int>(numbers.size())).first->second;
+  }
+  features.Patches = static_cast<int>(numbers.size());
+  for (const Hinge& hinge : hinges)
+  {
+    features.CreaseLength += hinge.Sharp ? hinge.Length : 0.0;
+    features.CurveLength +=
+      features.PatchOf(hinge.Triangles[0]) != features.PatchOf(hinge.Triangles[1]) ? hinge.Length
+                                                                                   : 0.0;
+  }
+  CurveWalk(hinges, features.PatchOf).Run(features);
+  return features;
+}
+
+SurfaceFeatures WithoutCurves(const SurfaceFeatures& features)
+{
+  SurfaceFeatures none;
+  none.PatchOf = Eigen::VectorXi::Zero(features.PatchOf.size());
+  none.Patches = 1;
+  none.CreaseLength = features.CreaseLength;
+  return none;
+}
+
+} // namespace shape
