@@ -27,7 +27,8 @@ public:
 
   ///@{
   /// The element of hexahedra: 0 C3D8, fully integrated, which is too stiff in bending; 1 C3D8R,
-  /// with one integration point; 2 C3D8I, with incompatible modes. Default: C3D8I.
+  /// with one integration point; 2 C3D8I, with incompatible modes. In CalculiX, C3D8R and C3D8I
+  /// reproduce a linear displacement exactly only where cells are parallelepipeds. Default: C3D8I.
   vtkShapeEnumOption(HexahedronType, shape::HexahedronType, shape::HexahedronType::C3D8,
     shape::HexahedronType::C3D8I);
   ///@}

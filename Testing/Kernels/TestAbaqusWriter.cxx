@@ -224,8 +224,9 @@ TEST(AbaqusWriter, FacesOfSurfacesAreThoseOfThePatchesAndEachKindHasItsElement)
         deck.Blocks.at("*SURFACE, NAME=PatchSurface" + number + ", TYPE=ELEMENT"))
       {
         const std::vector<int>& corners = elements.at(std::stoi(line[0]));
+        const auto faces = AbaqusFaces(corners.size());
         std::set<int> face;
-        for (const int corner : AbaqusFaces(corners.size())[std::stoi(line[1].substr(1)) - 1])
+        for (const int corner : faces.at(std::stoi(line[1].substr(1)) - 1))
         {
           face.insert(corners[corner - 1]);
         }

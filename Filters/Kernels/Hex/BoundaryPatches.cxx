@@ -79,6 +79,10 @@ SolidFaces BoundaryFaces(const Cells& cells)
 
 std::vector<RegionInterface> RegionInterfaces(const Cells& cells, const Eigen::VectorXi& regions)
 {
+  if (regions.size() == 0 || (regions.array() == regions(0)).all())
+  {
+    return {};
+  }
   const std::vector<CellFace> all = SortedFaces(cells);
   std::map<std::pair<int, int>, std::vector<CellFace>> between;
   for (std::size_t i = 1; i < all.size(); ++i)

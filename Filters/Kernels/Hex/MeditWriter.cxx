@@ -1,10 +1,9 @@
 #include "Hex/MeditWriter.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -21,7 +20,7 @@ std::string Number(double value)
   return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
 }
 
-/// An element's corners and its reference.
+/// The numbers of an element: its vertices, from 1, and its reference.
 using Element = std::vector<int>;
 
 /// The elements of each kind.
@@ -31,9 +30,15 @@ std::map<int, std::vector<Element>> Elements(const MeshSets& sets)
   std::map<int, std::vector<Element>> elements;
   for (Eigen::Index cell = 0; cell < mesh.Kinds.size(); ++cell)
   {
-    Element element(
-      mesh.Corners.begin() + mesh.Offsets(cell), mesh.Corners.begin() + mesh.Offsets(cell + 1));
-    element.push_back(sets.Regions(cell) + 1);
+    Element element;
+    for (int k = mesh.Offsets(cell); k < mesh.Offsets(cell + 1); ++k)
+    {
+      element.push_back(mesh.Corners(k) + 1);
+    }
+    if (mesh.Kinds(cell) != Vertex) // of which the file has the number alone
+    {
+      element.push_back(sets.Regions(cell) + 1);
+    }
     elements[mesh.Kinds(cell)].push_back(std::move(element));
   }
   if (elements.count(Quadrilateral) + elements.count(Triangle) > 0)
@@ -42,14 +47,14 @@ std::map<int, std::vector<Element>> Elements(const MeshSets& sets)
   }
   const auto add = [&](const SolidFaces& faces, Eigen::Index face, int reference)
   {
-    Element element(faces.Corners.row(face).begin(), faces.Corners.row(face).end());
-    const bool triangle = element.back() < 0;
-    if (triangle)
+    Element element;
+    for (int k = 0; k < 4 && faces.Corners(face, k) >= 0; ++k)
     {
-      element.pop_back();
+      element.push_back(faces.Corners(face, k) + 1);
     }
+    const int kind = element.size() == 3 ? Triangle : Quadrilateral;
     element.push_back(reference);
-    elements[triangle ? Triangle : Quadrilateral].push_back(std::move(element));
+    elements[kind].push_back(std::move(element));
   };
   for (Eigen::Index face = 0; face < sets.Patches.size(); ++face)
   {
@@ -97,18 +102,9 @@ void WriteMedit(std::ostream& file, const MeshSets& sets, const Progress& progre
     file << keyword << '\n' << found->second.size() << '\n';
     for (const Element& element : found->second)
     {
-      for (std::size_t k = 0; k + 1 < element.size(); ++k)
+      for (std::size_t k = 0; k < element.size(); ++k)
       {
-        file << element[k] + 1 << ' ';
-      }
-      // Corners are vertices' numbers alone.
-      if (kind == Vertex)
-      {
-        file << '\n';
-      }
-      else
-      {
-        file << element.back() << '\n';
+        file << element[k] << (k + 1 < element.size() ? ' ' : '\n');
       }
     }
     progress(0.9);
