@@ -56,8 +56,13 @@ vtkMultiProcessController* vtkShapeAlgorithm::GetController()
 
 std::string vtkShapeAlgorithm::GetLabel()
 {
+  return LabelOf(this->GetClassName());
+}
+
+std::string vtkShapeAlgorithm::LabelOf(const std::string& className)
+{
   std::string label;
-  for (const char letter : std::string(this->GetClassName()).substr(3))
+  for (const char letter : className.substr(3))
   {
     if (!label.empty() && std::isupper(static_cast<unsigned char>(letter)))
     {

@@ -76,6 +76,7 @@ public:
 
   /// The name that ParaView shows: "Shape Harmonic Volume Map" for vtkShapeHarmonicVolumeMap.
   std::string GetLabel();
+  static std::string LabelOf(const std::string& className);
 
   /// What an input port is called, in errors and in ParaView: "Domain".
   std::string GetInputName(int port);

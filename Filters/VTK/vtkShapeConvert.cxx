@@ -186,6 +186,27 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
   return cells;
 }
 
+void vtkShapeConvert::TurnVoxels(shape::Cells& cells)
+{
+  for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
+  {
+    int* corners = cells.Corners.data() + cells.Offsets(cell);
+    if (cells.Kinds(cell) == VTK_PIXEL || cells.Kinds(cell) == VTK_VOXEL)
+    {
+      std::swap(corners[2], corners[3]);
+    }
+    if (cells.Kinds(cell) == VTK_PIXEL)
+    {
+      cells.Kinds(cell) = VTK_QUAD;
+    }
+    else if (cells.Kinds(cell) == VTK_VOXEL)
+    {
+      std::swap(corners[6], corners[7]);
+      cells.Kinds(cell) = VTK_HEXAHEDRON;
+    }
+  }
+}
+
 Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
 {
   if (data->GetNumberOfPoints() > std::numeric_limits<int>::max())

@@ -35,6 +35,9 @@ shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
 /// The grid's cells, of any kinds. Throws shape::InvalidInput where there are too many to number.
 shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
 
+/// Makes voxels hexahedra and pixels quadrilaterals.
+void TurnVoxels(shape::Cells& cells);
+
 /// The points of any data set (n x 3). Throws shape::InvalidInput where there are too many.
 Eigen::MatrixXd ToPoints(vtkDataSet* data);
 

@@ -98,6 +98,7 @@ vtkSmartPointer<vtkIdTypeArray> Ids(const char* name, vtkIdType count)
 shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& name)
 {
   shape::Cells cells = vtkShapeConvert::ToCells(grid, name);
+  vtkShapeConvert::TurnVoxels(cells);
   for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
   {
     switch (cells.Kinds(cell))
@@ -106,11 +107,6 @@ shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& n
       case VTK_PYRAMID:
       case VTK_WEDGE:
       case VTK_HEXAHEDRON:
-        break;
-      case VTK_VOXEL:
-        cells.Kinds(cell) = VTK_HEXAHEDRON;
-        std::swap(cells.Corners(cells.Offsets(cell) + 2), cells.Corners(cells.Offsets(cell) + 3));
-        std::swap(cells.Corners(cells.Offsets(cell) + 6), cells.Corners(cells.Offsets(cell) + 7));
         break;
       default:
         throw shape::InvalidInput(name + " has a " +

@@ -8,8 +8,9 @@ def listed(value):
 
 
 compared = 0
-for name in filters.names():
-    proxy = filters.proxy(name)
+cases = [(name, filters.proxy(name)) for name in filters.names()]
+cases += [(name, filters.proxy(name + 'Core', 'internal_writers')) for name in filters.writers()]
+for name, proxy in cases:
     fresh = filters.new(name)
     for key, property in filters.properties(proxy):
         if property.IsA('vtkSMInputProperty') or property.GetInformationOnly():

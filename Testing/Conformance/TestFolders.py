@@ -1,6 +1,6 @@
 """The order of the house: Plugin -> Filters/VTK -> Filters/Kernels, and inside the kernels a folder
-includes only folders before it. Only Geometry's .cxx files include VTK. Every filter has all its
-parts. Run with python3 TestFolders.py ROOT."""
+includes only folders before it. Only Geometry's .cxx files include VTK. Every filter and
+writer has all its parts. Run with python3 TestFolders.py ROOT."""
 import os
 import re
 import sys
@@ -9,6 +9,8 @@ ORDER = ['Core', 'Geometry', 'Quality', 'Surface', 'Mapping', 'Correspondence', 
          'Deform']
 # Filters whose mathematics is one line of the wrapper, which its header states: no kernel.
 WITHOUT_KERNEL = ['vtkShapeMorph']
+# Base classes, whose XML holds what the others inherit.
+BASES = ['vtkShapeAlgorithm', 'vtkShapeWriter']
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 root = sys.argv[1]
@@ -56,7 +58,7 @@ for part in ('Filters', 'Plugin', 'Testing'):
 
 headers = {os.path.basename(path) for path in sources(kernels)}
 filters = [name[:-4] for name in sorted(os.listdir(wrappers))
-           if name.endswith('.xml') and name != 'vtkShapeAlgorithm.xml']
+           if name.endswith('.xml') and name[:-4] not in BASES]
 for name in filters:
     kernel = name[len('vtkShape'):]
     parts = [('Filters/VTK/%s.h' % name, None), ('Filters/VTK/%s.cxx' % name, None),
@@ -72,4 +74,4 @@ for name in filters:
 assert seen > 0 and filters, 'nothing was found below ' + root
 if faults:
     raise AssertionError('\n'.join(faults))
-print(seen, 'kernel files and', len(filters), 'filters keep the order')
+print(seen, 'kernel files and', len(filters), 'filters and writers keep the order')

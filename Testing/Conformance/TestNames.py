@@ -1,4 +1,4 @@
-"""A filter is called what its class is called, and everything about it is documented.
+"""A filter or writer is called what its class is called, and everything about it is documented.
 
 ParaView names its Python functions and properties by label, so the label without spaces must be the
 name, and the name that of the C++ Set and Get."""
@@ -10,17 +10,34 @@ def check(condition, *words):
         raise AssertionError(' '.join(str(word) for word in words))
 
 
-for name in filters.names():
-    proxy = filters.proxy(name)
-    fresh = filters.new(name)
+def check_words(name, proxy, fresh):
+    """The label and the documentation."""
     check(proxy.GetXMLLabel() == fresh.GetLabel(),
           name, 'is labelled', proxy.GetXMLLabel(), 'instead of', fresh.GetLabel())
     check(proxy.GetXMLLabel().replace(' ', '') == name, 'the label of', name, 'is not its name')
-    check(proxy.GetVTKClassName() == 'vtk' + name, name, 'makes a', proxy.GetVTKClassName())
     documentation = proxy.GetDocumentation()
     for part in ('Description', 'ShortHelp', 'LongHelp'):
         text = getattr(documentation, 'Get' + part)()
         check(text and len(text.strip()) > 20, name, 'has no', part)
+
+
+def check_property(where, key, property):
+    check(property.GetXMLLabel().replace(' ', '') == key,
+          where, 'is labelled', property.GetXMLLabel())
+    text = property.GetDocumentation().GetDescription() if property.GetDocumentation() else None
+    check(text and len(text.strip()) > 10, where, 'has no documentation')
+
+
+def check_value(where, key, property, fresh):
+    check(property.GetCommand() == 'Set' + key, where, 'calls', property.GetCommand())
+    check(hasattr(fresh, 'Get' + key), where, 'has no Get' + key)
+
+
+for name in filters.names():
+    proxy = filters.proxy(name)
+    fresh = filters.new(name)
+    check_words(name, proxy, fresh)
+    check(proxy.GetVTKClassName() == 'vtk' + name, name, 'makes a', proxy.GetVTKClassName())
     hints = proxy.GetHints()
     menu = hints.FindNestedElementByName('ShowInMenu') if hints else None
     check(menu and menu.GetAttribute('category') == 'ShapeMap',
@@ -34,10 +51,7 @@ for name in filters.names():
         if property.GetInformationOnly():
             continue
         where = name + '.' + key
-        check(property.GetXMLLabel().replace(' ', '') == key,
-              where, 'is labelled', property.GetXMLLabel())
-        text = property.GetDocumentation().GetDescription() if property.GetDocumentation() else None
-        check(text and len(text.strip()) > 10, where, 'has no documentation')
+        check_property(where, key, property)
         if property.IsA('vtkSMInputProperty'):
             inputs += 1
             hints = property.GetHints()
@@ -53,8 +67,23 @@ for name in filters.names():
                   'is optional in XML or in C++, but not in both')
             check(hasattr(fresh, property.GetCommand()), where, 'calls', property.GetCommand())
         else:
-            check(property.GetCommand() == 'Set' + key, where, 'calls', property.GetCommand())
-            check(hasattr(fresh, 'Get' + key), where, 'has no Get' + key)
+            check_value(where, key, property, fresh)
     check(inputs == fresh.GetNumberOfInputPorts(), name, 'has properties for', inputs, 'of',
           fresh.GetNumberOfInputPorts(), 'input ports')
+    print(name, 'is named and documented')
+
+for name in filters.writers():
+    proxy = filters.proxy(name, 'writers')
+    core = filters.proxy(name + 'Core', 'internal_writers')
+    fresh = filters.new(name)
+    check_words(name, proxy, fresh)
+    check(core.GetVTKClassName() == 'vtk' + name, name, 'makes a', core.GetVTKClassName())
+    factory = proxy.GetHints().FindNestedElementByName('WriterFactory')
+    check(factory and factory.GetAttribute('extensions') and factory.GetAttribute(
+        'file_description'), name, 'is not in File > Save Data')
+    for key, property in filters.properties(core):
+        where = name + '.' + key
+        check(proxy.GetProperty(key), where, 'is not in the dialog')
+        check_property(where, key, property)
+        check_value(where, key, property, fresh)
     print(name, 'is named and documented')

@@ -1,4 +1,4 @@
-"""README's example runs as it stands there, and its table names every filter."""
+"""README's example runs as it stands there, and it names every filter and writer."""
 import os
 import re
 
@@ -6,7 +6,7 @@ import filters
 import shapetesting
 
 text = open(os.path.join(shapetesting.ROOT, 'README.md')).read()
-for name in filters.names():
+for name in filters.names() + filters.writers():
     row = '[%s](Filters/VTK/vtk%s.h)' % (filters.label(name), name)
     assert row in text, 'README has no row ' + row
 for link in re.findall(r'\]\(([^)#:]+)\)', text):

@@ -1,4 +1,4 @@
-"""Every ShapeMap filter that the plugin brings, with inputs that each of its ports takes.
+"""Every ShapeMap filter (and writer) that the plugin brings, with inputs that each of its ports takes.
 
 A new filter is found by its proxy's name and tested without a line here, as long as a closed
 surface with TargetPosition suits every port that it requires; else OTHER_INPUTS says what does."""
@@ -17,10 +17,10 @@ OTHER_INPUTS = {
 GetActiveSource()
 
 
-def names():
+def names(group='filters'):
     """The proxies' names: ShapeX."""
     session = servermanager.ActiveConnection.Session
-    definitions = session.GetProxyDefinitionManager().NewSingleGroupIterator('filters')
+    definitions = session.GetProxyDefinitionManager().NewSingleGroupIterator(group)
     found = []
     definitions.InitTraversal()
     while not definitions.IsDoneWithTraversal():
@@ -31,8 +31,14 @@ def names():
     return sorted(found)
 
 
-def proxy(name):
-    return servermanager.ProxyManager().NewProxy('filters', name)
+def writers():
+    """The names of the writers' proxies, which ParaView runs: its properties are those of the proxy
+    ShapeXCore, in internal_writers, whose class is vtkShapeX."""
+    return names('writers')
+
+
+def proxy(name, group='filters'):
+    return servermanager.ProxyManager().NewProxy(group, name)
 
 
 def properties(smproxy):

@@ -48,6 +48,13 @@ try:
         carried = simple.servermanager.Fetch(simple.MergeBlocks(volume))
     assert carried.GetNumberOfCells() == 864
     assert volume.FieldData['HarmonicVolumeMap.RMSEInside'].GetRange()[0] < 0.05
+
+    # The server writes; a mesh in pieces becomes one file.
+    with tempfile.TemporaryDirectory() as folder:
+        simple.SaveData(os.path.join(folder, 'ball.mesh'), ball)
+        words = open(os.path.join(folder, 'ball.mesh')).read().split()
+        assert words[words.index('Vertices') + 1] == str(ball.GetDataInformation().GetNumberOfPoints())
+        assert words[words.index('Hexahedra') + 1] == '864'
     simple.Disconnect()
 finally:
     server.kill()

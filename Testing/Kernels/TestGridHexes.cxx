@@ -6,9 +6,11 @@
 #include "Quality/ScaledJacobian.h"
 #include "TestShapes.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -25,6 +27,19 @@ shape::SampledGrid Outside(int n)
 {
   return { Eigen::RowVector3d::Zero(), 1.0, Eigen::RowVector3i::Constant(n),
     Eigen::VectorXd::Constant(n * n * n, 1.0) };
+}
+
+/// A box of these sides with a corner at the origin, in 12 triangles.
+shape::Mesh Box(const Eigen::RowVector3d& sides)
+{
+  shape::Mesh box{ Eigen::MatrixXd(8, 3), Eigen::MatrixXi(12, 3) };
+  for (int k = 0; k < 8; ++k)
+  {
+    box.Points.row(k) << (k & 1) * sides(0), (k >> 1 & 1) * sides(1), (k >> 2) * sides(2);
+  }
+  box.Triangles << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6,
+    0, 6, 2, 1, 3, 7, 1, 7, 5;
+  return box;
 }
 
 } // namespace
@@ -144,14 +159,15 @@ TEST(GridHexes, FillASphereAndATorusWithGoodHexahedraOnTheirSurface)
 {
   shape::GridHexesOptions options;
   options.CellSize = 0.2;
+  options.Rounds = 1;
   for (const shape::Mesh& surface : { shapetest::Icosphere(4), shapetest::Torus(1.0, 0.4, 60, 30) })
   {
     const shape::GridHexesResult result = shape::GridHexes(surface, options);
-    EXPECT_EQ(result.Inverted, 0);
-    EXPECT_EQ(result.LeastScaledJacobian, shape::ScaledJacobians(result.Solid).minCoeff());
-    EXPECT_GT(result.LeastScaledJacobian, 0.6);
-    EXPECT_GT(result.MeanScaledJacobian, 0.8);
-    const shape::Mesh boundary = Boundary(result.Solid);
+    EXPECT_EQ(result.Fit.Inverted, 0);
+    EXPECT_EQ(result.Fit.LeastScaledJacobian, shape::ScaledJacobians(result.Fit.Solid).minCoeff());
+    EXPECT_GT(result.Fit.LeastScaledJacobian, 0.6);
+    EXPECT_GT(result.Fit.MeanScaledJacobian, 0.8);
+    const shape::Mesh boundary = Boundary(result.Fit.Solid);
     EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber,
       shape::SurfaceTopology(surface).EulerNumber);
     const std::set<int> points(
@@ -178,12 +194,13 @@ TEST(GridHexes, FillSeveralSolidsAndLeaveVoids)
     sphere.Triangles.array() + static_cast<int>(2 * n);
   shape::GridHexesOptions options;
   options.CellSize = 0.2;
+  options.Rounds = 1;
   const shape::GridHexesResult result = shape::GridHexes(surface, options);
-  const auto topology = shape::RequireClosedSurface(Boundary(result.Solid), "the boundary");
+  const auto topology = shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary");
   EXPECT_EQ(topology.Components, 3);
   EXPECT_EQ(topology.EulerNumber, 6);
-  EXPECT_EQ(result.Inverted, 0);
-  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Solid)), shape::EnclosedVolume(surface),
+  EXPECT_EQ(result.Fit.Inverted, 0);
+  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), shape::EnclosedVolume(surface),
     0.04 * shape::EnclosedVolume(surface));
 }
 
@@ -192,12 +209,74 @@ TEST(GridHexes, CellsBecomeSmallerUntilTheTopologyIsTheSurfaces)
   // The hole is 0.02 wide.
   const shape::Mesh torus = shapetest::Torus(1.0, 0.99, 80, 60);
   shape::GridHexesOptions options;
+  options.Rounds = 1;
   options.CellSize = 0.28; // four cells around the hole
   const shape::GridHexesResult result = shape::GridHexes(torus, options);
   EXPECT_LT(result.CellSize, 0.28);
-  EXPECT_EQ(shape::RequireClosedSurface(Boundary(result.Solid), "the boundary").EulerNumber, 0);
+  EXPECT_EQ(shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary").EulerNumber, 0);
   options.MaximumHexahedra = 2000;
   EXPECT_THROW(shape::GridHexes(torus, options), shape::SolveFailure);
+}
+
+TEST(GridHexes, ACubeIsItsOwnGrid)
+{
+  const shape::Mesh cube = Box({ 1.0, 1.0, 1.0 });
+  shape::GridHexesOptions options;
+  options.CellSize = 0.24;
+  const shape::GridHexesResult result = shape::GridHexes(cube, options);
+  EXPECT_TRUE(result.Fit.CreasesKept);
+  EXPECT_EQ(result.Features.Patches, 6);
+  EXPECT_EQ(result.Features.Corners.size(), 8U);
+  // Each side has a layer of its own, so no corner has more than one hexahedron.
+  EXPECT_GT(result.Fit.LeastScaledJacobian, 0.9999);
+  EXPECT_LT(result.Fit.Distance, 1e-12);
+  for (const Eigen::RowVector3d& corner : cube.Points.rowwise())
+  {
+    EXPECT_EQ((result.Fit.Solid.Points.rowwise() - corner).rowwise().norm().minCoeff(), 0.0);
+  }
+  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), 1.0, 1e-12);
+}
+
+TEST(GridHexes, CreasesAcrossTheGridAreKept)
+{
+  // No side of the turned box follows the grid.
+  shape::Mesh box = Box({ 1.0, 0.7, 0.5 });
+  box.Points *=
+    Eigen::AngleAxisd(0.5, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+  shape::GridHexesOptions options;
+  options.CellSize = 0.08;
+  const shape::GridHexesResult result = shape::GridHexes(box, options);
+  EXPECT_TRUE(result.Fit.CreasesKept);
+  EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
+  const double diagonal = std::sqrt(1.0 + 0.49 + 0.25);
+  EXPECT_LT(result.Fit.Distance, 1e-3 * diagonal);
+  for (const Eigen::RowVector3d& corner : box.Points.rowwise())
+  {
+    EXPECT_EQ((result.Fit.Solid.Points.rowwise() - corner).rowwise().norm().minCoeff(), 0.0);
+  }
+  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), 0.35, 1e-3);
+}
+
+TEST(GridHexes, TheSolidOfASurfaceThatCrossesItselfIsWhatItWindsAround)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
+  shape::Mesh surface{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
+  surface.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(1.01, 0.02, 0.03);
+  surface.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  shape::GridHexesOptions options;
+  options.CellSize = 0.12;
+  options.Rounds = 1;
+  const shape::GridHexesResult result = shape::GridHexes(surface, options);
+  EXPECT_GT(result.Crossings, 0);
+  EXPECT_EQ(result.Fit.Inverted, 0);
+  const auto topology = shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary");
+  EXPECT_EQ(topology.Components, 1);
+  EXPECT_EQ(topology.EulerNumber, 2);
+  // Two balls less the lens that they share: pi (4 + d) (2 - d)^2 / 12 at a distance d.
+  const double d = Eigen::RowVector3d(1.01, 0.02, 0.03).norm();
+  const double both = M_PI * (8.0 / 3.0 - (4.0 + d) * (2.0 - d) * (2.0 - d) / 12.0);
+  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), both, 0.03 * both);
 }
 
 TEST(GridHexes, NamesWhatIsWrong)

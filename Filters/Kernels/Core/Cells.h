@@ -5,12 +5,18 @@
 namespace shape
 {
 
+/// What kinds of cells are called, numbered as in VTK.
+namespace cell_kind
+{
+inline constexpr int Vertex = 1, Line = 3, Triangle = 5, Quadrilateral = 9, Tetrahedron = 10,
+                     Hexahedron = 12, Wedge = 13, Pyramid = 14;
+}
+
 /**
  * Cells of any kinds over common points: a solid, or a surface of polygons.
  *
  * Points: n x 3. Cell c has the points Corners(Offsets(c)), ..., Corners(Offsets(c + 1) - 1), in
- * the order of its kind, which is numbered as in VTK: 5 triangle, 10 tetrahedron, 12 hexahedron,
- * ...
+ * the order of its kind: those of cell_kind, or another of VTK's.
  */
 struct Cells
 {

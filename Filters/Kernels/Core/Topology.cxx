@@ -1,38 +1,15 @@
 #include "Core/Topology.h"
 
+#include "Core/DisjointSets.h"
 #include "Core/Errors.h"
 #include "Core/HalfEdges.h"
 
-#include <numeric>
 #include <vector>
 
 namespace shape
 {
 namespace
 {
-
-/// Sets of connected items, merged pair by pair.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(int count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  int Find(int item)
-  {
-    while (this->Parent[item] != item)
-    {
-      item = this->Parent[item] = this->Parent[this->Parent[item]];
-    }
-    return item;
-  }
-  void Merge(int a, int b) { this->Parent[this->Find(a)] = this->Find(b); }
-
-private:
-  std::vector<int> Parent;
-};
 
 void CheckIndices(const Mesh& mesh)
 {

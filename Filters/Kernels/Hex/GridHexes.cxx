@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -28,6 +29,8 @@ constexpr double AutomaticHexahedra = 16500.0, Growth = 1.7;
 /// The area of the smallest patch with borders of its own, in faces of cells.
 constexpr double LeastPatch = 4.0;
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
+/// How much better smaller cells must make the result for still smaller ones to be tried.
+constexpr double LeastGain = 0.02;
 
 class GridSearch
 {
@@ -84,6 +87,12 @@ public:
   bool IsAccepted() const
   {
     return this->Best && this->Reaches(*this->Best, AcceptedScaledJacobian, AcceptedDistance);
+  }
+
+  /// Minus infinity where there is nothing yet.
+  double BestScore() const
+  {
+    return this->Best ? this->Score(*this->Best) : -std::numeric_limits<double>::infinity();
   }
 
   GridHexesResult Result()
@@ -230,18 +239,26 @@ GridHexesResult GridHexes(
         " is needed, or a greater MaximumHexahedra");
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 1.0));
+    progress(1.0);
     return search.Result();
   }
-  double begin = 0.05;
+  double begin = 0.05, before = -std::numeric_limits<double>::infinity();
   int rounds = options.Rounds;
   for (double hexahedra = std::min<double>(AutomaticHexahedra, options.MaximumHexahedra);
-       hexahedra <= options.MaximumHexahedra && !search.IsAccepted(); hexahedra *= Growth)
+       hexahedra <= options.MaximumHexahedra; hexahedra *= Growth)
   {
     const double end = 0.5 * (begin + 1.0);
     search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
+    const double score = search.BestScore();
+    if (search.IsAccepted() || (std::isfinite(score) && score < before + LeastGain))
+    {
+      break;
+    }
+    before = score;
     begin = end;
     rounds = (rounds + 1) / 2;
   }
+  progress(1.0);
   return search.Result();
 }
 

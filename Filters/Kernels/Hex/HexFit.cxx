@@ -91,9 +91,9 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
 {
   std::optional<HexFit> fit =
     FitWith(core, surface, features, options.PaddingLayers, progress.Part(0.0, 0.6));
-  if (features.Curves.empty() || (fit && fit->LeastScaledJacobian >= options.LeastWithCreases))
+  if (fit && (features.Curves.empty() || fit->LeastScaledJacobian >= options.LeastWithCreases))
   {
-    return std::move(fit.value());
+    return std::move(*fit);
   }
   const SurfaceFeatures none = WithoutCurves(features);
   std::optional<HexFit> smooth =
@@ -101,7 +101,7 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
   if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
   {
     fit = std::move(smooth);
-    fit->CreasesKept = false;
+    fit->CreasesKept = features.Curves.empty();
   }
   return std::move(fit.value());
 }

@@ -1,5 +1,6 @@
 #include "Hex/SurfaceFeatures.h"
 
+#include "Core/DisjointSets.h"
 #include "Core/HalfEdges.h"
 
 #include <Eigen/Geometry>
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace shape
@@ -51,33 +51,6 @@ std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
   return hinges;
 }
 
-class DisjointSets
-{
-public:
-  explicit DisjointSets(Eigen::Index count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  int Find(int i)
-  {
-    while (this->Parent[i] != i)
-    {
-      i = this->Parent[i] = this->Parent[this->Parent[i]];
-    }
-    return i;
-  }
-  void Unite(int a, int b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<int> Parent;
-};
-
 /// Unites the smallest patch with the one it has the longest border with until none is too small.
 void UniteSmall(
   DisjointSets& sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas, double least)
@@ -117,7 +90,7 @@ void UniteSmall(
     const int gone = smallest->first;
     const auto around = borders[gone];
     const int into = std::max_element(around.begin(), around.end(), bySecond)->first;
-    sets.Unite(gone, into);
+    sets.Merge(gone, into);
     for (const auto& [other, length] : around)
     {
       borders[other].erase(gone);
@@ -233,12 +206,12 @@ private:
 SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
 {
   const std::vector<Hinge> hinges = FindHinges(mesh, angle);
-  DisjointSets sets(mesh.Triangles.rows());
+  DisjointSets sets(static_cast<int>(mesh.Triangles.rows()));
   for (const Hinge& hinge : hinges)
   {
     if (!hinge.Sharp)
     {
-      sets.Unite(hinge.Triangles[0], hinge.Triangles[1]);
+      sets.Merge(hinge.Triangles[0], hinge.Triangles[1]);
     }
   }
   UniteSmall(sets, hinges, 0.5 * AreaVectors(mesh).rowwise().norm(), leastArea);

@@ -1,7 +1,7 @@
 #include "Volume/SolidCells.h"
 
+#include "Core/CellFaces.h"
 #include "Core/Errors.h"
-#include "Core/HexMesh.h"
 #include "Core/Orientation.h"
 #include "Quality/CellSimplices.h"
 
@@ -19,41 +19,7 @@ namespace shape
 namespace
 {
 
-constexpr int Tetrahedron = 10, Hexahedron = 12, Wedge = 13, Pyramid = 14;
-
-/// The faces of a kind, three or four corners each.
-const std::vector<std::vector<int>>& FacesOf(int kind)
-{
-  using Faces = std::vector<std::vector<int>>;
-  static const Faces tetrahedron = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 2, 1 } };
-  static const Faces pyramid = { { 0, 3, 2, 1 }, { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 },
-    { 3, 0, 4 } };
-  static const Faces wedge = { { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 },
-    { 2, 0, 3, 5 } };
-  static const Faces hexahedron = []
-  {
-    Faces faces;
-    for (const auto& face : HexFaces)
-    {
-      faces.emplace_back(std::begin(face), std::end(face));
-    }
-    return faces;
-  }();
-  return kind == Tetrahedron ? tetrahedron
-    : kind == Pyramid        ? pyramid
-    : kind == Wedge          ? wedge
-                             : hexahedron;
-}
-
-/// How many corners a kind has; 0 for another kind.
-int CornerCount(int kind)
-{
-  return kind == Tetrahedron ? 4
-    : kind == Pyramid        ? 5
-    : kind == Wedge          ? 6
-    : kind == Hexahedron     ? 8
-                             : 0;
-}
+using namespace cell_kind;
 
 /// Edges of length 1 from a corner of the regular cell.
 Eigen::Matrix3d RegularEdges(int kind)
@@ -102,7 +68,7 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
   {
     const int first = cells.Offsets(cell), count = cells.Offsets(cell + 1) - first;
     const std::string where = name + "'s cell " + std::to_string(cell);
-    if (CornerCount(cells.Kinds(cell)) != count || count == 0)
+    if (FacesOf(cells.Kinds(cell)).empty() || CornerCount(cells.Kinds(cell)) != count)
     {
       throw InvalidInput(where + " is no tetrahedron, pyramid, wedge or hexahedron (VTK's type " +
         std::to_string(cells.Kinds(cell)) +
@@ -135,39 +101,17 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
 void SolidCells::MarkBoundary()
 {
   this->Boundary.assign(this->PointCells.size(), 0);
-  // Faces by their sorted points (-1 first in triangles): those that are there once.
-  struct Side
+  const std::vector<CellFace> faces = SortedFaces(this->Result());
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    std::array<int, 4> Key;
-    int Cell, Face;
-  };
-  std::vector<Side> sides;
-  for (int cell = 0; cell < this->CellCount(); ++cell)
-  {
-    const auto& faces = FacesOf(this->Kinds[cell]);
-    for (std::size_t face = 0; face < faces.size(); ++face)
-    {
-      Side side{ { -1, -1, -1, -1 }, cell, static_cast<int>(face) };
-      std::transform(faces[face].begin(), faces[face].end(), side.Key.begin(),
-        [&](int corner) { return this->Corners[cell][corner]; });
-      std::sort(side.Key.begin(), side.Key.end());
-      sides.push_back(side);
-    }
-  }
-  std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b)
-    { return std::tie(a.Key, a.Cell, a.Face) < std::tie(b.Key, b.Cell, b.Face); });
-  for (std::size_t i = 0; i < sides.size(); ++i)
-  {
-    if ((i > 0 && sides[i].Key == sides[i - 1].Key) ||
-      (i + 1 < sides.size() && sides[i].Key == sides[i + 1].Key))
+    if (!IsAlone(faces, i))
     {
       continue;
     }
     std::vector<int> face;
-    for (const int corner : FacesOf(this->Kinds[sides[i].Cell])[sides[i].Face])
+    for (const int corner : FacesOf(this->Kinds[faces[i].Cell])[faces[i].Face])
     {
-      face.push_back(this->Corners[sides[i].Cell][corner]);
+      face.push_back(this->Corners[faces[i].Cell][corner]);
     }
     for (std::size_t k = 0; k < face.size(); ++k)
     {
