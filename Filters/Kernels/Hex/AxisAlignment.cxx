@@ -21,8 +21,8 @@ namespace
 
 constexpr int RotationTrials = 400;
 constexpr double LeastRotationGain = 0.01;
-constexpr int AlignmentRounds = 20;
-constexpr int FlatteningRounds = 8;
+constexpr int AlignmentRounds = 16;
+constexpr int FlatteningRounds = 6;
 /// How far the wish of a triangle reaches along the surface, in edges: from the first round to the
 /// last.
 constexpr double FarthestReach = 8.0, NearestReach = 1.0;

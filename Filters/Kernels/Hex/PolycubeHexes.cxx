@@ -1,0 +1,224 @@
+#include "Hex/PolycubeHexes.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Geometry/ClosestPoint.h"
+#include "Hex/Charts.h"
+#include "Hex/HexOptimization.h"
+#include "Hex/IntegerMapHexes.h"
+#include "Hex/OnSurface.h"
+#include "Hex/PolycubeMap.h"
+#include "Hex/VoxelPolycube.h"
+#include "Hex/VoxelSolid.h"
+#include "Quality/ScaledJacobian.h"
+#include "Volume/HarmonicVolumeMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+constexpr double AutomaticCells = 12000.0;
+/// Of hexahedra that are optimised without a layer, too.
+constexpr double LeastWithoutLayer = 0.2;
+
+/// Hexahedra of a polycube before they are optimised.
+struct Cubes
+{
+  HexMesh Solid;
+  Eigen::MatrixXd Places; ///< n x 3: on the polycube
+  double CellSize;
+  PolycubeHexesResult::MapType Map;
+  bool Overlaps;
+};
+
+int CountInverted(const HexMesh& mesh)
+{
+  return static_cast<int>((ScaledJacobians(mesh).array() <= 0.0).count());
+}
+
+std::vector<char> OnBoundary(const HexMesh& mesh)
+{
+  std::vector<char> on(mesh.Points.rows(), 0);
+  const Eigen::MatrixXi quads = BoundaryQuads(mesh);
+  for (const int point : quads.reshaped())
+  {
+    on[point] = 1;
+  }
+  return on;
+}
+
+/// The cells of the polycube, by the better one of two maps.
+Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
+{
+  IntegerMapHexesResult hexes =
+    IntegerMapHexes(map.Solid.Points, map.Places, map.Solid.Tetrahedra);
+  Cubes cubes{ std::move(hexes.Solid), std::move(hexes.Places), map.CellSize,
+    PolycubeHexesResult::MapType::Tetrahedra, hexes.Overlaps };
+  if (cubes.Overlaps)
+  {
+    return cubes;
+  }
+  HarmonicVolumeMapOptions options;
+  options.MaximumLevels = 3;
+  const HarmonicVolumeMapResult harmonic = HarmonicVolumeMap(map.Solid.Surface(map.Places),
+    map.Solid.Surface().Points, {}, options, progress);
+  const Eigen::MatrixXd carried = Evaluate(harmonic.Map, cubes.Places);
+  HexMesh other{ cubes.Solid.Points, cubes.Solid.Hexahedra };
+  const std::vector<char> outer = OnBoundary(other);
+  for (Eigen::Index i = 0; i < other.Points.rows(); ++i)
+  {
+    if (!outer[i] && carried.row(i).allFinite())
+    {
+      other.Points.row(i) = carried.row(i);
+    }
+  }
+  if (CountInverted(other) <= CountInverted(cubes.Solid))
+  {
+    cubes.Solid = std::move(other);
+    cubes.Map = PolycubeHexesResult::MapType::Harmonic;
+  }
+  return cubes;
+}
+
+bool HasTopology(const HexMesh& mesh, const Topology& wanted)
+{
+  const Topology topology = SurfaceTopology({ mesh.Points, SplitQuads(BoundaryQuads(mesh)) });
+  return topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components &&
+    topology.NonManifoldEdges == 0 && topology.NonManifoldPoints == 0;
+}
+
+Cubes FindCubes(const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+{
+  const Topology wanted = RequireClosedSurface(surface, "the surface");
+  std::string why;
+  try
+  {
+    PolycubeMapOptions mapOptions;
+    mapOptions.Compactness = options.Compactness;
+    mapOptions.CellSize = options.CellSize;
+    const PolycubeMap map = FindPolycubeMap(surface, mapOptions, progress.Part(0.0, 0.8));
+    Cubes cubes = CubesOfMap(map, progress.Part(0.8, 1.0));
+    if (HasTopology(cubes.Solid, wanted) &&
+      cubes.Solid.Hexahedra.rows() <= options.MaximumHexahedra)
+    {
+      return cubes;
+    }
+    why = "the polycube's cells are too many, or have not the topology of the surface";
+  }
+  catch (const SolveFailure& failure)
+  {
+    why = failure.what();
+  }
+  const double volume = EnclosedVolume(surface);
+  const double cells =
+    options.CellSize > 0.0 ? volume / std::pow(options.CellSize, 3) : AutomaticCells;
+  try
+  {
+    VoxelPolycube voxels = FindVoxelPolycube(surface, options.Compactness,
+      static_cast<int>(std::min<double>(cells, options.MaximumHexahedra)),
+      options.MaximumHexahedra, progress.Part(0.8, 1.0));
+    return { std::move(voxels.Solid), std::move(voxels.Places), voxels.CellSize,
+      PolycubeHexesResult::MapType::Voxels, false };
+  }
+  catch (const SolveFailure& failure)
+  {
+    throw SolveFailure(why + "; " + failure.what());
+  }
+}
+
+/// Optimises the hexahedra, with a layer around them or without; fills in what describes them.
+PolycubeHexesResult Optimized(
+  const Cubes& cubes, const SurfaceLocator& locator, bool layer, const Progress& progress)
+{
+  PolycubeHexesResult result;
+  result.Solid = cubes.Solid;
+  if (layer)
+  {
+    AddPadding(result.Solid);
+  }
+  const OnSurface constraint(locator, OnBoundary(result.Solid));
+  constexpr int smoothings = 2;
+  SmoothHexahedra(result.Solid, constraint, layer ? smoothings : 0);
+  OptimizeHexahedra(result.Solid, constraint, {}, progress);
+  const Eigen::VectorXd quality = ScaledJacobians(result.Solid);
+  result.LeastScaledJacobian = quality.minCoeff();
+  result.MeanScaledJacobian = quality.mean();
+  result.Inverted = static_cast<int>((quality.array() <= 0.0).count());
+  return result;
+}
+
+/// The points that triangles use, and the triangles with their numbers.
+Mesh Compacted(const Eigen::MatrixXd& points, Eigen::MatrixXi triangles, Eigen::VectorXi& used)
+{
+  std::vector<int> number(points.rows(), -1), kept;
+  for (Eigen::Index i = 0; i < triangles.size(); ++i)
+  {
+    int& point = triangles.data()[i];
+    if (number[point] < 0)
+    {
+      number[point] = static_cast<int>(kept.size());
+      kept.push_back(point);
+    }
+    point = number[point];
+  }
+  used = Eigen::Map<const Eigen::VectorXi>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+  return { points(used, Eigen::all), std::move(triangles) };
+}
+
+void DescribePolycube(const Cubes& cubes, PolycubeHexesResult& result)
+{
+  // The layer's quads are those of the boundary before, in their order.
+  Eigen::VectorXi inner, outer;
+  result.Polycube = Compacted(cubes.Places, SplitQuads(BoundaryQuads(cubes.Solid)), inner);
+  result.Targets =
+    Compacted(result.Solid.Points, SplitQuads(BoundaryQuads(result.Solid)), outer).Points;
+  const Eigen::MatrixXd normals = AreaVectors(result.Polycube);
+  Eigen::VectorXi labels(normals.rows());
+  for (Eigen::Index f = 0; f < normals.rows(); ++f)
+  {
+    Eigen::Index axis;
+    normals.row(f).cwiseAbs().maxCoeff(&axis);
+    labels(f) = static_cast<int>(2 * axis) + (normals(f, axis) < 0.0 ? 1 : 0);
+  }
+  const Charts charts = FindCharts(result.Polycube, labels);
+  result.Charts = charts.Count();
+  result.Corners = static_cast<int>(std::count_if(charts.AtPoint.begin(), charts.AtPoint.end(),
+    [](const std::vector<int>& around) { return around.size() > 2; }));
+}
+
+} // namespace
+
+PolycubeHexesResult PolycubeHexes(
+  const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+{
+  if (options.MaximumHexahedra < 1)
+  {
+    throw InvalidInput("MaximumHexahedra must be at least 1");
+  }
+  const Cubes cubes = FindCubes(surface, options, progress.Part(0.0, 0.5));
+  const SurfaceLocator locator(surface);
+  PolycubeHexesResult result = Optimized(cubes, locator, true, progress.Part(0.5, 0.8));
+  if (ScaledJacobians(cubes.Solid).minCoeff() > LeastWithoutLayer)
+  {
+    PolycubeHexesResult bare = Optimized(cubes, locator, false, progress.Part(0.8, 1.0));
+    if (bare.LeastScaledJacobian > result.LeastScaledJacobian)
+    {
+      result = std::move(bare);
+    }
+  }
+  DescribePolycube(cubes, result);
+  result.CellSize = cubes.CellSize;
+  result.Map = cubes.Map;
+  result.Overlaps = cubes.Overlaps;
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

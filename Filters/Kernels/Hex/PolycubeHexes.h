@@ -1,0 +1,58 @@
+#pragma once
+
+#include "Core/HexMesh.h"
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+struct PolycubeHexesOptions
+{
+  double CellSize = 0.0;    ///< in the surface's units; 0: what gives about 16,000 hexahedra
+  double Compactness = 3.0; ///< see FindPolycubeMap
+  int MaximumHexahedra = 200000;
+};
+
+struct PolycubeHexesResult
+{
+  HexMesh Solid;
+  /// The polycube's surface in cells, its unit squares cut in two, and where its points went: on
+  /// the boundary of Solid.
+  Mesh Polycube;
+  Eigen::MatrixXd Targets;
+  enum class MapType
+  {
+    Harmonic = 0,   ///< the harmonic map of the polycube's boundary map
+    Tetrahedra = 1, ///< the inverse of the tetrahedra's deformation
+    Voxels = 2      ///< no polycube was found but that of a grid, see FindVoxelPolycube
+  };
+  MapType Map = MapType::Tetrahedra; ///< what carried the grid
+  int Charts = 0;                    ///< flat parts of the polycube
+  int Corners = 0;                   ///< points where three or more of them meet
+  bool Overlaps = false;             ///< the polycube overlaps itself
+  double CellSize = 0.0;             ///< the one that was used
+  double LeastScaledJacobian = 0.0;  ///< positive where no hexahedron is inverted
+  double MeanScaledJacobian = 0.0;
+  int Inverted = 0; ///< hexahedra with a scaled Jacobian of 0 or less
+};
+
+/**
+ * Hexahedra inside a closed surface: the unit cells of a polycube of the solid (FindPolycubeMap),
+ * brought back by the harmonic map of the polycube's boundary onto the surface (HarmonicVolumeMap)
+ * where that turns no more hexahedra over than the inverse of the tetrahedra's own map, which needs
+ * no polycube that is free of overlaps. A layer of hexahedra is put around them unless they are
+ * better without, as where the edges of the polycube are creases; then their points are moved, the
+ * outer ones on the surface, until the worst scaled Jacobian is as good as it can be
+ * (OptimizeHexahedra).
+ *
+ * The boundary has the Euler number and the components of the surface. Throws InvalidInput as
+ * Tetrahedralize, and where options are out of range; SolveFailure where neither a polycube nor a
+ * grid of the surface's topology is found; Aborted.
+ */
+PolycubeHexesResult PolycubeHexes(const Mesh& surface, const PolycubeHexesOptions& options = {},
+  const Progress& progress = {});
+
+} // namespace shape
