@@ -169,8 +169,9 @@ VoxelPolycube FindVoxelPolycube(
   result.Solid = std::move(*cubes);
   const CellPlaces found =
     CellLocator(TetrahedraAt(solid, places)).Find(result.Solid.Points, progress.Part(0.9, 1.0));
-  result.Places =
-    ((result.Solid.Points.rowwise() - grid.Origin) / grid.Spacing).array().round().matrix();
+  // Corners are half a cell off the samples.
+  result.Places = ((result.Solid.Points.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
+  result.Places = result.Places.array().round().matrix().eval();
   result.Solid.Points = found.Weights * original.Points;
   return result;
 }
