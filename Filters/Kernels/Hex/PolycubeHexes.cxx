@@ -7,6 +7,7 @@
 #include "Hex/HexOptimization.h"
 #include "Hex/IntegerMapHexes.h"
 #include "Hex/OnSurface.h"
+#include "Hex/Polycube.h"
 #include "Hex/PolycubeMap.h"
 #include "Hex/VoxelPolycube.h"
 #include "Hex/VoxelSolid.h"
@@ -179,13 +180,10 @@ void DescribePolycube(const Cubes& cubes, PolycubeHexesResult& result)
   result.Polycube = Compacted(cubes.Places, SplitQuads(BoundaryQuads(cubes.Solid)), inner);
   result.Targets =
     Compacted(result.Solid.Points, SplitQuads(BoundaryQuads(result.Solid)), outer).Points;
-  const Eigen::MatrixXd normals = AreaVectors(result.Polycube);
-  Eigen::VectorXi labels(normals.rows());
-  for (Eigen::Index f = 0; f < normals.rows(); ++f)
+  Eigen::VectorXi labels(result.Polycube.Triangles.rows());
+  for (Eigen::Index f = 0; f < labels.size(); ++f)
   {
-    Eigen::Index axis;
-    normals.row(f).cwiseAbs().maxCoeff(&axis);
-    labels(f) = static_cast<int>(2 * axis) + (normals(f, axis) < 0.0 ? 1 : 0);
+    labels(f) = PolygonLabel(Corners(result.Polycube, f));
   }
   const Charts charts = FindCharts(result.Polycube, labels);
   result.Charts = charts.Count();

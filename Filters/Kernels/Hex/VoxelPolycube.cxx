@@ -9,8 +9,11 @@
 #include "Hex/VoxelSolid.h"
 #include "Hex/WorkingSolid.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,6 +28,8 @@ constexpr int Flattenings = 3;
 constexpr double Reaches[] = { 0.1, 0.0, 0.25, -0.1 };
 constexpr double Shrinkage = 0.85;
 constexpr int OffsetTrials = 16;
+/// The share of the volume that may be turned inside out: it is mended when all is back.
+constexpr double MostFolded = 0.02;
 
 /// Where the lines of a grid should be, in cells: as far from the surface's flat parts as can be
 /// in the middle of cells, so that these are not cut into steps.
@@ -112,6 +117,51 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wan
   return std::nullopt;
 }
 
+/// The volume of tetrahedra that are turned inside out, as a share of what they have at rest.
+double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& places)
+{
+  double folded = 0.0, all = 0.0;
+  for (const auto& c : solid.Tetrahedra.rowwise())
+  {
+    const auto volume = [&](const Eigen::MatrixXd& points)
+    {
+      const Eigen::Vector3d a = (points.row(c(1)) - points.row(c(0))).transpose();
+      const Eigen::Vector3d b = (points.row(c(2)) - points.row(c(0))).transpose();
+      const Eigen::Vector3d d = (points.row(c(3)) - points.row(c(0))).transpose();
+      return a.cross(b).dot(d);
+    };
+    const double rest = volume(solid.Points);
+    all += rest;
+    folded += volume(places) <= 0.0 ? rest : 0.0;
+  }
+  return folded / all;
+}
+
+/// The places of a solid bent towards the axes: flattened, or only aligned where that folds.
+Eigen::MatrixXd Bent(const WorkingSolid& solid, double compactness, Eigen::VectorXi& labels,
+  const Progress& progress)
+{
+  const Eigen::MatrixXd aligned = AlignWithAxes(solid, progress.Part(0.0, 0.5));
+  Eigen::MatrixXd places = aligned;
+  for (int round = 0; round < Flattenings; ++round)
+  {
+    labels = FindAxisLabels(solid, places, compactness);
+    places = FlattenAlongAxes(solid, labels, places, progress.Part(0.5, 1.0));
+  }
+  if (FoldedShare(solid, places) <= MostFolded)
+  {
+    return places;
+  }
+  const double folded = FoldedShare(solid, aligned);
+  if (folded > MostFolded)
+  {
+    throw SolveFailure("the solid cannot be bent towards the axes: " +
+      std::to_string(100.0 * folded) + " % of it would be turned inside out");
+  }
+  labels = FindAxisLabels(solid, aligned, compactness);
+  return aligned;
+}
+
 Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& places)
 {
   const Eigen::Index count = solid.Tetrahedra.rows();
@@ -134,19 +184,10 @@ VoxelPolycube FindVoxelPolycube(
     MakeWorkingSolid(surface, WorkingTriangles, progress.Part(0.0, 0.2));
   WorkingSolid solid = original;
   solid.Points = original.Points * AxisRotation(original.Surface()).transpose();
-  Eigen::MatrixXd places = AlignWithAxes(solid, progress.Part(0.2, 0.4));
   Eigen::VectorXi labels;
-  for (int round = 0; round < Flattenings; ++round)
-  {
-    labels = FindAxisLabels(solid, places, compactness);
-    places = FlattenAlongAxes(solid, labels, places, progress.Part(0.4, 0.7));
-  }
+  const Eigen::MatrixXd places = Bent(solid, compactness, labels, progress.Part(0.2, 0.7));
   const Mesh bent = solid.Surface(places);
   const double volume = EnclosedVolume(bent);
-  if (!(volume > 0.0))
-  {
-    throw SolveFailure("the solid cannot be bent towards the axes: it turns inside out");
-  }
   const SignedDistance distance(bent);
   double size = std::cbrt(volume / cells);
   const double least = std::cbrt(volume / most);
