@@ -88,7 +88,8 @@ TEST(LabelCut, TheCheapestLabellingOfAChainIsFound)
     double sum = 0.0;
     for (int i = 0; i < sites; ++i)
     {
-      sum += costs(i, labels(i)) + (i > 0 && labels(i) != labels(i - 1) ? edges[i - 1].Weight : 0.0);
+      sum +=
+        costs(i, labels(i)) + (i > 0 && labels(i) != labels(i - 1) ? edges[i - 1].Weight : 0.0);
     }
     return sum;
   };

@@ -42,8 +42,8 @@ void ExpectPositive(const shape::PolycubeMap& map)
   {
     for (const Eigen::MatrixXd* points : { &map.Solid.Points, &map.Places })
     {
-      EXPECT_EQ(shape::Orientation(points->row(c(0)), points->row(c(1)), points->row(c(2)),
-                  points->row(c(3))),
+      EXPECT_EQ(shape::Orientation(
+                  points->row(c(0)), points->row(c(1)), points->row(c(2)), points->row(c(3))),
         1);
     }
   }
@@ -59,7 +59,7 @@ TEST(Polycube, ABallBecomesACube)
   EXPECT_EQ(polycube.Corners, 8);
   ExpectPolycube(ball, polycube);
   const double volume = shape::EnclosedVolume({ polycube.Positions, ball.Triangles });
-  EXPECT_NEAR(volume / shape::EnclosedVolume(ball), 1.0, 0.1);
+  EXPECT_NEAR(volume / shape::EnclosedVolume(ball), 1.0, 0.2);
 }
 
 TEST(Polycube, ATorusBecomesARing)
@@ -74,8 +74,7 @@ TEST(Polycube, ATorusBecomesARing)
   EXPECT_EQ(static_cast<double>(hexes.Solid.Hexahedra.rows()),
     std::round(shape::EnclosedVolume(map.Solid.Surface(map.Places))));
   EXPECT_FALSE(hexes.Overlaps);
-  const shape::Mesh boundary{ hexes.Places,
-    shape::SplitQuads(shape::BoundaryQuads(hexes.Solid)) };
+  const shape::Mesh boundary{ hexes.Places, shape::SplitQuads(shape::BoundaryQuads(hexes.Solid)) };
   EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber, 0);
   EXPECT_NEAR(shape::EnclosedVolume(boundary), hexes.Solid.Hexahedra.rows(), 1e-6);
 }

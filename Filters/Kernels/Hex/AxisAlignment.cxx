@@ -141,17 +141,17 @@ private:
     Eigen::Matrix3d edges;
     for (int k = 0; k < 3; ++k)
     {
-      edges.col(k) = (places.row(this->Solid.Tetrahedra(t, k + 1)) -
-        places.row(this->Solid.Tetrahedra(t, 0)))
-                       .transpose();
+      edges.col(k) =
+        (places.row(this->Solid.Tetrahedra(t, k + 1)) - places.row(this->Solid.Tetrahedra(t, 0)))
+          .transpose();
     }
     return edges;
   }
 };
 
 /// The sum of area-weighted wishes of the triangles at the points.
-Eigen::MatrixXd Wishes(const WorkingSolid& solid, const Eigen::MatrixXd& places,
-  const Eigen::VectorXd& areas)
+Eigen::MatrixXd Wishes(
+  const WorkingSolid& solid, const Eigen::MatrixXd& places, const Eigen::VectorXd& areas)
 {
   const Eigen::MatrixXd normals = AreaVectors(solid.Surface(places)).rowwise().normalized();
   Eigen::MatrixXd wishes = Eigen::MatrixXd::Zero(places.rows(), 3);
@@ -230,8 +230,7 @@ Eigen::Matrix3d AxisRotation(const Mesh& surface)
   {
     for (int k = 0; k < 6; ++k)
     {
-      const Eigen::Matrix3d rotation =
-        FromVector(angle * LabelAxis(k).transpose()) * best;
+      const Eigen::Matrix3d rotation = FromVector(angle * LabelAxis(k).transpose()) * best;
       const double value = Misalignment(vectors, rotation);
       if (value < least)
       {
@@ -260,13 +259,11 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
   for (int round = 0; round < AlignmentRounds; ++round)
   {
     progress(static_cast<double>(round) / AlignmentRounds);
-    const double reach = shape.EdgeLength *
-      std::max(NearestReach, FarthestReach * std::pow(0.85, round));
-    const Eigen::SparseMatrix<double> smooth =
-      pinned + Diagonal(pointAreas / reach);
+    const double reach =
+      shape.EdgeLength * std::max(NearestReach, FarthestReach * std::pow(0.85, round));
+    const Eigen::SparseMatrix<double> smooth = pinned + Diagonal(pointAreas / reach);
     smoothing.Factorize(smooth);
-    const Eigen::MatrixXd turns =
-      smoothing.Solve(Wishes(solid, places, areas) / reach);
+    const Eigen::MatrixXd turns = smoothing.Solve(Wishes(solid, places, areas) / reach);
     const auto further = [&](int t)
     {
       Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -317,8 +314,7 @@ Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorX
     progress(static_cast<double>(round) / FlatteningRounds);
     const double flatness = shape.EdgeLength * LeastFlatness *
       std::pow(GreatestFlatness / LeastFlatness, round / (FlatteningRounds - 1.0));
-    const Eigen::MatrixXd right =
-      shape.RightSide(places, none) + pin.asDiagonal() * places;
+    const Eigen::MatrixXd right = shape.RightSide(places, none) + pin.asDiagonal() * places;
     for (int axis = 0; axis < 3; ++axis)
     {
       const Eigen::SparseMatrix<double> matrix =

@@ -38,8 +38,8 @@ Eigen::VectorXi FindAxisLabels(const WorkingSolid& solid, const Eigen::MatrixXd&
   {
     for (int label = 0; label < 6 && normals.row(f).allFinite(); ++label)
     {
-      costs(f, label) += areas(f) / area *
-        (1.0 - Bell(normals.row(f).dot(LabelAxis(label)) - 1.0, Fidelity));
+      costs(f, label) +=
+        areas(f) / area * (1.0 - Bell(normals.row(f).dot(LabelAxis(label)) - 1.0, Fidelity));
     }
   }
   const std::vector<HalfEdge> sides = SortedHalfEdges(solid.Triangles, solid.SurfacePoints);
@@ -51,7 +51,9 @@ Eigen::VectorXi FindAxisLabels(const WorkingSolid& solid, const Eigen::MatrixXd&
     const double own = (rest.Points.row(sides[i].Begin) - rest.Points.row(sides[i].End)).norm();
     length += own;
     edges.push_back({ t, s,
-      own * (compactness * Bell(atRest.row(t).dot(atRest.row(s)) - 1.0, Sharpness) + LeastBorderCost) });
+      own *
+        (compactness * Bell(atRest.row(t).dot(atRest.row(s)) - 1.0, Sharpness) +
+          LeastBorderCost) });
   }
   length /= static_cast<double>(edges.size());
   std::for_each(edges.begin(), edges.end(), [&](LabelEdge& edge) { edge.Weight /= length; });

@@ -49,8 +49,7 @@ std::vector<Charts::Border> TraceBorders(
   std::vector<Charts::Border> borders;
   const auto trace = [&](int first)
   {
-    Charts::Border border{ charts.Of(edges[first].Triangle), right[first],
-      { edges[first].Begin } };
+    Charts::Border border{ charts.Of(edges[first].Triangle), right[first], { edges[first].Begin } };
     for (int edge = first; edge >= 0;)
     {
       used[edge] = 1;

@@ -15,9 +15,9 @@ namespace shape
 /// The charts of a labelled surface: its largest parts of one label that hang together by edges.
 struct Charts
 {
-  Eigen::VectorXi Of;      ///< m: the chart of each triangle
-  std::vector<int> Labels; ///< of the charts
-  Eigen::VectorXd Areas;   ///< of the charts
+  Eigen::VectorXi Of;                       ///< m: the chart of each triangle
+  std::vector<int> Labels;                  ///< of the charts
+  Eigen::VectorXd Areas;                    ///< of the charts
   std::vector<std::vector<int>> Neighbours; ///< across edges, in order, each once
   std::vector<std::vector<int>> AtPoint;    ///< n: the charts around each point, in order
 

@@ -61,18 +61,15 @@ void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::Mat
     const auto c = solid.Tetrahedra.row(t);
     for (int k = 0; k < 4; ++k)
     {
-      const auto found =
-        triangles.find(Sorted({ c((k + 1) % 4), c((k + 2) % 4), c((k + 3) % 4) }));
+      const auto found = triangles.find(Sorted({ c((k + 1) % 4), c((k + 2) % 4), c((k + 3) % 4) }));
       if (found == triangles.end())
       {
         continue;
       }
       const int chart = charts.Of(found->second);
-      const Eigen::RowVector3d from =
-        (0.01 * places.row(c(k)) + 0.33 * places.row(c((k + 1) % 4)) +
-          0.33 * places.row(c((k + 2) % 4)) + 0.33 * places.row(c((k + 3) % 4)));
-      const Eigen::RowVector3d to =
-        from - 2.0 * size.maxCoeff() * LabelAxis(charts.Labels[chart]);
+      const Eigen::RowVector3d from = (0.01 * places.row(c(k)) + 0.33 * places.row(c((k + 1) % 4)) +
+        0.33 * places.row(c((k + 2) % 4)) + 0.33 * places.row(c((k + 3) % 4)));
+      const Eigen::RowVector3d to = from - 2.0 * size.maxCoeff() * LabelAxis(charts.Labels[chart]);
       const auto end = walk.Go(t, from.transpose(), to.transpose());
       if (end.Arrived || end.Face < 0)
       {

@@ -86,8 +86,8 @@ std::vector<Visit> FindCells(
 }
 
 /// The cell beside `visit` along an axis, or -1 where the boundary is in between.
-int CellBeside(const std::vector<Visit>& visits, const Visit& visit, int axis,
-  const TetrahedralWalk& walk)
+int CellBeside(
+  const std::vector<Visit>& visits, const Visit& visit, int axis, const TetrahedralWalk& walk)
 {
   Cell next = visit.Where;
   ++next[axis];
@@ -96,10 +96,10 @@ int CellBeside(const std::vector<Visit>& visits, const Visit& visit, int axis,
   {
     return -1;
   }
-  const auto found = std::lower_bound(visits.begin(), visits.end(),
-    Visit{ next, place.Tetrahedron },
-    [](const Visit& a, const Visit& b)
-    { return std::tie(a.Where, a.Tetrahedron) < std::tie(b.Where, b.Tetrahedron); });
+  const auto found =
+    std::lower_bound(visits.begin(), visits.end(), Visit{ next, place.Tetrahedron },
+      [](const Visit& a, const Visit& b)
+      { return std::tie(a.Where, a.Tetrahedron) < std::tie(b.Where, b.Tetrahedron); });
   if (found != visits.end() && found->Where == next && found->Tetrahedron == place.Tetrahedron)
   {
     return static_cast<int>(found - visits.begin());
@@ -109,8 +109,8 @@ int CellBeside(const std::vector<Visit>& visits, const Visit& visit, int axis,
 
 } // namespace
 
-IntegerMapHexesResult IntegerMapHexes(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
-  const Eigen::MatrixXi& tetrahedra)
+IntegerMapHexesResult IntegerMapHexes(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const Eigen::MatrixXi& tetrahedra)
 {
   const TetrahedralWalk walk(images, tetrahedra);
   const std::vector<Visit> visits = FindCells(images, tetrahedra, walk);
@@ -134,8 +134,8 @@ IntegerMapHexesResult IntegerMapHexes(const Eigen::MatrixXd& points, const Eigen
             CornerPlaces[corner][2] };
           opposite[axis] = 0;
           const int same = static_cast<int>(
-            std::find_if(std::begin(CornerPlaces), std::end(CornerPlaces), [&](const int* at)
-              { return std::equal(opposite.begin(), opposite.end(), at); }) -
+            std::find_if(std::begin(CornerPlaces), std::end(CornerPlaces),
+              [&](const int* at) { return std::equal(opposite.begin(), opposite.end(), at); }) -
             std::begin(CornerPlaces));
           root[Find(root, 8 * other + same)] = Find(root, 8 * cell + corner);
         }
@@ -176,8 +176,7 @@ IntegerMapHexesResult IntegerMapHexes(const Eigen::MatrixXd& points, const Eigen
     result.Solid.Points.row(i).setZero();
     for (int k = 0; k < 4; ++k)
     {
-      result.Solid.Points.row(i) +=
-        there.Weights(k) * points.row(tetrahedra(there.Tetrahedron, k));
+      result.Solid.Points.row(i) += there.Weights(k) * points.row(tetrahedra(there.Tetrahedron, k));
     }
   }
   for (int i = 1; i < cells; ++i)

@@ -23,8 +23,8 @@ double PairCost(int first, int second, double weight)
   return first / 2 == second / 2 ? Forbidden : weight;
 }
 
-double Energy(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
-  const Eigen::VectorXi& labels)
+double Energy(
+  const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges, const Eigen::VectorXi& labels)
 {
   double sum = 0.0;
   for (int i = 0; i < labels.size(); ++i)

@@ -36,7 +36,8 @@ public:
 
   int Freedom(int point) const override
   {
-    return static_cast<int>(std::count(this->Fixed[point].begin(), this->Fixed[point].end(), false));
+    return static_cast<int>(
+      std::count(this->Fixed[point].begin(), this->Fixed[point].end(), false));
   }
 
   PointDirections Directions(int point, const Eigen::RowVector3d& /*place*/) const override
@@ -66,8 +67,7 @@ private:
 Eigen::VectorXi TransferLabels(const Mesh& surface, const PolycubeMap& map,
   const SurfaceLocator& coarse, const Progress& progress)
 {
-  Eigen::VectorXi labels =
-    map.Labels(coarse.Find(Centroids(surface), progress).Triangles);
+  Eigen::VectorXi labels = map.Labels(coarse.Find(Centroids(surface), progress).Triangles);
   for (int round = 0; round < MaximumRelabellings; ++round)
   {
     const Charts charts = FindCharts(surface, labels);
@@ -129,8 +129,7 @@ std::vector<std::array<bool, 3>> Snap(
   return fixed;
 }
 
-std::vector<char> TurnedOver(
-  const Mesh& polycube, const Eigen::VectorXi& labels)
+std::vector<char> TurnedOver(const Mesh& polycube, const Eigen::VectorXi& labels)
 {
   const Eigen::MatrixXd vectors = AreaVectors(polycube);
   std::vector<char> turned(labels.size());
@@ -234,8 +233,8 @@ PolycubeResult Polycube(
   result.Charts = charts.Count();
   result.Corners = static_cast<int>(std::count_if(charts.AtPoint.begin(), charts.AtPoint.end(),
     [](const std::vector<int>& around) { return around.size() > 2; }));
-  Eigen::MatrixXd places = Interpolate(map.Solid.Triangles,
-    map.Places.topRows(map.Solid.SurfacePoints), coarse.Find(surface.Points));
+  Eigen::MatrixXd places = Interpolate(
+    map.Solid.Triangles, map.Places.topRows(map.Solid.SurfacePoints), coarse.Find(surface.Points));
   const std::vector<std::array<bool, 3>> fixed = Snap(surface, charts, places);
   const auto count = [&]
   {
@@ -252,8 +251,8 @@ PolycubeResult Polycube(
   const auto turned = count();
   if (turned > 0)
   {
-    throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) +
-      " charts turns " + std::to_string(turned) + " of " + std::to_string(surface.Triangles.rows()) +
+    throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) + " charts turns " +
+      std::to_string(turned) + " of " + std::to_string(surface.Triangles.rows()) +
       " triangles over; refine the surface, or try another Compactness");
   }
   result.Positions = map.CellSize * places;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,8 +59,7 @@ std::vector<char> OnBoundary(const HexMesh& mesh)
 /// The cells of the polycube, by the better one of two maps.
 Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
 {
-  IntegerMapHexesResult hexes =
-    IntegerMapHexes(map.Solid.Points, map.Places, map.Solid.Tetrahedra);
+  IntegerMapHexesResult hexes = IntegerMapHexes(map.Solid.Points, map.Places, map.Solid.Tetrahedra);
   Cubes cubes{ std::move(hexes.Solid), std::move(hexes.Places), map.CellSize,
     PolycubeHexesResult::MapType::Tetrahedra, hexes.Overlaps };
   if (cubes.Overlaps)
@@ -68,8 +68,8 @@ Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
   }
   HarmonicVolumeMapOptions options;
   options.MaximumLevels = 3;
-  const HarmonicVolumeMapResult harmonic = HarmonicVolumeMap(map.Solid.Surface(map.Places),
-    map.Solid.Surface().Points, {}, options, progress);
+  const HarmonicVolumeMapResult harmonic = HarmonicVolumeMap(
+    map.Solid.Surface(map.Places), map.Solid.Surface().Points, {}, options, progress);
   const Eigen::MatrixXd carried = Evaluate(harmonic.Map, cubes.Places);
   HexMesh other{ cubes.Solid.Points, cubes.Solid.Hexahedra };
   const std::vector<char> outer = OnBoundary(other);
@@ -95,10 +95,11 @@ bool HasTopology(const HexMesh& mesh, const Topology& wanted)
     topology.NonManifoldEdges == 0 && topology.NonManifoldPoints == 0;
 }
 
-Cubes FindCubes(const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+/// Those of a polycube with charts; none, and `why`, where there are none that will do.
+std::optional<Cubes> CubesOfCharts(const Mesh& surface, const PolycubeHexesOptions& options,
+  std::string& why, const Progress& progress)
 {
   const Topology wanted = RequireClosedSurface(surface, "the surface");
-  std::string why;
   try
   {
     PolycubeMapOptions mapOptions;
@@ -117,21 +118,20 @@ Cubes FindCubes(const Mesh& surface, const PolycubeHexesOptions& options, const 
   {
     why = failure.what();
   }
-  const double volume = EnclosedVolume(surface);
-  const double cells =
-    options.CellSize > 0.0 ? volume / std::pow(options.CellSize, 3) : AutomaticCells;
-  try
-  {
-    VoxelPolycube voxels = FindVoxelPolycube(surface, options.Compactness,
-      static_cast<int>(std::min<double>(cells, options.MaximumHexahedra)),
-      options.MaximumHexahedra, progress.Part(0.8, 1.0));
-    return { std::move(voxels.Solid), std::move(voxels.Places), voxels.CellSize,
-      PolycubeHexesResult::MapType::Voxels, false };
-  }
-  catch (const SolveFailure& failure)
-  {
-    throw SolveFailure(why + "; " + failure.what());
-  }
+  return std::nullopt;
+}
+
+Cubes CubesOfVoxels(
+  const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+{
+  const double cells = options.CellSize > 0.0
+    ? EnclosedVolume(surface) / std::pow(options.CellSize, 3)
+    : AutomaticCells;
+  VoxelPolycube voxels = FindVoxelPolycube(surface, options.Compactness,
+    static_cast<int>(std::clamp<double>(cells, 1.0, options.MaximumHexahedra)),
+    options.MaximumHexahedra, progress);
+  return { std::move(voxels.Solid), std::move(voxels.Places), voxels.CellSize,
+    PolycubeHexesResult::MapType::Voxels, false };
 }
 
 /// Optimises the hexahedra, with a layer around them or without; fills in what describes them.
@@ -191,21 +191,14 @@ void DescribePolycube(const Cubes& cubes, PolycubeHexesResult& result)
     [](const std::vector<int>& around) { return around.size() > 2; }));
 }
 
-} // namespace
-
-PolycubeHexesResult PolycubeHexes(
-  const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+/// The better one of the results with a layer and without.
+PolycubeHexesResult BestOf(
+  const Cubes& cubes, const SurfaceLocator& locator, const Progress& progress)
 {
-  if (options.MaximumHexahedra < 1)
-  {
-    throw InvalidInput("MaximumHexahedra must be at least 1");
-  }
-  const Cubes cubes = FindCubes(surface, options, progress.Part(0.0, 0.5));
-  const SurfaceLocator locator(surface);
-  PolycubeHexesResult result = Optimized(cubes, locator, true, progress.Part(0.5, 0.8));
+  PolycubeHexesResult result = Optimized(cubes, locator, true, progress.Part(0.0, 0.6));
   if (ScaledJacobians(cubes.Solid).minCoeff() > LeastWithoutLayer)
   {
-    PolycubeHexesResult bare = Optimized(cubes, locator, false, progress.Part(0.8, 1.0));
+    PolycubeHexesResult bare = Optimized(cubes, locator, false, progress.Part(0.6, 1.0));
     if (bare.LeastScaledJacobian > result.LeastScaledJacobian)
     {
       result = std::move(bare);
@@ -215,8 +208,48 @@ PolycubeHexesResult PolycubeHexes(
   result.CellSize = cubes.CellSize;
   result.Map = cubes.Map;
   result.Overlaps = cubes.Overlaps;
-  progress(1.0);
   return result;
+}
+
+} // namespace
+
+PolycubeHexesResult PolycubeHexes(
+  const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+{
+  if (options.MaximumHexahedra < 1)
+  {
+    throw InvalidInput("MaximumHexahedra must be at least 1");
+  }
+  std::string why;
+  const std::optional<Cubes> cubes = CubesOfCharts(surface, options, why, progress.Part(0.0, 0.4));
+  const SurfaceLocator locator(surface);
+  std::optional<PolycubeHexesResult> result;
+  if (cubes)
+  {
+    result = BestOf(*cubes, locator, progress.Part(0.4, 0.7));
+    why = std::to_string(result->Inverted) + " hexahedra stay inverted";
+  }
+  if (!result || result->Inverted > 0)
+  {
+    try
+    {
+      const Cubes voxels = CubesOfVoxels(surface, options, progress.Part(0.7, 0.8));
+      PolycubeHexesResult other = BestOf(voxels, locator, progress.Part(0.8, 1.0));
+      if (!result || other.Inverted < result->Inverted)
+      {
+        result = std::move(other);
+      }
+    }
+    catch (const SolveFailure& failure)
+    {
+      if (!result)
+      {
+        throw SolveFailure(why + "; " + failure.what());
+      }
+    }
+  }
+  progress(1.0);
+  return std::move(*result);
 }
 
 } // namespace shape

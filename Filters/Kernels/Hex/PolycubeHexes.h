@@ -52,7 +52,7 @@ struct PolycubeHexesResult
  * Tetrahedralize, and where options are out of range; SolveFailure where neither a polycube nor a
  * grid of the surface's topology is found; Aborted.
  */
-PolycubeHexesResult PolycubeHexes(const Mesh& surface, const PolycubeHexesOptions& options = {},
-  const Progress& progress = {});
+PolycubeHexesResult PolycubeHexes(
+  const Mesh& surface, const PolycubeHexesOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -102,8 +102,7 @@ Attempt Deform(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   Tie(attempt.Tied, attempt.Places);
   PatchOptions options = TiedOptions();
   options.MaximumSteps = FirstSteps;
-  attempt.Result =
-    LowerTiedEnergy(attempt.Places, attempt.Solid, attempt.Tied, options, progress);
+  attempt.Result = LowerTiedEnergy(attempt.Places, attempt.Solid, attempt.Tied, options, progress);
   if (attempt.Result.Negative > 0 && attempt.Result.Negative < Hopeless)
   {
     attempt.Result =
@@ -227,8 +226,7 @@ bool MoveToIntegers(Attempt& attempt, const Progress& progress)
       unknown = number;
     }
   }
-  attempt.Result =
-    LowerTiedEnergy(attempt.Places, attempt.Solid, fixed, TiedOptions(), progress);
+  attempt.Result = LowerTiedEnergy(attempt.Places, attempt.Solid, fixed, TiedOptions(), progress);
   return attempt.Result.Negative == 0;
 }
 
@@ -276,8 +274,8 @@ PolycubeMap FindPolycubeMap(
   }
   if (best.Result.Negative > 0)
   {
-    throw SolveFailure("no valid polycube was found: of " +
-      std::to_string(best.Charts.Count()) + " charts, " +
+    throw SolveFailure("no valid polycube was found: of " + std::to_string(best.Charts.Count()) +
+      " charts, " +
       (best.Faults.empty() ? "none is at fault by itself" : Describe(best.Faults, best.Charts)) +
       "; " + std::to_string(best.Result.Negative) + " of " +
       std::to_string(best.Solid.Tetrahedra.rows()) +

@@ -211,7 +211,8 @@ private:
     {
       for (int b = 0; b < 4; ++b)
       {
-        block.block<3, 3>(3 * a, 3 * b).diagonal().array() += identity * hats.row(a).dot(hats.row(b));
+        block.block<3, 3>(3 * a, 3 * b).diagonal().array() +=
+          identity * hats.row(a).dot(hats.row(b));
       }
     }
     block *= this->Weights(t);

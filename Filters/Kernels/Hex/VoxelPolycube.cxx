@@ -33,8 +33,7 @@ constexpr double MostFolded = 0.02;
 
 /// Where the lines of a grid should be, in cells: as far from the surface's flat parts as can be
 /// in the middle of cells, so that these are not cut into steps.
-Eigen::RowVector3d BestOffset(
-  const Mesh& surface, const Eigen::VectorXi& labels, double size)
+Eigen::RowVector3d BestOffset(const Mesh& surface, const Eigen::VectorXi& labels, double size)
 {
   const Eigen::VectorXd areas = AreaVectors(surface).rowwise().norm();
   const Eigen::MatrixXd centroids = Centroids(surface) / size;
@@ -138,8 +137,8 @@ double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& places)
 }
 
 /// The places of a solid bent towards the axes: flattened, or only aligned where that folds.
-Eigen::MatrixXd Bent(const WorkingSolid& solid, double compactness, Eigen::VectorXi& labels,
-  const Progress& progress)
+Eigen::MatrixXd Bent(
+  const WorkingSolid& solid, double compactness, Eigen::VectorXi& labels, const Progress& progress)
 {
   const Eigen::MatrixXd aligned = AlignWithAxes(solid, progress.Part(0.0, 0.5));
   Eigen::MatrixXd places = aligned;
@@ -201,8 +200,7 @@ VoxelPolycube FindVoxelPolycube(
         " cells in the solid bent towards the axes has the surface's topology (Euler number " +
         std::to_string(topology.EulerNumber) + ")");
     }
-    grid = SampleDistance(
-      distance, BestOffset(bent, labels, size), size, progress.Part(0.7, 0.9));
+    grid = SampleDistance(distance, BestOffset(bent, labels, size), size, progress.Part(0.7, 0.9));
     cubes = CubesOf(grid, topology);
   }
   VoxelPolycube result;

@@ -27,7 +27,7 @@ struct VoxelPolycube
  * are tried, up to `most`, until the topology agrees. Throws as Tetrahedralize; SolveFailure where
  * no such grid has the topology, Aborted.
  */
-VoxelPolycube FindVoxelPolycube(const Mesh& surface, double compactness, int cells, int most,
-  const Progress& progress = {});
+VoxelPolycube FindVoxelPolycube(
+  const Mesh& surface, double compactness, int cells, int most, const Progress& progress = {});
 
 } // namespace shape

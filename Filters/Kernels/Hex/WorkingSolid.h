@@ -30,8 +30,7 @@ struct WorkingSolid
  *
  * Where the coarse surface would cross itself, it becomes finer. Throws as Tetrahedralize.
  */
-WorkingSolid MakeWorkingSolid(
-  const Mesh& surface, int triangles, const Progress& progress = {});
+WorkingSolid MakeWorkingSolid(const Mesh& surface, int triangles, const Progress& progress = {});
 
 /// Puts a point into each of these edges of the surface (each once), in `places`, too; the parts of
 /// a triangle have its label.

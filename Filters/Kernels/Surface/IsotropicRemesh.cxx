@@ -162,14 +162,12 @@ private:
 
   Eigen::Vector3d AreaVector(const Triangle& t) const
   {
-    return (this->Points[t[1]] - this->Points[t[0]])
-      .cross(this->Points[t[2]] - this->Points[t[0]]);
+    return (this->Points[t[1]] - this->Points[t[0]]).cross(this->Points[t[2]] - this->Points[t[0]]);
   }
 
   void FindCreases(const Mesh& surface, double cosine)
   {
-    const std::vector<HalfEdge> sides =
-      SortedHalfEdges(surface.Triangles, surface.Points.rows());
+    const std::vector<HalfEdge> sides = SortedHalfEdges(surface.Triangles, surface.Points.rows());
     std::vector<std::pair<int, int>> creases;
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
     {
@@ -345,8 +343,7 @@ private:
   /// Moves a onto b.
   bool TryCollapse(int a, int b)
   {
-    if (this->CreaseEdges[a] > 0 &&
-      (this->CreaseEdges[a] != 2 || !this->OnCrease(a, b)))
+    if (this->CreaseEdges[a] > 0 && (this->CreaseEdges[a] != 2 || !this->OnCrease(a, b)))
     {
       return false;
     }
@@ -436,8 +433,8 @@ private:
     const int gain = excess(a, 0) + excess(b, 0) + excess(c, 0) + excess(d, 0) - excess(a, -1) -
       excess(b, -1) - excess(c, 1) - excess(d, 1);
     const Triangle first = { a, d, c }, second = { d, b, c };
-    const Eigen::Vector3d n = this->AreaVector(this->Triangles[t]) +
-      this->AreaVector(this->Triangles[s]);
+    const Eigen::Vector3d n =
+      this->AreaVector(this->Triangles[t]) + this->AreaVector(this->Triangles[s]);
     const Eigen::Vector3d n1 = this->AreaVector(first), n2 = this->AreaVector(second);
     const double least = 0.8 * n.norm();
     const double edge = this->Distance(c, d);

@@ -40,7 +40,7 @@ public:
 };
 
 /// Lowers it as LowerEnergy does.
-PatchResult LowerEnergy(
-  Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options, const Progress& progress);
+PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options,
+  const Progress& progress);
 
 } // namespace shape

@@ -24,8 +24,7 @@ public:
   int CountNegative(const Eigen::Matrix3Xd& x) const override;
   State Evaluate(const Eigen::Matrix3Xd& x, double epsilon) const override;
   Descent NewtonDirection(const Eigen::Matrix3Xd& x, double epsilon) override;
-  void Move(
-    Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const override;
+  void Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const override;
 
   Eigen::Matrix3Xd Start; ///< 3 x local points
 

@@ -26,8 +26,8 @@ Eigen::Matrix3Xd Smoothest(const Eigen::Matrix3Xd& x, EnergyProblem& problem)
 
 } // namespace
 
-PatchResult LowerEnergy(
-  Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options, const Progress& progress)
+PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options,
+  const Progress& progress)
 {
   PatchResult result;
   result.Negative = problem.CountNegative(x);
