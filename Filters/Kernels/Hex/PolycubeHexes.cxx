@@ -29,6 +29,8 @@ namespace
 constexpr double AutomaticCells = 12000.0;
 /// Of hexahedra that are optimised without a layer, too.
 constexpr double LeastWithoutLayer = 0.2;
+/// Where the worst hexahedron of a polycube with charts is worse, that of a grid is tried, too.
+constexpr double LeastAccepted = 0.2;
 
 /// Hexahedra of a polycube before they are optimised.
 struct Cubes
@@ -227,15 +229,14 @@ PolycubeHexesResult PolycubeHexes(
   if (cubes)
   {
     result = BestOf(*cubes, locator, progress.Part(0.4, 0.7));
-    why = std::to_string(result->Inverted) + " hexahedra stay inverted";
   }
-  if (!result || result->Inverted > 0)
+  if (!result || result->LeastScaledJacobian < LeastAccepted)
   {
     try
     {
       const Cubes voxels = CubesOfVoxels(surface, options, progress.Part(0.7, 0.8));
       PolycubeHexesResult other = BestOf(voxels, locator, progress.Part(0.8, 1.0));
-      if (!result || other.Inverted < result->Inverted)
+      if (!result || other.LeastScaledJacobian > result->LeastScaledJacobian)
       {
         result = std::move(other);
       }

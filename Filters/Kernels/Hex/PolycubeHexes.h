@@ -27,7 +27,7 @@ struct PolycubeHexesResult
   {
     Harmonic = 0,   ///< the harmonic map of the polycube's boundary map
     Tetrahedra = 1, ///< the inverse of the tetrahedra's deformation
-    Voxels = 2      ///< no polycube was found but that of a grid, see FindVoxelPolycube
+    Voxels = 2      ///< of a grid, see FindVoxelPolycube: better, or no other was found
   };
   MapType Map = MapType::Tetrahedra; ///< what carried the grid
   int Charts = 0;                    ///< flat parts of the polycube
