@@ -12,7 +12,7 @@ packages=(
   libopenmpi-dev libdouble-conversion-dev libglew-dev
   # libraries
   libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
-  libsuitesparse-dev libtet1.5-dev
+  libsuitesparse-dev libtet1.5-dev libboost-dev
   # tests: frameworks, style, a display, real models, readers of what is written
   libgtest-dev clang-format-14 clang-tidy-14 xvfb xauth xdotool imagemagick libcgal-demo
   gmsh calculix-ccx

@@ -114,15 +114,6 @@ PatchProblem::Descent PatchProblem::NewtonDirection(const Eigen::Matrix3Xd& x, d
   return this->Solve(bases, gradient);
 }
 
-Eigen::Matrix3Xd PatchProblem::Smoothest(const Eigen::Matrix3Xd& x)
-{
-  // One step of the same method with an epsilon beside which every determinant is nothing.
-  const Descent descent = this->NewtonDirection(x, 1e100);
-  Eigen::Matrix3Xd smooth = x;
-  this->Move(smooth, descent.Direction, 1.0);
-  return smooth;
-}
-
 void PatchProblem::Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const
 {
   x.leftCols(this->FreeCount) += step * direction;

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "Core/SparseSolve.h"
-#include "Volume/SimplexPatch.h"
+#include "Volume/EnergyProblem.h"
 
 #include <Eigen/SparseCore>
 
 #include <array>
-#include <limits>
 #include <vector>
 
 namespace shape
@@ -16,35 +15,16 @@ namespace shape
  * The regularised elliptic energy of a patch, and its Newton directions, on points of its own:
  * columns, those of patch.FreePoints first. The patch and the constraint must outlive it.
  */
-class PatchProblem
+class PatchProblem : public EnergyProblem
 {
 public:
   PatchProblem(
     const Eigen::MatrixXd& points, const SimplexPatch& patch, const PointConstraint* constraint);
 
-  int CountNegative(const Eigen::Matrix3Xd& x) const;
-
-  struct State
-  {
-    double Energy = 0.0;
-    double LeastDeterminant = std::numeric_limits<double>::max();
-  };
-
-  State Evaluate(const Eigen::Matrix3Xd& x, double epsilon) const;
-
-  /// The Newton direction (3 x free points) and by how much it lowers the energy at first.
-  struct Descent
-  {
-    Eigen::Matrix3Xd Direction;
-    double Slope = 0.0;
-  };
-
-  Descent NewtonDirection(const Eigen::Matrix3Xd& x, double epsilon);
-
-  /// The minimiser of the sum of |J|^2, from which garbage is untangled.
-  Eigen::Matrix3Xd Smoothest(const Eigen::Matrix3Xd& x);
-
-  void Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const;
+  int CountNegative(const Eigen::Matrix3Xd& x) const override;
+  State Evaluate(const Eigen::Matrix3Xd& x, double epsilon) const override;
+  Descent NewtonDirection(const Eigen::Matrix3Xd& x, double epsilon) override;
+  void Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const override;
 
   Eigen::Matrix3Xd Start; ///< 3 x local points
 

@@ -14,21 +14,29 @@ constexpr double LeastEpsilon = 1e-10;
 /// By which chi of the least determinant falls from step to step.
 constexpr double LeastShare = 0.1, GreatestShare = 0.5;
 
+/// The minimiser of the sum of |J|^2, from which garbage is untangled.
+Eigen::Matrix3Xd Smoothest(const Eigen::Matrix3Xd& x, EnergyProblem& problem)
+{
+  // One step of the same method with an epsilon beside which every determinant is nothing.
+  const EnergyProblem::Descent descent = problem.NewtonDirection(x, 1e100);
+  Eigen::Matrix3Xd smooth = x;
+  problem.Move(smooth, descent.Direction, 1.0);
+  return smooth;
+}
+
 } // namespace
 
-PatchResult LowerEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
-  const PointConstraint* constraint, const PatchOptions& options, const Progress& progress)
+PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options,
+  const Progress& progress)
 {
-  PatchProblem problem(points, patch, constraint);
-  Eigen::Matrix3Xd x = problem.Start;
   PatchResult result;
   result.Negative = problem.CountNegative(x);
-  double epsilon = result.Negative > 0 ? 1.0 : LeastEpsilon;
-  PatchProblem::State state = problem.Evaluate(x, epsilon);
-  if (result.Negative > 0)
+  double epsilon = result.Negative > 0 ? options.FirstEpsilon : LeastEpsilon;
+  EnergyProblem::State state = problem.Evaluate(x, epsilon);
+  if (result.Negative > 0 && options.FromSmoothest)
   {
-    Eigen::Matrix3Xd smooth = problem.Smoothest(x);
-    const PatchProblem::State other = problem.Evaluate(smooth, epsilon);
+    Eigen::Matrix3Xd smooth = Smoothest(x, problem);
+    const EnergyProblem::State other = problem.Evaluate(smooth, epsilon);
     if (other.Energy < state.Energy)
     {
       x = std::move(smooth);
@@ -49,7 +57,7 @@ PatchResult LowerEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
     }
     further += result.Negative == 0;
     const auto descent = problem.NewtonDirection(x, epsilon);
-    PatchProblem::State next;
+    EnergyProblem::State next;
     double step = 1.0;
     for (; step > 1e-9; step *= 0.5)
     {
@@ -97,6 +105,15 @@ PatchResult LowerEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
     }
   }
   result.EnergyAfter = state.Energy;
+  return result;
+}
+
+PatchResult LowerEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
+  const PointConstraint* constraint, const PatchOptions& options, const Progress& progress)
+{
+  PatchProblem problem(points, patch, constraint);
+  Eigen::Matrix3Xd x = problem.Start;
+  const PatchResult result = LowerEnergy(x, problem, options, progress);
   for (std::size_t i = 0; i < patch.FreePoints.size(); ++i)
   {
     points.row(patch.FreePoints[i]) = x.col(static_cast<Eigen::Index>(i)).transpose();

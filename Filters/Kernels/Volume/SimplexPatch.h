@@ -34,9 +34,13 @@ struct SimplexPatch
 
 struct PatchOptions
 {
-  int MaximumSteps = 100;  ///< of Newton's method
-  int FurtherSteps = 3;    ///< once every simplex is positive
-  double LeastGain = 1e-3; ///< the share of the energy below which further steps end
+  int MaximumSteps = 100;    ///< of Newton's method
+  int FurtherSteps = 3;      ///< once every simplex is positive
+  double LeastGain = 1e-3;   ///< the share of the energy below which further steps end
+  double FirstEpsilon = 1.0; ///< where some are not positive
+  /// Whether to start from the minimiser of the sum of |J|^2 where that is better: not where it
+  /// would collapse, for want of fixed points.
+  bool FromSmoothest = true;
 };
 
 struct PatchResult

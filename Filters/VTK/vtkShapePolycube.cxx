@@ -1,0 +1,85 @@
+#include "vtkShapePolycube.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkShapePolycube);
+
+vtkShapePolycube::vtkShapePolycube()
+{
+  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareOutputLikeInput();
+  this->DeclareMovedOutput();
+}
+
+namespace
+{
+
+/// The labels of cells whose points are at these places.
+vtkSmartPointer<vtkIntArray> Labels(vtkDataSet* data, const Eigen::MatrixXd& places)
+{
+  Eigen::VectorXi labels(data->GetNumberOfCells());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < labels.size(); ++cell)
+  {
+    data->GetCellPoints(cell, ids);
+    Eigen::MatrixXd corners(ids->GetNumberOfIds(), 3);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      corners.row(k) = places.row(ids->GetId(k));
+    }
+    labels(cell) = shape::PolygonLabel(corners);
+  }
+  return vtkShapeConvert::ToIntegers(labels, "Label");
+}
+
+} // namespace
+
+void vtkShapePolycube::Execute(const shape::Progress& progress)
+{
+  const WholeInput& whole = this->GetWhole(0);
+  const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  const shape::PolycubeResult map = shape::Polycube(mesh, this->Options, progress);
+
+  // This process's points come block by block.
+  const Eigen::MatrixXd positions = vtkShapeConvert::Rows(map.Positions, whole.OwnPoints);
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  vtkDataObject* surface = this->GetOutputDataObject(0);
+  vtkDataObject* polycube = this->GetOutputDataObject(1);
+  vtkIdType first = 0;
+  vtkShapeConvert::ForEachLeaf(input, surface, vtkShapeConvert::Points::Kept,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const Eigen::MatrixXd own = positions.middleRows(first, from->GetNumberOfPoints());
+      to->ShallowCopy(from);
+      to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, "TargetPosition"));
+      to->GetCellData()->AddArray(Labels(from, own));
+      first += from->GetNumberOfPoints();
+    });
+  first = 0;
+  vtkShapeConvert::ForEachLeaf(input, polycube, vtkShapeConvert::Points::Moved,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const Eigen::MatrixXd own = positions.middleRows(first, from->GetNumberOfPoints());
+      vtkShapeConvert::Move(from, own, to);
+      to->GetPointData()->AddArray(
+        vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
+      to->GetCellData()->AddArray(Labels(from, own));
+      first += from->GetNumberOfPoints();
+    });
+
+  for (vtkDataObject* output : { surface, polycube })
+  {
+    vtkShapeConvert::AddFact(output, "Polycube.Charts", map.Charts);
+    vtkShapeConvert::AddFact(output, "Polycube.Corners", map.Corners);
+    vtkShapeConvert::AddFact(output, "Polycube.EdgeLength", map.EdgeLength);
+    vtkShapeConvert::AddFact(output, "Polycube.Distortion", map.Distortion);
+  }
+}
