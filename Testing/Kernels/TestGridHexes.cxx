@@ -2,6 +2,7 @@
 #include "Core/Topology.h"
 #include "Geometry/ClosestPoint.h"
 #include "Hex/GridHexes.h"
+#include "Hex/Padding.h"
 #include "Hex/VoxelSolid.h"
 #include "Quality/ScaledJacobian.h"
 #include "TestShapes.h"
@@ -121,7 +122,7 @@ TEST(VoxelSolid, WhatIsNotPinchedIsAManifold)
   EXPECT_GT(mended, 10);
 }
 
-TEST(VoxelSolid, PaddingKeepsTheTopologyAndAddsAHexahedronForEachQuad)
+TEST(Padding, KeepsTheTopologyAndAddsAHexahedronForEachQuad)
 {
   shape::SampledGrid grid = Outside(7);
   for (int z = 2; z < 5; ++z)
@@ -134,25 +135,43 @@ TEST(VoxelSolid, PaddingKeepsTheTopologyAndAddsAHexahedronForEachQuad)
   shape::HexMesh mesh = shape::VoxelHexahedra(grid, shape::FindVoxelSolid(grid).Inside);
   const Eigen::MatrixXi quads = shape::BoundaryQuads(mesh);
   const Eigen::Index points = mesh.Points.rows(), hexahedra = mesh.Hexahedra.rows();
-  const std::vector<int> copies = shape::AddPadding(mesh);
+  const std::vector<int> copyOf = shape::PadQuads(mesh, quads);
   EXPECT_EQ(mesh.Hexahedra.rows(), hexahedra + quads.rows());
-  EXPECT_EQ(mesh.Points.rows(), points + static_cast<Eigen::Index>(copies.size()));
+  const auto copies =
+    std::count_if(copyOf.begin(), copyOf.end(), [](int copy) { return copy >= 0; });
+  EXPECT_EQ(mesh.Points.rows(), points + copies);
+  // The boundary is the one there was.
   const Eigen::MatrixXi outer = shape::BoundaryQuads(mesh);
   EXPECT_EQ(outer.rows(), quads.rows());
   EXPECT_EQ(std::set<int>(outer.data(), outer.data() + outer.size()),
-    std::set<int>(copies.begin(), copies.end()));
+    std::set<int>(quads.data(), quads.data() + quads.size()));
   EXPECT_EQ(shape::RequireClosedSurface(Boundary(mesh), "the boundary").EulerNumber, 0);
-  // Blown up, the layer faces outwards.
-  const Eigen::RowVector3d middle(3.0, 3.0, 3.0);
+}
+
+TEST(Padding, FacesOutwardsAndEndsAtItsBorder)
+{
+  const Eigen::RowVector3d middle(0.5, 0.5, 0.5);
   shape::HexMesh cube{ Eigen::MatrixXd(8, 3), Eigen::MatrixXi(1, 8) };
   cube.Points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
   cube.Hexahedra << 0, 1, 2, 3, 4, 5, 6, 7;
-  for (const int copy : shape::AddPadding(cube))
+  shape::HexMesh whole = cube;
+  for (const int copy : shape::PadQuads(whole, shape::BoundaryQuads(cube)))
   {
-    cube.Points.row(copy) = 3.0 * cube.Points.row(copy).array() - 1.0;
+    whole.Points.row(copy) = middle + (whole.Points.row(copy) - middle) / 3.0;
   }
-  EXPECT_EQ(cube.Hexahedra.rows(), 7);
-  EXPECT_GT(shape::ScaledJacobians(cube).minCoeff(), 0.5);
+  EXPECT_EQ(whole.Hexahedra.rows(), 7);
+  EXPECT_GT(shape::ScaledJacobians(whole).minCoeff(), 0.5);
+  // On one side only: a second box on the first, of which it takes the upper half.
+  shape::HexMesh side = cube;
+  const std::vector<int> copyOf = shape::PadQuads(side, Eigen::RowVector4i(4, 5, 6, 7));
+  for (const int point : { 4, 5, 6, 7 })
+  {
+    side.Points(copyOf[point], 2) = 0.5;
+  }
+  EXPECT_EQ(side.Hexahedra.rows(), 2);
+  EXPECT_EQ(shape::ScaledJacobians(side), Eigen::VectorXd::Ones(2));
+  EXPECT_EQ(shape::BoundaryQuads(side).rows(), 10);
+  EXPECT_NEAR(shape::EnclosedVolume(Boundary(side)), 1.0, 1e-15);
 }
 
 TEST(GridHexes, FillASphereAndATorusWithGoodHexahedraOnTheirSurface)
@@ -216,6 +235,20 @@ TEST(GridHexes, CellsBecomeSmallerUntilTheTopologyIsTheSurfaces)
   EXPECT_EQ(shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary").EulerNumber, 0);
   options.MaximumHexahedra = 2000;
   EXPECT_THROW(shape::GridHexes(torus, options), shape::SolveFailure);
+}
+
+TEST(GridHexes, MoreLayersAreMoreHexahedra)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  shape::GridHexesOptions options;
+  options.CellSize = 0.25;
+  options.Rounds = 1;
+  const shape::HexFit one = shape::GridHexes(sphere, options).Fit;
+  options.PaddingLayers = 3;
+  const shape::HexFit three = shape::GridHexes(sphere, options).Fit;
+  EXPECT_EQ(one.Quads.rows(), three.Quads.rows());
+  EXPECT_EQ(three.Solid.Hexahedra.rows(), one.Solid.Hexahedra.rows() + 2 * one.Quads.rows());
+  EXPECT_GT(three.LeastScaledJacobian, 0.3);
 }
 
 TEST(GridHexes, ACubeIsItsOwnGrid)

@@ -30,4 +30,14 @@ public:
   const char* what() const noexcept override { return "aborted"; }
 };
 
+/// Throws InvalidInput unless an option is in its range: "CellSize is -1; it must be positive".
+inline void RequireOption(
+  bool holds, const std::string& name, double value, const std::string& range)
+{
+  if (!holds)
+  {
+    throw InvalidInput(name + " is " + std::to_string(value) + "; it must be " + range);
+  }
+}
+
 } // namespace shape

@@ -31,6 +31,8 @@ constexpr double LeastPatch = 4.0;
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
 /// How much better smaller cells must make the result for still smaller ones to be tried.
 constexpr double LeastGain = 0.02;
+/// After so many rounds without such a gain no more are made.
+constexpr int MostIdle = 2;
 
 class GridSearch
 {
@@ -55,6 +57,8 @@ public:
   void Refine(double size, double hexahedra, int rounds, const Progress& progress)
   {
     std::vector<Magnifier> magnifiers;
+    double reached = -std::numeric_limits<double>::infinity();
+    int idle = 0; // rounds without a gain
     for (int round = 0; round < rounds; ++round)
     {
       const GridWarp warp(magnifiers);
@@ -72,12 +76,15 @@ public:
       {
         this->Magnify(*result, magnifiers);
       }
-      result->Rounds = ++this->Rounds;
-      if (!this->Best || this->Score(*result) > this->Score(*this->Best))
+      ++this->Rounds;
+      const double score = this->Score(*result);
+      idle = score < reached + LeastGain ? idle + 1 : 0;
+      reached = std::max(reached, score);
+      if (score > this->BestScore())
       {
         this->Best = std::move(*result);
       }
-      if (done)
+      if (done || idle >= MostIdle)
       {
         return;
       }
@@ -202,23 +209,15 @@ private:
 
 void RequireInRange(const GridHexesOptions& options)
 {
-  const auto require = [](bool holds, const char* name, double value, const char* range)
-  {
-    if (!holds)
-    {
-      throw InvalidInput(
-        std::string(name) + " is " + std::to_string(value) + "; it must be " + range);
-    }
-  };
-  require(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize", options.CellSize,
-    "positive, or 0 for an automatic one");
-  require(
+  RequireOption(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize",
+    options.CellSize, "positive, or 0 for an automatic one");
+  RequireOption(
     options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
-  require(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
-  require(options.Rounds >= 1, "Rounds", options.Rounds, "at least 1");
-  require(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
+  RequireOption(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
+  RequireOption(options.Rounds >= 1, "Rounds", options.Rounds, "at least 1");
+  RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
     options.FeatureAngle, "in (0, 180]");
-  require(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
+  RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
 }
 
 } // namespace

@@ -351,33 +351,4 @@ HexMesh VoxelHexahedra(const SampledGrid& grid, const std::vector<char>& inside)
   return mesh;
 }
 
-std::vector<int> AddPadding(HexMesh& mesh)
-{
-  const Eigen::MatrixXi quads = BoundaryQuads(mesh);
-  std::vector<int> onBoundary(quads.data(), quads.data() + quads.size());
-  std::sort(onBoundary.begin(), onBoundary.end());
-  onBoundary.erase(std::unique(onBoundary.begin(), onBoundary.end()), onBoundary.end());
-  const auto before = static_cast<int>(mesh.Points.rows());
-  const auto added = static_cast<int>(onBoundary.size());
-  std::vector<int> copies(onBoundary.size());
-  mesh.Points.conservativeResize(before + added, 3);
-  for (int i = 0; i < added; ++i)
-  {
-    copies[i] = before + i;
-    mesh.Points.row(before + i) = mesh.Points.row(onBoundary[i]);
-  }
-  const Eigen::Index cells = mesh.Hexahedra.rows();
-  mesh.Hexahedra.conservativeResize(cells + quads.rows(), 8);
-  for (Eigen::Index q = 0; q < quads.rows(); ++q)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const auto place = std::lower_bound(onBoundary.begin(), onBoundary.end(), quads(q, k));
-      mesh.Hexahedra(cells + q, k) = quads(q, k);
-      mesh.Hexahedra(cells + q, k + 4) = copies[place - onBoundary.begin()];
-    }
-  }
-  return copies;
-}
-
 } // namespace shape

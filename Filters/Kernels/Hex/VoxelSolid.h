@@ -43,13 +43,4 @@ void KeepLargestParts(const SampledGrid& grid, int count, std::vector<char>& ins
 /// Its cells, cubes of the grid's spacing around the samples.
 HexMesh VoxelHexahedra(const SampledGrid& grid, const std::vector<char>& inside);
 
-/**
- * A layer of hexahedra on the boundary: a copy of each of its points, in the same place, and a
- * hexahedron for each of its quads. Returns the copies, which are the boundary's points now, in the
- * order of the points that they were made of.
- *
- * mesh: its boundary is a manifold.
- */
-std::vector<int> AddPadding(HexMesh& mesh);
-
 } // namespace shape

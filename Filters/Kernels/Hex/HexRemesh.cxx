@@ -1,0 +1,168 @@
+#include "Hex/HexRemesh.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Geometry/SolidBoundary.h"
+#include "Hex/GridHexes.h"
+#include "Hex/PolycubeHexes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+using MethodType = HexRemeshOptions::MethodType;
+
+/// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
+constexpr double LeastScaledJacobian = 0.3, LargestDistance = 0.01;
+
+HexRemeshResult ByGrid(
+  const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
+{
+  GridHexesOptions grid;
+  grid.CellSize = options.CellSize;
+  grid.MaximumHexahedra =
+    options.CellSize > 0.0 ? std::numeric_limits<int>::max() / 64 : options.MaximumHexahedra;
+  grid.PaddingLayers = options.PaddingLayers;
+  grid.FeatureAngle = options.FeatureAngle;
+  GridHexesResult result = GridHexes(surface, grid, progress);
+  return { std::move(result.Fit), std::move(result.Features), MethodType::Grid, "", result.CellSize,
+    result.Crossings };
+}
+
+HexRemeshResult ByPolycube(
+  const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
+{
+  PolycubeHexesOptions polycube;
+  polycube.CellSize = options.CellSize;
+  polycube.MaximumHexahedra =
+    options.CellSize > 0.0 ? std::numeric_limits<int>::max() / 64 : options.MaximumHexahedra;
+  polycube.PaddingLayers = options.PaddingLayers;
+  polycube.FeatureAngle = options.FeatureAngle;
+  PolycubeHexesResult result = PolycubeHexes(surface, polycube, progress);
+  const char* maps[] = { "the harmonic map of the polycube's boundary",
+    "the map of tetrahedra onto the polycube, whose harmonic map would turn more cells over",
+    "a grid in the solid bent towards the axes, for want of a polycube with charts" };
+  return { std::move(result.Fit), std::move(result.Features), MethodType::Polycube,
+    std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0 };
+}
+
+/// Valid ones are better than others, then those with creases, then those that are nearer.
+bool IsBetter(const HexFit& one, const HexFit& other)
+{
+  if ((one.Inverted > 0) != (other.Inverted > 0))
+  {
+    return one.Inverted == 0;
+  }
+  if (one.CreasesKept != other.CreasesKept)
+  {
+    return one.CreasesKept;
+  }
+  return one.LeastScaledJacobian / std::max(one.Distance, 1e-300) >
+    other.LeastScaledJacobian / std::max(other.Distance, 1e-300);
+}
+
+HexRemeshResult ByTheBetter(
+  const Mesh& surface, double diagonal, const HexRemeshOptions& options, const Progress& progress)
+{
+  std::optional<HexRemeshResult> polycube;
+  std::string why;
+  try
+  {
+    polycube = ByPolycube(surface, options, progress.Part(0.0, 0.5));
+    const HexFit& fit = polycube->Fit;
+    if (fit.CreasesKept && fit.LeastScaledJacobian >= LeastScaledJacobian &&
+      fit.Distance <= LargestDistance * diagonal)
+    {
+      polycube->Reason = "a polycube was found, " + polycube->Reason;
+      return std::move(*polycube);
+    }
+  }
+  catch (const SolveFailure& failure)
+  {
+    why = failure.what();
+  }
+  catch (const InvalidInput& failure) // by Tetrahedralize, which asks for more than a grid does
+  {
+    why = failure.what();
+  }
+  HexRemeshResult grid = ByGrid(surface, options, progress.Part(0.5, 1.0));
+  if (!polycube)
+  {
+    grid.Reason = "no polycube: " + why;
+  }
+  else if (IsBetter(polycube->Fit, grid.Fit))
+  {
+    polycube->Reason = "better than a grid, " + polycube->Reason;
+    return std::move(*polycube);
+  }
+  else
+  {
+    grid.Reason = "better than the polycube, whose worst scaled Jacobian is " +
+      std::to_string(polycube->Fit.LeastScaledJacobian) + " at a distance of " +
+      std::to_string(polycube->Fit.Distance / diagonal) + " of the diagonal" +
+      (polycube->Fit.CreasesKept ? "" : ", without the creases");
+  }
+  return grid;
+}
+
+void RequireInRange(const HexRemeshOptions& options)
+{
+  RequireOption(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize",
+    options.CellSize, "positive, or 0 for an automatic one");
+  RequireOption(
+    options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
+  RequireOption(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
+  RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
+    options.FeatureAngle, "in (0, 180]");
+}
+
+} // namespace
+
+HexRemeshResult HexRemesh(
+  const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
+{
+  RequireInRange(options);
+  RequireClosedSurface(surface, "the surface");
+  const double diagonal =
+    (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
+  HexRemeshResult result;
+  switch (options.Method)
+  {
+    case MethodType::Grid:
+      result = ByGrid(surface, options, progress);
+      result.Reason = "asked for";
+      break;
+    case MethodType::Polycube:
+      result = ByPolycube(surface, options, progress);
+      result.Reason = "asked for, " + result.Reason;
+      break;
+    case MethodType::Automatic:
+      if (const int crossings = SolidBoundary(surface, progress.Part(0.0, 0.02)).Crossings;
+          crossings > 0)
+      {
+        result = ByGrid(surface, options, progress.Part(0.02, 1.0));
+        result.Reason = "the surface crosses itself at " + std::to_string(crossings) +
+          " pairs of triangles; the solid is what it winds around";
+      }
+      else
+      {
+        result = ByTheBetter(surface, diagonal, options, progress.Part(0.02, 1.0));
+      }
+  }
+  if (result.Fit.Inverted > 0)
+  {
+    throw SolveFailure(std::to_string(result.Fit.Inverted) +
+      " hexahedra stay inverted; try another CellSize" +
+      (options.Method == MethodType::Polycube ? ", or Method Grid" : ""));
+  }
+  return result;
+}
+
+} // namespace shape

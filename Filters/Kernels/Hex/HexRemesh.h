@@ -1,0 +1,55 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+#include "Hex/HexFit.h"
+#include "Hex/SurfaceFeatures.h"
+
+#include <string>
+
+namespace shape
+{
+
+struct HexRemeshOptions
+{
+  enum class MethodType
+  {
+    Automatic = 0, ///< the better one of the two
+    Polycube = 1,  ///< the cells of a polycube of the solid: PolycubeHexes
+    Grid = 2       ///< the cells of a grid in the solid: GridHexes
+  };
+  MethodType Method = MethodType::Automatic;
+  /// Of the cells, in the surface's units; smaller ones are used where these cannot have the
+  /// solid's topology, and where the surface asks for them. 0: one that gives about 20,000
+  /// hexahedra.
+  double CellSize = 0.0;
+  int MaximumHexahedra = 200000; ///< with an automatic CellSize
+  int PaddingLayers = 1;         ///< of hexahedra along the surface; >= 1
+  double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
+};
+
+struct HexRemeshResult
+{
+  HexFit Fit;
+  SurfaceFeatures Features; ///< the creases that were looked for
+  HexRemeshOptions::MethodType Method = HexRemeshOptions::MethodType::Grid; ///< that made it
+  std::string Reason;    ///< why this method, and by what the cells were carried
+  double CellSize = 0.0; ///< the one that was used
+  int Crossings = 0;     ///< pairs of the surface's triangles that cross
+};
+
+/**
+ * Hexahedra in the solid inside a closed surface, none inverted, with the surface's topology, its
+ * creases and its corners. Automatic takes the hexahedra of a polycube where there are such, their
+ * worst scaled Jacobian is at least 0.3 and the surface is not farther from them than 1 % of the
+ * diagonal of its box; else the better one of polycube and grid.
+ *
+ * surface: closed, oriented consistently; one that crosses itself bounds what it winds around at
+ * least once, and needs the Grid. Throws InvalidInput as RequireClosedSurface, and where an option
+ * is out of its range; SolveFailure where a method finds no hexahedra, or leaves some inverted;
+ * Aborted.
+ */
+HexRemeshResult HexRemesh(
+  const Mesh& surface, const HexRemeshOptions& options = {}, const Progress& progress = {});
+
+} // namespace shape
