@@ -86,4 +86,14 @@ TEST(SurfaceFeatures, SmallPatchesJoinTheirNeighbours)
   EXPECT_EQ(none.Patches, 1);
   EXPECT_TRUE(none.Curves.empty());
   EXPECT_EQ(shape::WithoutCurves(united).Patches, 1);
+  const std::vector<shape::Mesh> patches =
+    shape::PatchMeshes(plate, shape::FindFeatures(plate, 40.0, 0.0));
+  ASSERT_EQ(patches.size(), 6U);
+  double area = 0.0;
+  for (const shape::Mesh& patch : patches)
+  {
+    EXPECT_EQ(patch.Points.rows(), 4);
+    area += 0.5 * shape::AreaVectors(patch).rowwise().norm().sum();
+  }
+  EXPECT_DOUBLE_EQ(area, 2.0 * 16.0 + 4.0 * 4.0);
 }

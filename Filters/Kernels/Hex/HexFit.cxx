@@ -1,5 +1,6 @@
 #include "Hex/HexFit.h"
 
+#include "Hex/BoundaryLayers.h"
 #include "Hex/HexOptimization.h"
 #include "Hex/OnFeatures.h"
 #include "Hex/PatchedBoundary.h"

@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace shape
@@ -13,48 +12,8 @@ namespace shape
 namespace
 {
 
-/// What a point's place is worth: the hexahedra around it, and how far its target is.
-class PointEnergy
-{
-public:
-  PointEnergy(const StarEnergy& star, double sharpness)
-    : Star(star)
-    , Sharpness(sharpness)
-  {
-  }
-
-  /// Draws to `target` as long as the least scaled Jacobian around is better than `acceptable`.
-  void Attract(const Eigen::Vector3d& from, const Eigen::Vector3d& target, double acceptable)
-  {
-    const double reach = this->Star.Reach(from);
-    this->Target = target;
-    this->Pull = 4.0 * std::exp(this->Sharpness * (1.0 - acceptable)) / (reach * reach);
-  }
-
-  double Value(const Eigen::Vector3d& x) const
-  {
-    return this->Star.Value(x, this->Sharpness) + this->Pull * (x - this->Target).squaredNorm();
-  }
-
-  StarEnergy::Expansion Expand(const Eigen::Vector3d& x) const
-  {
-    StarEnergy::Expansion here = this->Star.Expand(x, this->Sharpness);
-    here.Value += this->Pull * (x - this->Target).squaredNorm();
-    here.Gradient += 2.0 * this->Pull * (x - this->Target);
-    here.Curvature.diagonal().array() += 2.0 * this->Pull;
-    return here;
-  }
-
-  double Reach(const Eigen::Vector3d& x) const { return this->Star.Reach(x); }
-
-private:
-  const StarEnergy& Star;
-  double Sharpness, Pull = 0.0;
-  Eigen::Vector3d Target = Eigen::Vector3d::Zero();
-};
-
 /// Moves a point along some directions where that lowers the energy, and tells whether it did.
-bool Step(Eigen::Ref<Eigen::Vector3d> point, const PointEnergy& energy,
+bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double sharpness,
   const StarEnergy::Expansion& here, const PointDirections& directions,
   const PointConstraint& constraint, int id)
 {
@@ -69,7 +28,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const PointEnergy& energy,
     return false;
   }
   // The expansion says nothing about places beyond the neighbours.
-  const double longest = 0.5 * energy.Reach(x), length = step.norm();
+  const double longest = 0.5 * star.Reach(x), length = step.norm();
   step *= length > longest ? longest / length : 1.0;
   for (double share = 1.0; share > 0.02; share *= 0.4)
   {
@@ -78,7 +37,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const PointEnergy& energy,
     {
       place = constraint.Nearest(id, place.transpose()).transpose();
     }
-    if (energy.Value(place) < here.Value)
+    if (star.Value(place, sharpness) < here.Value)
     {
       point = place;
       return true;
@@ -107,12 +66,7 @@ HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
 
 void HexSweeps::Lower(double sharpness, const std::vector<char>& marked)
 {
-  this->ForAll(marked, [&](int point) { this->Move(point, sharpness, nullptr); });
-}
-
-void HexSweeps::Lower(double sharpness, const PointTargets& targets)
-{
-  this->ForAll({}, [&](int point) { this->Move(point, sharpness, &targets); });
+  this->ForAll(marked, [&](int point) { this->Move(point, sharpness); });
 }
 
 void HexSweeps::Smooth(const std::vector<char>& marked)
@@ -204,22 +158,18 @@ void HexSweeps::MoveTowardsMean(int point)
 
 /// A Newton step along the directions that the constraint allows; where these lead nowhere, as at a
 /// ridge of the surface, one in any direction and back to where the point may be.
-void HexSweeps::Move(int point, double sharpness, const PointTargets* targets)
+void HexSweeps::Move(int point, double sharpness)
 {
   const Eigen::Vector3d x = this->Points.col(point);
   const StarEnergy star(this->Points, this->Hexahedra, this->Around[point]);
-  PointEnergy energy(star, sharpness);
-  if (targets != nullptr && targets->Wanted[point])
-  {
-    energy.Attract(x, targets->Places.col(point), targets->Acceptable);
-  }
-  const StarEnergy::Expansion here = energy.Expand(x);
+  const StarEnergy::Expansion here = star.Expand(x, sharpness);
   const bool free = this->Constraint.Freedom(point) == 3;
   const PointDirections all = Eigen::Matrix3d::Identity();
   const PointDirections allowed = free ? all : this->Constraint.Directions(point, x.transpose());
-  if (!Step(this->Points.col(point), energy, here, allowed, this->Constraint, point) && !free)
+  if (!Step(this->Points.col(point), star, sharpness, here, allowed, this->Constraint, point) &&
+    !free)
   {
-    Step(this->Points.col(point), energy, here, all, this->Constraint, point);
+    Step(this->Points.col(point), star, sharpness, here, all, this->Constraint, point);
   }
 }
 

@@ -12,15 +12,6 @@
 namespace shape
 {
 
-/// Places that points should come near to.
-struct PointTargets
-{
-  Eigen::Matrix3Xd Places;  ///< 3 x n
-  std::vector<char> Wanted; ///< n: whether the point has one
-  /// The scaled Jacobian down to which a target counts more than a better hexahedron.
-  double Acceptable = 0.6;
-};
-
 /**
  * Moves the points of hexahedra one by one, each by what the hexahedra around it want. Points are
  * moved in sets without a common hexahedron, so any number of threads gives the same bits.
@@ -33,9 +24,6 @@ public:
 
   /// Lowers the energy around all points, or those that are marked (StarEnergy).
   void Lower(double sharpness, const std::vector<char>& marked = {});
-
-  /// The same with a second term, which draws some points to their targets.
-  void Lower(double sharpness, const PointTargets& targets);
 
   /// Moves all points, or those that are marked, half way to the middle of those neighbours that
   /// are as little free as they are: a point of a surface stays amidst those of the surface.
@@ -51,7 +39,7 @@ private:
   template <typename Body>
   void ForAll(const std::vector<char>& marked, const Body& body);
   void MoveTowardsMean(int point);
-  void Move(int point, double sharpness, const PointTargets* targets);
+  void Move(int point, double sharpness);
 
   const Eigen::MatrixXi& Hexahedra;
   Eigen::Matrix3Xd Points;

@@ -27,14 +27,8 @@ OnFeatures::OnFeatures(const Mesh& surface, const SurfaceFeatures& features,
   : PlaceOf(points, Free)
   , FreedomOf(points, 3)
 {
-  std::vector<std::vector<int>> triangles(features.Patches);
-  for (int t = 0; t < static_cast<int>(features.PatchOf.size()); ++t)
+  for (const Mesh& patch : PatchMeshes(surface, features))
   {
-    triangles[features.PatchOf(t)].push_back(t);
-  }
-  for (const std::vector<int>& own : triangles)
-  {
-    const Mesh patch{ surface.Points, surface.Triangles(own, Eigen::all) };
     this->Places.emplace_back(patch);
     this->Normals.emplace_back(AreaVectors(patch).rowwise().normalized());
   }

@@ -95,18 +95,9 @@ Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi
   KeepLargestPieces(neighbours, features.Patches, patchOf);
   // Distances to single patches, for the quads that are reached from them.
   std::vector<SurfaceLocator> locators;
-  for (int patch = 0; patch < features.Patches; ++patch)
+  for (const Mesh& patch : PatchMeshes(surface.Surface(), features))
   {
-    std::vector<int> own;
-    for (int t = 0; t < static_cast<int>(features.PatchOf.size()); ++t)
-    {
-      if (features.PatchOf(t) == patch)
-      {
-        own.push_back(t);
-      }
-    }
-    const Mesh& whole = surface.Surface();
-    locators.emplace_back(Mesh{ whole.Points, whole.Triangles(own, Eigen::all) });
+    locators.emplace_back(patch);
   }
   using Candidate = std::tuple<double, int, int>; // distance, quad, patch
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;

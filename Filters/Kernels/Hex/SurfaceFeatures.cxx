@@ -244,4 +244,29 @@ SurfaceFeatures WithoutCurves(const SurfaceFeatures& features)
   return none;
 }
 
+std::vector<Mesh> PatchMeshes(const Mesh& mesh, const SurfaceFeatures& features)
+{
+  std::vector<std::vector<int>> own(features.Patches);
+  for (int t = 0; t < static_cast<int>(features.PatchOf.size()); ++t)
+  {
+    own[features.PatchOf(t)].push_back(t);
+  }
+  std::vector<Mesh> patches;
+  for (const std::vector<int>& triangles : own)
+  {
+    Mesh patch;
+    patch.Triangles = mesh.Triangles(triangles, Eigen::all);
+    std::vector<int> used(patch.Triangles.data(), patch.Triangles.data() + patch.Triangles.size());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    patch.Points = mesh.Points(used, Eigen::all);
+    for (int& point : patch.Triangles.reshaped())
+    {
+      point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
+    }
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
 } // namespace shape

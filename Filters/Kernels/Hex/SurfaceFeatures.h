@@ -42,4 +42,7 @@ SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea);
 /// The same surface with no curve and no corner, and one patch.
 SurfaceFeatures WithoutCurves(const SurfaceFeatures& features);
 
+/// The patches of the surface, each with the points that it uses.
+std::vector<Mesh> PatchMeshes(const Mesh& mesh, const SurfaceFeatures& features);
+
 } // namespace shape

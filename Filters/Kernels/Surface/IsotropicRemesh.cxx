@@ -62,14 +62,11 @@ public:
   void Split()
   {
     // Halves may be too long, too.
-    for (bool again = true; again;)
+    for (auto edges = this->Edges(Long, true); !edges.empty(); edges = this->Edges(Long, true))
     {
-      again = false;
-      std::vector<std::pair<int, int>> edges = this->Edges(Long, true);
       for (const auto& [a, b] : edges)
       {
         this->SplitEdge(a, b);
-        again = true;
       }
     }
   }
@@ -96,7 +93,6 @@ public:
 
   void Slide()
   {
-    const std::vector<Eigen::Vector3d> before = this->Points;
     std::vector<int> moved;
     for (int v = 0; v < static_cast<int>(this->Points.size()); ++v)
     {
@@ -109,10 +105,6 @@ public:
     for (std::size_t i = 0; i < moved.size(); ++i)
     {
       places.row(i) = this->Slid(moved[i]).transpose();
-    }
-    if (moved.empty())
-    {
-      return;
     }
     places = this->Original.Find(places).Positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
