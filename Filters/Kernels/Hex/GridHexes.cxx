@@ -25,9 +25,9 @@ namespace
 constexpr double Shrinkage = 0.85;
 /// Of the first grid with an automatic size, and by which there are more in the next ones.
 constexpr double AutomaticHexahedra = 16500.0, Growth = 1.7;
-/// What is good enough not to go on to smaller cells everywhere.
 /// The area of the smallest patch with borders of its own, in faces of cells.
 constexpr double LeastPatch = 4.0;
+/// What is good enough not to go on to smaller cells everywhere.
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
 /// How much better smaller cells must make the result for still smaller ones to be tried.
 constexpr double LeastGain = 0.02;
@@ -62,8 +62,8 @@ public:
     for (int round = 0; round < rounds; ++round)
     {
       const GridWarp warp(magnifiers);
-      const Progress part = progress.Part(
-        static_cast<double>(round) / this->Options.Rounds, (round + 1.0) / this->Options.Rounds);
+      const Progress part =
+        progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
       std::optional<GridHexesResult> result =
         this->Fill(size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp), warp, part);
       if (!result)
