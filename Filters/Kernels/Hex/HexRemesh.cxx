@@ -22,13 +22,18 @@ using MethodType = HexRemeshOptions::MethodType;
 /// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
 constexpr double LeastScaledJacobian = 0.3, LargestDistance = 0.01;
 
+/// Who gives a CellSize gets as many as it makes, as far as their corners can be numbered.
+int MostHexahedra(const HexRemeshOptions& options)
+{
+  return options.CellSize > 0.0 ? std::numeric_limits<int>::max() / 64 : options.MaximumHexahedra;
+}
+
 HexRemeshResult ByGrid(
   const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
 {
   GridHexesOptions grid;
   grid.CellSize = options.CellSize;
-  grid.MaximumHexahedra =
-    options.CellSize > 0.0 ? std::numeric_limits<int>::max() / 64 : options.MaximumHexahedra;
+  grid.MaximumHexahedra = MostHexahedra(options);
   grid.PaddingLayers = options.PaddingLayers;
   grid.FeatureAngle = options.FeatureAngle;
   GridHexesResult result = GridHexes(surface, grid, progress);
@@ -41,8 +46,7 @@ HexRemeshResult ByPolycube(
 {
   PolycubeHexesOptions polycube;
   polycube.CellSize = options.CellSize;
-  polycube.MaximumHexahedra =
-    options.CellSize > 0.0 ? std::numeric_limits<int>::max() / 64 : options.MaximumHexahedra;
+  polycube.MaximumHexahedra = MostHexahedra(options);
   polycube.PaddingLayers = options.PaddingLayers;
   polycube.FeatureAngle = options.FeatureAngle;
   PolycubeHexesResult result = PolycubeHexes(surface, polycube, progress);

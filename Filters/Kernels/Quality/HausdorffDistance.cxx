@@ -22,11 +22,10 @@ PlacesAndDistances DistancesBetween(
 HausdorffDistances HausdorffDistance(
   const Mesh& first, const Mesh& second, const Progress& progress)
 {
-  constexpr int random = 50000;
   return {
-    DistancesBetween(first, SurfaceLocator(second), random, progress.Part(0.0, 0.5))
+    DistancesBetween(first, SurfaceLocator(second), ComparedPlaces, progress.Part(0.0, 0.5))
       .Distances.maxCoeff(),
-    DistancesBetween(second, SurfaceLocator(first), random, progress.Part(0.5, 1.0))
+    DistancesBetween(second, SurfaceLocator(first), ComparedPlaces, progress.Part(0.5, 1.0))
       .Distances.maxCoeff(),
   };
 }

@@ -16,10 +16,13 @@ struct PlacesAndDistances
   Eigen::VectorXd Distances; ///< n
 };
 
+/// How many random places on a surface are compared with the other one.
+inline constexpr int ComparedPlaces = 50000;
+
 /// Those of the points that triangles of `from` use, and of `random` places evenly over its area.
 /// Throws InvalidInput where it has no triangle, Aborted.
-PlacesAndDistances DistancesBetween(
-  const Mesh& from, const SurfaceLocator& to, int random = 50000, const Progress& progress = {});
+PlacesAndDistances DistancesBetween(const Mesh& from, const SurfaceLocator& to,
+  int random = ComparedPlaces, const Progress& progress = {});
 
 /// How far two surfaces are apart, in their units.
 struct HausdorffDistances
