@@ -1,5 +1,7 @@
 #include "FiniteElements.h"
 
+#include "Cost.h"
+
 #include "Volume/TetGen.h"
 
 #include <Eigen/CholmodSupport>
@@ -9,7 +11,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <sys/resource.h>
 #include <vector>
 
 namespace benchmark
@@ -167,19 +168,6 @@ Eigen::MatrixXd Solve(const System& system, const FiniteElementOptions& options)
 }
 
 } // namespace
-
-double CpuSeconds()
-{
-  double seconds = 0.0;
-  for (const int who : { RUSAGE_SELF, RUSAGE_CHILDREN })
-  {
-    rusage usage{};
-    getrusage(who, &usage);
-    seconds += static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-      1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-  }
-  return seconds;
-}
 
 FiniteElementResult SolveByFiniteElements(
   const shape::Mesh& surface, const Eigen::MatrixXd& values, const FiniteElementOptions& options)

@@ -40,7 +40,5 @@ struct FiniteElementResult
 FiniteElementResult SolveByFiniteElements(
   const shape::Mesh& surface, const Eigen::MatrixXd& values, const FiniteElementOptions& options);
 
-/// CPU seconds of this process and its children so far.
-double CpuSeconds();
 
 } // namespace benchmark

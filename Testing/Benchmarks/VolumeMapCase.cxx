@@ -1,14 +1,13 @@
 // One measurement of the harmonic volume map, in a process of its own: see Usage.
 #include "BenchmarkData.h"
+#include "Cost.h"
 #include "FiniteElements.h"
 
 #include "Geometry/CellLocator.h"
 #include "Geometry/Nesting.h"
 #include "Volume/HarmonicVolumeMap.h"
 
-#include <algorithm>
 #include <cblas.h>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -19,7 +18,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <sys/resource.h>
 
 namespace
 {
@@ -61,22 +59,6 @@ std::string Word(const Settings& settings, const std::string& key, const std::st
   return found == settings.end() ? usual : found->second;
 }
 
-/// A line of /proc/self/status, in KiB.
-long Status(const std::string& key)
-{
-  std::ifstream file("/proc/self/status");
-  for (std::string word; file >> word;)
-  {
-    if (word == key + ":")
-    {
-      long value = 0;
-      file >> value;
-      return value;
-    }
-  }
-  return 0;
-}
-
 /// A column-major file of values, made by `make` where there is none.
 Eigen::MatrixXd Kept(
   const std::string& path, Eigen::Index rows, const std::function<Eigen::MatrixXd()>& make)
@@ -95,34 +77,11 @@ Eigen::MatrixXd Kept(
   return values;
 }
 
-/// What running a method took.
-struct Cost
-{
-  double Cpu = 0.0;
-  double Wall = 0.0;
-  double MiB = 0.0; ///< the peak above the start
-};
-
-Cost Measure(const std::function<void()>& method)
-{
-  std::ofstream("/proc/self/clear_refs") << 5; // forget the peak of reading and preparing
-  const long before = Status("VmRSS");
-  const double cpu = benchmark::CpuSeconds();
-  const auto start = std::chrono::steady_clock::now();
-  method();
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  rusage children{};
-  getrusage(RUSAGE_CHILDREN, &children); // TetGen's process
-  const long peak = std::max(Status("VmHWM"), children.ru_maxrss);
-  return { benchmark::CpuSeconds() - cpu, wall.count(),
-    static_cast<double>(peak - before) / 1024.0 };
-}
-
 /// Evaluates a solution at points.
 using Solution = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
 Solution RunVolumeMap(const shape::Mesh& mesh, const Eigen::MatrixXd& values,
-  const std::string& method, const Settings& settings, Cost& cost, std::string& note)
+  const std::string& method, const Settings& settings, benchmark::Cost& cost, std::string& note)
 {
   using Method = shape::HarmonicVolumeMapOptions::MethodType;
   const std::map<std::string, Method> methods = { { "Accelerated", static_cast<Method>(0) },
@@ -135,7 +94,7 @@ Solution RunVolumeMap(const shape::Mesh& mesh, const Eigen::MatrixXd& values,
   options.Tolerance = Number(settings, "Tolerance", options.Tolerance);
   options.MaximumMemory = Number(settings, "MaximumMemory", 64.0);
   shape::HarmonicVolumeMapResult result;
-  cost = Measure([&] { result = shape::HarmonicVolumeMap(mesh, values, {}, options); });
+  cost = benchmark::Measure([&] { result = shape::HarmonicVolumeMap(mesh, values, {}, options); });
   std::ostringstream text;
   text << "charges:" << result.Map.Points.rows() << ",offset:" << result.OffsetDistance
        << ",RMSEInside:" << result.Levels.back().RMSEInside;
@@ -144,7 +103,7 @@ Solution RunVolumeMap(const shape::Mesh& mesh, const Eigen::MatrixXd& values,
 }
 
 Solution RunFiniteElements(const shape::Mesh& mesh, const Eigen::MatrixXd& values,
-  const Settings& settings, Cost& cost, std::string& note)
+  const Settings& settings, benchmark::Cost& cost, std::string& note)
 {
   benchmark::FiniteElementOptions options;
   options.Refine = Number(settings, "Refine", options.Refine);
@@ -153,7 +112,7 @@ Solution RunFiniteElements(const shape::Mesh& mesh, const Eigen::MatrixXd& value
   options.Ordering = Word(settings, "Ordering", options.Ordering);
   openblas_set_num_threads(static_cast<int>(Number(settings, "Threads", 1)));
   benchmark::FiniteElementResult result;
-  cost = Measure([&] { result = SolveByFiniteElements(mesh, values, options); });
+  cost = benchmark::Measure([&] { result = SolveByFiniteElements(mesh, values, options); });
   std::ostringstream text;
   text << "nodes:" << result.Solid.Points.rows() << ",tetrahedra:" << result.Solid.Kinds.size()
        << ",mesh:" << result.SecondsOfMesh << ",factor:" << result.SecondsOfFactor;
@@ -215,7 +174,7 @@ void Run(const std::string& model, const std::string& data, const std::string& m
     : benchmark::Deformed(mesh.Points);
   const double size = shape::LongestSide(values);
 
-  Cost cost;
+  benchmark::Cost cost;
   std::string note;
   const Solution solution = method == "FEM"
     ? RunFiniteElements(mesh, values, settings, cost, note)

@@ -1,0 +1,59 @@
+#include "Cost.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <sys/resource.h>
+
+namespace benchmark
+{
+namespace
+{
+
+/// A line of /proc/self/status, in KiB.
+long Status(const std::string& key)
+{
+  std::ifstream file("/proc/self/status");
+  for (std::string word; file >> word;)
+  {
+    if (word == key + ":")
+    {
+      long value = 0;
+      file >> value;
+      return value;
+    }
+  }
+  return 0;
+}
+
+} // namespace
+
+double CpuSeconds()
+{
+  double seconds = 0.0;
+  for (const int who : { RUSAGE_SELF, RUSAGE_CHILDREN })
+  {
+    rusage usage{};
+    getrusage(who, &usage);
+    seconds += static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+      1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  }
+  return seconds;
+}
+
+Cost Measure(const std::function<void()>& method)
+{
+  std::ofstream("/proc/self/clear_refs") << 5; // forget the peak of reading and preparing
+  const long before = Status("VmRSS");
+  const double cpu = CpuSeconds();
+  const auto start = std::chrono::steady_clock::now();
+  method();
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  rusage children{};
+  getrusage(RUSAGE_CHILDREN, &children); // TetGen's process
+  const long peak = std::max(Status("VmHWM"), children.ru_maxrss);
+  return { CpuSeconds() - cpu, wall.count(), static_cast<double>(peak - before) / 1024.0 };
+}
+
+} // namespace benchmark

@@ -1,0 +1,100 @@
+// One measurement of hexahedra in a solid, in a process of its own: see Usage.
+#include "BenchmarkData.h"
+#include "Cost.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Hex/HexRemesh.h"
+
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+constexpr const char* Usage = R"(hex_case MODEL METHOD [CellSize=...] [MaximumHexahedra=...]
+
+MODEL   an OFF file: a closed surface; points at the same place are joined
+METHOD  Automatic, Polycube or Grid
+CellSize: in hundredths of the diagonal of the surface's box
+
+Prints one line. distance is the larger one-sided Hausdorff distance to the surface in percent of the
+diagonal of its box; euler and components are those of the hexahedra's boundary, wanted those of the
+surface; MiB is the peak of memory above the start. Exits with 2 where the surface is not closed, with
+1 where no hexahedra are found.)";
+
+void Run(
+  const std::string& path, const std::string& method, const shape::HexRemeshOptions& settings)
+{
+  using Method = shape::HexRemeshOptions::MethodType;
+  const std::map<std::string, Method> methods = { { "Automatic", Method::Automatic },
+    { "Polycube", Method::Polycube }, { "Grid", Method::Grid } };
+  const shape::Mesh surface = benchmark::ReadOff(path, true);
+  const shape::Topology wanted = shape::RequireClosedSurface(surface, path);
+  const double diagonal =
+    (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
+  shape::HexRemeshOptions options = settings;
+  options.Method = methods.at(method);
+  options.CellSize *= 0.01 * diagonal;
+  shape::HexRemeshResult result;
+  const benchmark::Cost cost =
+    benchmark::Measure([&] { result = shape::HexRemesh(surface, options); });
+  const shape::HexFit& fit = result.Fit;
+  const shape::Topology found =
+    shape::SurfaceTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
+  std::printf("vertices=%d method=%s hexes=%d min=%.4f mean=%.4f inverted=%d distance=%.4f "
+              "patches=%d corners=%d creases=%d crossings=%d euler=%d wantedeuler=%d "
+              "components=%d wantedcomponents=%d cpu=%.1f wall=%.1f mib=%.0f reason=%s\n",
+    static_cast<int>(surface.Points.rows()), result.Method == Method::Grid ? "Grid" : "Polycube",
+    static_cast<int>(fit.Solid.Hexahedra.rows()), fit.LeastScaledJacobian, fit.MeanScaledJacobian,
+    fit.Inverted, 100.0 * fit.Distance / diagonal, result.Features.Patches,
+    static_cast<int>(result.Features.Corners.size()), fit.CreasesKept ? 1 : 0, result.Crossings,
+    found.EulerNumber, wanted.EulerNumber, found.Components, wanted.Components, cost.Cpu, cost.Wall,
+    cost.MiB, result.Reason.c_str());
+}
+
+} // namespace
+
+int main(int count, char** words)
+{
+  try
+  {
+    if (count < 3)
+    {
+      throw std::runtime_error(Usage);
+    }
+    shape::HexRemeshOptions options;
+    for (int i = 3; i < count; ++i)
+    {
+      const std::string word = words[i], key = word.substr(0, word.find('='));
+      const double value = std::stod(word.substr(word.find('=') + 1));
+      if (key == "CellSize")
+      {
+        options.CellSize = value;
+      }
+      else if (key == "MaximumHexahedra")
+      {
+        options.MaximumHexahedra = static_cast<int>(value);
+      }
+      else
+      {
+        throw std::runtime_error(Usage);
+      }
+    }
+    Run(words[1], words[2], options);
+    return 0;
+  }
+  catch (const shape::InvalidInput& problem)
+  {
+    std::fprintf(stderr, "%s\n", problem.what());
+    return 2;
+  }
+  catch (const std::exception& problem)
+  {
+    std::fprintf(stderr, "%s\n", problem.what());
+    return 1;
+  }
+}
