@@ -40,5 +40,4 @@ struct FiniteElementResult
 FiniteElementResult SolveByFiniteElements(
   const shape::Mesh& surface, const Eigen::MatrixXd& values, const FiniteElementOptions& options);
 
-
 } // namespace benchmark

@@ -132,13 +132,18 @@ std::vector<std::array<int, 2>> Around(const shape::HexMesh& mesh, int point)
   return around;
 }
 
+shape::StarEnergy StarOf(const shape::HexMesh& mesh, const Eigen::VectorXd& leastSquares, int point)
+{
+  return { mesh.Points.transpose(), mesh.Hexahedra, leastSquares, Around(mesh, point) };
+}
+
 } // namespace
 
 TEST(StarEnergy, ItsGradientIsTheDerivative)
 {
   const shape::HexMesh mesh = Shaken(2, 0.6);
   const int middle = 13;
-  const shape::StarEnergy star(mesh.Points.transpose(), mesh.Hexahedra, Around(mesh, middle));
+  const shape::StarEnergy star = StarOf(mesh, shape::StarEnergy::LeastSquares(mesh), middle);
   const Eigen::Vector3d x(0.3, -0.2, 0.1);
   const auto here = star.Expand(x, 3.0);
   EXPECT_DOUBLE_EQ(here.Value, star.Value(x, 3.0));
@@ -155,7 +160,7 @@ TEST(StarEnergy, TendsToTheWorstCorner)
 {
   const shape::HexMesh mesh = Shaken(2, 0.3);
   const int middle = 13;
-  const shape::StarEnergy star(mesh.Points.transpose(), mesh.Hexahedra, Around(mesh, middle));
+  const shape::StarEnergy star = StarOf(mesh, shape::StarEnergy::LeastSquares(mesh), middle);
   // All eight hexahedra are around this point; corners of theirs that it does not touch are right.
   const double least = shape::ScaledJacobians(mesh).minCoeff();
   const Eigen::Vector3d x = mesh.Points.row(middle).transpose();
@@ -163,6 +168,30 @@ TEST(StarEnergy, TendsToTheWorstCorner)
   const double soft = std::log(star.Value(x, sharpness)) / sharpness;
   EXPECT_GE(soft, 1.0 - least - 1e-12);
   EXPECT_LE(soft, 1.0 - least + std::log(32.0) / sharpness);
+}
+
+TEST(StarEnergy, StarsArePartsOfOneEnergy)
+{
+  // Each corner of a hexahedron is in four stars. Long hexahedra beside short ones.
+  shape::HexMesh mesh = Shaken(3, 0.2);
+  mesh.Points.col(0) = mesh.Points.col(0).array().exp().eval();
+  const Eigen::VectorXd leastSquares = shape::StarEnergy::LeastSquares(mesh);
+  const auto whole = [&]
+  {
+    double sum = 0.0;
+    for (int point = 0; point < static_cast<int>(mesh.Points.rows()); ++point)
+    {
+      sum += StarOf(mesh, leastSquares, point).Value(mesh.Points.row(point).transpose(), 5.0);
+    }
+    return 0.25 * sum;
+  };
+  const int moved = 21;
+  const shape::StarEnergy star = StarOf(mesh, leastSquares, moved);
+  const double before = whole(), own = star.Value(mesh.Points.row(moved).transpose(), 5.0);
+  mesh.Points.row(moved).array() += 0.1;
+  const double change = star.Value(mesh.Points.row(moved).transpose(), 5.0) - own;
+  EXPECT_GT(std::abs(change), 1e-3 * own);
+  EXPECT_NEAR(whole() - before, change, 1e-9 * before);
 }
 
 TEST(HexOptimization, AGridIsFoundAgain)

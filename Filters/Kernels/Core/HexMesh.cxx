@@ -60,6 +60,21 @@ Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads)
   return triangles;
 }
 
+double MeanEdge(const HexMesh& mesh, Eigen::Index hex)
+{
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    for (const int end : HexNeighbours[corner])
+    {
+      sum +=
+        (mesh.Points.row(mesh.Hexahedra(hex, corner)) - mesh.Points.row(mesh.Hexahedra(hex, end)))
+          .norm();
+    }
+  }
+  return sum / 24.0;
+}
+
 void GrowRings(const Eigen::MatrixXi& hexahedra, int rings, std::vector<char>& marked)
 {
   for (int ring = 0; ring < rings; ++ring)

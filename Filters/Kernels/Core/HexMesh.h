@@ -30,6 +30,9 @@ Eigen::MatrixXi BoundaryQuads(const HexMesh& mesh);
 /// Each quad (q x 4) as two triangles (2q x 3).
 Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads);
 
+/// The mean length of the edges of a hexahedron.
+double MeanEdge(const HexMesh& mesh, Eigen::Index hex);
+
 /// Marks, of n points, also those of the hexahedra that have a marked one; `rings` times.
 void GrowRings(const Eigen::MatrixXi& hexahedra, int rings, std::vector<char>& marked);
 

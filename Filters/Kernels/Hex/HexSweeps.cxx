@@ -50,6 +50,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
 
 HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
   : Hexahedra(mesh.Hexahedra)
+  , LeastSquares(StarEnergy::LeastSquares(mesh))
   , Points(mesh.Points.transpose())
   , Constraint(constraint)
   , Around(mesh.Points.rows())
@@ -161,7 +162,7 @@ void HexSweeps::MoveTowardsMean(int point)
 void HexSweeps::Move(int point, double sharpness)
 {
   const Eigen::Vector3d x = this->Points.col(point);
-  const StarEnergy star(this->Points, this->Hexahedra, this->Around[point]);
+  const StarEnergy star(this->Points, this->Hexahedra, this->LeastSquares, this->Around[point]);
   const StarEnergy::Expansion here = star.Expand(x, sharpness);
   const bool free = this->Constraint.Freedom(point) == 3;
   const PointDirections all = Eigen::Matrix3d::Identity();

@@ -42,6 +42,7 @@ private:
   void Move(int point, double sharpness);
 
   const Eigen::MatrixXi& Hexahedra;
+  const Eigen::VectorXd LeastSquares; ///< of each hexahedron, see StarEnergy
   Eigen::Matrix3Xd Points;
   const PointConstraint& Constraint;
   std::vector<std::vector<std::array<int, 2>>> Around;

@@ -15,21 +15,6 @@ namespace
 
 constexpr int Rings[] = { 1, 2, 3, 4, 6 };
 
-double MeanEdge(const HexMesh& mesh, Eigen::Index hex)
-{
-  double sum = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    for (const int end : HexNeighbours[corner])
-    {
-      sum +=
-        (mesh.Points.row(mesh.Hexahedra(hex, corner)) - mesh.Points.row(mesh.Hexahedra(hex, end)))
-          .norm();
-    }
-  }
-  return sum / 24.0;
-}
-
 /// The hexahedra around each point.
 std::vector<std::vector<int>> HexahedraAround(const HexMesh& mesh)
 {

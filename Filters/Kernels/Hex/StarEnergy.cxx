@@ -83,7 +83,7 @@ void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares,
 } // namespace
 
 StarEnergy::StarEnergy(const Eigen::Matrix3Xd& points, const Eigen::MatrixXi& hexahedra,
-  const std::vector<std::array<int, 2>>& around)
+  const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around)
 {
   this->Views.reserve(around.size());
   for (const auto& [hex, corner] : around)
@@ -94,13 +94,20 @@ StarEnergy::StarEnergy(const Eigen::Matrix3Xd& points, const Eigen::MatrixXi& he
       view.Ends[k] = points.col(hexahedra(hex, HexNeighbours[corner][k]));
       view.Across[k] = points.col(hexahedra(hex, shape::Across[corner][k]));
     }
+    view.LeastSquare = leastSquares(hex);
   }
-  if (!around.empty())
+}
+
+Eigen::VectorXd StarEnergy::LeastSquares(const HexMesh& mesh)
+{
+  constexpr double share = 0.05;
+  Eigen::VectorXd squares(mesh.Hexahedra.rows());
+  for (Eigen::Index hex = 0; hex < squares.size(); ++hex)
   {
-    constexpr double share = 0.05;
-    const double least = share * this->Reach(points.col(hexahedra(around[0][0], around[0][1])));
-    this->LeastSquare = std::max(least * least, std::numeric_limits<double>::min());
+    const double least = share * MeanEdge(mesh, hex);
+    squares(hex) = std::max(least * least, std::numeric_limits<double>::min());
   }
+  return squares;
 }
 
 double StarEnergy::Value(const Vector3d& x, double sharpness) const
@@ -108,13 +115,13 @@ double StarEnergy::Value(const Vector3d& x, double sharpness) const
   double sum = 0.0;
   for (const View& view : this->Views)
   {
-    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, this->LeastSquare);
+    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.LeastSquare);
     sum += std::exp(sharpness * (1.0 - own.Scaled));
     for (int k = 0; k < 3; ++k)
     {
       const Vector3d& end = view.Ends[k];
       const CornerEdges beside(
-        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end, this->LeastSquare);
+        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end, view.LeastSquare);
       sum += std::exp(sharpness * (1.0 - beside.Scaled));
     }
   }
@@ -126,14 +133,14 @@ StarEnergy::Expansion StarEnergy::Expand(const Vector3d& x, double sharpness) co
   Expansion sum;
   for (const View& view : this->Views)
   {
-    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, this->LeastSquare);
+    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.LeastSquare);
     Add(own, own.SlopeAtCorner(),
       1.0 / own.Square(own.A) + 1.0 / own.Square(own.B) + 1.0 / own.Square(own.C), sharpness, sum);
     for (int k = 0; k < 3; ++k)
     {
       const Vector3d& end = view.Ends[k];
       const CornerEdges beside(
-        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end, this->LeastSquare);
+        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end, view.LeastSquare);
       Add(beside, beside.Slope(), 1.0 / beside.Square(beside.A), sharpness, sum);
     }
   }

@@ -17,16 +17,22 @@ namespace shape
  *
  * s being the determinant of a corner's three edges divided by their lengths, where it is positive
  * by sqrt(length^2 + least^2): the scaled Jacobian alone would let edges shrink to nothing. least
- * is 0.05 of the point's longest edge. (Where it is negative, shrinking must not help.) Any place
- * has a value, also where hexahedra are inverted. The greater the sharpness, the more it is the
- * worst corner that counts: log(E) / sharpness tends to 1 - min s.
+ * is 0.05 of an edge of the hexahedron, and stays so while points move: else the stars would not be
+ * parts of one energy, and lowering them by turns would lead nowhere. (Where it is negative,
+ * shrinking must not help.) Any place has a value, also where hexahedra are inverted. The greater
+ * the sharpness, the more it is the worst corner that counts: log(E) / sharpness tends to 1 - min
+ * s.
  */
 class StarEnergy
 {
 public:
-  /// The star of `points`' column `point`; around: its hexahedra, each with the corner that it is.
+  /// around: the hexahedra of a point, each with the corner that it is; leastSquares: least^2 of
+  /// each hexahedron.
   StarEnergy(const Eigen::Matrix3Xd& points, const Eigen::MatrixXi& hexahedra,
-    const std::vector<std::array<int, 2>>& around);
+    const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around);
+
+  /// least^2 of each hexahedron.
+  static Eigen::VectorXd LeastSquares(const HexMesh& mesh);
 
   double Value(const Eigen::Vector3d& x, double sharpness) const;
 
@@ -48,9 +54,9 @@ private:
   struct View
   {
     std::array<Eigen::Vector3d, 3> Ends, Across;
+    double LeastSquare;
   };
   std::vector<View> Views;
-  double LeastSquare = 0.0;
 };
 
 } // namespace shape
