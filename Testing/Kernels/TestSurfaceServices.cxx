@@ -92,6 +92,26 @@ TEST(ClosestPoint, PlacesOnTheSurfaceFindThemselvesHoweverOftenTheyAreGiven)
   EXPECT_LT(found.Distances.maxCoeff(), 1e-15);
 }
 
+TEST(ClosestPoint, AGuessChangesNoDistance)
+{
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 24, 12);
+  const shape::SurfaceLocator locator(torus);
+  const Eigen::MatrixXd points = RandomPoints(200, 1.6);
+  const shape::ClosestPoints found = locator.Find(points);
+  for (int i = 0; i < static_cast<int>(points.rows()); ++i)
+  {
+    const int guess = (37 * i) % static_cast<int>(torus.Triangles.rows());
+    for (const int triangle : { -1, guess, int(found.Triangles(i)) })
+    {
+      const shape::ClosestPlace place = locator.FindOne(points.row(i), triangle);
+      EXPECT_NEAR(place.Distance, found.Distances(i), 1e-14);
+      EXPECT_NEAR((place.Position - points.row(i)).norm(), place.Distance, 1e-15);
+      const Eigen::RowVector3d again = place.Barycentric * shape::Corners(torus, place.Triangle);
+      EXPECT_LT((again - place.Position).norm(), 1e-15);
+    }
+  }
+}
+
 TEST(ClosestPoint, ATriangleWithoutAreaIsItsLongestEdge)
 {
   shape::Mesh mesh{ Eigen::MatrixXd(3, 3), Eigen::MatrixXi(1, 3) };

@@ -113,6 +113,15 @@ void Search(const Tree& tree, const std::vector<Facet>& facets, Nearest& nearest
   }
 }
 
+void RequireFound(const Nearest& nearest)
+{
+  if (nearest.Triangle < 0)
+  {
+    throw InvalidInput("a place is too far from every triangle for its distance to be a "
+                       "number; scale the shapes to a common size");
+  }
+}
+
 } // namespace
 
 RowVector3d ClosestInTriangle(const Eigen::Matrix3d& corners, const RowVector3d& place)
@@ -210,11 +219,7 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
           nearest.Bound2 = most;
           Search(this->Impl->Boxes, this->Impl->Facets, nearest);
         }
-        if (nearest.Triangle < 0)
-        {
-          throw InvalidInput("a place is too far from every triangle for its distance to be a "
-                             "number; scale the shapes to a common size");
-        }
+        RequireFound(nearest);
         result.Triangles(i) = nearest.Triangle;
         result.Barycentrics.row(i) = nearest.Barycentric;
         before = nearest.Barycentric * this->Impl->Facets[nearest.Triangle].Corners;
@@ -224,6 +229,23 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
     },
     progress);
   return result;
+}
+
+ClosestPlace SurfaceLocator::FindOne(const RowVector3d& point, int guess) const
+{
+  Nearest nearest{ point, std::numeric_limits<double>::max() };
+  if (guess >= 0)
+  {
+    nearest.Look(this->Impl->Facets[guess], guess);
+  }
+  constexpr double rounding2 = 1e-28; // of the square of the coordinates
+  if (guess < 0 || nearest.Bound2 > rounding2 * this->Impl->Facets[guess].Corners.squaredNorm())
+  {
+    Search(this->Impl->Boxes, this->Impl->Facets, nearest);
+  }
+  RequireFound(nearest);
+  const RowVector3d position = nearest.Barycentric * this->Impl->Facets[nearest.Triangle].Corners;
+  return { nearest.Triangle, nearest.Barycentric, position, (position - point).norm() };
 }
 
 Eigen::MatrixXd Interpolate(

@@ -12,6 +12,9 @@ namespace shape
 namespace
 {
 
+/// Of a point's reach: shorter steps are not made, and by less nothing has moved.
+constexpr double Negligible = 1e-4;
+
 /// Moves a point along some directions where that lowers the energy, and tells whether it did.
 bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double sharpness,
   const StarEnergy::Expansion& here, const PointDirections& directions,
@@ -29,6 +32,10 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
   }
   // The expansion says nothing about places beyond the neighbours.
   const double longest = 0.5 * star.Reach(x), length = step.norm();
+  if (length < Negligible * longest)
+  {
+    return false;
+  }
   step *= length > longest ? longest / length : 1.0;
   for (double share = 1.0; share > 0.02; share *= 0.4)
   {
@@ -54,6 +61,8 @@ HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
   , Points(mesh.Points.transpose())
   , Constraint(constraint)
   , Around(mesh.Points.rows())
+  , MovedAt(mesh.Points.rows(), 0)
+  , LookedAt(mesh.Points.rows(), 0)
 {
   for (int hex = 0; hex < this->Hexahedra.rows(); ++hex)
   {
@@ -67,7 +76,20 @@ HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
 
 void HexSweeps::Lower(double sharpness, const std::vector<char>& marked)
 {
-  this->ForAll(marked, [&](int point) { this->Move(point, sharpness); });
+  if (sharpness != this->Sharpness)
+  {
+    std::fill(this->LookedAt.begin(), this->LookedAt.end(), 0);
+    this->Sharpness = sharpness;
+  }
+  this->ForAll(marked,
+    [&](int point)
+    {
+      if (!this->IsAtRest(point))
+      {
+        this->LookedAt[point] = this->Now;
+        this->Move(point, sharpness);
+      }
+    });
 }
 
 void HexSweeps::Smooth(const std::vector<char>& marked)
@@ -123,6 +145,7 @@ void HexSweeps::ForAll(const std::vector<char>& marked, const Body& body)
 {
   for (const std::vector<int>& set : this->IndependentSets)
   {
+    ++this->Now;
     std::vector<int> points;
     std::copy_if(set.begin(), set.end(), std::back_inserter(points),
       [&](int point) { return marked.empty() || marked[point]; });
@@ -130,6 +153,19 @@ void HexSweeps::ForAll(const std::vector<char>& marked, const Body& body)
       [&](int begin, int end)
       { std::for_each(&points[begin], &points[begin] + end - begin, body); });
   }
+}
+
+bool HexSweeps::IsAtRest(int point) const
+{
+  const int looked = this->LookedAt[point];
+  return looked > 0 &&
+    std::all_of(this->Around[point].begin(), this->Around[point].end(),
+      [&](const auto& incidence)
+      {
+        const auto corners = this->Hexahedra.row(incidence[0]);
+        return std::all_of(
+          corners.begin(), corners.end(), [&](int other) { return this->MovedAt[other] < looked; });
+      });
 }
 
 void HexSweeps::MoveTowardsMean(int point)
@@ -171,6 +207,10 @@ void HexSweeps::Move(int point, double sharpness)
     !free)
   {
     Step(this->Points.col(point), star, sharpness, here, all, this->Constraint, point);
+  }
+  if ((this->Points.col(point) - x).norm() > Negligible * star.Reach(x))
+  {
+    this->MovedAt[point] = this->Now;
   }
 }
 

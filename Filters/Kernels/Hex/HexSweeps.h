@@ -19,10 +19,11 @@ namespace shape
 class HexSweeps
 {
 public:
-  /// All indices must be in range. Both arguments must outlive this; the mesh's points are copied.
+  /// All indices must be in range. The constraint must outlive this; the mesh is copied.
   HexSweeps(const HexMesh& mesh, const PointConstraint& constraint);
 
-  /// Lowers the energy around all points, or those that are marked (StarEnergy).
+  /// Lowers the energy around all points, or those that are marked (StarEnergy). Points around
+  /// which nothing has moved since the last time are left out.
   void Lower(double sharpness, const std::vector<char>& marked = {});
 
   /// Moves all points, or those that are marked, half way to the middle of those neighbours that
@@ -41,12 +42,18 @@ private:
   void MoveTowardsMean(int point);
   void Move(int point, double sharpness);
 
-  const Eigen::MatrixXi& Hexahedra;
+  /// Whether nothing in the star of a point has moved since it was moved with this sharpness.
+  bool IsAtRest(int point) const;
+
+  const StarEnergy::Corners Hexahedra;
   const Eigen::VectorXd LeastSquares; ///< of each hexahedron, see StarEnergy
   Eigen::Matrix3Xd Points;
   const PointConstraint& Constraint;
   std::vector<std::vector<std::array<int, 2>>> Around;
   std::vector<std::vector<int>> IndependentSets;
+  double Sharpness = 0.0;             ///< of the last sweep
+  int Now = 0;                        ///< counts the sets that were gone over
+  std::vector<int> MovedAt, LookedAt; ///< when each point has last changed, and been tried
 };
 
 } // namespace shape

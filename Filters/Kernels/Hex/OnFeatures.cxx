@@ -26,6 +26,7 @@ OnFeatures::OnFeatures(const Mesh& surface, const SurfaceFeatures& features,
   const PatchedBoundary& boundary, Eigen::Index points)
   : PlaceOf(points, Free)
   , FreedomOf(points, 3)
+  , Guesses(points, -1)
 {
   for (const Mesh& patch : PatchMeshes(surface, features))
   {
@@ -64,7 +65,7 @@ PointDirections OnFeatures::Directions(int point, const Eigen::RowVector3d& plac
 {
   const int id = this->PlaceOf[point];
   const SurfaceLocator& locator = this->Places[id];
-  const int triangle = locator.Find(place).Triangles(0);
+  const int triangle = this->Find(point, place).Triangle;
   if (this->FreedomOf[point] == 1)
   {
     const Eigen::Matrix3d corners = Corners(locator.Surface(), triangle);
@@ -79,7 +80,15 @@ PointDirections OnFeatures::Directions(int point, const Eigen::RowVector3d& plac
 
 Eigen::RowVector3d OnFeatures::Nearest(int point, const Eigen::RowVector3d& place) const
 {
-  return this->Places[this->PlaceOf[point]].Find(place).Positions.row(0);
+  return this->Find(point, place).Position;
+}
+
+ClosestPlace OnFeatures::Find(int point, const Eigen::RowVector3d& place) const
+{
+  const ClosestPlace found =
+    this->Places[this->PlaceOf[point]].FindOne(place, this->Guesses[point]);
+  this->Guesses[point] = found.Triangle;
+  return found;
 }
 
 } // namespace shape

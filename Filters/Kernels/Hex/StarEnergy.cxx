@@ -82,7 +82,7 @@ void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares,
 
 } // namespace
 
-StarEnergy::StarEnergy(const Eigen::Matrix3Xd& points, const Eigen::MatrixXi& hexahedra,
+StarEnergy::StarEnergy(const Eigen::Matrix3Xd& points, const Corners& hexahedra,
   const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around)
 {
   this->Views.reserve(around.size());

@@ -3,6 +3,7 @@
 #include "Core/HexMesh.h"
 
 #include <Eigen/Core>
+#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <vector>
@@ -26,9 +27,12 @@ namespace shape
 class StarEnergy
 {
 public:
+  /// Hexahedra whose corners are beside each other in memory.
+  using Corners = Eigen::Matrix<int, Eigen::Dynamic, 8, Eigen::RowMajor>;
+
   /// around: the hexahedra of a point, each with the corner that it is; leastSquares: least^2 of
   /// each hexahedron.
-  StarEnergy(const Eigen::Matrix3Xd& points, const Eigen::MatrixXi& hexahedra,
+  StarEnergy(const Eigen::Matrix3Xd& points, const Corners& hexahedra,
     const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around);
 
   /// least^2 of each hexahedron.
@@ -56,7 +60,7 @@ private:
     std::array<Eigen::Vector3d, 3> Ends, Across;
     double LeastSquare;
   };
-  std::vector<View> Views;
+  boost::container::small_vector<View, 12> Views; // 8 at most points
 };
 
 } // namespace shape
