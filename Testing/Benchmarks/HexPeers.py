@@ -24,7 +24,6 @@ from the other one. CPU seconds of all processes and threads, and wall seconds, 
 the runs that find out which cell size gives so many cells, do not count.
 """
 import argparse
-import math
 import os
 import shutil
 import subprocess
@@ -46,7 +45,7 @@ sys.path += [os.path.join(ROOT, 'Utilities'), os.path.join(ROOT, 'Testing')]
 
 import off
 import shapetesting
-from shapetesting import fact, points
+from shapetesting import points
 
 HEXAHEDRON = 12
 PLACES = 200000
