@@ -104,22 +104,44 @@ class Model:
     def solve(self, young, poisson, boundary, loads=()):
         """Displacements (n x 3), to CalculiX's seven digits. young: one for all regions, or {region:
         young}. boundary: data lines of *BOUNDARY; loads: lines of the step."""
+        return self.analyse(young, poisson, boundary, loads).Displacements
+
+    def analyse(self, young, poisson, boundary, loads=()):
+        """solve(), with all that CalculiX says: a Solution."""
         regions = [key.rpartition('=Region')[2] for key in self.blocks if '=Region' in key]
         deck = ['*INCLUDE, INPUT=mesh.inp', '*NSET, NSET=All, GENERATE', '1, %d' % len(self.points)]
         for region in regions:
             stiffness = young[int(region)] if isinstance(young, dict) else young
             deck += ['*MATERIAL, NAME=Material' + region, '*ELASTIC', '%r, %r' % (stiffness, poisson),
                      '*SOLID SECTION, ELSET=Region%s, MATERIAL=Material%s' % (region, region)]
-        deck += ['*BOUNDARY', *boundary, '*STEP', '*STATIC', *loads, '*NODE PRINT, NSET=All', 'U',
-                 '*END STEP', '']
+        deck += ['*BOUNDARY', *boundary, '*STEP', '*STATIC', *loads, '*NODE PRINT, NSET=All', 'U, RF']
+        for region in regions:
+            deck += ['*EL PRINT, ELSET=Region%s, TOTALS=ONLY' % region, 'ELSE']
+        deck += ['*END STEP', '']
         with open(os.path.join(self.folder.name, 'deck.inp'), 'w') as file:
             file.write('\n'.join(deck))
         run = subprocess.run(['ccx', 'deck'], cwd=self.folder.name, stdout=subprocess.PIPE,
                              stderr=subprocess.STDOUT, text=True)
         assert run.returncode == 0 and 'ERROR' not in run.stdout, run.stdout[-3000:]
-        with open(os.path.join(self.folder.name, 'deck.dat')) as file:
-            rows = [line.split() for line in file if re.match(r'\s+\d+\s', line)]
-        moved = numpy.full_like(self.points, numpy.nan)
-        for row in rows:
-            moved[int(row[0]) - 1] = [float(value) for value in row[1:]]
-        return moved
+        return Solution(os.path.join(self.folder.name, 'deck.dat'), run.stdout, len(self.points))
+
+
+class Solution:
+    """What CalculiX found, each number to seven digits: Displacements (n x 3), Forces (n x 3: of the
+    elements on the nodes' supports and loads), Energy (of strain, of all regions), and the Words that
+    it wrote on the way."""
+
+    def __init__(self, path, words, count):
+        self.Words, self.Energy = words, 0.0
+        self.Displacements, self.Forces = (numpy.full((count, 3), numpy.nan) for _ in range(2))
+        with open(path) as file:
+            for line in file:
+                values = line.split()
+                if re.match(r'\s*[a-z]', line):
+                    heading = line
+                elif values and 'displacements' in heading:
+                    self.Displacements[int(values[0]) - 1] = values[1:]
+                elif values and 'forces' in heading:
+                    self.Forces[int(values[0]) - 1] = values[1:]
+                elif values and 'internal energy' in heading:
+                    self.Energy += float(values[0])

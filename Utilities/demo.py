@@ -1,13 +1,14 @@
-"""Maps a solid ball onto a model and draws it: pvpython demo.py MODEL.off OUTPUT_FOLDER.
+"""Fills a model with hexahedra, maps it onto a ball and draws it: pvpython demo.py MODEL.off OUTPUT_FOLDER.
 
-1. The model's surface is mapped onto the unit sphere (Shape Parameterize). A conformal map shrinks a
-   long thin part, like the bunny's ears, exponentially with its length, until no hexahedron of the
-   ball would reach into it; Area Weight keeps it large enough.
-2. The sphere with the model's points as its map array is the boundary of the solid ball: Shape
-   Harmonic Volume Map carries the ball's hexahedra, and the distance to its boundary, into the model.
-3. What came out is written and drawn.
+1. The solid inside the model's surface is filled with hexahedra (Shape Hex Remesh).
+2. The surface is mapped onto the unit sphere (Shape Parameterize). A conformal map shrinks a long thin
+   part, like the bunny's ears, exponentially with its length, until next to nothing of the sphere is
+   left for it; Area Weight keeps it large enough.
+3. The surface with its sphere positions as its map array is the boundary of the solid: Shape Harmonic
+   Volume Map carries the hexahedra into the ball, and brings its distance field back to them.
+4. What came out is written and drawn.
 
-It raises where a triangle of the sphere is flipped or a filter fails.
+It raises where a hexahedron is inverted, a triangle of the sphere is flipped or a filter fails.
 """
 import os
 import sys
@@ -15,15 +16,12 @@ import time
 
 import numpy
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import off
 import pictures
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-BALL = os.path.join(os.environ.get('SHAPEMAP_PREFIX', os.path.join(ROOT, 'build')),
-                    'Data', 'Ball.vtu')
 START = time.time()
 AREA_WEIGHT = 3.0
 
@@ -124,6 +122,14 @@ def main(model_path, folder):
     reader = simple.XMLPolyDataReader(FileName=[path('model.vtp')])
     say('read %d points and %d triangles' % (len(model), len(corners)))
 
+    # The solid as hexahedra.
+    remesh = simple.ShapeHexRemesh(Surface=reader)
+    outputs, remesh_seconds = update(remesh, 'hexahedra')
+    solid = outputs[0]
+    jacobians = vtk_to_numpy(solid.GetCellData().GetArray('ScaledJacobian'))
+    if jacobians.min() <= 0.0:
+        raise RuntimeError('%d hexahedra are inverted' % (jacobians <= 0.0).sum())
+
     _, conformal, _, _ = map_to_sphere(reader, 0.0)
     conformal_share = smallest_share(model, conformal, corners, 0.05)
     parameterize, sphere, flipped, sphere_seconds = map_to_sphere(reader, AREA_WEIGHT)
@@ -131,28 +137,23 @@ def main(model_path, folder):
     save(parameterize, path('surface.vtp'))
     save(simple.OutputPort(parameterize, 1), path('sphere.vtp'))
 
-    # The solid ball into the model.
-    ball = simple.XMLUnstructuredGridReader(FileName=[BALL])
-    harmonic = simple.ShapeHarmonicVolumeMap(
-        Domain=ball, Boundary=simple.OutputPort(parameterize, 1), MapArray='SourcePosition')
-    outputs, map_seconds = update(harmonic, 'harmonic map of the ball')
+    # The solid into the ball.
+    harmonic = simple.ShapeHarmonicVolumeMap(Domain=remesh, Boundary=parameterize)
+    outputs, map_seconds = update(harmonic, 'harmonic map into the ball')
     errors = [fact(outputs[0], 'HarmonicVolumeMap.' + name)
               for name in ('RMSEVertices', 'RMSEInside', 'Maximum')]
+    if fact(outputs[0], 'HarmonicVolumeMap.OutsidePoints'):
+        raise RuntimeError('%d points of the hexahedra are not in the map\'s domain' % fact(
+            outputs[0], 'HarmonicVolumeMap.OutsidePoints'))
 
-    # Quality of the hexahedra, and the ball's distance field, which each point has brought along.
-    quality = simple.MeshQuality(Input=harmonic, HexQualityMeasure='Scaled Jacobian')
-    named = simple.Calculator(Input=quality, AttributeType='Cell Data', Function='Quality',
-                              ResultArrayName='ScaledJacobian')
-    carried = simple.Calculator(Input=named, Function='1 - mag(SourcePosition)',
+    # The ball's distance field, which each point of the hexahedra brings back with it.
+    in_ball = simple.Calculator(Input=harmonic, Function='1 - mag(coords)',
                                 ResultArrayName='BoundaryDistance')
-    hexahedra = update(carried, 'quality and distance')[0][0]
-    jacobians = vtk_to_numpy(hexahedra.GetCellData().GetArray('ScaledJacobian'))
-    save(carried, path('hexahedra.vtu'))
+    back = simple.Calculator(Input=in_ball, Function='SourcePosition', CoordinateResults=1)
+    save(in_ball, path('ball.vtu'))
+    save(back, path('hexahedra.vtu'))
     save(simple.OutputPort(harmonic, 1), path('charges.vtp'))
     simple.SaveData(path('levels.csv'), proxy=simple.OutputPort(harmonic, 2))
-    ball_distance = simple.Calculator(Input=ball, Function='1 - mag(coords)',
-                                      ResultArrayName='BoundaryDistance')
-    save(ball_distance, path('ball.vtu'))
     say('wrote the results')
 
     begin = time.time()
@@ -163,18 +164,20 @@ def main(model_path, folder):
     charges = int((moves > 0.0).sum())
     print('''
 Model        %d points, %d triangles
+Hexahedra    %d, by method %s; scaled Jacobian %.2f at least, %.3f in the mean, none inverted;
+             %.2f %% of the diagonal from the surface at most
 Sphere map   %d triangles flipped; the 5 %% of the surface shrunk most have %.1e of the sphere
              (%.1e of it in the conformal map, area weight 0)
-Boundary     error %.2e at points, %.2e inside triangles, at most %.2e
+Volume map   error on the sphere %.2e at points, %.2e inside triangles, at most %.2e
              (of the longest side; root mean square, root mean square, largest)
-Hexahedra    %d; scaled Jacobian %.2f at least, %.3f in the mean; %d inverted (%.2f %%)
 Charges      %d in %d levels
-Seconds      sphere map %.1f, volume map %.1f, pictures %.1f, all %.1f
+Seconds      hexahedra %.1f, sphere map %.1f, volume map %.1f, pictures %.1f, all %.1f
 Results      %s''' % (
-        len(model), len(corners), flipped, share, conformal_share, *errors, len(jacobians),
-        jacobians.min(), jacobians.mean(), (jacobians <= 0).sum(), 100.0 * (jacobians <= 0).mean(),
-        charges, outputs[2].GetNumberOfRows() - 1, sphere_seconds,
-        map_seconds, picture_seconds, time.time() - START, folder), flush=True)
+        len(model), len(corners), len(jacobians), fact(solid, 'HexRemesh.Method'), jacobians.min(),
+        jacobians.mean(), 100.0 * fact(solid, 'HexRemesh.Distance') / surface.GetLength(),
+        flipped, share, conformal_share, *errors, charges, outputs[2].GetNumberOfRows() - 1,
+        remesh_seconds, sphere_seconds, map_seconds, picture_seconds, time.time() - START, folder),
+        flush=True)
 
 
 main(*sys.argv[1:])

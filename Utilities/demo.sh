@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up, then maps a solid ball onto the Stanford bunny and draws it:
+# Sets up, then fills the Stanford bunny with hexahedra, maps them into a ball and draws it:
 # Utilities/demo.sh [folder for the results, default build/demo]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

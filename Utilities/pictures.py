@@ -5,7 +5,7 @@ from paraview import simple
 
 INK = [0.13, 0.16, 0.22]
 PAPER = [1.0, 1.0, 1.0]
-# Red: inverted. From there to a perfect cube.
+# From an inverted hexahedron, in red, to a perfect cube.
 QUALITY = [0.0, 0.75, 0.13, 0.15, 0.25, 0.95, 0.55, 0.25, 0.5, 0.98, 0.86, 0.5,
            0.75, 0.60, 0.80, 0.78, 1.0, 0.22, 0.50, 0.66]
 # Towards the viewer, who sees the bunny's left side; and the plane that cuts head, ear and body.
@@ -131,13 +131,12 @@ def show_cut(folder, view, legend=None, shift=(0.0, 0.0, 0.0)):
     cut.ClipType.Origin, cut.ClipType.Normal = ORIGIN, NORMAL
     display = simple.Show(cut, view)
     display.Representation = 'Surface With Edges'
-    display.EdgeColor, display.LineWidth = INK, 1.0
+    display.EdgeColor, display.LineWidth, display.Ambient = INK, 1.0, 0.35
     beside(display, shift)
     table = simple.GetColorTransferFunction('ScaledJacobian')
     table.ColorSpace, table.RGBPoints = 'RGB', QUALITY
-    table.UseBelowRangeColor, table.BelowRangeColor = 1, QUALITY[1:4]
     colour_by(display, 'CELLS', 'ScaledJacobian', table, view,
-              'Scaled Jacobian (red: inverted)' if legend else None, legend)
+              'Scaled Jacobian' if legend else None, legend)
 
 
 def hexahedra(folder):
@@ -162,7 +161,7 @@ def show_distance(data, view, origin, legend=None, shift=(0.0, 0.0, 0.0), scale=
 
 
 def show_outline(folder, view, shift=(0.0, 0.0, 0.0)):
-    """The curve in which the plane cuts the surface that the hexahedra should fill."""
+    """The curve in which the plane cuts the surface that the hexahedra fill."""
     height = simple.Calculator(
         Input=read(folder, 'surface.vtp'), ResultArrayName='Height',
         Function='+'.join('(%g)*(coords%s-(%g))' % (normal, axis, origin)
@@ -181,8 +180,8 @@ def distance(folder):
     show_distance(read(folder, 'hexahedra.vtu'), view, ORIGIN, [0.33, 0.04])
     show_outline(folder, view)
     look(view, [c - 0.1 * u for c, u in zip(right(-0.53), (0, 1, 0))], 1.4, NORMAL)
-    caption(view, 'the ball', [0.21, 0.93])
-    caption(view, 'carried into the bunny', [0.65, 0.93])
+    caption(view, 'in the ball', [0.20, 0.93])
+    caption(view, 'brought to the bunny', [0.66, 0.93])
     return view
 
 
@@ -222,6 +221,6 @@ def overview(folder):
     show_outline(folder, view, right(1.06))
     look(view, [0.0, -0.04, 0.0], 1.26)
     caption(view, 'its surface, mapped onto a sphere', [0.055, 0.03], 18)
-    caption(view, 'hexahedra of a ball, carried into it', [0.375, 0.03], 18)
-    caption(view, 'the distance field they brought along', [0.695, 0.03], 18)
+    caption(view, 'its solid, filled with hexahedra', [0.39, 0.03], 18)
+    caption(view, "a ball's distance field, mapped into it", [0.70, 0.03], 18)
     return view
