@@ -1,6 +1,7 @@
 #include "vtkShapeHexRemesh.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeHexFacts.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -16,7 +17,6 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include "Core/Topology.h"
 #include "Geometry/ClosestPoint.h"
 #include "Quality/ScaledJacobian.h"
 
@@ -64,6 +64,7 @@ void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output)
     vtkShapeConvert::ToArray(shape::ScaledJacobians(fit.Solid), "ScaledJacobian"));
   output->GetCellData()->AddArray(
     vtkShapeConvert::ToIntegers(Eigen::VectorXi::Zero(fit.Solid.Hexahedra.rows()), "RegionId"));
+  vtkShapeHexFacts::AddMeasures(output);
 }
 
 void WriteBoundary(const shape::HexFit& fit, const shape::Mesh& surface, vtkPolyData* output)
@@ -95,46 +96,6 @@ void WriteBoundary(const shape::HexFit& fit, const shape::Mesh& surface, vtkPoly
     vtkShapeConvert::ToArray(shape::SurfaceLocator(surface).Find(middles).Distances, "Distance"));
 }
 
-/// How many scaled Jacobians lie in each twentieth of [0, 1].
-vtkSmartPointer<vtkIntArray> Histogram(const shape::HexMesh& solid)
-{
-  constexpr int bins = 20;
-  Eigen::VectorXi counts = Eigen::VectorXi::Zero(bins);
-  for (const double value : shape::ScaledJacobians(solid))
-  {
-    ++counts(std::clamp(static_cast<int>(bins * value), 0, bins - 1));
-  }
-  return vtkShapeConvert::ToIntegers(counts, "HexRemesh.ScaledJacobianHistogram");
-}
-
-void AddFacts(const shape::HexRemeshResult& result, vtkDataObject* output)
-{
-  const shape::HexFit& fit = result.Fit;
-  const shape::Topology topology =
-    shape::SurfaceTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
-  const std::pair<const char*, double> facts[] = {
-    { "Hexahedra", static_cast<double>(fit.Solid.Hexahedra.rows()) },
-    { "MinimumScaledJacobian", fit.LeastScaledJacobian },
-    { "MeanScaledJacobian", fit.MeanScaledJacobian },
-    { "Distance", fit.Distance },
-    { "CellSize", result.CellSize },
-    { "Patches", result.Features.Patches },
-    { "Corners", static_cast<double>(result.Features.Corners.size()) },
-    { "CreasesKept", fit.CreasesKept ? 1.0 : 0.0 },
-    { "Crossings", result.Crossings },
-    { "EulerNumber", topology.EulerNumber },
-    { "Components", topology.Components },
-  };
-  for (const auto& [fact, value] : facts)
-  {
-    vtkShapeConvert::AddFact(output, std::string("HexRemesh.") + fact, value);
-  }
-  const bool polycube = result.Method == shape::HexRemeshOptions::MethodType::Polycube;
-  vtkShapeConvert::AddFact(output, "HexRemesh.Method", polycube ? "Polycube" : "Grid");
-  vtkShapeConvert::AddFact(output, "HexRemesh.Reason", result.Reason);
-  output->GetFieldData()->AddArray(Histogram(fit.Solid));
-}
-
 } // namespace
 
 void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
@@ -148,12 +109,13 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
   const shape::Mesh surface = vtkShapeConvert::ToMesh(input, "the Surface");
   const shape::HexRemeshResult result =
     shape::HexRemesh(surface, this->Options, progress.Part(0.0, 0.98));
-  WriteHexahedra(result.Fit, vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0)));
+  auto* hexahedra = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
+  WriteHexahedra(result.Fit, hexahedra);
   WriteBoundary(result.Fit, surface, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
   for (const int port : { 0, 1 })
   {
     this->GetOutputDataObject(port)->GetFieldData()->PassData(input->GetFieldData());
-    AddFacts(result, this->GetOutputDataObject(port));
+    vtkShapeHexFacts::AddFacts(result, hexahedra, this->GetOutputDataObject(port));
   }
   progress(1.0);
 }

@@ -11,7 +11,10 @@
  *
  * Outputs
  * - hexahedra (vtkUnstructuredGrid) with the cell arrays `ScaledJacobian` (double: Verdict's, 1 for
- *   a box) and `RegionId` (int: 0).
+ *   a box), `RegionId` (int: 0), and further measures of Verdict's (double): `Jacobian`, `Volume`,
+ *   `EdgeRatio` (longest to shortest edge), `MaxAspectFrobenius` (1 for a cube), `EquiangleSkew`
+ *   (0 for a box, 1 where an angle of a face is 0 or 180 degrees), `Skew`, `Taper` (0 for a box),
+ *   `Shape` (1 for a cube, 0 for what is flat). What the Mesh Quality filter calls so.
  * - their boundary (vtkPolyData, quads) with the cell arrays `Patch` (int: quads of one number lie
  *   between creases) and `Distance` (double: of the quad's middle to the surface); over the points
  *   of the hexahedra that it uses, whose numbers are `OriginalPointId`.
@@ -23,7 +26,8 @@
  * Hausdorff distance between the boundary and the surface), .CellSize, .Patches, .Corners (of the
  * surface), .CreasesKept (1, or 0 where the cells are too coarse for some crease and none is kept),
  * .Crossings (pairs of the surface's triangles that cross), .EulerNumber and .Components of the
- * boundary.
+ * boundary; of each of Verdict's further measures its minimum, mean and maximum, as
+ * HexRemesh.Volume.
  *
  * The mathematics: shape::HexRemesh.
  */
@@ -53,6 +57,12 @@ public:
   /// solid's topology, and where the surface asks for them. 0: about 20,000 hexahedra, or more
   /// where these are not good enough. Default: 0.
   vtkShapeOption(CellSize, double);
+  ///@}
+
+  ///@{
+  /// The size of the hexahedra as how many there are on the longest side of the surface's box;
+  /// 0: not used. An error where CellSize is given, too. Default: 0.
+  vtkShapeOption(CellsOnLongestSide, int);
   ///@}
 
   ///@{

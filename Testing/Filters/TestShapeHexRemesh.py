@@ -36,6 +36,32 @@ def made(surface, **settings):
     return solid, boundary, ' '.join(messages)
 
 
+MEASURES = ('Jacobian', 'Volume', 'EdgeRatio', 'MaxAspectFrobenius', 'EquiangleSkew', 'Skew', 'Taper',
+            'Shape')
+
+
+def check_measures(solid):
+    """They are those of the Mesh Quality filter, and the field data sum them up."""
+    quality = vtkMeshQuality()
+    quality.SetInputDataObject(solid)
+    for name in MEASURES:
+        getattr(quality, 'SetHexQualityMeasureTo' + name)()
+        quality.Update()
+        expected = vtk_to_numpy(quality.GetOutput().GetCellData().GetArray('Quality'))
+        own = vtk_to_numpy(solid.GetCellData().GetArray(name))
+        assert (own == expected).all(), name
+        summary = solid.GetFieldData().GetArray('HexRemesh.' + name)
+        assert [summary.GetComponentName(k) for k in range(3)] == ['Minimum', 'Mean', 'Maximum']
+        assert numpy.allclose(summary.GetTuple3(0), (own.min(), own.mean(), own.max()),
+                              rtol=1e-12), name
+    # What bounds a hexahedron that is not inverted.
+    own = {name: vtk_to_numpy(solid.GetCellData().GetArray(name)) for name in MEASURES}
+    assert own['Jacobian'].min() > 0.0 and own['Volume'].min() > 0.0
+    assert own['EdgeRatio'].min() >= 1.0 and own['MaxAspectFrobenius'].min() >= 1.0 - 1e-9
+    for name in ('EquiangleSkew', 'Skew', 'Shape'):
+        assert own[name].min() >= 0.0 and own[name].max() <= 1.0 + 1e-9, name
+
+
 def check(solid, boundary, euler):
     """What holds for every result."""
     quality = vtkMeshQuality()
@@ -46,6 +72,7 @@ def check(solid, boundary, euler):
     own = vtk_to_numpy(solid.GetCellData().GetArray('ScaledJacobian'))
     assert numpy.abs(own - scaled).max() < 1e-12
     assert scaled.min() > 0.0, 'a hexahedron is inverted'
+    check_measures(solid)
     assert fact(solid, 'HexRemesh.MinimumScaledJacobian') == own.min()
     assert abs(fact(solid, 'HexRemesh.MeanScaledJacobian') - own.mean()) < 1e-12
     histogram = vtk_to_numpy(
@@ -109,10 +136,19 @@ for method, name in ((1, 'Polycube'), (2, 'Grid')):
     assert words(solid, 'HexRemesh.Method') == name
     assert words(solid, 'HexRemesh.Reason').startswith('asked for')
 
-# What is wrong is named.
+# The size of cells as a number of them on the longest side.
 sphere = simple.Sphere()
 sphere.UpdatePipeline()
 ball = shapetesting.output(sphere)
+solid, boundary, said = made(ball, Method=2, CellsOnLongestSide=10)
+assert not said, said
+check(solid, boundary, 2)
+longest = numpy.ptp(points(ball), axis=0).max()
+assert abs(fact(solid, 'HexRemesh.CellSize') - longest / 10.0) < 1e-9
+said = made(ball, CellsOnLongestSide=10, CellSize=0.1)[2]
+assert 'CellSize' in said and 'CellsOnLongestSide' in said, said
+
+# What is wrong is named.
 for settings, expected in (({'CellSize': -1.0}, 'CellSize'), ({'PaddingLayers': 0}, 'PaddingLayers'),
                            ({'FeatureAngle': 0.0}, 'FeatureAngle')):
     for method in (0, 1, 2):
