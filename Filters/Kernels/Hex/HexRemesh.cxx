@@ -79,6 +79,23 @@ HexRemeshResult ByPolycube(
     std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {} };
 }
 
+HexRemeshResult ByGivenPolycube(const Mesh& surface, const HexRemeshOptions& options,
+  const GivenPolycube& polycube, const Progress& progress)
+{
+  constexpr double leastPatch = 4.0; // the area of the smallest patch, in faces of cells
+  const GivenPolycubeCells cells = CellsOfPolycube(
+    polycube, surface, options.CellSize, MostHexahedra(options), progress.Part(0.0, 0.4));
+  HexRemeshResult result;
+  result.Method = MethodType::Polycube;
+  result.CellSize = cells.CellSize;
+  result.Features =
+    FindFeatures(surface, options.FeatureAngle, leastPatch * cells.CellSize * cells.CellSize);
+  result.Fit = FitHexahedra(cells.Solid, SurfaceLocator(surface), result.Features,
+    { options.PaddingLayers }, progress.Part(0.4, 1.0));
+  result.Reason = "the given Polycube, carried by the harmonic map of its SourcePosition";
+  return result;
+}
+
 /// Valid ones are better than others, then those with creases, then those that are nearer.
 bool IsBetter(const HexFit& one, const HexFit& other)
 {
@@ -179,11 +196,22 @@ void RequireAgreement(
   {
     throw InvalidInput("a SizeArray or InnerSurfaces need a grid; choose Method Automatic or Grid");
   }
+  if (guides.Polycube.Surface.Triangles.rows() > 0 &&
+    (NeedsGrid(guides) || options.Method == MethodType::Grid))
+  {
+    throw InvalidInput(
+      "a Polycube is given, but Method Grid, a SizeArray and InnerSurfaces take the "
+      "cells of a grid; disconnect it, or leave the others");
+  }
 }
 
 HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
   const HexRemeshGuides& guides, const Progress& progress)
 {
+  if (guides.Polycube.Surface.Triangles.rows() > 0)
+  {
+    return ByGivenPolycube(surface, options, guides.Polycube, progress);
+  }
   HexRemeshResult result;
   if (options.Method == MethodType::Polycube)
   {

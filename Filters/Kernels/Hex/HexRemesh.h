@@ -2,6 +2,7 @@
 
 #include "Core/Mesh.h"
 #include "Core/Progress.h"
+#include "Hex/GivenPolycube.h"
 #include "Hex/HexFit.h"
 #include "Hex/SurfaceFeatures.h"
 
@@ -41,6 +42,8 @@ struct HexRemeshGuides
   Eigen::VectorXd Sizes;
   /// Closed surfaces inside the solid, also inside one another: borders between its regions.
   std::vector<Mesh> InnerSurfaces;
+  /// A polycube of the surface, whose cells are taken; without triangles: none.
+  GivenPolycube Polycube;
 };
 
 struct HexRemeshResult
@@ -64,6 +67,7 @@ struct HexRemeshResult
  * Sizes make cells of a grid as large along the surface as is wanted there (SizedHexes); the
  * options may give no size then. Inner surfaces cut the solid into regions (RegionCubes): hexahedra
  * meet on them and share points there. Both need the Grid, which Automatic takes then.
+ * The cells of a given polycube are carried by its own map (CellsOfPolycube).
  *
  * surface: closed, oriented consistently; one that crosses itself bounds what it winds around at
  * least once, and needs the Grid. Throws InvalidInput as RequireClosedSurface, and where an option
