@@ -1,102 +1,57 @@
 #include "vtkShapeHexRemesh.h"
 
 #include "vtkShapeConvert.h"
-#include "vtkShapeHexFacts.h"
+#include "vtkShapeHexResult.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkCellType.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
-
-#include "Geometry/ClosestPoint.h"
-#include "Quality/ScaledJacobian.h"
-
-#include <algorithm>
 
 vtkStandardNewMacro(vtkShapeHexRemesh);
 
 vtkShapeHexRemesh::vtkShapeHexRemesh()
 {
   this->DeclareInput("Surface", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Polycube", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
+  this->DeclareInput(
+    "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareOutput("vtkPolyData");
 }
 
-namespace
+void vtkShapeHexRemesh::AddInnerSurfaces(vtkAlgorithmOutput* surface)
 {
-
-vtkSmartPointer<vtkCellArray> ToCellArray(const Eigen::MatrixXi& cells)
-{
-  auto array = vtkSmartPointer<vtkCellArray>::New();
-  array->AllocateExact(cells.rows(), cells.size());
-  for (Eigen::Index i = 0; i < cells.rows(); ++i)
-  {
-    array->InsertNextCell(static_cast<int>(cells.cols()));
-    for (const int point : cells.row(i))
-    {
-      array->InsertCellPoint(point);
-    }
-  }
-  return array;
+  this->AddInputConnection(2, surface);
 }
 
-vtkSmartPointer<vtkPoints> ToVtkPoints(const Eigen::MatrixXd& points)
+void vtkShapeHexRemesh::RemoveAllInnerSurfaces()
 {
-  auto result = vtkSmartPointer<vtkPoints>::New();
-  result->SetData(vtkShapeConvert::ToArray(points, "Points"));
-  return result;
+  this->SetInputConnection(2, nullptr);
 }
 
-void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output)
+shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
 {
-  output->SetPoints(ToVtkPoints(fit.Solid.Points));
-  output->SetCells(VTK_HEXAHEDRON, ToCellArray(fit.Solid.Hexahedra));
-  output->GetCellData()->AddArray(
-    vtkShapeConvert::ToArray(shape::ScaledJacobians(fit.Solid), "ScaledJacobian"));
-  output->GetCellData()->AddArray(
-    vtkShapeConvert::ToIntegers(Eigen::VectorXi::Zero(fit.Solid.Hexahedra.rows()), "RegionId"));
-  vtkShapeHexFacts::AddMeasures(output);
+  shape::HexRemeshGuides guides;
+  if (!this->SizeArray.empty() && this->SizeArray != "None")
+  {
+    guides.Sizes =
+      vtkShapeConvert::ToPointArray(this->GetWhole(0).Data, this->SizeArray, 1, "the Surface");
+  }
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    vtkPolyData* polycube = this->GetWhole(1).Data;
+    guides.Polycube = { vtkShapeConvert::ToMesh(polycube, "the Polycube"),
+      vtkShapeConvert::ToPointArray(polycube, "SourcePosition", 3, "the Polycube") };
+  }
+  for (int i = 0; i < this->GetNumberOfInputConnections(2); ++i)
+  {
+    guides.InnerSurfaces.push_back(
+      vtkShapeConvert::ToMesh(this->GetWhole(2, i).Data, "inner surface " + std::to_string(i)));
+  }
+  return guides;
 }
-
-void WriteBoundary(const shape::HexFit& fit, const shape::Mesh& surface, vtkPolyData* output)
-{
-  std::vector<int> used(fit.Quads.data(), fit.Quads.data() + fit.Quads.size());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  Eigen::MatrixXi quads = fit.Quads;
-  for (int& point : quads.reshaped())
-  {
-    point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
-  }
-  Eigen::MatrixXd middles(quads.rows(), 3);
-  for (Eigen::Index q = 0; q < quads.rows(); ++q)
-  {
-    middles.row(q) = fit.Solid.Points(fit.Quads.row(q), Eigen::all).colwise().mean();
-  }
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("OriginalPointId");
-  for (const int point : used)
-  {
-    ids->InsertNextValue(point);
-  }
-  output->SetPoints(ToVtkPoints(fit.Solid.Points(used, Eigen::all)));
-  output->SetPolys(ToCellArray(quads));
-  output->GetPointData()->AddArray(ids);
-  output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(fit.PatchOf, "Patch"));
-  output->GetCellData()->AddArray(
-    vtkShapeConvert::ToArray(shape::SurfaceLocator(surface).Find(middles).Distances, "Distance"));
-}
-
-} // namespace
 
 void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
 {
@@ -107,15 +62,17 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
   }
   vtkPolyData* input = this->GetWhole(0).Data;
   const shape::Mesh surface = vtkShapeConvert::ToMesh(input, "the Surface");
+  const shape::HexRemeshGuides guides = this->ReadGuides();
   const shape::HexRemeshResult result =
-    shape::HexRemesh(surface, this->Options, progress.Part(0.0, 0.98));
+    shape::HexRemesh(surface, this->Options, progress.Part(0.0, 0.98), guides);
   auto* hexahedra = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
-  WriteHexahedra(result.Fit, hexahedra);
-  WriteBoundary(result.Fit, surface, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+  vtkShapeHexResult::WriteHexahedra(result.Fit, hexahedra);
+  vtkShapeHexResult::WriteBoundary(
+    result, surface, guides.InnerSurfaces, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
   for (const int port : { 0, 1 })
   {
     this->GetOutputDataObject(port)->GetFieldData()->PassData(input->GetFieldData());
-    vtkShapeHexFacts::AddFacts(result, hexahedra, this->GetOutputDataObject(port));
+    vtkShapeHexResult::AddFacts(result, hexahedra, this->GetOutputDataObject(port));
   }
   progress(1.0);
 }

@@ -24,6 +24,9 @@ using MethodType = HexRemeshOptions::MethodType;
 /// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
 constexpr double LeastScaledJacobian = 0.3, LargestDistance = 0.01;
 
+/// The area of the smallest patch with borders of its own, in faces of cells.
+constexpr double LeastPatch = 4.0;
+
 /// Who gives a size gets as many as it makes, as far as their corners can be numbered.
 constexpr int MostOfGivenSize = std::numeric_limits<int>::max() / 64;
 
@@ -45,7 +48,7 @@ GridHexesOptions OfGrid(const HexRemeshOptions& options)
 HexRemeshResult OfHexes(GridHexesResult result)
 {
   return { std::move(result.Fit), std::move(result.Features), MethodType::Grid, "", result.CellSize,
-    result.Crossings, {} };
+    result.Crossings, {}, true };
 }
 
 HexRemeshResult ByGrid(const Mesh& surface, const HexRemeshOptions& options,
@@ -76,20 +79,19 @@ HexRemeshResult ByPolycube(
     "the map of tetrahedra onto the polycube, whose harmonic map would turn more cells over",
     "a grid in the solid bent towards the axes, for want of a polycube with charts" };
   return { std::move(result.Fit), std::move(result.Features), MethodType::Polycube,
-    std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {} };
+    std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {}, true };
 }
 
 HexRemeshResult ByGivenPolycube(const Mesh& surface, const HexRemeshOptions& options,
   const GivenPolycube& polycube, const Progress& progress)
 {
-  constexpr double leastPatch = 4.0; // the area of the smallest patch, in faces of cells
   const GivenPolycubeCells cells = CellsOfPolycube(
     polycube, surface, options.CellSize, MostHexahedra(options), progress.Part(0.0, 0.4));
   HexRemeshResult result;
   result.Method = MethodType::Polycube;
   result.CellSize = cells.CellSize;
   result.Features =
-    FindFeatures(surface, options.FeatureAngle, leastPatch * cells.CellSize * cells.CellSize);
+    FindFeatures(surface, options.FeatureAngle, LeastPatch * cells.CellSize * cells.CellSize);
   result.Fit = FitHexahedra(cells.Solid, SurfaceLocator(surface), result.Features,
     { options.PaddingLayers }, progress.Part(0.4, 1.0));
   result.Reason = "the given Polycube, carried by the harmonic map of its SourcePosition";
@@ -226,6 +228,13 @@ HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
       : guides.InnerSurfaces.empty()
       ? "a SizeArray is given, and the sizes of a polycube's cells are not free"
       : "InnerSurfaces are given, which polycubes do not keep";
+    result.InnerCreasesKept = std::all_of(guides.InnerSurfaces.begin(), guides.InnerSurfaces.end(),
+      [&](const Mesh& inner)
+      {
+        const double least = LeastPatch * result.CellSize * result.CellSize;
+        return FindFeatures(inner, options.FeatureAngle, least).Curves.empty();
+      });
+    result.Reason += result.InnerCreasesKept ? "" : "; creases of InnerSurfaces are rounded";
     return result;
   }
   if (const int crossings = SolidBoundary(surface, progress.Part(0.0, 0.02)).Crossings;

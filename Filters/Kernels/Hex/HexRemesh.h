@@ -56,6 +56,7 @@ struct HexRemeshResult
   int Crossings = 0;     ///< pairs of the surface's triangles that cross
   /// Of the boundary's quads: their sizes by those wanted (SizeRatios); empty without Sizes.
   Eigen::VectorXd SizeRatios;
+  bool InnerCreasesKept = true; ///< false where inner surfaces have creases
 };
 
 /**
