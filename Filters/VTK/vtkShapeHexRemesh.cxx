@@ -3,11 +3,18 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeHexResult.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
+
+#include "Core/Topology.h"
+
+#include <utility>
 
 vtkStandardNewMacro(vtkShapeHexRemesh);
 
@@ -31,6 +38,28 @@ void vtkShapeHexRemesh::RemoveAllInnerSurfaces()
   this->SetInputConnection(2, nullptr);
 }
 
+namespace
+{
+
+/// Polygons are cut into triangles at their places on the surface, as Shape Polycube cuts them: on
+/// the polycube one may lie around an edge.
+shape::GivenPolycube ToPolycube(vtkPolyData* data)
+{
+  const Eigen::MatrixXd sources =
+    vtkShapeConvert::ToPointArray(data, "SourcePosition", 3, "the Polycube");
+  shape::RequireFinite(sources, "the Polycube's SourcePosition");
+  vtkNew<vtkPoints> places;
+  places->SetData(vtkShapeConvert::ToArray(sources, "Points"));
+  vtkNew<vtkPolyData> unfolded;
+  unfolded->ShallowCopy(data);
+  unfolded->SetPoints(places);
+  shape::Mesh surface = vtkShapeConvert::ToMesh(unfolded, "the Polycube");
+  surface.Points = vtkShapeConvert::ToPoints(data);
+  return { std::move(surface), sources };
+}
+
+} // namespace
+
 shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
 {
   shape::HexRemeshGuides guides;
@@ -41,9 +70,7 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
   }
   if (this->GetNumberOfInputConnections(1) > 0)
   {
-    vtkPolyData* polycube = this->GetWhole(1).Data;
-    guides.Polycube = { vtkShapeConvert::ToMesh(polycube, "the Polycube"),
-      vtkShapeConvert::ToPointArray(polycube, "SourcePosition", 3, "the Polycube") };
+    guides.Polycube = ToPolycube(this->GetWhole(1).Data);
   }
   for (int i = 0; i < this->GetNumberOfInputConnections(2); ++i)
   {
