@@ -123,6 +123,30 @@ TEST(InnerInterfaces, BallsSideBySideAndInOneAnother)
   EXPECT_LT(volumes[3], volumes[1]);
 }
 
+TEST(InnerInterfaces, CreasesOfInnerSurfacesAreRounded)
+{
+  shape::HexMesh cell{ Eigen::MatrixXd(8, 3), Eigen::RowVectorXi::LinSpaced(8, 0, 7) };
+  cell.Points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
+  cell.Points = 0.9 * (cell.Points.array() - 0.5).matrix();
+  const shape::Mesh cube = Boundary(cell);
+  shape::GridHexesOptions options;
+  options.CellSize = 0.15;
+  options.Rounds = 2;
+  const std::vector<shape::Mesh> inner = { cube };
+  const shape::GridHexesResult result =
+    shape::GridHexes(Ball(1.0, { 0.0, 0.0, 0.0 }), options, {}, inner);
+  EXPECT_FALSE(result.InnerCreasesKept);
+  EXPECT_TRUE(result.Fit.CreasesKept);
+  EXPECT_EQ(result.Fit.Inverted, 0);
+  EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
+  EXPECT_LT(result.Fit.InnerDistance, options.CellSize);
+  const shape::SurfaceLocator locator(cube);
+  for (const int point : result.Fit.Interfaces[0].reshaped())
+  {
+    EXPECT_LT(locator.Find(result.Fit.Solid.Points.row(point)).Distances(0), 1e-9);
+  }
+}
+
 TEST(InnerInterfaces, WhatIsNotInsideOrCrossesIsNamed)
 {
   const shape::Mesh outer = Ball(1.0, { 0.0, 0.0, 0.0 }, 2);

@@ -138,6 +138,14 @@ private:
         result.Crossings = this->Cubes.Boundary().Crossings;
         result.Features = FindFeatures(
           this->Bounding.Surface(), this->Options.FeatureAngle, LeastPatch * size * size);
+        result.InnerCreasesKept =
+          std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
+            [&](const SurfaceLocator& inner)
+            {
+              return FindFeatures(
+                inner.Surface(), this->Options.FeatureAngle, LeastPatch * size * size)
+                .Curves.empty();
+            });
         result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features,
           { this->Options.PaddingLayers }, progress.Part(0.1, 1.0),
           { &*cells, &this->InnerBounding });
@@ -147,10 +155,17 @@ private:
     return std::nullopt;
   }
 
+  /// That the search is for.
+  static double Distance(const GridHexesResult& result)
+  {
+    return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
+                                   : result.Fit.Distance;
+  }
+
   bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance) const
   {
     return result.Fit.LeastScaledJacobian >= scaledJacobian &&
-      std::max(result.Fit.Distance, result.Fit.InnerDistance) <= distance * this->Diagonal;
+      Distance(result) <= distance * this->Diagonal;
   }
 
   /// The greater, the better. Creases count most among what is not inverted, then what is accepted.
@@ -163,9 +178,7 @@ private:
     }
     const bool accepted = this->Reaches(result, AcceptedScaledJacobian, AcceptedDistance);
     return std::min(fit.LeastScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
-      std::min(
-        this->Options.WantedDistance * this->Diagonal / std::max(fit.Distance, fit.InnerDistance),
-        1.0) +
+      std::min(this->Options.WantedDistance * this->Diagonal / Distance(result), 1.0) +
       (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
   }
 
@@ -203,7 +216,7 @@ private:
       }
     };
     addFar(this->Bounding.Surface(), result.Fit.Quads);
-    for (std::size_t i = 0; i < this->InnerBounding.size(); ++i)
+    for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
     {
       addFar(this->InnerBounding[i].Surface(), result.Fit.Interfaces[i]);
     }

@@ -35,6 +35,9 @@ struct GridHexesResult
   double CellSize = 0.0;    ///< the one that was used, where the grid was not made finer
   int Crossings = 0;        ///< pairs of the surface's triangles that cross
   int Rounds = 0;           ///< how many grids were made
+  /// False where inner surfaces have creases, which are rounded; then no cells become smaller for
+  /// the distance to these surfaces.
+  bool InnerCreasesKept = true;
 };
 
 /**

@@ -48,7 +48,7 @@ GridHexesOptions OfGrid(const HexRemeshOptions& options)
 HexRemeshResult OfHexes(GridHexesResult result)
 {
   return { std::move(result.Fit), std::move(result.Features), MethodType::Grid, "", result.CellSize,
-    result.Crossings, {}, true };
+    result.Crossings, {}, result.InnerCreasesKept };
 }
 
 HexRemeshResult ByGrid(const Mesh& surface, const HexRemeshOptions& options,
@@ -228,12 +228,6 @@ HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
       : guides.InnerSurfaces.empty()
       ? "a SizeArray is given, and the sizes of a polycube's cells are not free"
       : "InnerSurfaces are given, which polycubes do not keep";
-    result.InnerCreasesKept = std::all_of(guides.InnerSurfaces.begin(), guides.InnerSurfaces.end(),
-      [&](const Mesh& inner)
-      {
-        const double least = LeastPatch * result.CellSize * result.CellSize;
-        return FindFeatures(inner, options.FeatureAngle, least).Curves.empty();
-      });
     result.Reason += result.InnerCreasesKept ? "" : "; creases of InnerSurfaces are rounded";
     return result;
   }
