@@ -2,9 +2,16 @@
 
 As an example: give it a closed surface; colour the hexahedra by ScaledJacobian, and Clip them to see
 inside; the second output is their boundary."""
+import os
+import tempfile
+
 import numpy
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 import shapemap
 
@@ -25,9 +32,15 @@ def words(data, name):
     return data.GetFieldData().GetAbstractArray(name).GetValue(0)
 
 
-def made(surface, **settings):
+def made(surface, polycube=None, inner=(), **settings):
     algorithm = shapemap.vtkShapeHexRemesh()
     algorithm.SetInputDataObject(surface)
+    if polycube:
+        algorithm.SetInputDataObject(1, polycube)
+    for data in inner:
+        producer = vtkTrivialProducer()
+        producer.SetOutput(data)
+        algorithm.AddInnerSurfaces(producer.GetOutputPort())
     for name, value in settings.items():
         getattr(algorithm, 'Set' + name)(value)
     messages = shapetesting.run(algorithm)
@@ -36,8 +49,36 @@ def made(surface, **settings):
     return solid, boundary, ' '.join(messages)
 
 
+MEASURES = ('Jacobian', 'Volume', 'EdgeRatio', 'MaxAspectFrobenius', 'EquiangleSkew', 'Skew', 'Taper',
+            'Shape')
+
+
+def check_measures(solid):
+    """They are those of the Mesh Quality filter, and the field data sum them up."""
+    assert solid.GetNumberOfCells() > 0, 'there are no hexahedra'
+    quality = vtkMeshQuality()
+    quality.SetInputDataObject(solid)
+    for name in MEASURES:
+        getattr(quality, 'SetHexQualityMeasureTo' + name)()
+        quality.Update()
+        expected = vtk_to_numpy(quality.GetOutput().GetCellData().GetArray('Quality'))
+        own = vtk_to_numpy(solid.GetCellData().GetArray(name))
+        assert (own == expected).all(), name
+        summary = solid.GetFieldData().GetArray('HexRemesh.' + name)
+        assert [summary.GetComponentName(k) for k in range(3)] == ['Minimum', 'Mean', 'Maximum']
+        assert numpy.allclose(summary.GetTuple3(0), (own.min(), own.mean(), own.max()),
+                              rtol=1e-12), name
+    # What bounds a hexahedron that is not inverted.
+    own = {name: vtk_to_numpy(solid.GetCellData().GetArray(name)) for name in MEASURES}
+    assert own['Jacobian'].min() > 0.0 and own['Volume'].min() > 0.0
+    assert own['EdgeRatio'].min() >= 1.0 and own['MaxAspectFrobenius'].min() >= 1.0 - 1e-9
+    for name in ('EquiangleSkew', 'Skew', 'Shape'):
+        assert own[name].min() >= 0.0 and own[name].max() <= 1.0 + 1e-9, name
+
+
 def check(solid, boundary, euler):
     """What holds for every result."""
+    assert solid.GetNumberOfCells() > 0, 'there are no hexahedra'
     quality = vtkMeshQuality()
     quality.SetInputDataObject(solid)
     quality.SetHexQualityMeasureToScaledJacobian()
@@ -46,6 +87,7 @@ def check(solid, boundary, euler):
     own = vtk_to_numpy(solid.GetCellData().GetArray('ScaledJacobian'))
     assert numpy.abs(own - scaled).max() < 1e-12
     assert scaled.min() > 0.0, 'a hexahedron is inverted'
+    check_measures(solid)
     assert fact(solid, 'HexRemesh.MinimumScaledJacobian') == own.min()
     assert abs(fact(solid, 'HexRemesh.MeanScaledJacobian') - own.mean()) < 1e-12
     histogram = vtk_to_numpy(
@@ -109,10 +151,159 @@ for method, name in ((1, 'Polycube'), (2, 'Grid')):
     assert words(solid, 'HexRemesh.Method') == name
     assert words(solid, 'HexRemesh.Reason').startswith('asked for')
 
-# What is wrong is named.
+# The size of cells as a number of them on the longest side.
 sphere = simple.Sphere()
 sphere.UpdatePipeline()
 ball = shapetesting.output(sphere)
+solid, boundary, said = made(ball, Method=2, CellsOnLongestSide=10)
+assert not said, said
+check(solid, boundary, 2)
+longest = numpy.ptp(points(ball), axis=0).max()
+assert abs(fact(solid, 'HexRemesh.CellSize') - longest / 10.0) < 1e-9
+said = made(ball, CellsOnLongestSide=10, CellSize=0.1)[2]
+assert 'CellSize' in said and 'CellsOnLongestSide' in said, said
+
+# Sizes along the surface: twice as large at the top as at the bottom.
+globe = simple.Sphere(Radius=1.0, ThetaResolution=40, PhiResolution=40)
+sized = simple.Calculator(Input=globe, ResultArrayName='Size', Function='0.12 + 0.06 * coordsZ + 0.06')
+remesh = simple.ShapeHexRemesh(Surface=sized)
+assert remesh.SizeArray == 'None', 'a size array is chosen by itself'
+remesh.SizeArray = 'Size'
+remesh.UpdatePipeline()
+solid, boundary = shapetesting.output(remesh, 0), shapetesting.output(remesh, 1)
+check(solid, boundary, 2)
+assert words(solid, 'HexRemesh.Method') == 'Grid'
+assert 'SizeArray' in words(solid, 'HexRemesh.Reason')
+corners = points(boundary)[quads(boundary)]
+areas = 0.5 * numpy.linalg.norm(numpy.cross(corners[:, 2] - corners[:, 0],
+                                            corners[:, 3] - corners[:, 1]), axis=1)
+ratios = numpy.sqrt(areas) / (0.18 + 0.06 * corners[:, :, 2].mean(axis=1))
+assert abs(numpy.median(ratios) - 1.0) < 0.1, numpy.median(ratios)
+assert numpy.quantile(ratios, 0.85) < 1.2, numpy.quantile(ratios, 0.85)
+assert abs(fact(solid, 'HexRemesh.MedianSizeRatio') - numpy.median(ratios)) < 0.01
+assert fact(solid, 'HexRemesh.ShareOfSizesMet') > 0.85
+surface = shapetesting.output(sized)
+good = shapetesting.array(surface, 'Size').copy()
+for settings, expected in (({'SizeArray': 'Sise'}, "no point array 'Sise'"),
+                           ({'SizeArray': 'Normals'}, 'Normals'),
+                           ({'SizeArray': 'Size', 'CellSize': 0.2}, 'CellSize'),
+                           ({'SizeArray': 'Size', 'Method': 1}, 'grid')):
+    assert expected in made(surface, **settings)[2], (settings, made(surface, **settings)[2])
+for bad in (0.0, -1.0, numpy.nan, numpy.inf):
+    spoiled = shapetesting.copy(surface)
+    values = good.copy()
+    values[5] = bad
+    shapetesting.add_array(spoiled, values, 'Size')
+    assert 'first at point 5' in made(spoiled, SizeArray='Size')[2], bad
+
+# Inner surfaces: two balls side by side and one in one of them are regions of their own, and
+# hexahedra share the points between them.
+
+
+def sphere_of(radius, centre):
+    source = simple.Sphere(Radius=radius, Center=centre, ThetaResolution=40, PhiResolution=40)
+    source.UpdatePipeline()
+    return shapetesting.output(source)
+
+
+centres, radii = numpy.array([[0, 0.45, 0], [0, -0.4, 0], [0, -0.4, 0]]), (0.3, 0.4, 0.2)
+inner = [sphere_of(radius, list(centre)) for radius, centre in zip(radii, centres)]
+outer = sphere_of(1.0, [0, 0, 0])
+solid, boundary, said = made(outer, inner=inner, CellSize=0.12)
+assert not said, said
+check_measures(solid)
+assert vtk_to_numpy(solid.GetCellData().GetArray('ScaledJacobian')).min() > 0.2
+assert 'InnerSurfaces' in words(solid, 'HexRemesh.Reason') and fact(solid, 'HexRemesh.Regions') == 4
+assert fact(solid, 'HexRemesh.InnerCreasesKept') == 1
+region = vtk_to_numpy(solid.GetCellData().GetArray('RegionId'))
+volumes = numpy.bincount(region, vtk_to_numpy(solid.GetCellData().GetArray('Volume')))
+balls = 4.0 / 3.0 * numpy.pi * numpy.array(radii) ** 3
+exact = numpy.array([4.0 / 3.0 * numpy.pi - balls[0] - balls[1], balls[0], balls[1] - balls[2],
+                     balls[2]])
+assert (abs(volumes - exact) < numpy.array([0.03, 0.09, 0.09, 0.2]) * exact).all(), volumes / exact
+interface = vtk_to_numpy(boundary.GetCellData().GetArray('Interface'))
+distances = vtk_to_numpy(boundary.GetCellData().GetArray('Distance'))
+ids = vtk_to_numpy(boundary.GetPointData().GetArray('OriginalPointId'))
+locator = vtkImplicitPolyDataDistance()
+for i, data in enumerate(inner):
+    own = quads(boundary)[interface == i + 1]
+    locator.SetInput(data)
+    assert max(abs(locator.EvaluateFunction(place))
+               for place in points(boundary)[numpy.unique(own)]) < 1e-6
+    assert distances[interface == i + 1].max() <= fact(solid, 'HexRemesh.InnerDistance') + 1e-9
+    # Each of the quads is a face of two hexahedra, of the two regions.
+    around = (0, 0, 2)[i]
+    faces = {}
+    for hexahedron, number in zip(hexahedra(solid), region):
+        for face in ([0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1],
+                     [4, 5, 6, 7]):
+            faces.setdefault(tuple(sorted(hexahedron[face])), []).append(number)
+    assert all(sorted(faces[tuple(sorted(ids[quad]))]) == [around, i + 1] for quad in own)
+# Abaqus gets the nodes between regions as sets.
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, 'balls.inp')
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(solid)
+    simple.SaveData(path, producer)
+    text = open(path).read()
+    for name in ('Region0', 'Region1', 'Region2', 'Region3', 'Interface0_1', 'Interface0_2',
+                 'Interface2_3'):
+        assert 'SET=' + name in text, name
+for data, expected in (([sphere_of(0.5, [0.8, 0, 0])], 'cross'), ([sphere_of(0.3, [3, 0, 0])], 'outside'),
+                       ([inner[0], sphere_of(0.3, [0.1, 0.5, 0.1])], 'cross'),
+                       ([shapetesting.without_cells(inner[0], [3])], 'open')):
+    assert expected in made(outer, inner=data, CellSize=0.12)[2], (expected, made(
+        outer, inner=data, CellSize=0.12)[2])
+assert 'grid' in made(outer, inner=inner, Method=1)[2]
+
+# A polycube: what Shape Polycube makes is taken as it is. A box, an ellipsoid and a ring of tubes.
+around, across = 60, 30
+angles = numpy.stack(numpy.meshgrid(numpy.arange(around) * 2.0 * numpy.pi / around,
+                                    numpy.arange(across) * 2.0 * numpy.pi / across,
+                                    indexing='ij'), axis=-1).reshape(-1, 2)
+reach = 1.0 + 0.45 * numpy.cos(angles[:, 1])
+index = numpy.arange(around * across).reshape(around, across)
+faces = [numpy.roll(index, shift, axis=(0, 1)).ravel()
+         for shift in ((0, 0), (-1, 0), (-1, -1), (0, -1))]
+torus = vtkPolyData()
+torus.SetPoints(vtkPoints())
+shapetesting.set_points(torus, numpy.stack(
+    [reach * numpy.cos(angles[:, 0]), reach * numpy.sin(angles[:, 0]),
+     0.45 * numpy.sin(angles[:, 1])], axis=1))
+cells = vtkCellArray()
+cells.SetData(4, numpy_to_vtkIdTypeArray(numpy.stack(faces, axis=1).astype(numpy.int64).ravel(),
+                                         deep=True))
+torus.SetPolys(cells)
+tube = simple.TrivialProducer()
+tube.GetClientSideObject().SetOutput(torus)
+box = simple.Clean(Input=simple.Triangulate(Input=simple.Box(XLength=2.0)))
+ellipsoid = simple.Transform(Input=simple.Sphere(ThetaResolution=40, PhiResolution=40))
+ellipsoid.Transform.Scale = [2.0, 1.0, 1.0]
+for surface, size, euler in ((box, 0.25, 2), (ellipsoid, 0.1, 2), (tube, 0.14, 0)):
+    polycube = simple.ShapePolycube(Input=surface, TargetEdgeLength=size)
+    polycube.UpdatePipeline()
+    remesh = simple.ShapeHexRemesh(Surface=surface, CellSize=size)
+    remesh.Polycube = simple.OutputPort(polycube, 1)
+    remesh.UpdatePipeline()
+    solid, boundary = shapetesting.output(remesh, 0), shapetesting.output(remesh, 1)
+    own = check(solid, boundary, euler)
+    assert own.min() > 0.3, own.min()
+    assert words(solid, 'HexRemesh.Method') == 'Polycube'
+    assert words(solid, 'HexRemesh.Reason').startswith('the given Polycube')
+    if surface is box:
+        assert own.min() > 0.999 and fact(solid, 'HexRemesh.CreasesKept') == 1
+given = shapetesting.output(polycube, 1)
+without = shapetesting.copy(given)
+without.GetPointData().RemoveArray('SourcePosition')
+turned = shapetesting.copy(given)
+shapetesting.set_points(turned, points(given) @ numpy.array([[0.8, 0.6, 0], [-0.6, 0.8, 0], [0, 0, 1]]))
+for data, expected in ((without, "no point array 'SourcePosition'"), (turned, 'across an axis'),
+                       (shapetesting.without_cells(given, [3]), 'open')):
+    assert expected in made(torus, polycube=data)[2], (expected, made(torus, polycube=data)[2])
+assert 'away from the Surface' in made(ball, polycube=given)[2]
+assert 'Polycube' in made(torus, polycube=given, Method=2)[2]
+
+# What is wrong is named.
 for settings, expected in (({'CellSize': -1.0}, 'CellSize'), ({'PaddingLayers': 0}, 'PaddingLayers'),
                            ({'FeatureAngle': 0.0}, 'FeatureAngle')):
     for method in (0, 1, 2):

@@ -59,6 +59,45 @@ TEST(HexRemesh, ASurfaceThatCrossesItselfIsFilledByAGrid)
   EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
 }
 
+TEST(HexRemesh, CellsOnTheLongestSideAreACellSize)
+{
+  shape::Mesh surface = shapetest::Icosphere(3);
+  surface.Points.col(1) *= 1.5; // from -1.5 to 1.5
+  shape::HexRemeshOptions options;
+  options.Method = MethodType::Grid;
+  options.CellSize = 0.25;
+  const shape::HexRemeshResult sized = shape::HexRemesh(surface, options);
+  options.CellsOnLongestSide = 12;
+  EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
+  options.CellSize = 0.0;
+  const shape::HexRemeshResult counted = shape::HexRemesh(surface, options);
+  EXPECT_EQ(counted.CellSize, sized.CellSize);
+  EXPECT_EQ(counted.Fit.Solid.Points, sized.Fit.Solid.Points);
+  options.CellsOnLongestSide = -1;
+  EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
+}
+
+TEST(HexRemesh, GuidesNeedAGrid)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  shape::HexRemeshGuides sized, inner;
+  sized.Sizes = Eigen::VectorXd::Constant(sphere.Points.rows(), 0.25);
+  inner.InnerSurfaces = { { 0.5 * sphere.Points, sphere.Triangles } };
+  shape::HexRemeshOptions options;
+  shape::HexRemeshResult result = shape::HexRemesh(sphere, options, {}, sized);
+  EXPECT_EQ(result.Method, MethodType::Grid);
+  EXPECT_NE(result.Reason.find("SizeArray"), std::string::npos) << result.Reason;
+  EXPECT_EQ(result.SizeRatios.size(), result.Fit.Quads.rows());
+  options.CellSize = 0.25;
+  EXPECT_THROW(shape::HexRemesh(sphere, options, {}, sized), shape::InvalidInput);
+  result = shape::HexRemesh(sphere, options, {}, inner);
+  EXPECT_EQ(result.Method, MethodType::Grid);
+  EXPECT_NE(result.Reason.find("InnerSurfaces"), std::string::npos) << result.Reason;
+  EXPECT_EQ(result.Fit.RegionOf.maxCoeff(), 1);
+  options.Method = MethodType::Polycube;
+  EXPECT_THROW(shape::HexRemesh(sphere, options, {}, inner), shape::InvalidInput);
+}
+
 TEST(HexRemesh, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);

@@ -2,7 +2,7 @@
 
 #include "Core/Errors.h"
 #include "Geometry/ClosestPoint.h"
-#include "Hex/SolidCubes.h"
+#include "Hex/RegionCubes.h"
 #include "Hex/SurfaceFeatures.h"
 #include "Quality/HausdorffDistance.h"
 #include "Quality/ScaledJacobian.h"
@@ -37,14 +37,20 @@ constexpr int MostIdle = 2;
 class GridSearch
 {
 public:
-  GridSearch(const Mesh& surface, const GridHexesOptions& options, const Progress& progress)
+  GridSearch(const Mesh& surface, const std::vector<Mesh>& innerSurfaces,
+    const GridHexesOptions& options, const Progress& progress)
     : Options(options)
-    , Cubes(surface, progress)
+    , Regions(surface, innerSurfaces, progress)
+    , Cubes(this->Regions.Outer())
     , Bounding(this->Cubes.Boundary().Surface)
     , Diagonal((this->Cubes.Surface().Points.colwise().maxCoeff() -
         this->Cubes.Surface().Points.colwise().minCoeff())
                  .norm())
   {
+    for (const SolidCubes& inner : this->Regions.Inner())
+    {
+      this->InnerBounding.emplace_back(inner.Surface());
+    }
   }
 
   double LeastSize(const GridWarp& warp = GridWarp()) const
@@ -56,7 +62,7 @@ public:
   /// the first; where it is 0, such that there are about `hexahedra` in each.
   void Refine(double size, double hexahedra, int rounds, const Progress& progress)
   {
-    std::vector<Magnifier> magnifiers;
+    std::vector<Magnifier> magnifiers = this->Options.Magnifiers;
     double reached = -std::numeric_limits<double>::infinity();
     int idle = 0; // rounds without a gain
     for (int round = 0; round < rounds; ++round)
@@ -110,6 +116,7 @@ public:
       throw SolveFailure("no grid of " + std::to_string(this->Options.MaximumHexahedra) +
         " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
         " and number of components " + std::to_string(topology.Components) +
+        (this->InnerBounding.empty() ? "" : ", and those of the inner surfaces, apart") +
         ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
     }
     this->Best->Rounds = this->Rounds;
@@ -123,25 +130,42 @@ private:
     const double least = this->LeastSize(warp);
     for (; size >= least * (1.0 - 1e-9); size *= Shrinkage)
     {
-      if (std::optional<HexMesh> cubes = this->Cubes.Fill(size, warp, progress.Part(0.0, 0.1)))
+      if (const std::optional<RegionCells> cells =
+            this->Regions.Fill(size, warp, progress.Part(0.0, 0.1)))
       {
         GridHexesResult result;
         result.CellSize = size;
         result.Crossings = this->Cubes.Boundary().Crossings;
         result.Features = FindFeatures(
           this->Bounding.Surface(), this->Options.FeatureAngle, LeastPatch * size * size);
-        result.Fit = FitHexahedra(*cubes, this->Bounding, result.Features,
-          { this->Options.PaddingLayers }, progress.Part(0.1, 1.0));
+        result.InnerCreasesKept =
+          std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
+            [&](const SurfaceLocator& inner)
+            {
+              return FindFeatures(
+                inner.Surface(), this->Options.FeatureAngle, LeastPatch * size * size)
+                .Curves.empty();
+            });
+        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features,
+          { this->Options.PaddingLayers }, progress.Part(0.1, 1.0),
+          { &*cells, &this->InnerBounding });
         return result;
       }
     }
     return std::nullopt;
   }
 
+  /// That the search is for.
+  static double Distance(const GridHexesResult& result)
+  {
+    return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
+                                   : result.Fit.Distance;
+  }
+
   bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance) const
   {
     return result.Fit.LeastScaledJacobian >= scaledJacobian &&
-      result.Fit.Distance <= distance * this->Diagonal;
+      Distance(result) <= distance * this->Diagonal;
   }
 
   /// The greater, the better. Creases count most among what is not inverted, then what is accepted.
@@ -154,7 +178,7 @@ private:
     }
     const bool accepted = this->Reaches(result, AcceptedScaledJacobian, AcceptedDistance);
     return std::min(fit.LeastScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
-      std::min(this->Options.WantedDistance * this->Diagonal / fit.Distance, 1.0) +
+      std::min(this->Options.WantedDistance * this->Diagonal / Distance(result), 1.0) +
       (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
   }
 
@@ -164,13 +188,6 @@ private:
     constexpr double radius = 2.5, apart = 1.5; // cells, radii
     constexpr double strength = 0.4, share = 0.9;
     const HexMesh& solid = result.Fit.Solid;
-    const Mesh boundary{ solid.Points, SplitQuads(result.Fit.Quads) };
-    const PlacesAndDistances far =
-      DistancesBetween(this->Bounding.Surface(), SurfaceLocator(boundary));
-    std::vector<int> order(far.Distances.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-      [&](int a, int b) { return far.Distances(a) > far.Distances(b); });
     const std::size_t before = magnifiers.size();
     const auto add = [&](const Eigen::RowVector3d& centre)
     {
@@ -181,13 +198,27 @@ private:
         magnifiers.push_back({ centre, radius * result.CellSize, strength });
       }
     };
-    for (const int i : order)
+    const auto addFar = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
     {
-      if (far.Distances(i) < share * this->Options.WantedDistance * this->Diagonal)
+      const PlacesAndDistances far =
+        DistancesBetween(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) }));
+      std::vector<int> order(far.Distances.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(),
+        [&](int a, int b) { return far.Distances(a) > far.Distances(b); });
+      for (const int i : order)
       {
-        break;
+        if (far.Distances(i) < share * this->Options.WantedDistance * this->Diagonal)
+        {
+          break;
+        }
+        add(far.Places.row(i));
       }
-      add(far.Places.row(i));
+    };
+    addFar(this->Bounding.Surface(), result.Fit.Quads);
+    for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
+    {
+      addFar(this->InnerBounding[i].Surface(), result.Fit.Interfaces[i]);
     }
     const Eigen::VectorXd quality = ScaledJacobians(solid);
     for (Eigen::Index hex = 0; hex < quality.size(); ++hex)
@@ -200,8 +231,10 @@ private:
   }
 
   const GridHexesOptions& Options;
-  SolidCubes Cubes;
-  const SurfaceLocator Bounding; ///< what bounds the solid
+  RegionCubes Regions;
+  const SolidCubes& Cubes;       ///< of the whole solid
+  const SurfaceLocator Bounding; ///< what bounds it
+  std::vector<SurfaceLocator> InnerBounding;
   const double Diagonal;
   std::optional<GridHexesResult> Best;
   int Rounds = 0;
@@ -222,14 +255,14 @@ void RequireInRange(const GridHexesOptions& options)
 
 } // namespace
 
-GridHexesResult GridHexes(
-  const Mesh& surface, const GridHexesOptions& options, const Progress& progress)
+GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options,
+  const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
   RequireInRange(options);
-  GridSearch search(surface, options, progress.Part(0.0, 0.05));
+  GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
   if (options.CellSize > 0.0)
   {
-    const double least = search.LeastSize();
+    const double least = search.LeastSize(GridWarp(options.Magnifiers));
     if (options.CellSize < least)
     {
       throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +

@@ -2,8 +2,11 @@
 
 #include "Core/Mesh.h"
 #include "Core/Progress.h"
+#include "Hex/GridWarp.h"
 #include "Hex/HexFit.h"
 #include "Hex/SurfaceFeatures.h"
+
+#include <vector>
 
 namespace shape
 {
@@ -21,6 +24,7 @@ struct GridHexesOptions
   double WantedScaledJacobian = 0.62;
   /// The distance between the surfaces that is aimed at, as a share of the diagonal of the box.
   double WantedDistance = 0.0045;
+  std::vector<Magnifier> Magnifiers; ///< of the space of the first grid; with a CellSize
   int Rounds = 6; ///< of making cells smaller where the result is not as wanted; >= 1
 };
 
@@ -31,6 +35,9 @@ struct GridHexesResult
   double CellSize = 0.0;    ///< the one that was used, where the grid was not made finer
   int Crossings = 0;        ///< pairs of the surface's triangles that cross
   int Rounds = 0;           ///< how many grids were made
+  /// False where inner surfaces have creases, which are rounded; then no cells become smaller for
+  /// the distance to these surfaces.
+  bool InnerCreasesKept = true;
 };
 
 /**
@@ -46,11 +53,13 @@ struct GridHexesResult
  * Cells become smaller until that is so: thin parts and narrow gaps ask for it. Where the surface
  * crosses itself the solid is what it winds around at least once (SolidCubes).
  *
- * surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface, and where
- * options are out of range; SolveFailure where no grid of so few cells has the topology of the
- * surface, Aborted.
+ * Inner surfaces are borders between regions (RegionCubes): hexahedra of two regions meet on them.
+ *
+ * surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface and
+ * RegionCubes, and where options are out of range; SolveFailure where no grid of so few cells has
+ * the topology of the surface, Aborted.
  */
-GridHexesResult GridHexes(
-  const Mesh& surface, const GridHexesOptions& options = {}, const Progress& progress = {});
+GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options = {},
+  const Progress& progress = {}, const std::vector<Mesh>& innerSurfaces = {});
 
 } // namespace shape

@@ -45,7 +45,8 @@ bool AddLayers(
 
 /// With these features, if they are found on the hexahedra.
 std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface,
-  const SurfaceFeatures& features, int layers, const Progress& progress)
+  const SurfaceFeatures& features, int layers, const InnerInterfaces& interfaces,
+  const Progress& progress)
 {
   std::optional<PatchedBoundary> boundary = MatchFeatures(core, surface, features);
   if (!boundary)
@@ -54,6 +55,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   }
   HexFit fit;
   fit.Solid = core;
+  const InterfaceLayers interfaceLayers(fit.Solid, interfaces, layers);
   for (int layer = 1; layer < layers; ++layer)
   {
     PadBoundary(fit.Solid, *boundary);
@@ -62,7 +64,8 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   {
     return std::nullopt;
   }
-  const OnFeatures constraint(surface.Surface(), features, *boundary, fit.Solid.Points.rows());
+  const OnFeatures outer(surface.Surface(), features, *boundary, fit.Solid.Points.rows());
+  const OnSurfaces constraint(outer, interfaces, fit.Solid.Points.rows());
   for (const auto& [point, place] : boundary->Starts)
   {
     fit.Solid.Points.row(point) = place;
@@ -70,6 +73,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   constexpr int smoothings = 2;
   SmoothHexahedra(fit.Solid, constraint, smoothings);
   SpreadLayers(*boundary, fit.Solid.Points);
+  interfaceLayers.Spread(fit.Solid.Points);
   SmoothInverted(fit.Solid, constraint);
   OptimizeHexahedra(fit.Solid, constraint, {}, progress.Part(0.0, 0.95));
   const Eigen::VectorXd quality = ScaledJacobians(fit.Solid);
@@ -82,23 +86,30 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
     surface.Surface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress.Part(0.95, 1.0))
                    .Larger();
   fit.CreasesKept = true;
+  fit.RegionOf = interfaceLayers.Regions(fit.Solid.Hexahedra.rows());
+  if (interfaces.Count() > 0)
+  {
+    fit.Interfaces = interfaces.Cells->Interfaces;
+    fit.InnerDistance = InnerDistance(fit.Solid.Points, interfaces);
+  }
   return fit;
 }
 
 } // namespace
 
 HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
-  const SurfaceFeatures& features, const HexFitOptions& options, const Progress& progress)
+  const SurfaceFeatures& features, const HexFitOptions& options, const Progress& progress,
+  const InnerInterfaces& interfaces)
 {
   std::optional<HexFit> fit =
-    FitWith(core, surface, features, options.PaddingLayers, progress.Part(0.0, 0.6));
+    FitWith(core, surface, features, options.PaddingLayers, interfaces, progress.Part(0.0, 0.6));
   if (fit && (features.Curves.empty() || fit->LeastScaledJacobian >= options.LeastWithCreases))
   {
     return std::move(*fit);
   }
   const SurfaceFeatures none = WithoutCurves(features);
   std::optional<HexFit> smooth =
-    FitWith(core, surface, none, options.PaddingLayers, progress.Part(0.6, 1.0));
+    FitWith(core, surface, none, options.PaddingLayers, interfaces, progress.Part(0.6, 1.0));
   if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
   {
     fit = std::move(smooth);

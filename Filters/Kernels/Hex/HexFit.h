@@ -3,7 +3,10 @@
 #include "Core/HexMesh.h"
 #include "Core/Progress.h"
 #include "Geometry/ClosestPoint.h"
+#include "Hex/InnerInterfaces.h"
 #include "Hex/SurfaceFeatures.h"
+
+#include <vector>
 
 namespace shape
 {
@@ -28,6 +31,10 @@ struct HexFit
   double Distance = 0.0;
   /// Whether every curve and corner of the features is one of the hexahedra; where not, none is.
   bool CreasesKept = false;
+  Eigen::VectorXi RegionOf; ///< m: of each hexahedron, see RegionCells; 0 without inner surfaces
+  std::vector<Eigen::MatrixXi>
+    Interfaces;               ///< the quads on each inner surface, seen from outside it
+  double InnerDistance = 0.0; ///< the largest between an interface and its surface
 };
 
 /**
@@ -37,11 +44,14 @@ struct HexFit
  *
  * Where the hexahedra are too coarse for the creases, or bad with them, there is one patch.
  *
+ * With interfaces, there are layers on both sides of these, too, and their points lie on the inner
+ * surfaces; creases of theirs are not kept.
+ *
  * core: its boundary is a manifold. surface: closed, oriented consistently. features: of it. Throws
  * Aborted.
  */
 HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
-  const SurfaceFeatures& features, const HexFitOptions& options = {},
-  const Progress& progress = {});
+  const SurfaceFeatures& features, const HexFitOptions& options = {}, const Progress& progress = {},
+  const InnerInterfaces& interfaces = {});
 
 } // namespace shape

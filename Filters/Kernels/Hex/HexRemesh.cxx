@@ -5,6 +5,8 @@
 #include "Geometry/SolidBoundary.h"
 #include "Hex/GridHexes.h"
 #include "Hex/PolycubeHexes.h"
+#include "Hex/SizeField.h"
+#include "Hex/SizedHexes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,23 +24,46 @@ using MethodType = HexRemeshOptions::MethodType;
 /// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
 constexpr double LeastScaledJacobian = 0.3, LargestDistance = 0.01;
 
-/// Who gives a CellSize gets as many as it makes, as far as their corners can be numbered.
+/// The area of the smallest patch with borders of its own, in faces of cells.
+constexpr double LeastPatch = 4.0;
+
+/// Who gives a size gets as many as it makes, as far as their corners can be numbered.
+constexpr int MostOfGivenSize = std::numeric_limits<int>::max() / 64;
+
 int MostHexahedra(const HexRemeshOptions& options)
 {
-  return options.CellSize > 0.0 ? std::numeric_limits<int>::max() / 64 : options.MaximumHexahedra;
+  return options.CellSize > 0.0 ? MostOfGivenSize : options.MaximumHexahedra;
 }
 
-HexRemeshResult ByGrid(
-  const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
+GridHexesOptions OfGrid(const HexRemeshOptions& options)
 {
   GridHexesOptions grid;
   grid.CellSize = options.CellSize;
   grid.MaximumHexahedra = MostHexahedra(options);
   grid.PaddingLayers = options.PaddingLayers;
   grid.FeatureAngle = options.FeatureAngle;
-  GridHexesResult result = GridHexes(surface, grid, progress);
+  return grid;
+}
+
+HexRemeshResult OfHexes(GridHexesResult result)
+{
   return { std::move(result.Fit), std::move(result.Features), MethodType::Grid, "", result.CellSize,
-    result.Crossings };
+    result.Crossings, {}, result.InnerCreasesKept };
+}
+
+HexRemeshResult ByGrid(const Mesh& surface, const HexRemeshOptions& options,
+  const Progress& progress, const HexRemeshGuides& guides = {})
+{
+  GridHexesOptions grid = OfGrid(options);
+  if (guides.Sizes.size() == 0)
+  {
+    return OfHexes(GridHexes(surface, grid, progress, guides.InnerSurfaces));
+  }
+  grid.MaximumHexahedra = MostOfGivenSize;
+  SizedHexesResult sized = SizedHexes(surface, guides.Sizes, grid, progress, guides.InnerSurfaces);
+  HexRemeshResult result = OfHexes(std::move(sized.Hexes));
+  result.SizeRatios = std::move(sized.Ratios);
+  return result;
 }
 
 HexRemeshResult ByPolycube(
@@ -54,7 +79,23 @@ HexRemeshResult ByPolycube(
     "the map of tetrahedra onto the polycube, whose harmonic map would turn more cells over",
     "a grid in the solid bent towards the axes, for want of a polycube with charts" };
   return { std::move(result.Fit), std::move(result.Features), MethodType::Polycube,
-    std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0 };
+    std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {}, true };
+}
+
+HexRemeshResult ByGivenPolycube(const Mesh& surface, const HexRemeshOptions& options,
+  const GivenPolycube& polycube, const Progress& progress)
+{
+  const GivenPolycubeCells cells = CellsOfPolycube(
+    polycube, surface, options.CellSize, MostHexahedra(options), progress.Part(0.0, 0.4));
+  HexRemeshResult result;
+  result.Method = MethodType::Polycube;
+  result.CellSize = cells.CellSize;
+  result.Features =
+    FindFeatures(surface, options.FeatureAngle, LeastPatch * cells.CellSize * cells.CellSize);
+  result.Fit = FitHexahedra(cells.Solid, SurfaceLocator(surface), result.Features,
+    { options.PaddingLayers }, progress.Part(0.4, 1.0));
+  result.Reason = "the given Polycube, carried by the harmonic map of its SourcePosition";
+  return result;
 }
 
 /// Valid ones are better than others, then those with creases, then those that are nearer.
@@ -120,6 +161,14 @@ void RequireInRange(const HexRemeshOptions& options)
 {
   RequireOption(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize",
     options.CellSize, "positive, or 0 for an automatic one");
+  RequireOption(options.CellsOnLongestSide >= 0, "CellsOnLongestSide", options.CellsOnLongestSide,
+    "positive, or 0 for none");
+  if (options.CellSize > 0.0 && options.CellsOnLongestSide > 0)
+  {
+    throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
+      " and CellsOnLongestSide is " + std::to_string(options.CellsOnLongestSide) +
+      ", which both give the size of cells; set one of them to 0");
+  }
   RequireOption(
     options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
   RequireOption(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
@@ -127,39 +176,88 @@ void RequireInRange(const HexRemeshOptions& options)
     options.FeatureAngle, "in (0, 180]");
 }
 
-} // namespace
-
-HexRemeshResult HexRemesh(
-  const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
+bool NeedsGrid(const HexRemeshGuides& guides)
 {
-  RequireInRange(options);
-  RequireClosedSurface(surface, "the surface");
+  return guides.Sizes.size() > 0 || !guides.InnerSurfaces.empty();
+}
+
+/// Throws where options contradict the guides.
+void RequireAgreement(
+  const Mesh& surface, const HexRemeshOptions& options, const HexRemeshGuides& guides)
+{
+  if (guides.Sizes.size() > 0)
+  {
+    RequireSizes(surface, guides.Sizes);
+    if (options.CellSize > 0.0 || options.CellsOnLongestSide > 0)
+    {
+      throw InvalidInput("a SizeArray is given, and CellSize or CellsOnLongestSide, too; set these "
+                         "to 0, or give no SizeArray");
+    }
+  }
+  if (NeedsGrid(guides) && options.Method == MethodType::Polycube)
+  {
+    throw InvalidInput("a SizeArray or InnerSurfaces need a grid; choose Method Automatic or Grid");
+  }
+  if (guides.Polycube.Surface.Triangles.rows() > 0 &&
+    (NeedsGrid(guides) || options.Method == MethodType::Grid))
+  {
+    throw InvalidInput(
+      "a Polycube is given, but Method Grid, a SizeArray and InnerSurfaces take the "
+      "cells of a grid; disconnect it, or leave the others");
+  }
+}
+
+HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
+  const HexRemeshGuides& guides, const Progress& progress)
+{
+  if (guides.Polycube.Surface.Triangles.rows() > 0)
+  {
+    return ByGivenPolycube(surface, options, guides.Polycube, progress);
+  }
+  HexRemeshResult result;
+  if (options.Method == MethodType::Polycube)
+  {
+    result = ByPolycube(surface, options, progress);
+    result.Reason = "asked for, " + result.Reason;
+    return result;
+  }
+  if (options.Method == MethodType::Grid || NeedsGrid(guides))
+  {
+    result = ByGrid(surface, options, progress, guides);
+    result.Reason = options.Method == MethodType::Grid ? "asked for"
+      : guides.InnerSurfaces.empty()
+      ? "a SizeArray is given, and the sizes of a polycube's cells are not free"
+      : "InnerSurfaces are given, which polycubes do not keep";
+    result.Reason += result.InnerCreasesKept ? "" : "; creases of InnerSurfaces are rounded";
+    return result;
+  }
+  if (const int crossings = SolidBoundary(surface, progress.Part(0.0, 0.02)).Crossings;
+      crossings > 0)
+  {
+    result = ByGrid(surface, options, progress.Part(0.02, 1.0));
+    result.Reason = "the surface crosses itself at " + std::to_string(crossings) +
+      " pairs of triangles; the solid is what it winds around";
+    return result;
+  }
   const double diagonal =
     (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
-  HexRemeshResult result;
-  switch (options.Method)
+  return ByTheBetter(surface, diagonal, options, progress.Part(0.02, 1.0));
+}
+
+} // namespace
+
+HexRemeshResult HexRemesh(const Mesh& surface, const HexRemeshOptions& given,
+  const Progress& progress, const HexRemeshGuides& guides)
+{
+  RequireInRange(given);
+  RequireClosedSurface(surface, "the surface");
+  RequireAgreement(surface, given, guides);
+  HexRemeshOptions options = given;
+  if (given.CellsOnLongestSide > 0)
   {
-    case MethodType::Grid:
-      result = ByGrid(surface, options, progress);
-      result.Reason = "asked for";
-      break;
-    case MethodType::Polycube:
-      result = ByPolycube(surface, options, progress);
-      result.Reason = "asked for, " + result.Reason;
-      break;
-    case MethodType::Automatic:
-      if (const int crossings = SolidBoundary(surface, progress.Part(0.0, 0.02)).Crossings;
-          crossings > 0)
-      {
-        result = ByGrid(surface, options, progress.Part(0.02, 1.0));
-        result.Reason = "the surface crosses itself at " + std::to_string(crossings) +
-          " pairs of triangles; the solid is what it winds around";
-      }
-      else
-      {
-        result = ByTheBetter(surface, diagonal, options, progress.Part(0.02, 1.0));
-      }
+    options.CellSize = LongestSide(surface.Points) / given.CellsOnLongestSide;
   }
+  HexRemeshResult result = Made(surface, options, guides, progress);
   if (result.Fit.Inverted > 0)
   {
     throw SolveFailure(std::to_string(result.Fit.Inverted) +

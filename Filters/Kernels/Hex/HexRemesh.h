@@ -2,10 +2,14 @@
 
 #include "Core/Mesh.h"
 #include "Core/Progress.h"
+#include "Hex/GivenPolycube.h"
 #include "Hex/HexFit.h"
 #include "Hex/SurfaceFeatures.h"
 
+#include <Eigen/Core>
+
 #include <string>
+#include <vector>
 
 namespace shape
 {
@@ -23,9 +27,23 @@ struct HexRemeshOptions
   /// solid's topology, and where the surface asks for them. 0: one that gives about 20,000
   /// hexahedra.
   double CellSize = 0.0;
+  /// How many cells there are on the longest side of the surface's box, instead of a CellSize; 0:
+  /// not used.
+  int CellsOnLongestSide = 0;
   int MaximumHexahedra = 200000; ///< with an automatic CellSize
   int PaddingLayers = 1;         ///< of hexahedra along the surface; >= 1
   double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
+};
+
+/// What hexahedra follow besides the surface.
+struct HexRemeshGuides
+{
+  /// The wanted size of hexahedra at each of the surface's points, in its units; empty: none.
+  Eigen::VectorXd Sizes;
+  /// Closed surfaces inside the solid, also inside one another: borders between its regions.
+  std::vector<Mesh> InnerSurfaces;
+  /// A polycube of the surface, whose cells are taken; without triangles: none.
+  GivenPolycube Polycube;
 };
 
 struct HexRemeshResult
@@ -36,6 +54,9 @@ struct HexRemeshResult
   std::string Reason;    ///< why this method, and by what the cells were carried
   double CellSize = 0.0; ///< the one that was used
   int Crossings = 0;     ///< pairs of the surface's triangles that cross
+  /// Of the boundary's quads: their sizes by those wanted (SizeRatios); empty without Sizes.
+  Eigen::VectorXd SizeRatios;
+  bool InnerCreasesKept = true; ///< false where inner surfaces have creases
 };
 
 /**
@@ -44,12 +65,17 @@ struct HexRemeshResult
  * worst scaled Jacobian is at least 0.3 and the surface is not farther from them than 1 % of the
  * diagonal of its box; else the better one of polycube and grid.
  *
+ * Sizes make cells of a grid as large along the surface as is wanted there (SizedHexes); the
+ * options may give no size then. Inner surfaces cut the solid into regions (RegionCubes): hexahedra
+ * meet on them and share points there. Both need the Grid, which Automatic takes then.
+ * The cells of a given polycube are carried by its own map (CellsOfPolycube).
+ *
  * surface: closed, oriented consistently; one that crosses itself bounds what it winds around at
  * least once, and needs the Grid. Throws InvalidInput as RequireClosedSurface, and where an option
- * is out of its range; SolveFailure where a method finds no hexahedra, or leaves some inverted;
- * Aborted.
+ * is out of its range or contradicts the guides; SolveFailure where a method finds no hexahedra, or
+ * leaves some inverted; Aborted.
  */
-HexRemeshResult HexRemesh(
-  const Mesh& surface, const HexRemeshOptions& options = {}, const Progress& progress = {});
+HexRemeshResult HexRemesh(const Mesh& surface, const HexRemeshOptions& options = {},
+  const Progress& progress = {}, const HexRemeshGuides& guides = {});
 
 } // namespace shape

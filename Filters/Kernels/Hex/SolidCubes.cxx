@@ -84,20 +84,29 @@ double SolidCubes::CellSizeFor(double hexahedra, const GridWarp& warp) const
   return size;
 }
 
-std::optional<HexMesh> SolidCubes::Fill(double size, const GridWarp& warp, const Progress& progress)
+SampledGrid SolidCubes::Grid(double size, const GridWarp& warp) const
 {
+  return CellsAround(Warped(this->Whole, warp, size).Points, size);
+}
+
+std::optional<std::vector<char>> SolidCubes::CellsInside(const SampledGrid& grid,
+  const GridWarp& warp, const std::function<bool(const std::vector<char>& inside)>& accepts,
+  const Progress& progress)
+{
+  const double size = grid.Spacing;
   const Mesh whole = Warped(this->Whole, warp, size);
   const Mesh bounding =
     this->Bounding.Crossings == 0 ? whole : Warped(this->Bounding.Surface, warp, size);
-  const SampledGrid distances = SolidLevels(whole, SurfaceLocator(bounding), size, progress);
+  SampledGrid levels = grid;
+  FindLevels(whole, SurfaceLocator(bounding), levels, progress);
+  const Eigen::VectorXd distances = levels.Values;
   constexpr double placesPerCell = 30.0;
   constexpr unsigned int seed = 1;
   const Eigen::MatrixXd places = RandomPlaces(
     bounding, static_cast<int>(placesPerCell * AreaOf(bounding) / (size * size)), seed);
   for (const double reach : Reaches)
   {
-    SampledGrid levels = distances;
-    levels.Values.array() -= reach * levels.Spacing;
+    levels.Values = distances.array() - reach * size;
     VoxelSolid solid = FindVoxelSolid(levels);
     if (solid.Pinched > 0)
     {
@@ -105,14 +114,27 @@ std::optional<HexMesh> SolidCubes::Fill(double size, const GridWarp& warp, const
     }
     KeepLargestParts(levels, this->Solids, solid.Inside);
     CoverSurface(levels, places, CoverReach, solid.Inside);
-    HexMesh cubes = VoxelHexahedra(levels, solid.Inside);
-    if (cubes.Hexahedra.rows() > 0 && this->HasTopology(cubes))
+    const HexMesh cubes = VoxelHexahedra(levels, solid.Inside);
+    if (cubes.Hexahedra.rows() > 0 && this->HasTopology(cubes) && accepts(solid.Inside))
     {
-      cubes.Points = warp.Backward(cubes.Points);
-      return cubes;
+      return std::move(solid.Inside);
     }
   }
   return std::nullopt;
+}
+
+std::optional<HexMesh> SolidCubes::Fill(double size, const GridWarp& warp, const Progress& progress)
+{
+  const SampledGrid grid = this->Grid(size, warp);
+  const std::optional<std::vector<char>> inside = this->CellsInside(
+    grid, warp, [](const std::vector<char>&) { return true; }, progress);
+  if (!inside)
+  {
+    return std::nullopt;
+  }
+  HexMesh cubes = VoxelHexahedra(grid, *inside);
+  cubes.Points = warp.Backward(cubes.Points);
+  return cubes;
 }
 
 bool SolidCubes::HasTopology(const HexMesh& cubes)

@@ -4,11 +4,14 @@
 #include "Core/Mesh.h"
 #include "Core/Progress.h"
 #include "Core/Topology.h"
+#include "Geometry/IsoSurface.h"
 #include "Geometry/SolidBoundary.h"
 #include "Hex/GridWarp.h"
 
+#include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace shape
 {
@@ -40,6 +43,15 @@ public:
   /// The cells of a uniform grid in the warped space, carried back; nothing where none of the
   /// choices of cells on the boundary has the solid's topology. Throws as SolidLevels.
   std::optional<HexMesh> Fill(double size, const GridWarp& warp, const Progress& progress = {});
+
+  /// The grid that Fill uses, in the warped space; without values.
+  SampledGrid Grid(double size, const GridWarp& warp) const;
+
+  /// The cells of a grid in the warped space around the surface that are inside, and accepted;
+  /// nothing where none of the choices of cells on the boundary has the solid's topology and is.
+  std::optional<std::vector<char>> CellsInside(const SampledGrid& grid, const GridWarp& warp,
+    const std::function<bool(const std::vector<char>& inside)>& accepts,
+    const Progress& progress = {});
 
 private:
   bool HasTopology(const HexMesh& cubes);

@@ -42,11 +42,10 @@ std::vector<char> CellsNear(const Mesh& surface, const SampledGrid& grid)
 
 } // namespace
 
-SampledGrid SolidLevels(
-  const Mesh& surface, const SurfaceLocator& boundary, double size, const Progress& progress)
+SampledGrid CellsAround(const Eigen::MatrixXd& points, double size)
 {
-  const Eigen::RowVector3d low = surface.Points.colwise().minCoeff();
-  const Eigen::RowVector3d high = surface.Points.colwise().maxCoeff();
+  const Eigen::RowVector3d low = points.colwise().minCoeff();
+  const Eigen::RowVector3d high = points.colwise().maxCoeff();
   const Eigen::RowVector3d counts = ((high - low) / size).array().ceil() + 3.0;
   constexpr double most = 2e8;
   if (!(counts.prod() <= most))
@@ -59,10 +58,16 @@ SampledGrid SolidLevels(
   grid.Spacing = size;
   grid.Counts = counts.cast<int>();
   grid.Origin = 0.5 * (low + high) - 0.5 * size * (counts.array() - 1.0).matrix();
+  return grid;
+}
+
+void FindLevels(
+  const Mesh& surface, const SurfaceLocator& boundary, SampledGrid& grid, const Progress& progress)
+{
+  const double far = LevelBand * grid.Spacing;
   const Eigen::VectorXi windings = GridWindingNumbers(surface, grid);
   grid.Values =
-    (windings.array() > 0)
-      .select(Eigen::VectorXd::Constant(windings.size(), -LevelBand * size), LevelBand * size);
+    (windings.array() > 0).select(Eigen::VectorXd::Constant(windings.size(), -far), far);
   const std::vector<char> near = CellsNear(boundary.Surface(), grid);
   std::vector<int> cells;
   for (int cell = 0; cell < static_cast<int>(near.size()); ++cell)
@@ -86,6 +91,13 @@ SampledGrid SolidLevels(
     level =
       std::copysign(std::min(distances(static_cast<Eigen::Index>(i)), std::abs(level)), level);
   }
+}
+
+SampledGrid SolidLevels(
+  const Mesh& surface, const SurfaceLocator& boundary, double size, const Progress& progress)
+{
+  SampledGrid grid = CellsAround(surface.Points, size);
+  FindLevels(surface, boundary, grid, progress);
   return grid;
 }
 
