@@ -2,6 +2,7 @@
 
 #include "Hex/BoundaryLayers.h"
 #include "Hex/HexOptimization.h"
+#include "Hex/LayerPlan.h"
 #include "Hex/OnFeatures.h"
 #include "Hex/PatchedBoundary.h"
 #include "Quality/HausdorffDistance.h"
@@ -20,25 +21,9 @@ namespace
 bool AddLayers(
   HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, PatchedBoundary& boundary)
 {
-  const std::vector<int> groups = LayerGroups(surface, features);
-  for (const int patch : PatchesBesideStraightCorners(boundary, groups))
+  for (const std::vector<int>& patches : PlanLayers(surface, features, boundary))
   {
-    PadPatches(mesh, { patch }, boundary);
-  }
-  for (int group = 0; group < features.Patches; ++group)
-  {
-    std::vector<int> patches;
-    for (int patch = 0; patch < features.Patches; ++patch)
-    {
-      if (groups[patch] == group)
-      {
-        patches.push_back(patch);
-      }
-    }
-    if (!patches.empty())
-    {
-      PadPatches(mesh, patches, boundary);
-    }
+    PadPatches(mesh, patches, boundary);
   }
   return MatchCurves(mesh, surface, features, boundary);
 }

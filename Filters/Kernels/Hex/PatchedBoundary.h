@@ -46,7 +46,7 @@ bool MatchCurves(const HexMesh& mesh, const Mesh& surface, const SurfaceFeatures
 /// An edge of a quad, counter-clockwise around it seen from outside.
 using QuadEdge = std::pair<int, int>;
 
-/// The patch of the quad of each edge.
-std::map<QuadEdge, int> PatchesOfEdges(const PatchedBoundary& boundary);
+/// The quad of each edge (quads: q x 4).
+std::map<QuadEdge, int> QuadsOfEdges(const Eigen::MatrixXi& quads);
 
 } // namespace shape
