@@ -12,7 +12,7 @@ struct HexFitOptions
 {
   int PaddingLayers = 1; ///< of hexahedra around what is given; >= 1
   /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
-  double LeastWithCreases = 0.3;
+  double LeastWithCreases = 0.2;
 };
 
 /// Hexahedra whose boundary lies on a surface.

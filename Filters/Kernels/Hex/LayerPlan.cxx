@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <queue>
@@ -24,25 +25,26 @@ using PatchSet = std::set<int>;
 constexpr double Wide = 135.0;
 
 /// The angles of the patches at each corner, in degrees.
-std::map<int, std::map<int, double>> CornerAngles(
+std::vector<std::map<int, double>> CornerAngles(
   const Mesh& surface, const SurfaceFeatures& features)
 {
-  std::map<int, std::map<int, double>> angles;
-  for (const int corner : features.Corners)
+  std::map<int, std::size_t> cornerOf;
+  for (std::size_t corner = 0; corner < features.Corners.size(); ++corner)
   {
-    angles[corner];
+    cornerOf[features.Corners[corner]] = corner;
   }
+  std::vector<std::map<int, double>> angles(features.Corners.size());
   for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const auto corner = angles.find(surface.Triangles(t, k));
-      if (corner != angles.end())
+      const auto corner = cornerOf.find(surface.Triangles(t, k));
+      if (corner != cornerOf.end())
       {
         const Eigen::Matrix3d corners = Corners(surface, t);
         const Eigen::RowVector3d a = corners.row((k + 1) % 3) - corners.row(k);
         const Eigen::RowVector3d b = corners.row((k + 2) % 3) - corners.row(k);
-        corner->second[features.PatchOf(t)] +=
+        angles[corner->second][features.PatchOf(t)] +=
           std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI;
       }
     }
@@ -69,11 +71,12 @@ public:
   Plan(const Mesh& surface, const SurfaceFeatures& features)
     : Features(features)
     , Rings(RingsOfCorners(surface, features))
+    , Angles(CornerAngles(surface, features))
     , GroupOf(features.Patches)
   {
     std::iota(this->GroupOf.begin(), this->GroupOf.end(), 0);
     this->UniteAtWideCreases();
-    this->UniteAtWideCorners(surface);
+    this->UniteAtWideCorners();
     while (this->UniteAtACorner())
     {
     }
@@ -81,22 +84,25 @@ public:
 
   std::vector<std::vector<int>> Layers(const PatchedBoundary& boundary) const
   {
-    std::vector<std::vector<int>> layers;
-    std::vector<PatchSet> before;
+    std::vector<PatchSet> sets;
     for (const auto& [own, beyond] : this->StraightCorners(boundary))
     {
-      const bool isDone = std::any_of(before.begin(), before.end(),
-        [&, own = own, beyond = beyond](const PatchSet& set)
+      const bool isDone = std::any_of(sets.begin(), sets.end(),
+        [own = own, beyond = beyond](const PatchSet& set)
         { return set.count(beyond) > 0 && set.count(own) == 0; });
       if (!isDone)
       {
-        before.push_back(this->LeastAround(beyond, own));
-        layers.emplace_back(before.back().begin(), before.back().end());
+        sets.push_back(this->LeastAround({ beyond }, own));
       }
     }
+    this->WidenCorners(boundary, sets);
     for (int group = 0; group < this->Features.Patches; ++group)
     {
-      const PatchSet set = this->Group(group);
+      sets.push_back(this->Group(group));
+    }
+    std::vector<std::vector<int>> layers;
+    for (const PatchSet& set : sets)
+    {
       if (!set.empty())
       {
         layers.emplace_back(set.begin(), set.end());
@@ -136,9 +142,9 @@ private:
     }
   }
 
-  void UniteAtWideCorners(const Mesh& surface)
+  void UniteAtWideCorners()
   {
-    for (const auto& [corner, patches] : CornerAngles(surface, this->Features))
+    for (const std::map<int, double>& patches : this->Angles)
     {
       for (const auto& [patch, angle] : patches)
       {
@@ -236,14 +242,73 @@ private:
     return pairs;
   }
 
-  /// The fewest patches with one, without another, that are admissible at all corners.
-  PatchSet LeastAround(int with, int without) const
+  /// The patches have so many quads at the corners.
+  std::vector<std::map<int, int>> QuadsAtCorners(const PatchedBoundary& boundary) const
+  {
+    std::vector<std::map<int, int>> quads(this->Rings.size());
+    for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
+    {
+      for (const int point : boundary.Quads.row(q))
+      {
+        if (const int corner = boundary.CornerOf[point]; corner >= 0)
+        {
+          ++quads[corner][boundary.PatchOf(q)];
+        }
+      }
+    }
+    return quads;
+  }
+
+  /// Patches that a layer leaves out at a corner have one quad there, or two if it is one patch.
+  void Pad(const PatchSet& set, std::vector<std::map<int, int>>& quads) const
+  {
+    for (std::size_t corner = 0; corner < this->Rings.size(); ++corner)
+    {
+      const PatchRing& ring = this->Rings[corner];
+      PatchSet out;
+      std::copy_if(ring.begin(), ring.end(), std::inserter(out, out.end()),
+        [&](int patch) { return set.count(patch) == 0; });
+      for (const int patch : out)
+      {
+        quads[corner][patch] =
+          out.size() == ring.size() ? quads[corner][patch] : (out.size() == 1 ? 2 : 1);
+      }
+    }
+  }
+
+  /// Adds layers under the others where a patch of too wide an angle for it has one quad at a
+  /// corner, and is in a group with the others there.
+  void WidenCorners(const PatchedBoundary& boundary, std::vector<PatchSet>& sets) const
+  {
+    std::vector<std::map<int, int>> quads = this->QuadsAtCorners(boundary);
+    for (const PatchSet& set : sets)
+    {
+      this->Pad(set, quads);
+    }
+    for (std::size_t corner = 0; corner < this->Rings.size(); ++corner)
+    {
+      for (const auto& [patch, angle] : this->Angles[corner])
+      {
+        PatchSet others(this->Rings[corner].begin(), this->Rings[corner].end());
+        others.erase(patch);
+        if (angle >= Wide && quads[corner][patch] < 2 &&
+          this->GroupOf[patch] == this->GroupOf[*others.begin()])
+        {
+          sets.push_back(this->LeastAround(others, patch));
+          this->Pad(sets.back(), quads);
+        }
+      }
+    }
+  }
+
+  /// The fewest patches with some, without another, that are admissible at all corners.
+  PatchSet LeastAround(const PatchSet& with, int without) const
   {
     const auto isLarger = [](const PatchSet& a, const PatchSet& b)
     { return a.size() != b.size() ? a.size() > b.size() : a > b; };
     std::priority_queue<PatchSet, std::vector<PatchSet>, decltype(isLarger)> open(isLarger);
     std::set<PatchSet> seen;
-    open.push({ with });
+    open.push(with);
     constexpr int tries = 2000;
     for (int i = 0; i < tries && !open.empty(); ++i)
     {
@@ -300,6 +365,7 @@ private:
 
   const SurfaceFeatures& Features;
   const std::vector<PatchRing> Rings;
+  const std::vector<std::map<int, double>> Angles; ///< of the patches at each corner
   std::vector<int> GroupOf;
 };
 
