@@ -77,18 +77,18 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
 {
   std::optional<HexFit> fit =
     FitWith(core, surface, features, options.PaddingLayers, progress.Part(0.0, 0.6));
-  if (fit && (features.Curves.empty() || fit->LeastScaledJacobian >= options.LeastWithCreases))
+  if (!fit || (!features.Curves.empty() && fit->LeastScaledJacobian < options.LeastWithCreases))
   {
-    return std::move(*fit);
+    std::optional<HexFit> smooth = FitWith(
+      core, surface, WithoutCurves(features), options.PaddingLayers, progress.Part(0.6, 1.0));
+    if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
+    {
+      fit = std::move(smooth);
+      fit->CreasesKept = features.Curves.empty();
+    }
   }
-  const SurfaceFeatures none = WithoutCurves(features);
-  std::optional<HexFit> smooth =
-    FitWith(core, surface, none, options.PaddingLayers, progress.Part(0.6, 1.0));
-  if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
-  {
-    fit = std::move(smooth);
-    fit->CreasesKept = features.Curves.empty();
-  }
+  fit->Creases =
+    CompareCreases(surface.Surface(), features, fit->Solid.Points, fit->Quads, fit->PatchOf);
   return std::move(fit.value());
 }
 

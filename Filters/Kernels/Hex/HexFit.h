@@ -3,6 +3,7 @@
 #include "Core/HexMesh.h"
 #include "Core/Progress.h"
 #include "Geometry/ClosestPoint.h"
+#include "Hex/CreaseFit.h"
 #include "Hex/SurfaceFeatures.h"
 
 namespace shape
@@ -28,6 +29,7 @@ struct HexFit
   double Distance = 0.0;
   /// Whether every curve and corner of the features is one of the hexahedra; where not, none is.
   bool CreasesKept = false;
+  CreaseFit Creases; ///< how far the surface's and the hexahedra's are apart
 };
 
 /**

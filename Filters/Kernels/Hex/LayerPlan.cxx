@@ -22,7 +22,7 @@ namespace
 using PatchSet = std::set<int>;
 
 /// A crease or an angle of a patch that is wider, in degrees, has two hexahedra.
-constexpr double Wide = 135.0;
+constexpr double Wide = 145.0;
 
 /// The angles of the patches at each corner, in degrees.
 std::vector<std::map<int, double>> CornerAngles(

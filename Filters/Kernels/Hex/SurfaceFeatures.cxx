@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace shape
@@ -24,7 +25,12 @@ struct Hinge
   double Length;
   bool Sharp;
   double Angle; ///< inside, in degrees
+  bool IsCrease = Sharp;
 };
+
+/// Creases fade out: where one ends, it goes on along the shortest way over edges whose normals are
+/// at least this share of the angle apart, to another crease. Without such a way it stays as it is.
+constexpr double FadingShare = 0.375;
 
 std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
 {
@@ -50,6 +56,86 @@ std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
   }
   return hinges;
 }
+
+/// Ways from the ends of creases over edges that are less sharp, to other creases.
+class FadingCreases
+{
+public:
+  FadingCreases(std::vector<Hinge>& hinges, double angle)
+    : Hinges(hinges)
+  {
+    for (int i = 0; i < static_cast<int>(hinges.size()); ++i)
+    {
+      constexpr double straight = 180.0;
+      if (hinges[i].Sharp || std::abs(hinges[i].Angle - straight) > FadingShare * angle)
+      {
+        this->At[hinges[i].Low].push_back(i);
+        this->At[hinges[i].High].push_back(i);
+      }
+    }
+  }
+
+  void Extend()
+  {
+    for (const auto& [point, edges] : this->At)
+    {
+      if (this->Creases(point) == 1)
+      {
+        this->ExtendFrom(point);
+      }
+    }
+  }
+
+private:
+  int Creases(int point) const
+  {
+    const std::vector<int>& edges = this->At.at(point);
+    return static_cast<int>(std::count_if(
+      edges.begin(), edges.end(), [&](int edge) { return this->Hinges[edge].IsCrease; }));
+  }
+
+  /// Dijkstra's algorithm to the closest point on a crease.
+  void ExtendFrom(int end)
+  {
+    std::map<int, std::pair<double, int>> reached = { { end, { 0.0, -1 } } }; // length, last edge
+    std::set<std::pair<double, int>> open = { { 0.0, end } };
+    while (!open.empty())
+    {
+      const auto [length, point] = *open.begin();
+      open.erase(open.begin());
+      if (point != end && this->Creases(point) > 0)
+      {
+        this->MarkWay(end, point, reached);
+        return;
+      }
+      for (const int edge : this->At.at(point))
+      {
+        const Hinge& hinge = this->Hinges[edge];
+        const int next = hinge.Low == point ? hinge.High : hinge.Low;
+        const double sum = length + hinge.Length;
+        if (const auto before = reached.find(next);
+            !hinge.IsCrease && (before == reached.end() || sum < before->second.first))
+        {
+          reached[next] = { sum, edge };
+          open.insert({ sum, next });
+        }
+      }
+    }
+  }
+
+  void MarkWay(int end, int point, const std::map<int, std::pair<double, int>>& reached)
+  {
+    while (point != end)
+    {
+      Hinge& hinge = this->Hinges[reached.at(point).second];
+      hinge.IsCrease = true;
+      point = hinge.Low == point ? hinge.High : hinge.Low;
+    }
+  }
+
+  std::vector<Hinge>& Hinges;
+  std::map<int, std::vector<int>> At; ///< of each point the edges that are sharp, or nearly so
+};
 
 /// Unites the smallest patch with the one it has the longest border with until none is too small.
 void UniteSmall(
@@ -205,11 +291,12 @@ private:
 
 SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
 {
-  const std::vector<Hinge> hinges = FindHinges(mesh, angle);
+  std::vector<Hinge> hinges = FindHinges(mesh, angle);
+  FadingCreases(hinges, angle).Extend();
   DisjointSets sets(static_cast<int>(mesh.Triangles.rows()));
   for (const Hinge& hinge : hinges)
   {
-    if (!hinge.Sharp)
+    if (!hinge.IsCrease)
     {
       sets.Merge(hinge.Triangles[0], hinge.Triangles[1]);
     }
@@ -227,9 +314,9 @@ SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
   for (const Hinge& hinge : hinges)
   {
     features.CreaseLength += hinge.Sharp ? hinge.Length : 0.0;
-    features.CurveLength +=
-      features.PatchOf(hinge.Triangles[0]) != features.PatchOf(hinge.Triangles[1]) ? hinge.Length
-                                                                                   : 0.0;
+    const bool isCurve =
+      features.PatchOf(hinge.Triangles[0]) != features.PatchOf(hinge.Triangles[1]);
+    features.CurveLength += hinge.Sharp && isCurve ? hinge.Length : 0.0;
   }
   CurveWalk(hinges, features.PatchOf).Run(features);
   return features;
