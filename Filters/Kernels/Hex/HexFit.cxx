@@ -52,7 +52,8 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   {
     fit.Solid.Points.row(point) = place;
   }
-  constexpr int smoothings = 2;
+  // Layers along creases begin without thickness: what is tangled then takes long to untangle.
+  const int smoothings = features.Curves.empty() ? 2 : 30;
   SmoothHexahedra(fit.Solid, constraint, smoothings);
   SpreadLayers(*boundary, fit.Solid.Points);
   SmoothInverted(fit.Solid, constraint);

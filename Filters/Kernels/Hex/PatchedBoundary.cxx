@@ -203,11 +203,17 @@ private:
     for (std::size_t i = 0; i < chain.Points.size(); ++i)
     {
       const int point = chain.Points[i];
-      if (this->Boundary.CornerOf[point] < 0)
+      const int corner = this->Boundary.CornerOf[point];
+      if (corner < 0)
       {
         this->Boundary.CurveOf[point] = id;
+        this->Boundary.Starts.emplace_back(point, places.row(static_cast<Eigen::Index>(i)));
       }
-      this->Boundary.Starts.emplace_back(point, places.row(static_cast<Eigen::Index>(i)));
+      else
+      {
+        this->Boundary.Starts.emplace_back(
+          point, this->Surface.Points.row(this->Features.Corners[corner]));
+      }
     }
   }
 
