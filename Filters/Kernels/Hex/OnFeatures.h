@@ -25,9 +25,10 @@ public:
 
 private:
   static constexpr int Free = -1;
-  std::vector<int> PlaceOf;             ///< of each point an index into Places, or Free
+  std::vector<int> PlaceOf;             ///< of each point an index into Places or Spans, or Free
   std::vector<int> FreedomOf;           ///< 0 at a corner, 1 on a curve, 2 on a patch, 3
-  std::vector<SurfaceLocator> Places;   ///< patches, then curves, then corners, as triangles
+  std::vector<SurfaceLocator> Places;   ///< patches
+  std::vector<Eigen::MatrixXd> Spans;   ///< of points on curves and corners: polylines
   std::vector<Eigen::MatrixXd> Normals; ///< of the patches' triangles
 };
 

@@ -198,7 +198,7 @@ private:
   void PutOnCurve(const Chain& chain, int id)
   {
     const FeatureCurve& curve = this->Features.Curves[id];
-    const Eigen::MatrixXd places =
+    const CurvePlaces places =
       SpreadAlong(this->Points(chain.Points, Eigen::all), this->Surface, curve);
     for (std::size_t i = 0; i < chain.Points.size(); ++i)
     {
@@ -207,7 +207,8 @@ private:
       if (corner < 0)
       {
         this->Boundary.CurveOf[point] = id;
-        this->Boundary.Starts.emplace_back(point, places.row(static_cast<Eigen::Index>(i)));
+        this->Boundary.Starts.emplace_back(point, places.Places.row(static_cast<Eigen::Index>(i)));
+        this->Boundary.Spans[point] = places.Spans[i];
       }
       else
       {
@@ -220,6 +221,7 @@ private:
   bool MatchCurves()
   {
     this->Boundary.Starts.clear();
+    this->Boundary.Spans.clear();
     if (this->Chains.size() != this->Features.Curves.size())
     {
       return false;

@@ -25,6 +25,7 @@ struct PatchedBoundary
   std::vector<std::pair<int, int>> Copies;
   /// Points on curves and corners, spread along the curves.
   std::vector<std::pair<int, Eigen::RowVector3d>> Starts;
+  std::map<int, Eigen::MatrixXd> Spans; ///< where points on curves may go (CurvePlaces)
 };
 
 /**
