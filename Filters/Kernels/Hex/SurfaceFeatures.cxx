@@ -31,6 +31,8 @@ struct Hinge
 /// Creases fade out: where one ends, it goes on along the shortest way over edges whose normals are
 /// at least this share of the angle apart, to another crease. Without such a way it stays as it is.
 constexpr double FadingShare = 0.375;
+/// A way that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
+constexpr double LeastTip = 50.0;
 
 std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
 {
@@ -61,8 +63,9 @@ std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
 class FadingCreases
 {
 public:
-  FadingCreases(std::vector<Hinge>& hinges, double angle)
-    : Hinges(hinges)
+  FadingCreases(const Mesh& mesh, std::vector<Hinge>& hinges, double angle)
+    : Points(mesh.Points)
+    , Hinges(hinges)
   {
     for (int i = 0; i < static_cast<int>(hinges.size()); ++i)
     {
@@ -105,7 +108,10 @@ private:
       open.erase(open.begin());
       if (point != end && this->Creases(point) > 0)
       {
-        this->MarkWay(end, point, reached);
+        if (!this->IsTip(point, end))
+        {
+          this->MarkWay(end, point, reached);
+        }
         return;
       }
       for (const int edge : this->At.at(point))
@@ -123,16 +129,54 @@ private:
     }
   }
 
+  int Beyond(int point, int edge) const
+  {
+    const Hinge& hinge = this->Hinges[edge];
+    return hinge.Low == point ? hinge.High : hinge.Low;
+  }
+
+  /// From a point along a crease to where it is some way off, or forks.
+  Eigen::RowVector3d Chord(int point, int edge, double length) const
+  {
+    const Eigen::RowVector3d begin = this->Points.row(point);
+    point = this->Beyond(point, edge);
+    constexpr int most = 1000; // of a closed crease that stays near, some
+    for (int i = 0;
+         i < most && (this->Points.row(point) - begin).norm() < length && this->Creases(point) == 2;
+         ++i)
+    {
+      const std::vector<int>& edges = this->At.at(point);
+      edge = *std::find_if(edges.begin(), edges.end(),
+        [&](int other) { return other != edge && this->Hinges[other].IsCrease; });
+      point = this->Beyond(point, edge);
+    }
+    return this->Points.row(point) - begin;
+  }
+
+  bool IsTip(int point, int end) const
+  {
+    const Eigen::RowVector3d way = this->Points.row(end) - this->Points.row(point);
+    const std::vector<int>& edges = this->At.at(point);
+    return std::any_of(edges.begin(), edges.end(),
+      [&](int edge)
+      {
+        return this->Hinges[edge].IsCrease &&
+          this->Chord(point, edge, way.norm()).normalized().dot(way.normalized()) >
+          std::cos(LeastTip * M_PI / 180.0);
+      });
+  }
+
   void MarkWay(int end, int point, const std::map<int, std::pair<double, int>>& reached)
   {
     while (point != end)
     {
-      Hinge& hinge = this->Hinges[reached.at(point).second];
-      hinge.IsCrease = true;
-      point = hinge.Low == point ? hinge.High : hinge.Low;
+      const int edge = reached.at(point).second;
+      this->Hinges[edge].IsCrease = true;
+      point = this->Beyond(point, edge);
     }
   }
 
+  const Eigen::MatrixXd& Points;
   std::vector<Hinge>& Hinges;
   std::map<int, std::vector<int>> At; ///< of each point the edges that are sharp, or nearly so
 };
@@ -292,7 +336,7 @@ private:
 SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
 {
   std::vector<Hinge> hinges = FindHinges(mesh, angle);
-  FadingCreases(hinges, angle).Extend();
+  FadingCreases(mesh, hinges, angle).Extend();
   DisjointSets sets(static_cast<int>(mesh.Triangles.rows()));
   for (const Hinge& hinge : hinges)
   {

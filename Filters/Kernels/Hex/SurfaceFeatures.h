@@ -38,9 +38,9 @@ struct SurfaceFeatures
 /**
  * The creases of a surface: edges whose triangles' normals are more than `angle` degrees apart,
  * as far as they bound patches. One that ends inside a patch goes on over edges of at least three
- * eighths of the angle to another one, on the shortest way, where there is such a way. A patch
- * smaller than `leastArea` is united with the neighbour it has the longest border with. One patch
- * and no curves where nothing is sharp.
+ * eighths of the angle to another one, on the shortest way, where there is such a way that meets
+ * the other one at no small angle. A patch smaller than `leastArea` is united with the neighbour it
+ * has the longest border with. One patch and no curves where nothing is sharp.
  *
  * mesh: closed, oriented consistently.
  */
