@@ -149,7 +149,7 @@ public:
       double low = here, high = here;
       if (!this->Fixed[i])
       {
-        constexpr double reach = 1.5; // mean steps
+        constexpr double reach = 4.0; // mean steps
         const double most = reach * this->Step();
         low = std::max(here - most, this->Bound(i, this->Scale > 0.0 ? -1 : 1, -1.0));
         high = std::min(here + most, this->Bound(i, this->Scale > 0.0 ? 1 : -1, 1.0));
