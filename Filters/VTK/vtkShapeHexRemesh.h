@@ -33,10 +33,14 @@
  * scaled Jacobians in [0, 0.05), [0.05, 0.1), ..., [0.95, 1]), .Distance (the larger one-sided
  * Hausdorff distance between the boundary and the surface), .CellSize, .Patches, .Corners (of the
  * surface), .CreasesKept (1, or 0 where the cells are too coarse for some crease and none is kept),
- * .Regions, .InnerDistance (as .Distance, between regions and inner surfaces), .InnerCreasesKept (0
- * where an inner surface has creases), .Crossings (pairs of the surface's triangles that cross),
- * .EulerNumber and .Components of the boundary; of each of Verdict's further measures its minimum,
- * mean and maximum, as HexRemesh.Volume.
+ * .CornersKept (corners of the surface that are points of the boundary), .CreaseDistance (the
+ * larger one-sided Hausdorff distance between creases of the surface and of the boundary; to the
+ * boundary where none is kept), .CreaseShare (of the length of all that is as sharp as a crease,
+ * that of the creases that were looked for: less than 1 where some end inside a patch, or bound
+ * patches smaller than 4 cells), .Regions, .InnerDistance (as .Distance, between regions and inner
+ * surfaces), .InnerCreasesKept (0 where an inner surface has creases), .Crossings (pairs of the
+ * surface's triangles that cross), .EulerNumber and .Components of the boundary; of each of
+ * Verdict's further measures its minimum, mean and maximum, as HexRemesh.Volume.
  *
  * The mathematics: shape::HexRemesh.
  */

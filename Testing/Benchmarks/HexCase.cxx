@@ -22,7 +22,8 @@ METHOD  Automatic, Polycube or Grid
 CellSize: in hundredths of the diagonal of the surface's box
 
 Prints one line. distance is the larger one-sided Hausdorff distance to the surface in percent of the
-diagonal of its box; euler and components are those of the hexahedra's boundary, wanted those of the
+diagonal of its box, crease that between creases, share that of the creases' length that was looked
+for; euler and components are those of the hexahedra's boundary, wanted those of the
 surface; MiB is the peak of memory above the start. Exits with 2 where the surface is not closed, with
 1 where no hexahedra are found.)";
 
@@ -46,12 +47,14 @@ void Run(
   const shape::Topology found =
     shape::SurfaceTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
   std::printf("vertices=%d method=%s hexes=%d min=%.4f mean=%.4f inverted=%d distance=%.4f "
-              "patches=%d corners=%d creases=%d crossings=%d euler=%d wantedeuler=%d "
+              "patches=%d corners=%d cornerskept=%d creases=%d crease=%.4f share=%.3f crossings=%d "
+              "euler=%d wantedeuler=%d "
               "components=%d wantedcomponents=%d cpu=%.1f wall=%.1f mib=%.0f reason=%s\n",
     static_cast<int>(surface.Points.rows()), result.Method == Method::Grid ? "Grid" : "Polycube",
     static_cast<int>(fit.Solid.Hexahedra.rows()), fit.LeastScaledJacobian, fit.MeanScaledJacobian,
     fit.Inverted, 100.0 * fit.Distance / diagonal, result.Features.Patches,
-    static_cast<int>(result.Features.Corners.size()), fit.CreasesKept ? 1 : 0, result.Crossings,
+    static_cast<int>(result.Features.Corners.size()), fit.Creases.Corners, fit.CreasesKept ? 1 : 0,
+    100.0 * fit.Creases.Distance / diagonal, result.Features.CurveShare(), result.Crossings,
     found.EulerNumber, wanted.EulerNumber, found.Components, wanted.Components, cost.Cpu, cost.Wall,
     cost.MiB, result.Reason.c_str());
 }

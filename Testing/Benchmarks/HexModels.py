@@ -25,8 +25,8 @@ FIGURES = (
     ('distance < 1 % of the diagonal', 95, lambda row: row['distance'] < 1.0),
 )
 POLYCUBE_SHARE = 60
-COLUMNS = ('hexes', 'min', 'mean', 'distance', 'patches', 'creases', 'crossings', 'euler',
-           'components', 'wall', 'mib')
+COLUMNS = ('hexes', 'min', 'mean', 'distance', 'corners', 'cornerskept', 'creases', 'crease',
+           'share', 'crossings', 'euler', 'components', 'cpu', 'mib')
 
 
 def measure(case, path, method, seconds):
@@ -75,17 +75,19 @@ def main():
     parser.add_argument('models', nargs='*', metavar='MODEL')
     parser.add_argument('--build', default=os.path.join(ROOT, 'build'))
     parser.add_argument('--folder', default=os.path.join(ROOT, 'build', 'models'))
+    parser.add_argument('--case', help='another hex_case than the build\'s')
     parser.add_argument('--limit', type=float, default=900.0, help='seconds for each')
     parser.add_argument('--skip-polycube', action='store_true', help='only Automatic')
     arguments = parser.parse_args()
-    subprocess.run(['cmake', '--build', arguments.build, '--target', 'hex_case'], check=True,
-                   stdout=subprocess.DEVNULL)
-    case = os.path.join(arguments.build, 'bin', 'hex_case')
+    case = arguments.case or os.path.join(arguments.build, 'bin', 'hex_case')
+    if not arguments.case:
+        subprocess.run(['cmake', '--build', arguments.build, '--target', 'hex_case'], check=True,
+                       stdout=subprocess.DEVNULL)
     paths = [os.path.join(arguments.folder, model + '.off') for model in arguments.models]
     paths = paths or sorted(glob.glob(os.path.join(arguments.folder, '*.off')), key=os.path.getsize)
     assert paths, 'there are no models in ' + arguments.folder
     rows, faults, polycubes, others, unfinished = [], [], [], [], 0
-    print('%-24s %-9s' % ('model', 'method'), *['%9s' % column for column in COLUMNS])
+    print('%-24s %-9s' % ('model', 'method'), *['%9.9s' % column for column in COLUMNS])
     for path in paths:
         name = os.path.basename(path)[:-len('.off')]
         row, wrong = measure(case, path, 'Automatic', arguments.limit)

@@ -43,6 +43,53 @@ shape::Mesh Box(const Eigen::RowVector3d& sides)
   return box;
 }
 
+/// A block 4 x 4 x 1 with a round hole of radius 1 through its middle.
+shape::Mesh BlockWithHole()
+{
+  constexpr int n = 48;
+  shape::Mesh block{ Eigen::MatrixXd(4 * n, 3), Eigen::MatrixXi(8 * n, 3) };
+  for (int i = 0; i < n; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / n;
+    const Eigen::RowVector2d inner(std::cos(angle), std::sin(angle));
+    const Eigen::RowVector2d outer = 2.0 / inner.cwiseAbs().maxCoeff() * inner;
+    block.Points.row(i) << outer, 0.0;
+    block.Points.row(n + i) << inner, 0.0;
+    block.Points.row(2 * n + i) << inner, 1.0;
+    block.Points.row(3 * n + i) << outer, 1.0;
+    for (int k = 0; k < 4; ++k) // the bottom, the hole, the top, the sides
+    {
+      const int next = (i + 1) % n, a = k * n, b = (k + 1) % 4 * n;
+      block.Triangles.row(2 * (4 * i + k)) << a + i, b + i, b + next;
+      block.Triangles.row(2 * (4 * i + k) + 1) << a + i, b + next, a + next;
+    }
+  }
+  return shape::FacingOutwards(block);
+}
+
+/// A pyramid on a square, whose apex has four sides; with another under it, an octahedron.
+shape::Mesh Pyramid(bool isDouble)
+{
+  shape::Mesh pyramid{ Eigen::MatrixXd(isDouble ? 6 : 5, 3), Eigen::MatrixXi(isDouble ? 8 : 6, 3) };
+  pyramid.Points.topRows(5) << 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0, 0, 0, 1;
+  pyramid.Triangles.topRows(4) << 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4;
+  if (isDouble)
+  {
+    pyramid.Points.row(5) << 0, 0, -1;
+    pyramid.Triangles.bottomRows(4) << 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5;
+  }
+  else
+  {
+    pyramid.Triangles.bottomRows(2) << 0, 3, 2, 0, 2, 1;
+  }
+  return pyramid;
+}
+
+double DiagonalOf(const shape::Mesh& mesh)
+{
+  return (mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff()).norm();
+}
+
 } // namespace
 
 TEST(HexMesh, TheBoundaryIsThatOfTheSolid)
@@ -288,6 +335,48 @@ TEST(GridHexes, CreasesAcrossTheGridAreKept)
     EXPECT_EQ((result.Fit.Solid.Points.rowwise() - corner).rowwise().norm().minCoeff(), 0.0);
   }
   EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), 0.35, 1e-3);
+}
+
+TEST(GridHexes, CornersOfFourSidesAreKept)
+{
+  for (const bool isDouble : { false, true })
+  {
+    shape::Mesh pyramid = Pyramid(isDouble);
+    pyramid.Points *=
+      Eigen::AngleAxisd(0.4, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+    shape::GridHexesOptions options;
+    options.CellSize = 0.12;
+    options.Rounds = 1;
+    const shape::GridHexesResult result = shape::GridHexes(pyramid, options);
+    EXPECT_EQ(result.Features.Corners.size(), isDouble ? 6U : 5U);
+    EXPECT_TRUE(result.Fit.CreasesKept);
+    EXPECT_EQ(result.Fit.Creases.Corners, isDouble ? 6 : 5);
+    EXPECT_LT(result.Fit.Creases.Distance, 1e-9);
+    EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
+    EXPECT_LT(result.Fit.Distance, 1e-3 * DiagonalOf(pyramid));
+  }
+}
+
+TEST(GridHexes, CreasesOfABracketAndOfARoundHoleAreNear)
+{
+  shape::GridHexesOptions options;
+  options.Rounds = 1;
+  options.CellSize = 0.15;
+  const shape::Mesh block = BlockWithHole();
+  const shape::HexFit hole = shape::GridHexes(block, options).Fit;
+  EXPECT_TRUE(hole.CreasesKept);
+  EXPECT_EQ(hole.Creases.Corners, 8);
+  // The hole's edges are closed: no point of theirs is fixed, so chords are what keeps them apart.
+  EXPECT_LT(hole.Creases.Distance, 1e-3 * DiagonalOf(block));
+  EXPECT_GT(hole.LeastScaledJacobian, 0.55);
+  options.CellSize = 0.1;
+  const shape::Mesh bracket =
+    shapetest::Prism({ { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0, 0 }, { 2, 0 }, { 2, 1 } });
+  const shape::HexFit fit = shape::GridHexes(bracket, options).Fit;
+  EXPECT_TRUE(fit.CreasesKept);
+  EXPECT_EQ(fit.Creases.Corners, 12);
+  EXPECT_LT(fit.Creases.Distance, 1e-9);
+  EXPECT_GT(fit.LeastScaledJacobian, 0.5);
 }
 
 TEST(GridHexes, TheSolidOfASurfaceThatCrossesItselfIsWhatItWindsAround)

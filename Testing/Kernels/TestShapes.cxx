@@ -145,6 +145,27 @@ shape::Mesh FlatSquare(int cells, double shake)
   return mesh;
 }
 
+shape::Mesh Prism(const std::vector<Eigen::RowVector2d>& outline)
+{
+  const auto n = static_cast<int>(outline.size());
+  shape::Mesh prism{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(4 * n - 4, 3) };
+  int t = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    const int next = (i + 1) % n;
+    prism.Points.row(i) << outline[i], 0.0;
+    prism.Points.row(n + i) << outline[i], 1.0;
+    prism.Triangles.row(t++) << i, next, n + next;
+    prism.Triangles.row(t++) << i, n + next, n + i;
+    if (i > 0 && i + 1 < n)
+    {
+      prism.Triangles.row(t++) << 0, i + 1, i;
+      prism.Triangles.row(t++) << n, n + i, n + i + 1;
+    }
+  }
+  return prism;
+}
+
 shape::Mesh ReadOff(const std::string& path)
 {
   std::ifstream file(path);

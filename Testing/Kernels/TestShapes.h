@@ -3,6 +3,7 @@
 #include "Core/Mesh.h"
 
 #include <string>
+#include <vector>
 
 // Surfaces that the kernel tests share.
 namespace shapetest
@@ -22,6 +23,9 @@ shape::Mesh FlatDisk(int rings);
 /// [-1, 1] x [-1, 1] in cells x cells quads of two triangles each, whose diagonals leave no corner
 /// alone; inner points moved by up to `shake` cells.
 shape::Mesh FlatSquare(int cells, double shake);
+
+/// A prism over a polygon in the plane z = 0, 1 high, its polygons as fans around point 0.
+shape::Mesh Prism(const std::vector<Eigen::RowVector2d>& outline);
 
 /// A triangle mesh in OFF format. Throws std::runtime_error where the file cannot be read.
 shape::Mesh ReadOff(const std::string& path);

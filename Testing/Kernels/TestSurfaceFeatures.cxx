@@ -3,31 +3,34 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 namespace
 {
 
-/// A prism over a polygon in the plane z = 0, 1 high, its polygons as fans around point 0.
-shape::Mesh Prism(const std::vector<Eigen::RowVector2d>& outline)
+/// A roof 10 long whose sides rise by an angle that changes from one end to the other, in degrees.
+shape::Mesh MakeRoof(double first, double last)
 {
-  const auto n = static_cast<int>(outline.size());
-  shape::Mesh prism{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(4 * n - 4, 3) };
+  constexpr int steps = 10;
+  shape::Mesh roof{ Eigen::MatrixXd(3 * (steps + 1), 3), Eigen::MatrixXi(6 * steps + 2, 3) };
   int t = 0;
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i <= steps; ++i)
   {
-    const int next = (i + 1) % n;
-    prism.Points.row(i) << outline[i], 0.0;
-    prism.Points.row(n + i) << outline[i], 1.0;
-    prism.Triangles.row(t++) << i, next, n + next;
-    prism.Triangles.row(t++) << i, n + next, n + i;
-    if (i > 0 && i + 1 < n)
+    roof.Points.row(3 * i) << i, -1.0, 0.0;
+    roof.Points.row(3 * i + 1) << i, 0.0,
+      std::tan((first + (last - first) * i / steps) * M_PI / 180.0);
+    roof.Points.row(3 * i + 2) << i, 1.0, 0.0;
+    for (int k = 0; i < steps && k < 3; ++k) // two sides, and the floor
     {
-      prism.Triangles.row(t++) << 0, i + 1, i;
-      prism.Triangles.row(t++) << n, n + i, n + i + 1;
+      const int a = 3 * i + k, b = 3 * i + (k + 1) % 3;
+      roof.Triangles.row(t++) << a, a + 3, b + 3;
+      roof.Triangles.row(t++) << a, b + 3, b;
     }
   }
-  return prism;
+  roof.Triangles.row(t++) << 0, 1, 2;
+  roof.Triangles.row(t++) << 3 * steps, 3 * steps + 2, 3 * steps + 1;
+  return roof;
 }
 
 } // namespace
@@ -35,7 +38,8 @@ shape::Mesh Prism(const std::vector<Eigen::RowVector2d>& outline)
 TEST(SurfaceFeatures, OfAnLAreItsSidesEdgesAndCorners)
 {
   // Its inner corner is point 0, so that the fans are right.
-  const shape::Mesh bracket = Prism({ { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0, 0 }, { 2, 0 }, { 2, 1 } });
+  const shape::Mesh bracket =
+    shapetest::Prism({ { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0, 0 }, { 2, 0 }, { 2, 1 } });
   const shape::SurfaceFeatures features = shape::FindFeatures(bracket, 40.0, 0.0);
   EXPECT_EQ(features.Patches, 8);
   EXPECT_EQ(features.Corners.size(), 12U);
@@ -61,7 +65,7 @@ TEST(SurfaceFeatures, OfACylinderAreTwoClosedCurves)
   {
     circle.emplace_back(std::cos(i * M_PI / 24.0), std::sin(i * M_PI / 24.0));
   }
-  const shape::SurfaceFeatures features = shape::FindFeatures(Prism(circle), 40.0, 0.0);
+  const shape::SurfaceFeatures features = shape::FindFeatures(shapetest::Prism(circle), 40.0, 0.0);
   EXPECT_EQ(features.Patches, 3);
   EXPECT_TRUE(features.Corners.empty());
   ASSERT_EQ(features.Curves.size(), 2U);
@@ -77,7 +81,7 @@ TEST(SurfaceFeatures, SmallPatchesJoinTheirNeighbours)
 {
   // The sides of a flat cylinder are smaller than its ends.
   std::vector<Eigen::RowVector2d> square = { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } };
-  const shape::Mesh plate = Prism(square);
+  const shape::Mesh plate = shapetest::Prism(square);
   EXPECT_EQ(shape::FindFeatures(plate, 40.0, 3.9).Patches, 6);
   const shape::SurfaceFeatures united = shape::FindFeatures(plate, 40.0, 4.1);
   EXPECT_LT(united.Patches, 6);
@@ -96,4 +100,19 @@ TEST(SurfaceFeatures, SmallPatchesJoinTheirNeighbours)
     area += 0.5 * shape::AreaVectors(patch).rowwise().norm().sum();
   }
   EXPECT_DOUBLE_EQ(area, 2.0 * 16.0 + 4.0 * 4.0);
+}
+
+TEST(SurfaceFeatures, ACreaseThatFadesOutGoesOnToTheNextOne)
+{
+  const shape::Mesh fading = MakeRoof(30.0, 15.0);
+  ASSERT_GT(shape::EnclosedVolume(fading), 0.0);
+  const shape::SurfaceFeatures features = shape::FindFeatures(fading, 40.0, 0.0);
+  EXPECT_EQ(features.Patches, 5); // two sides, the floor, two gables
+  EXPECT_EQ(features.Corners.size(), 6U);
+  EXPECT_EQ(features.CurveShare(), 1.0);
+  // One that fades out altogether parts nothing, and the share tells.
+  const shape::SurfaceFeatures lost = shape::FindFeatures(MakeRoof(30.0, 2.0), 40.0, 0.0);
+  EXPECT_EQ(lost.Patches, 4);
+  EXPECT_LT(lost.CurveShare(), 0.95);
+  EXPECT_GT(lost.CurveShare(), 0.8);
 }

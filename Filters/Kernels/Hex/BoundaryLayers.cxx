@@ -2,98 +2,12 @@
 
 #include "Hex/Padding.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
-#include <numeric>
-#include <set>
 #include <utility>
 
 namespace shape
 {
-
-std::vector<int> PatchesBesideStraightCorners(
-  const PatchedBoundary& boundary, const std::vector<int>& groups)
-{
-  const std::map<QuadEdge, int> patches = PatchesOfEdges(boundary);
-  std::set<int> beside;
-  for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
-  {
-    std::array<int, 4> beyond{};
-    for (int k = 0; k < 4; ++k)
-    {
-      beyond[k] = patches.at({ boundary.Quads(q, (k + 1) % 4), boundary.Quads(q, k) });
-    }
-    for (int k = 0; k < 4; ++k)
-    {
-      const int next = (k + 1) % 4;
-      if (boundary.CornerOf[boundary.Quads(q, next)] < 0 && beyond[k] == beyond[next] &&
-        beyond[k] != boundary.PatchOf(q) && groups[beyond[k]] == groups[boundary.PatchOf(q)])
-      {
-        beside.insert(beyond[k]);
-      }
-    }
-  }
-  return { beside.begin(), beside.end() };
-}
-
-std::vector<int> LayerGroups(const Mesh& surface, const SurfaceFeatures& features)
-{
-  constexpr double wide = 135.0;               // degrees
-  std::map<int, std::map<int, double>> angles; // of each corner, of each patch there
-  for (const int corner : features.Corners)
-  {
-    angles[corner];
-  }
-  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto corner = angles.find(surface.Triangles(t, k));
-      if (corner != angles.end())
-      {
-        const Eigen::Matrix3d corners = Corners(surface, t);
-        const Eigen::RowVector3d a = corners.row((k + 1) % 3) - corners.row(k);
-        const Eigen::RowVector3d b = corners.row((k + 2) % 3) - corners.row(k);
-        corner->second[features.PatchOf(t)] += std::atan2(a.cross(b).norm(), a.dot(b));
-      }
-    }
-  }
-  std::vector<int> groups(features.Patches);
-  std::iota(groups.begin(), groups.end(), 0);
-  const auto unite = [&](int one, int other)
-  { std::replace(groups.begin(), groups.end(), int(groups[one]), int(groups[other])); };
-  for (const FeatureCurve& curve : features.Curves)
-  {
-    if (curve.Angle > wide)
-    {
-      unite(curve.Patches[0], curve.Patches[1]);
-    }
-  }
-  for (const auto& [corner, patches] : angles)
-  {
-    for (const auto& [patch, angle] : patches)
-    {
-      if (angle * 180.0 / M_PI < wide)
-      {
-        continue;
-      }
-      int first = -1;
-      for (const auto& [other, unused] : patches)
-      {
-        if (other != patch)
-        {
-          first = first < 0 ? other : first;
-          unite(other, first);
-        }
-      }
-    }
-  }
-  return groups;
-}
 
 namespace
 {
@@ -113,7 +27,7 @@ void RememberCopies(const std::vector<int>& copyOf, PatchedBoundary& boundary)
 
 void PadPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary& boundary)
 {
-  const std::map<QuadEdge, int> patchOfEdge = PatchesOfEdges(boundary);
+  const std::map<QuadEdge, int> quadOf = QuadsOfEdges(boundary.Quads);
   const auto isPadded = [&](int patch)
   { return std::find(patches.begin(), patches.end(), patch) != patches.end(); };
   std::vector<int> own;
@@ -139,10 +53,10 @@ void PadPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary&
     }
   }
   std::vector<std::pair<Eigen::RowVector4i, int>> sides;
-  for (const auto& [edge, patch] : patchOfEdge)
+  for (const auto& [edge, quad] : quadOf)
   {
-    const int beyond = patchOfEdge.at({ edge.second, edge.first });
-    if (isPadded(patch) && !isPadded(beyond))
+    const int beyond = boundary.PatchOf(quadOf.at({ edge.second, edge.first }));
+    if (isPadded(boundary.PatchOf(quad)) && !isPadded(beyond))
     {
       sides.emplace_back(
         Eigen::RowVector4i(edge.second, edge.first, copyOf[edge.first], copyOf[edge.second]),

@@ -8,19 +8,6 @@ namespace shape
 {
 
 /**
- * Which patches get a layer of hexahedra together (of each patch the first of its group): those on
- * either side of a crease that is not convex, which has two hexahedra then; and at a corner where
- * the angle of one patch is so wide that it needs two quads, the other patches. At the other
- * creases each has a layer of its own, and the crease one hexahedron.
- */
-std::vector<int> LayerGroups(const Mesh& surface, const SurfaceFeatures& features);
-
-/// The patches beyond those edges of quads that come in a row on a curve inside a group, ascending.
-/// The quad's corner between such two cannot be good: it is a straight angle on the surface.
-std::vector<int> PatchesBesideStraightCorners(
-  const PatchedBoundary& boundary, const std::vector<int>& groups);
-
-/**
  * A layer of hexahedra under some patches. It ends at their border, with a row of quads in the
  * patches beyond: then no quad there has two edges in a row on a curve (each surface and each curve
  * has sheets of its own, as in Ledoux and Shepherd, "Topological and geometrical properties of

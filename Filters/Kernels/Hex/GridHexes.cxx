@@ -46,6 +46,7 @@ public:
     , Diagonal((this->Cubes.Surface().Points.colwise().maxCoeff() -
         this->Cubes.Surface().Points.colwise().minCoeff())
                  .norm())
+    , AllFeatures(FindFeatures(this->Bounding.Surface(), options.FeatureAngle, 0.0))
   {
     for (const SolidCubes& inner : this->Regions.Inner())
     {
@@ -182,7 +183,8 @@ private:
       (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
   }
 
-  /// Adds magnifiers where the surfaces are far from each other, and at bad hexahedra.
+  /// Adds magnifiers where the surfaces are far from each other, at corners that patches too small
+  /// for the cells have, and at bad hexahedra.
   void Magnify(const GridHexesResult& result, std::vector<Magnifier>& magnifiers) const
   {
     constexpr double radius = 2.5, apart = 1.5; // cells, radii
@@ -220,6 +222,14 @@ private:
     {
       addFar(this->InnerBounding[i].Surface(), result.Fit.Interfaces[i]);
     }
+    for (const int corner : this->AllFeatures.Corners)
+    {
+      if (!std::binary_search(
+            result.Features.Corners.begin(), result.Features.Corners.end(), corner))
+      {
+        add(this->Bounding.Surface().Points.row(corner));
+      }
+    }
     const Eigen::VectorXd quality = ScaledJacobians(solid);
     for (Eigen::Index hex = 0; hex < quality.size(); ++hex)
     {
@@ -236,6 +246,7 @@ private:
   const SurfaceLocator Bounding; ///< what bounds it
   std::vector<SurfaceLocator> InnerBounding;
   const double Diagonal;
+  const SurfaceFeatures AllFeatures; ///< patches of any size
   std::optional<GridHexesResult> Best;
   int Rounds = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "Hex/BoundaryLayers.h"
 #include "Hex/HexOptimization.h"
+#include "Hex/LayerPlan.h"
 #include "Hex/OnFeatures.h"
 #include "Hex/PatchedBoundary.h"
 #include "Quality/HausdorffDistance.h"
@@ -20,25 +21,9 @@ namespace
 bool AddLayers(
   HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, PatchedBoundary& boundary)
 {
-  const std::vector<int> groups = LayerGroups(surface, features);
-  for (const int patch : PatchesBesideStraightCorners(boundary, groups))
+  for (const std::vector<int>& patches : PlanLayers(surface, features, boundary))
   {
-    PadPatches(mesh, { patch }, boundary);
-  }
-  for (int group = 0; group < features.Patches; ++group)
-  {
-    std::vector<int> patches;
-    for (int patch = 0; patch < features.Patches; ++patch)
-    {
-      if (groups[patch] == group)
-      {
-        patches.push_back(patch);
-      }
-    }
-    if (!patches.empty())
-    {
-      PadPatches(mesh, patches, boundary);
-    }
+    PadPatches(mesh, patches, boundary);
   }
   return MatchCurves(mesh, surface, features, boundary);
 }
@@ -70,7 +55,8 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   {
     fit.Solid.Points.row(point) = place;
   }
-  constexpr int smoothings = 2;
+  // Layers along creases begin without thickness: what is tangled then takes long to untangle.
+  const int smoothings = features.Curves.empty() ? 2 : 30;
   SmoothHexahedra(fit.Solid, constraint, smoothings);
   SpreadLayers(*boundary, fit.Solid.Points);
   interfaceLayers.Spread(fit.Solid.Points);
@@ -103,18 +89,18 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
 {
   std::optional<HexFit> fit =
     FitWith(core, surface, features, options.PaddingLayers, interfaces, progress.Part(0.0, 0.6));
-  if (fit && (features.Curves.empty() || fit->LeastScaledJacobian >= options.LeastWithCreases))
+  if (!fit || (!features.Curves.empty() && fit->LeastScaledJacobian < options.LeastWithCreases))
   {
-    return std::move(*fit);
+    std::optional<HexFit> smooth = FitWith(core, surface, WithoutCurves(features),
+      options.PaddingLayers, interfaces, progress.Part(0.6, 1.0));
+    if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
+    {
+      fit = std::move(smooth);
+      fit->CreasesKept = features.Curves.empty();
+    }
   }
-  const SurfaceFeatures none = WithoutCurves(features);
-  std::optional<HexFit> smooth =
-    FitWith(core, surface, none, options.PaddingLayers, interfaces, progress.Part(0.6, 1.0));
-  if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
-  {
-    fit = std::move(smooth);
-    fit->CreasesKept = features.Curves.empty();
-  }
+  fit->Creases =
+    CompareCreases(surface.Surface(), features, fit->Solid.Points, fit->Quads, fit->PatchOf);
   return std::move(fit.value());
 }
 

@@ -3,6 +3,7 @@
 #include "Core/HexMesh.h"
 #include "Core/Progress.h"
 #include "Geometry/ClosestPoint.h"
+#include "Hex/CreaseFit.h"
 #include "Hex/InnerInterfaces.h"
 #include "Hex/SurfaceFeatures.h"
 
@@ -15,7 +16,7 @@ struct HexFitOptions
 {
   int PaddingLayers = 1; ///< of hexahedra around what is given; >= 1
   /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
-  double LeastWithCreases = 0.3;
+  double LeastWithCreases = 0.2;
 };
 
 /// Hexahedra whose boundary lies on a surface.
@@ -31,6 +32,7 @@ struct HexFit
   double Distance = 0.0;
   /// Whether every curve and corner of the features is one of the hexahedra; where not, none is.
   bool CreasesKept = false;
+  CreaseFit Creases;        ///< how far the surface's and the hexahedra's are apart
   Eigen::VectorXi RegionOf; ///< m: of each hexahedron, see RegionCells; 0 without inner surfaces
   std::vector<Eigen::MatrixXi>
     Interfaces;               ///< the quads on each inner surface, seen from outside it

@@ -131,7 +131,7 @@ OnSurfaces::OnSurfaces(
     features.Patches = 1;
     features.PatchOf = Eigen::VectorXi::Zero(surface.Triangles.rows());
     const PatchedBoundary smooth{ quads, Eigen::VectorXi::Zero(quads.rows()),
-      std::vector<int>(points, -1), std::vector<int>(points, -1), {}, {} };
+      std::vector<int>(points, -1), std::vector<int>(points, -1), {}, {}, {} };
     this->Inner.emplace_back(surface, features, smooth, points);
     for (const int point : quads.reshaped())
     {

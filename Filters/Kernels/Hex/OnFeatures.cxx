@@ -2,22 +2,38 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <limits>
+
 namespace shape
 {
 namespace
 {
 
-/// A polyline as triangles without area.
-Mesh Polyline(const Mesh& surface, const FeatureCurve& curve)
+struct PolylinePlace
 {
-  const auto count = static_cast<int>(curve.Points.size());
-  Mesh line{ surface.Points(curve.Points, Eigen::all),
-    Eigen::MatrixXi(curve.Closed ? count : count - 1, 3) };
-  for (int i = 0; i < static_cast<int>(line.Triangles.rows()); ++i)
+  Eigen::RowVector3d Position;
+  Eigen::Index Segment;
+};
+
+/// The place of a polyline (k x 3, k >= 1) closest to another one.
+PolylinePlace NearestOn(const Eigen::MatrixXd& line, const Eigen::RowVector3d& place)
+{
+  PolylinePlace nearest{ line.row(0), 0 };
+  double least = (line.row(0) - place).squaredNorm();
+  for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
   {
-    line.Triangles.row(i) << i, (i + 1) % count, (i + 1) % count;
+    const Eigen::RowVector3d along = line.row(i + 1) - line.row(i);
+    const double length = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
+    const double share = std::clamp((place - line.row(i)).dot(along) / length, 0.0, 1.0);
+    const Eigen::RowVector3d position = line.row(i) + share * along;
+    if (const double distance = (position - place).squaredNorm(); distance < least)
+    {
+      least = distance;
+      nearest = { position, i };
+    }
   }
-  return line;
+  return nearest;
 }
 
 } // namespace
@@ -33,25 +49,29 @@ OnFeatures::OnFeatures(const Mesh& surface, const SurfaceFeatures& features,
     this->Places.emplace_back(patch);
     this->Normals.emplace_back(AreaVectors(patch).rowwise().normalized());
   }
-  for (const FeatureCurve& curve : features.Curves)
-  {
-    this->Places.emplace_back(Polyline(surface, curve));
-  }
-  for (const int corner : features.Corners)
-  {
-    this->Places.emplace_back(Mesh{ surface.Points.row(corner), Eigen::MatrixXi::Zero(1, 3) });
-  }
-  const int firstCurve = features.Patches;
-  const int firstCorner = firstCurve + static_cast<int>(features.Curves.size());
   for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
   {
     for (const int point : boundary.Quads.row(q))
     {
-      const int corner = boundary.CornerOf[point], curve = boundary.CurveOf[point];
-      this->FreedomOf[point] = corner >= 0 ? 0 : (curve >= 0 ? 1 : 2);
-      this->PlaceOf[point] = corner >= 0 ? firstCorner + corner
-        : curve >= 0                     ? firstCurve + curve
-                                         : boundary.PatchOf(q);
+      this->FreedomOf[point] = 2;
+      this->PlaceOf[point] = boundary.PatchOf(q);
+    }
+  }
+  const auto put = [&](int point, const Eigen::MatrixXd& span)
+  {
+    this->FreedomOf[point] = span.rows() > 1 ? 1 : 0;
+    this->PlaceOf[point] = static_cast<int>(this->Spans.size());
+    this->Spans.push_back(span);
+  };
+  for (const auto& [point, span] : boundary.Spans)
+  {
+    put(point, span);
+  }
+  for (int point = 0; point < static_cast<int>(boundary.CornerOf.size()); ++point)
+  {
+    if (const int corner = boundary.CornerOf[point]; corner >= 0)
+    {
+      put(point, surface.Points.row(features.Corners[corner]));
     }
   }
 }
@@ -64,14 +84,14 @@ int OnFeatures::Freedom(int point) const
 PointDirections OnFeatures::Directions(int point, const Eigen::RowVector3d& place) const
 {
   const int id = this->PlaceOf[point];
-  const SurfaceLocator& locator = this->Places[id];
-  const int triangle = this->Find(point, place).Triangle;
   if (this->FreedomOf[point] == 1)
   {
-    const Eigen::Matrix3d corners = Corners(locator.Surface(), triangle);
-    return (corners.row(1) - corners.row(0)).normalized().transpose();
+    const Eigen::MatrixXd& span = this->Spans[id];
+    const Eigen::Index segment = NearestOn(span, place).Segment;
+    return (span.row(segment + 1) - span.row(segment)).normalized().transpose();
   }
-  const Eigen::Vector3d normal = this->Normals[id].row(triangle).transpose();
+  const Eigen::Vector3d normal =
+    this->Normals[id].row(this->FindOnPatch(point, place).Triangle).transpose();
   const Eigen::Vector3d one = normal.unitOrthogonal();
   Eigen::Matrix<double, 3, 2> directions;
   directions << one, normal.cross(one);
@@ -80,10 +100,12 @@ PointDirections OnFeatures::Directions(int point, const Eigen::RowVector3d& plac
 
 Eigen::RowVector3d OnFeatures::Nearest(int point, const Eigen::RowVector3d& place) const
 {
-  return this->Find(point, place).Position;
+  const int id = this->PlaceOf[point];
+  return this->FreedomOf[point] < 2 ? NearestOn(this->Spans[id], place).Position
+                                    : this->FindOnPatch(point, place).Position;
 }
 
-ClosestPlace OnFeatures::Find(int point, const Eigen::RowVector3d& place) const
+ClosestPlace OnFeatures::FindOnPatch(int point, const Eigen::RowVector3d& place) const
 {
   const ClosestPlace found =
     this->Places[this->PlaceOf[point]].FindOne(place, this->Guesses[point]);

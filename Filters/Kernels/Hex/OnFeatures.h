@@ -24,13 +24,14 @@ public:
   Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& place) const override;
 
 private:
-  /// On the surface of places, from the triangle that was found for the point before.
-  ClosestPlace Find(int point, const Eigen::RowVector3d& place) const;
+  /// Of a point on a patch, from the triangle that was found for it before.
+  ClosestPlace FindOnPatch(int point, const Eigen::RowVector3d& place) const;
 
   static constexpr int Free = -1;
-  std::vector<int> PlaceOf;             ///< of each point an index into Places, or Free
+  std::vector<int> PlaceOf;             ///< of each point an index into Places or Spans, or Free
   std::vector<int> FreedomOf;           ///< 0 at a corner, 1 on a curve, 2 on a patch, 3
-  std::vector<SurfaceLocator> Places;   ///< patches, then curves, then corners, as triangles
+  std::vector<SurfaceLocator> Places;   ///< patches
+  std::vector<Eigen::MatrixXd> Spans;   ///< of points on curves and corners: polylines
   std::vector<Eigen::MatrixXd> Normals; ///< of the patches' triangles
   mutable std::vector<int> Guesses;     ///< of each point the triangle found last, or -1
 };

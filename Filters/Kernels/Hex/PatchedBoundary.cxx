@@ -118,7 +118,12 @@ private:
 
   bool FindChains()
   {
-    const std::map<QuadEdge, int> patches = PatchesOfEdges(this->Boundary);
+    const std::map<QuadEdge, int> quads = QuadsOfEdges(this->Boundary.Quads);
+    std::map<QuadEdge, int> patches;
+    for (const auto& [edge, quad] : quads)
+    {
+      patches[edge] = this->Boundary.PatchOf(quad);
+    }
     std::map<int, std::vector<int>> neighbours;
     for (const auto& [edge, patch] : patches)
     {
@@ -160,12 +165,6 @@ private:
       }
       this->Chains.push_back(std::move(chain));
     };
-    for (const auto& [point, next] : neighbours)
-    {
-      if (!isCorner(point) && next.size() != 2)
-      {
-      }
-    }
     for (const bool corners : { true, false })
     {
       for (const auto& [point, next] : neighbours)
@@ -199,22 +198,30 @@ private:
   void PutOnCurve(const Chain& chain, int id)
   {
     const FeatureCurve& curve = this->Features.Curves[id];
-    const Eigen::MatrixXd places =
+    const CurvePlaces places =
       SpreadAlong(this->Points(chain.Points, Eigen::all), this->Surface, curve);
     for (std::size_t i = 0; i < chain.Points.size(); ++i)
     {
       const int point = chain.Points[i];
-      if (this->Boundary.CornerOf[point] < 0)
+      const int corner = this->Boundary.CornerOf[point];
+      if (corner < 0)
       {
         this->Boundary.CurveOf[point] = id;
+        this->Boundary.Starts.emplace_back(point, places.Places.row(static_cast<Eigen::Index>(i)));
+        this->Boundary.Spans[point] = places.Spans[i];
       }
-      this->Boundary.Starts.emplace_back(point, places.row(static_cast<Eigen::Index>(i)));
+      else
+      {
+        this->Boundary.Starts.emplace_back(
+          point, this->Surface.Points.row(this->Features.Corners[corner]));
+      }
     }
   }
 
   bool MatchCurves()
   {
     this->Boundary.Starts.clear();
+    this->Boundary.Spans.clear();
     if (this->Chains.size() != this->Features.Curves.size())
     {
       return false;
@@ -267,17 +274,17 @@ private:
 
 } // namespace
 
-std::map<QuadEdge, int> PatchesOfEdges(const PatchedBoundary& boundary)
+std::map<QuadEdge, int> QuadsOfEdges(const Eigen::MatrixXi& quads)
 {
-  std::map<QuadEdge, int> patches;
-  for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
+  std::map<QuadEdge, int> quadOf;
+  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
   {
     for (int k = 0; k < 4; ++k)
     {
-      patches[{ boundary.Quads(q, k), boundary.Quads(q, (k + 1) % 4) }] = boundary.PatchOf(q);
+      quadOf[{ quads(q, k), quads(q, (k + 1) % 4) }] = q;
     }
   }
-  return patches;
+  return quadOf;
 }
 
 std::optional<PatchedBoundary> MatchFeatures(

@@ -25,6 +25,7 @@ struct PatchedBoundary
   std::vector<std::pair<int, int>> Copies;
   /// Points on curves and corners, spread along the curves.
   std::vector<std::pair<int, Eigen::RowVector3d>> Starts;
+  std::map<int, Eigen::MatrixXd> Spans; ///< where points on curves may go (CurvePlaces)
 };
 
 /**
@@ -46,7 +47,7 @@ bool MatchCurves(const HexMesh& mesh, const Mesh& surface, const SurfaceFeatures
 /// An edge of a quad, counter-clockwise around it seen from outside.
 using QuadEdge = std::pair<int, int>;
 
-/// The patch of the quad of each edge.
-std::map<QuadEdge, int> PatchesOfEdges(const PatchedBoundary& boundary);
+/// The quad of each edge (quads: q x 4).
+std::map<QuadEdge, int> QuadsOfEdges(const Eigen::MatrixXi& quads);
 
 } // namespace shape

@@ -1,5 +1,8 @@
 #include "Hex/QuadPatches.h"
 
+#include "Hex/CornerGathering.h"
+#include "Hex/PatchedBoundary.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -16,14 +19,7 @@ namespace
 /// The quads across the four edges of each quad (q x 4).
 Eigen::MatrixXi NeighboursOf(const Eigen::MatrixXi& quads)
 {
-  std::map<std::pair<int, int>, int> quadOf;
-  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      quadOf[{ quads(q, k), quads(q, (k + 1) % 4) }] = q;
-    }
-  }
+  const std::map<QuadEdge, int> quadOf = QuadsOfEdges(quads);
   Eigen::MatrixXi neighbours(quads.rows(), 4);
   for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
   {
@@ -152,6 +148,7 @@ Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi
       }
     }
   }
+  GatherCorners(points, quads, surface.Surface(), features, patchOf);
   std::vector<char> present(features.Patches, 0);
   for (const int patch : patchOf)
   {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace shape
@@ -24,7 +25,14 @@ struct Hinge
   double Length;
   bool Sharp;
   double Angle; ///< inside, in degrees
+  bool IsCrease = Sharp;
 };
+
+/// Creases fade out: where one ends, it goes on along the shortest way over edges whose normals are
+/// at least this share of the angle apart, to another crease. Without such a way it stays as it is.
+constexpr double FadingShare = 0.375;
+/// A way that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
+constexpr double LeastTip = 50.0;
 
 std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
 {
@@ -50,6 +58,128 @@ std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
   }
   return hinges;
 }
+
+/// Ways from the ends of creases over edges that are less sharp, to other creases.
+class FadingCreases
+{
+public:
+  FadingCreases(const Mesh& mesh, std::vector<Hinge>& hinges, double angle)
+    : Points(mesh.Points)
+    , Hinges(hinges)
+  {
+    for (int i = 0; i < static_cast<int>(hinges.size()); ++i)
+    {
+      constexpr double straight = 180.0;
+      if (hinges[i].Sharp || std::abs(hinges[i].Angle - straight) > FadingShare * angle)
+      {
+        this->At[hinges[i].Low].push_back(i);
+        this->At[hinges[i].High].push_back(i);
+      }
+    }
+  }
+
+  void Extend()
+  {
+    for (const auto& [point, edges] : this->At)
+    {
+      if (this->Creases(point) == 1)
+      {
+        this->ExtendFrom(point);
+      }
+    }
+  }
+
+private:
+  int Creases(int point) const
+  {
+    const std::vector<int>& edges = this->At.at(point);
+    return static_cast<int>(std::count_if(
+      edges.begin(), edges.end(), [&](int edge) { return this->Hinges[edge].IsCrease; }));
+  }
+
+  /// Dijkstra's algorithm to the closest point on a crease.
+  void ExtendFrom(int end)
+  {
+    std::map<int, std::pair<double, int>> reached = { { end, { 0.0, -1 } } }; // length, last edge
+    std::set<std::pair<double, int>> open = { { 0.0, end } };
+    while (!open.empty())
+    {
+      const auto [length, point] = *open.begin();
+      open.erase(open.begin());
+      if (point != end && this->Creases(point) > 0)
+      {
+        if (!this->IsTip(point, end))
+        {
+          this->MarkWay(end, point, reached);
+        }
+        return;
+      }
+      for (const int edge : this->At.at(point))
+      {
+        const Hinge& hinge = this->Hinges[edge];
+        const int next = hinge.Low == point ? hinge.High : hinge.Low;
+        const double sum = length + hinge.Length;
+        if (const auto before = reached.find(next);
+            !hinge.IsCrease && (before == reached.end() || sum < before->second.first))
+        {
+          reached[next] = { sum, edge };
+          open.insert({ sum, next });
+        }
+      }
+    }
+  }
+
+  int Beyond(int point, int edge) const
+  {
+    const Hinge& hinge = this->Hinges[edge];
+    return hinge.Low == point ? hinge.High : hinge.Low;
+  }
+
+  /// From a point along a crease to where it is some way off, or forks.
+  Eigen::RowVector3d Chord(int point, int edge, double length) const
+  {
+    const Eigen::RowVector3d begin = this->Points.row(point);
+    point = this->Beyond(point, edge);
+    constexpr int most = 1000; // of a closed crease that stays near, some
+    for (int i = 0;
+         i < most && (this->Points.row(point) - begin).norm() < length && this->Creases(point) == 2;
+         ++i)
+    {
+      const std::vector<int>& edges = this->At.at(point);
+      edge = *std::find_if(edges.begin(), edges.end(),
+        [&](int other) { return other != edge && this->Hinges[other].IsCrease; });
+      point = this->Beyond(point, edge);
+    }
+    return this->Points.row(point) - begin;
+  }
+
+  bool IsTip(int point, int end) const
+  {
+    const Eigen::RowVector3d way = this->Points.row(end) - this->Points.row(point);
+    const std::vector<int>& edges = this->At.at(point);
+    return std::any_of(edges.begin(), edges.end(),
+      [&](int edge)
+      {
+        return this->Hinges[edge].IsCrease &&
+          this->Chord(point, edge, way.norm()).normalized().dot(way.normalized()) >
+          std::cos(LeastTip * M_PI / 180.0);
+      });
+  }
+
+  void MarkWay(int end, int point, const std::map<int, std::pair<double, int>>& reached)
+  {
+    while (point != end)
+    {
+      const int edge = reached.at(point).second;
+      this->Hinges[edge].IsCrease = true;
+      point = this->Beyond(point, edge);
+    }
+  }
+
+  const Eigen::MatrixXd& Points;
+  std::vector<Hinge>& Hinges;
+  std::map<int, std::vector<int>> At; ///< of each point the edges that are sharp, or nearly so
+};
 
 /// Unites the smallest patch with the one it has the longest border with until none is too small.
 void UniteSmall(
@@ -205,11 +335,12 @@ private:
 
 SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
 {
-  const std::vector<Hinge> hinges = FindHinges(mesh, angle);
+  std::vector<Hinge> hinges = FindHinges(mesh, angle);
+  FadingCreases(mesh, hinges, angle).Extend();
   DisjointSets sets(static_cast<int>(mesh.Triangles.rows()));
   for (const Hinge& hinge : hinges)
   {
-    if (!hinge.Sharp)
+    if (!hinge.IsCrease)
     {
       sets.Merge(hinge.Triangles[0], hinge.Triangles[1]);
     }
@@ -227,9 +358,9 @@ SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
   for (const Hinge& hinge : hinges)
   {
     features.CreaseLength += hinge.Sharp ? hinge.Length : 0.0;
-    features.CurveLength +=
-      features.PatchOf(hinge.Triangles[0]) != features.PatchOf(hinge.Triangles[1]) ? hinge.Length
-                                                                                   : 0.0;
+    const bool isCurve =
+      features.PatchOf(hinge.Triangles[0]) != features.PatchOf(hinge.Triangles[1]);
+    features.CurveLength += hinge.Sharp && isCurve ? hinge.Length : 0.0;
   }
   CurveWalk(hinges, features.PatchOf).Run(features);
   return features;

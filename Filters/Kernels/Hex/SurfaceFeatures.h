@@ -27,12 +27,19 @@ struct SurfaceFeatures
   std::vector<FeatureCurve> Curves; ///< where two patches meet, from corner to corner
   std::vector<int> Corners;         ///< points where creases meet or end
   double CreaseLength = 0.0;        ///< of all edges as sharp as a crease
-  double CurveLength = 0.0;         ///< of the curves: less where patches were too small
+  double CurveLength = 0.0;         ///< of those on curves: less where patches were too small
+  /// The share of the creases that are curves; 1 where nothing is sharp.
+  double CurveShare() const
+  {
+    return this->CreaseLength > 0.0 ? this->CurveLength / this->CreaseLength : 1.0;
+  }
 };
 
 /**
  * The creases of a surface: edges whose triangles' normals are more than `angle` degrees apart,
- * as far as they bound patches. A patch smaller than `leastArea` is united with the neighbour it
+ * as far as they bound patches. One that ends inside a patch goes on over edges of at least three
+ * eighths of the angle to another one, on the shortest way, where there is such a way that meets
+ * the other one at no small angle. A patch smaller than `leastArea` is united with the neighbour it
  * has the longest border with. One patch and no curves where nothing is sharp.
  *
  * mesh: closed, oriented consistently.

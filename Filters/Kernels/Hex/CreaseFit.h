@@ -1,0 +1,25 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Hex/SurfaceFeatures.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/// How well the boundary of hexahedra has the creases and corners of a surface.
+struct CreaseFit
+{
+  /// The larger one-sided Hausdorff distance between the surface's curves and the edges between
+  /// quads of different patches, at places along both; to the whole boundary where it is of one
+  /// patch. 0 where the surface has no curves.
+  double Distance = 0.0;
+  int Corners = 0; ///< of the surface at which the boundary has a point, in exactly this place
+};
+
+/// quads: q x 4, of points. patchOf: q.
+CreaseFit CompareCreases(const Mesh& surface, const SurfaceFeatures& features,
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
+
+} // namespace shape
