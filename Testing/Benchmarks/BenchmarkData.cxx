@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -66,6 +67,37 @@ shape::Mesh Welded(const shape::Mesh& mesh)
     mesh.Triangles.unaryExpr([&](int i) { return newId[i]; }) };
 }
 
+/// A polygon as triangles around one of its corners: the one that makes the least of them largest,
+/// so that none is turned over in one that is not convex but can be seen from a corner.
+std::vector<std::array<int, 3>> Fan(const Eigen::MatrixXd& points, const std::vector<int>& corners)
+{
+  const std::size_t count = corners.size();
+  std::vector<std::array<int, 3>> best;
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t apex = 0; count >= 3 && apex < count; ++apex)
+  {
+    std::vector<std::array<int, 3>> fan;
+    for (std::size_t k = 1; k + 1 < count; ++k)
+    {
+      fan.push_back(
+        { corners[apex], corners[(apex + k) % count], corners[(apex + k + 1) % count] });
+    }
+    Eigen::MatrixXi triangles(static_cast<Eigen::Index>(fan.size()), 3);
+    for (std::size_t t = 0; t < fan.size(); ++t)
+    {
+      triangles.row(static_cast<Eigen::Index>(t)) << fan[t][0], fan[t][1], fan[t][2];
+    }
+    const Eigen::MatrixXd areas = shape::AreaVectors({ points, triangles });
+    const double least = (areas * areas.colwise().sum().transpose()).minCoeff();
+    if (least > greatest)
+    {
+      greatest = least;
+      best = std::move(fan);
+    }
+  }
+  return best;
+}
+
 } // namespace
 
 shape::Mesh ReadOff(const std::string& path, bool weld)
@@ -90,20 +122,20 @@ shape::Mesh ReadOff(const std::string& path, bool weld)
   std::vector<std::array<int, 3>> triangles;
   for (int p = 0; p < polygons; ++p)
   {
-    int corners = 0, first = 0, before = 0;
-    words >> corners >> first >> before;
-    for (int k = 2; k < corners; ++k)
+    int count = 0;
+    words >> count;
+    std::vector<int> corners(words ? count : 0);
+    for (int& corner : corners)
     {
-      int next = 0;
-      words >> next;
-      triangles.push_back({ first, before, next });
-      before = next;
+      words >> corner;
     }
     if (!words)
     {
       throw std::runtime_error("cannot read polygon " + std::to_string(p) + " of " + path);
     }
     std::getline(words, word); // a colour
+    const auto fan = Fan(mesh.Points, corners);
+    triangles.insert(triangles.end(), fan.begin(), fan.end());
   }
   mesh.Triangles.resize(triangles.size(), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)

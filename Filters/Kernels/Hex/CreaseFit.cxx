@@ -98,6 +98,22 @@ Segments ChainsOf(
   return chains;
 }
 
+constexpr int ComparedAlong = 20000; // places along curves, and along chains
+
+PlacesAndDistances Compare(const Segments& curves, const Segments& chains,
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads)
+{
+  if (curves.Ends.empty())
+  {
+    return {};
+  }
+  const SurfaceLocator near(
+    chains.Ends.empty() ? Mesh{ points, SplitQuads(quads) } : chains.AsMesh());
+  PlacesAndDistances far{ curves.Places(ComparedAlong), {} };
+  far.Distances = near.Find(far.Places).Distances;
+  return far;
+}
+
 } // namespace
 
 CreaseFit CompareCreases(const Mesh& surface, const SurfaceFeatures& features,
@@ -111,21 +127,25 @@ CreaseFit CompareCreases(const Mesh& surface, const SurfaceFeatures& features,
       return std::any_of(used.begin(), used.end(),
         [&](int point) { return points.row(point) == surface.Points.row(corner); });
     }));
-  constexpr int places = 20000;
   const Segments curves = CurvesOf(surface, features), chains = ChainsOf(points, quads, patchOf);
   if (curves.Ends.empty())
   {
     return fit;
   }
-  const SurfaceLocator near(
-    chains.Ends.empty() ? Mesh{ points, SplitQuads(quads) } : chains.AsMesh());
-  fit.Distance = near.Find(curves.Places(places)).Distances.maxCoeff();
+  fit.Distance = Compare(curves, chains, points, quads).Distances.maxCoeff();
   if (!chains.Ends.empty())
   {
     const SurfaceLocator along(curves.AsMesh());
-    fit.Distance = std::max(fit.Distance, along.Find(chains.Places(places)).Distances.maxCoeff());
+    fit.Distance =
+      std::max(fit.Distance, along.Find(chains.Places(ComparedAlong)).Distances.maxCoeff());
   }
   return fit;
+}
+
+PlacesAndDistances DistancesOfCurves(const Mesh& surface, const SurfaceFeatures& features,
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf)
+{
+  return Compare(CurvesOf(surface, features), ChainsOf(points, quads, patchOf), points, quads);
 }
 
 } // namespace shape

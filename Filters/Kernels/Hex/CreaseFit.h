@@ -2,6 +2,7 @@
 
 #include "Core/Mesh.h"
 #include "Hex/SurfaceFeatures.h"
+#include "Quality/HausdorffDistance.h"
 
 #include <Eigen/Core>
 
@@ -20,6 +21,11 @@ struct CreaseFit
 
 /// quads: q x 4, of points. patchOf: q.
 CreaseFit CompareCreases(const Mesh& surface, const SurfaceFeatures& features,
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
+
+/// Places along the surface's curves, and how far each is from the edges between quads of different
+/// patches; from the whole boundary where it is of one patch.
+PlacesAndDistances DistancesOfCurves(const Mesh& surface, const SurfaceFeatures& features,
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
 
 } // namespace shape

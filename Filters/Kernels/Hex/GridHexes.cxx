@@ -78,7 +78,8 @@ public:
         return;
       }
       const bool done =
-        this->Reaches(*result, this->Options.WantedScaledJacobian, this->Options.WantedDistance);
+        this->Reaches(*result, this->Options.WantedScaledJacobian, this->Options.WantedDistance) &&
+        result->Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
       if (!done)
       {
         this->Magnify(*result, magnifiers);
@@ -180,11 +181,12 @@ private:
     const bool accepted = this->Reaches(result, AcceptedScaledJacobian, AcceptedDistance);
     return std::min(fit.LeastScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
       std::min(this->Options.WantedDistance * this->Diagonal / Distance(result), 1.0) +
+      std::min(this->Options.WantedCreaseDistance * this->Diagonal / fit.Creases.Distance, 1.0) +
       (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
   }
 
-  /// Adds magnifiers where the surfaces are far from each other, at corners that patches too small
-  /// for the cells have, and at bad hexahedra.
+  /// Adds magnifiers where the surfaces or their creases are far from each other, at corners that
+  /// patches too small for the cells have, and at bad hexahedra.
   void Magnify(const GridHexesResult& result, std::vector<Magnifier>& magnifiers) const
   {
     constexpr double radius = 2.5, apart = 1.5; // cells, radii
@@ -200,27 +202,36 @@ private:
         magnifiers.push_back({ centre, radius * result.CellSize, strength });
       }
     };
-    const auto addFar = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
+    const auto addFar = [&](const PlacesAndDistances& far, double wanted)
     {
-      const PlacesAndDistances far =
-        DistancesBetween(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) }));
       std::vector<int> order(far.Distances.size());
       std::iota(order.begin(), order.end(), 0);
       std::stable_sort(order.begin(), order.end(),
         [&](int a, int b) { return far.Distances(a) > far.Distances(b); });
       for (const int i : order)
       {
-        if (far.Distances(i) < share * this->Options.WantedDistance * this->Diagonal)
+        if (far.Distances(i) < share * wanted * this->Diagonal)
         {
           break;
         }
         add(far.Places.row(i));
       }
     };
-    addFar(this->Bounding.Surface(), result.Fit.Quads);
+    const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
+    {
+      addFar(DistancesBetween(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
+        this->Options.WantedDistance);
+    };
+    addFarOnSurface(this->Bounding.Surface(), result.Fit.Quads);
     for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
     {
-      addFar(this->InnerBounding[i].Surface(), result.Fit.Interfaces[i]);
+      addFarOnSurface(this->InnerBounding[i].Surface(), result.Fit.Interfaces[i]);
+    }
+    if (result.Fit.CreasesKept)
+    {
+      addFar(DistancesOfCurves(this->Bounding.Surface(), result.Features, solid.Points,
+               result.Fit.Quads, result.Fit.PatchOf),
+        this->Options.WantedCreaseDistance);
     }
     for (const int corner : this->AllFeatures.Corners)
     {
@@ -261,6 +272,8 @@ void RequireInRange(const GridHexesOptions& options)
   RequireOption(options.Rounds >= 1, "Rounds", options.Rounds, "at least 1");
   RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
     options.FeatureAngle, "in (0, 180]");
+  RequireOption(options.WantedCreaseDistance > 0.0, "WantedCreaseDistance",
+    options.WantedCreaseDistance, "positive");
   RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
 }
 

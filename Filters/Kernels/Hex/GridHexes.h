@@ -24,6 +24,8 @@ struct GridHexesOptions
   double WantedScaledJacobian = 0.62;
   /// The distance between the surfaces that is aimed at, as a share of the diagonal of the box.
   double WantedDistance = 0.0045;
+  /// The same of the distance between creases.
+  double WantedCreaseDistance = 0.001;
   std::vector<Magnifier> Magnifiers; ///< of the space of the first grid; with a CellSize
   int Rounds = 6; ///< of making cells smaller where the result is not as wanted; >= 1
 };
