@@ -1,5 +1,10 @@
 #include "BenchmarkData.h"
 
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolygon.h"
+
 #include "Geometry/SignedDistance.h"
 #include "Surface/Parameterize.h"
 
@@ -8,7 +13,6 @@
 #include <cmath>
 #include <complex>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -67,35 +71,31 @@ shape::Mesh Welded(const shape::Mesh& mesh)
     mesh.Triangles.unaryExpr([&](int i) { return newId[i]; }) };
 }
 
-/// A polygon as triangles around one of its corners: the one that makes the least of them largest,
-/// so that none is turned over in one that is not convex but can be seen from a corner.
-std::vector<std::array<int, 3>> Fan(const Eigen::MatrixXd& points, const std::vector<int>& corners)
+/// A polygon as triangles, convex or not.
+std::vector<std::array<int, 3>> Triangulated(
+  const Eigen::MatrixXd& points, const std::vector<int>& corners)
 {
-  const std::size_t count = corners.size();
-  std::vector<std::array<int, 3>> best;
-  double greatest = -std::numeric_limits<double>::infinity();
-  for (std::size_t apex = 0; count >= 3 && apex < count; ++apex)
+  if (corners.size() == 3)
   {
-    std::vector<std::array<int, 3>> fan;
-    for (std::size_t k = 1; k + 1 < count; ++k)
+    return { { corners[0], corners[1], corners[2] } };
+  }
+  vtkNew<vtkPolygon> polygon;
+  for (const int corner : corners)
+  {
+    polygon->GetPoints()->InsertNextPoint(points(corner, 0), points(corner, 1), points(corner, 2));
+    polygon->GetPointIds()->InsertNextId(polygon->GetPointIds()->GetNumberOfIds());
+  }
+  vtkNew<vtkIdList> ids;
+  polygon->EarCutTriangulation(ids);
+  std::vector<std::array<int, 3>> triangles(ids->GetNumberOfIds() / 3);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
     {
-      fan.push_back(
-        { corners[apex], corners[(apex + k) % count], corners[(apex + k + 1) % count] });
-    }
-    Eigen::MatrixXi triangles(static_cast<Eigen::Index>(fan.size()), 3);
-    for (std::size_t t = 0; t < fan.size(); ++t)
-    {
-      triangles.row(static_cast<Eigen::Index>(t)) << fan[t][0], fan[t][1], fan[t][2];
-    }
-    const Eigen::MatrixXd areas = shape::AreaVectors({ points, triangles });
-    const double least = (areas * areas.colwise().sum().transpose()).minCoeff();
-    if (least > greatest)
-    {
-      greatest = least;
-      best = std::move(fan);
+      triangles[t][k] = corners[ids->GetId(static_cast<vtkIdType>(3 * t + k))];
     }
   }
-  return best;
+  return triangles;
 }
 
 } // namespace
@@ -134,8 +134,8 @@ shape::Mesh ReadOff(const std::string& path, bool weld)
       throw std::runtime_error("cannot read polygon " + std::to_string(p) + " of " + path);
     }
     std::getline(words, word); // a colour
-    const auto fan = Fan(mesh.Points, corners);
-    triangles.insert(triangles.end(), fan.begin(), fan.end());
+    const auto cut = Triangulated(mesh.Points, corners);
+    triangles.insert(triangles.end(), cut.begin(), cut.end());
   }
   mesh.Triangles.resize(triangles.size(), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -9,7 +9,7 @@
 namespace benchmark
 {
 
-/// A surface in OFF format, its polygons cut into fans, points at the same place joined where
+/// A surface in OFF format, its polygons cut into triangles, points at the same place joined where
 /// `weld` is set, in a box of longest side 1 around the origin. Throws std::runtime_error.
 shape::Mesh ReadOff(const std::string& path, bool weld);
 

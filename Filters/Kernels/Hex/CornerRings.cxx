@@ -51,12 +51,15 @@ std::vector<PatchRing> RingsOfCorners(const Mesh& surface, const SurfaceFeatures
   {
     const auto& fan = fans.at(corner);
     std::vector<int> patches;
-    int side = fan.begin()->first;
-    for (std::size_t i = 0; i < fan.size(); ++i)
+    auto side = fan.begin();
+    for (std::size_t i = 0; i < fan.size() && side != fan.end(); ++i)
     {
-      const auto& [next, patch] = fan.at(side);
-      patches.push_back(patch);
-      side = next;
+      patches.push_back(side->second.second);
+      side = fan.find(side->second.first);
+    }
+    if (side == fan.end())
+    {
+      patches.clear(); // at a border, as where a surface crosses itself
     }
     rings.push_back(RingOf(patches));
   }
