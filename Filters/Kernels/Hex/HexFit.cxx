@@ -33,7 +33,9 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   const SurfaceFeatures& features, int layers, const InnerInterfaces& interfaces,
   const Progress& progress)
 {
+  progress(0.0);
   std::optional<PatchedBoundary> boundary = MatchFeatures(core, surface, features);
+  progress(0.0);
   if (!boundary)
   {
     return std::nullopt;
@@ -57,11 +59,11 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   }
   // Layers along creases begin without thickness: what is tangled then takes long to untangle.
   const int smoothings = features.Curves.empty() ? 2 : 30;
-  SmoothHexahedra(fit.Solid, constraint, smoothings);
+  SmoothHexahedra(fit.Solid, constraint, smoothings, progress.Part(0.0, 0.1));
   SpreadLayers(*boundary, fit.Solid.Points);
   interfaceLayers.Spread(fit.Solid.Points);
-  SmoothInverted(fit.Solid, constraint);
-  OptimizeHexahedra(fit.Solid, constraint, {}, progress.Part(0.0, 0.95));
+  SmoothInverted(fit.Solid, constraint, progress.Part(0.1, 0.15));
+  OptimizeHexahedra(fit.Solid, constraint, {}, progress.Part(0.15, 0.95));
   const Eigen::VectorXd quality = ScaledJacobians(fit.Solid);
   fit.LeastScaledJacobian = quality.minCoeff();
   fit.MeanScaledJacobian = quality.mean();

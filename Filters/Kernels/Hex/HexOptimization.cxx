@@ -82,8 +82,8 @@ void Run(const HexMesh& mesh, const PointConstraint& constraint,
   {
     for (int sweep = 0; sweep < options.Sweeps; ++sweep)
     {
-      sweeps.Lower(sharpness);
-      progress(0.8 * ++done / steps);
+      sweeps.Lower(sharpness, {}, progress.Part(0.8 * done / steps, 0.8 * (done + 1.0) / steps));
+      ++done;
     }
     best.Offer(sweeps.Places());
   }
@@ -102,8 +102,10 @@ void Run(const HexMesh& mesh, const PointConstraint& constraint,
       {
         break;
       }
-      sweeps.Lower(sharpness, marked);
-      progress(0.8 + 0.2 * ++done / (std::size(WorstSharpnesses) * options.WorstSweeps));
+      const double share = 0.2 / (std::size(WorstSharpnesses) * options.WorstSweeps);
+      sweeps.Lower(
+        sharpness, marked, progress.Part(0.8 + done * share, 0.8 + (done + 1.0) * share));
+      ++done;
     }
     best.Offer(sweeps.Places());
   }
@@ -120,19 +122,20 @@ void RequireIndices(const HexMesh& mesh)
 
 } // namespace
 
-void SmoothHexahedra(HexMesh& mesh, const PointConstraint& constraint, int sweeps)
+void SmoothHexahedra(
+  HexMesh& mesh, const PointConstraint& constraint, int sweeps, const Progress& progress)
 {
   RequireIndices(mesh);
   HexSweeps mover(mesh, constraint);
   for (int sweep = 0; sweep < sweeps; ++sweep)
   {
-    mover.Smooth();
+    mover.Smooth({}, progress.Part(static_cast<double>(sweep) / sweeps, (sweep + 1.0) / sweeps));
   }
   mover.Project();
   mesh.Points = mover.Places();
 }
 
-void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint)
+void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
 {
   RequireIndices(mesh);
   HexSweeps mover(mesh, constraint);
@@ -145,7 +148,8 @@ void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint)
       break;
     }
     GrowRings(mesh.Hexahedra, round, marked);
-    mover.Smooth(marked);
+    mover.Smooth(
+      marked, progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds));
     mesh.Points = mover.Places();
   }
 }

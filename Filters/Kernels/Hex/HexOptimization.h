@@ -41,9 +41,12 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
 
 /// Moves every point half way to the middle of those neighbours that are as little free as it is,
 /// `sweeps` times, and puts it where it may be. Throws InvalidInput where an index is out of range.
-void SmoothHexahedra(HexMesh& mesh, const PointConstraint& constraint, int sweeps);
+/// Throws Aborted.
+void SmoothHexahedra(
+  HexMesh& mesh, const PointConstraint& constraint, int sweeps, const Progress& progress = {});
 
 /// The same around inverted hexahedra, farther and farther from them, up to ten times.
-void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint);
+void SmoothInverted(
+  HexMesh& mesh, const PointConstraint& constraint, const Progress& progress = {});
 
 } // namespace shape

@@ -74,14 +74,14 @@ HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
   this->FindIndependentSets();
 }
 
-void HexSweeps::Lower(double sharpness, const std::vector<char>& marked)
+void HexSweeps::Lower(double sharpness, const std::vector<char>& marked, const Progress& progress)
 {
   if (sharpness != this->Sharpness)
   {
     std::fill(this->LookedAt.begin(), this->LookedAt.end(), 0);
     this->Sharpness = sharpness;
   }
-  this->ForAll(marked,
+  this->ForAll(marked, progress,
     [&](int point)
     {
       if (!this->IsAtRest(point))
@@ -92,14 +92,14 @@ void HexSweeps::Lower(double sharpness, const std::vector<char>& marked)
     });
 }
 
-void HexSweeps::Smooth(const std::vector<char>& marked)
+void HexSweeps::Smooth(const std::vector<char>& marked, const Progress& progress)
 {
-  this->ForAll(marked, [&](int point) { this->MoveTowardsMean(point); });
+  this->ForAll(marked, progress, [&](int point) { this->MoveTowardsMean(point); });
 }
 
 void HexSweeps::Project()
 {
-  this->ForAll({},
+  this->ForAll({}, {},
     [&](int point)
     {
       if (this->Constraint.Freedom(point) < 3)
@@ -141,17 +141,22 @@ void HexSweeps::FindIndependentSets()
 }
 
 template <typename Body>
-void HexSweeps::ForAll(const std::vector<char>& marked, const Body& body)
+void HexSweeps::ForAll(const std::vector<char>& marked, const Progress& progress, const Body& body)
 {
+  const auto count = static_cast<double>(this->IndependentSets.size());
+  double done = 0.0;
   for (const std::vector<int>& set : this->IndependentSets)
   {
     ++this->Now;
     std::vector<int> points;
     std::copy_if(set.begin(), set.end(), std::back_inserter(points),
       [&](int point) { return marked.empty() || marked[point]; });
-    ParallelFor(static_cast<int>(points.size()), 64,
+    ParallelFor(
+      static_cast<int>(points.size()), 64,
       [&](int begin, int end)
-      { std::for_each(&points[begin], &points[begin] + end - begin, body); });
+      { std::for_each(&points[begin], &points[begin] + end - begin, body); },
+      progress.Part(done / count, (done + 1.0) / count));
+    ++done;
   }
 }
 

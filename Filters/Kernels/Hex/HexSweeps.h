@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Core/HexMesh.h"
+#include "Core/Progress.h"
 #include "Hex/StarEnergy.h"
 #include "Volume/SimplexPatch.h"
 
@@ -24,11 +25,11 @@ public:
 
   /// Lowers the energy around all points, or those that are marked (StarEnergy). Points around
   /// which nothing has moved since the last time are left out.
-  void Lower(double sharpness, const std::vector<char>& marked = {});
+  void Lower(double sharpness, const std::vector<char>& marked = {}, const Progress& progress = {});
 
   /// Moves all points, or those that are marked, half way to the middle of those neighbours that
   /// are as little free as they are: a point of a surface stays amidst those of the surface.
-  void Smooth(const std::vector<char>& marked = {});
+  void Smooth(const std::vector<char>& marked = {}, const Progress& progress = {});
 
   /// Puts every point where it may be.
   void Project();
@@ -38,7 +39,7 @@ public:
 private:
   void FindIndependentSets();
   template <typename Body>
-  void ForAll(const std::vector<char>& marked, const Body& body);
+  void ForAll(const std::vector<char>& marked, const Progress& progress, const Body& body);
   void MoveTowardsMean(int point);
   void Move(int point, double sharpness);
 

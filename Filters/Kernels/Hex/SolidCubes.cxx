@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace shape
@@ -98,14 +99,17 @@ std::optional<std::vector<char>> SolidCubes::CellsInside(const SampledGrid& grid
   const Mesh bounding =
     this->Bounding.Crossings == 0 ? whole : Warped(this->Bounding.Surface, warp, size);
   SampledGrid levels = grid;
-  FindLevels(whole, SurfaceLocator(bounding), levels, progress);
+  FindLevels(whole, SurfaceLocator(bounding), levels, progress.Part(0.0, 0.6));
   const Eigen::VectorXd distances = levels.Values;
   constexpr double placesPerCell = 30.0;
   constexpr unsigned int seed = 1;
   const Eigen::MatrixXd places = RandomPlaces(
     bounding, static_cast<int>(placesPerCell * AreaOf(bounding) / (size * size)), seed);
-  for (const double reach : Reaches)
+  for (const double& reach : Reaches)
   {
+    const double tried = static_cast<double>(&reach - Reaches) / std::size(Reaches);
+    const Progress part = progress.Part(0.6 + 0.4 * tried, 1.0);
+    part(0.0);
     levels.Values = distances.array() - reach * size;
     VoxelSolid solid = FindVoxelSolid(levels);
     if (solid.Pinched > 0)
@@ -113,7 +117,9 @@ std::optional<std::vector<char>> SolidCubes::CellsInside(const SampledGrid& grid
       continue;
     }
     KeepLargestParts(levels, this->Solids, solid.Inside);
+    part(0.1);
     CoverSurface(levels, places, CoverReach, solid.Inside);
+    part(0.15);
     const HexMesh cubes = VoxelHexahedra(levels, solid.Inside);
     if (cubes.Hexahedra.rows() > 0 && this->HasTopology(cubes) && accepts(solid.Inside))
     {
