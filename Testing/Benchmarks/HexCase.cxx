@@ -24,8 +24,20 @@ CellSize: in hundredths of the diagonal of the surface's box
 Prints one line. distance is the larger one-sided Hausdorff distance to the surface in percent of the
 diagonal of its box, crease that between creases, share that of the creases' length that was looked
 for; euler and components are those of the hexahedra's boundary, wanted those of the
-surface; MiB is the peak of memory above the start. Exits with 2 where the surface is not closed, with
+surface; MiB is the peak of memory above the start. Exits with 2 where the surface cannot be read or is not closed, with
 1 where no hexahedra are found.)";
+
+shape::Mesh Read(const std::string& path)
+{
+  try
+  {
+    return benchmark::ReadOff(path, true);
+  }
+  catch (const std::runtime_error& problem)
+  {
+    throw shape::InvalidInput(problem.what());
+  }
+}
 
 void Run(
   const std::string& path, const std::string& method, const shape::HexRemeshOptions& settings)
@@ -33,7 +45,7 @@ void Run(
   using Method = shape::HexRemeshOptions::MethodType;
   const std::map<std::string, Method> methods = { { "Automatic", Method::Automatic },
     { "Polycube", Method::Polycube }, { "Grid", Method::Grid } };
-  const shape::Mesh surface = benchmark::ReadOff(path, true);
+  const shape::Mesh surface = Read(path);
   const shape::Topology wanted = shape::RequireClosedSurface(surface, path);
   const double diagonal =
     (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
