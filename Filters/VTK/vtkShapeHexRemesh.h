@@ -31,16 +31,18 @@
  * Field data of both: HexRemesh.Method ("Polycube" or "Grid"), .Reason (why that one), .Hexahedra,
  * .MinimumScaledJacobian, .MeanScaledJacobian, .ScaledJacobianHistogram (20 numbers of hexahedra:
  * scaled Jacobians in [0, 0.05), [0.05, 0.1), ..., [0.95, 1]), .Distance (the larger one-sided
- * Hausdorff distance between the boundary and the surface), .CellSize, .Patches, .Corners (of the
- * surface), .CreasesKept (1, or 0 where the cells are too coarse for some crease and none is kept),
- * .CornersKept (corners of the surface that are points of the boundary), .CreaseDistance (the
- * larger one-sided Hausdorff distance between creases of the surface and of the boundary; to the
- * boundary where none is kept), .CreaseShare (of the length of all that is as sharp as a crease,
- * that of the creases that were looked for: less than 1 where some end inside a patch, or bound
- * patches smaller than 4 cells), .Regions, .InnerDistance (as .Distance, between regions and inner
- * surfaces), .InnerCreasesKept (0 where an inner surface has creases), .Crossings (pairs of the
- * surface's triangles that cross), .EulerNumber and .Components of the boundary; of each of
- * Verdict's further measures its minimum, mean and maximum, as HexRemesh.Volume.
+ * Hausdorff distance between the boundary and the surface), .CellSize, .Patches (of the boundary),
+ * .Corners (of the surface), .CreasesKept (1, or 0 where the cells are too coarse for some crease
+ * and none is kept), .CornersKept (corners of the surface that are points of the boundary),
+ * .CreaseDistance (the larger one-sided Hausdorff distance between creases of the surface and of
+ * the boundary; to the boundary where none is kept), .CreaseShare (of the length of all that is as
+ * sharp as a crease, that of the creases that were looked for: less than 1 where some end inside a
+ * patch, or bound patches smaller than 4 cells; 0 where less than two thirds of it bounds patches
+ * of a thousandth of the area, which is noise: of a scan with a real crease, a greater FeatureAngle
+ * may find it), .Regions, .InnerDistance (as .Distance, between regions and inner surfaces),
+ * .InnerCreasesKept (0 where an inner surface has creases), .Crossings (pairs of the surface's
+ * triangles that cross), .EulerNumber and .Components of the boundary; of each of Verdict's further
+ * measures its minimum, mean and maximum, as HexRemesh.Volume.
  *
  * The mathematics: shape::HexRemesh.
  */

@@ -169,7 +169,7 @@ void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
     const Eigen::MatrixXi& own = fit.Interfaces[i];
     quads.middleRows(row, own.rows()) = own;
     interfaceOf.segment(row, own.rows()).setConstant(static_cast<int>(i) + 1);
-    patchOf.segment(row, own.rows()).setConstant(result.Features.Patches + static_cast<int>(i));
+    patchOf.segment(row, own.rows()).setConstant(fit.PatchOf.maxCoeff() + 1 + static_cast<int>(i));
     distances.segment(row, own.rows()) = Distances(fit.Solid.Points, own, innerSurfaces[i]);
     row += own.rows();
   }
@@ -209,7 +209,7 @@ void vtkShapeHexResult::AddFacts(
     { "InnerDistance", fit.InnerDistance },
     { "Regions", fit.RegionOf.maxCoeff() + 1.0 },
     { "CellSize", result.CellSize },
-    { "Patches", result.Features.Patches },
+    { "Patches", fit.PatchOf.maxCoeff() + 1.0 },
     { "Corners", static_cast<double>(result.Features.Corners.size()) },
     { "CreasesKept", fit.CreasesKept ? 1.0 : 0.0 },
     { "CornersKept", fit.Creases.Corners },

@@ -87,6 +87,16 @@ std::vector<std::array<int, 3>> Triangulated(
   }
   vtkNew<vtkIdList> ids;
   polygon->EarCutTriangulation(ids);
+  if (ids->GetNumberOfIds() != 3 * (static_cast<vtkIdType>(corners.size()) - 2))
+  {
+    // Corners in line have ears without an area, which are left out; a fan has all edges.
+    std::vector<std::array<int, 3>> fan;
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    {
+      fan.push_back({ corners[0], corners[k], corners[k + 1] });
+    }
+    return fan;
+  }
   std::vector<std::array<int, 3>> triangles(ids->GetNumberOfIds() / 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {

@@ -64,7 +64,7 @@ void Run(
               "components=%d wantedcomponents=%d cpu=%.1f wall=%.1f mib=%.0f reason=%s\n",
     static_cast<int>(surface.Points.rows()), result.Method == Method::Grid ? "Grid" : "Polycube",
     static_cast<int>(fit.Solid.Hexahedra.rows()), fit.LeastScaledJacobian, fit.MeanScaledJacobian,
-    fit.Inverted, 100.0 * fit.Distance / diagonal, result.Features.Patches,
+    fit.Inverted, 100.0 * fit.Distance / diagonal, fit.PatchOf.maxCoeff() + 1,
     static_cast<int>(result.Features.Corners.size()), fit.Creases.Corners, fit.CreasesKept ? 1 : 0,
     100.0 * fit.Creases.Distance / diagonal, result.Features.CurveShare(), result.Crossings,
     found.EulerNumber, wanted.EulerNumber, found.Components, wanted.Components, cost.Cpu, cost.Wall,

@@ -102,6 +102,26 @@ TEST(SurfaceFeatures, SmallPatchesJoinTheirNeighbours)
   EXPECT_DOUBLE_EQ(area, 2.0 * 16.0 + 4.0 * 4.0);
 }
 
+TEST(SurfaceFeatures, WhatIsSharpAroundSpikesAloneIsNoise)
+{
+  shape::Mesh scan = shapetest::Icosphere(4); // 2562 points
+  for (int point = 0; point < 2000; point += 100)
+  {
+    scan.Points.row(point) *= 1.1;
+  }
+  const shape::SurfaceFeatures none = shape::FindFeatures(scan, 40.0, 0.0);
+  EXPECT_GT(none.CreaseLength, 0.0);
+  EXPECT_EQ(none.CurveShare(), 0.0);
+  EXPECT_EQ(none.Patches, 1);
+  EXPECT_TRUE(none.Curves.empty());
+  // A rim that is longer than all of these together is none.
+  shape::Mesh half = shapetest::Icosphere(4);
+  half.Points.col(2) = half.Points.col(2).cwiseMax(0.0);
+  const shape::SurfaceFeatures rim = shape::FindFeatures(half, 40.0, 1.0);
+  EXPECT_EQ(rim.Patches, 2);
+  EXPECT_EQ(rim.Curves.size(), 1U);
+}
+
 TEST(SurfaceFeatures, ACreaseThatFadesOutGoesOnToTheNextOne)
 {
   const shape::Mesh fading = MakeRoof(30.0, 15.0);

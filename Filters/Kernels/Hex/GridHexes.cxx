@@ -80,19 +80,22 @@ public:
       const bool done =
         this->Reaches(*result, this->Options.WantedScaledJacobian, this->Options.WantedDistance) &&
         result->Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
+      const std::size_t before = magnifiers.size();
       if (!done)
       {
         this->Magnify(*result, magnifiers);
       }
+      const bool isLast = magnifiers.size() == before; // the next grid would be the same
       ++this->Rounds;
       const double score = this->Score(*result);
       idle = score < reached + LeastGain ? idle + 1 : 0;
       reached = std::max(reached, score);
-      if (score > this->BestScore())
+      const bool isTooLarge = result->Fit.Solid.Hexahedra.rows() > this->Options.MaximumHexahedra;
+      if (score > this->BestScore() && !(isTooLarge && this->Best))
       {
         this->Best = std::move(*result);
       }
-      if (done || idle >= MostIdle)
+      if (isLast || idle >= MostIdle)
       {
         return;
       }
@@ -193,13 +196,13 @@ private:
     constexpr double strength = 0.4, share = 0.9;
     const HexMesh& solid = result.Fit.Solid;
     const std::size_t before = magnifiers.size();
-    const auto add = [&](const Eigen::RowVector3d& centre)
+    const auto add = [&](const Eigen::RowVector3d& centre, double times = 1.0)
     {
       if (std::none_of(magnifiers.begin() + static_cast<std::ptrdiff_t>(before), magnifiers.end(),
             [&](const Magnifier& other)
             { return (other.Centre - centre).norm() < apart * other.Radius; }))
       {
-        magnifiers.push_back({ centre, radius * result.CellSize, strength });
+        magnifiers.push_back({ centre, radius * result.CellSize, times * strength });
       }
     };
     const auto addFar = [&](const PlacesAndDistances& far, double wanted)
@@ -214,7 +217,10 @@ private:
         {
           break;
         }
-        add(far.Places.row(i));
+        // What is more than four times too far would take too many rounds.
+        const double times = far.Distances(i) / (wanted * this->Diagonal);
+        constexpr double most = 2.0;
+        add(far.Places.row(i), std::clamp(std::log2(0.5 * times), 1.0, most));
       }
     };
     const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
@@ -235,8 +241,8 @@ private:
     }
     for (const int corner : this->AllFeatures.Corners)
     {
-      if (!std::binary_search(
-            result.Features.Corners.begin(), result.Features.Corners.end(), corner))
+      if (!result.Features.Curves.empty() &&
+        !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
       {
         add(this->Bounding.Surface().Points.row(corner));
       }

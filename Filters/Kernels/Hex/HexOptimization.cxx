@@ -6,7 +6,7 @@
 #include "Quality/ScaledJacobian.h"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -14,8 +14,9 @@ namespace shape
 namespace
 {
 
-constexpr double Sharpnesses[] = { 2, 4, 6, 8, 10, 12, 16, 20 };
-constexpr double WorstSharpnesses[] = { 25, 30, 40, 60, 90 };
+const std::vector<double> GentleSharpnesses = { 2, 4, 6 };
+const std::vector<double> Sharpnesses = { 2, 4, 6, 8, 10, 12, 16, 20 };
+const std::vector<double> WorstSharpnesses = { 25, 30, 40, 60, 90 };
 
 /// Keeps the points of the best of several states: the fewest inverted, then the best worst one.
 class Best
@@ -31,7 +32,7 @@ public:
   {
     places.swap(this->Mesh.Points);
     Eigen::VectorXd values = ScaledJacobians(this->Mesh);
-    const int inverted = Inverted(values), before = Inverted(this->Values);
+    const int inverted = Count(values), before = this->Inverted();
     if (inverted < before || (inverted == before && values.minCoeff() >= this->Values.minCoeff()))
     {
       this->Values.swap(values);
@@ -42,14 +43,15 @@ public:
     }
   }
 
-  static int Inverted(const Eigen::VectorXd& values)
+  int Inverted() const { return Count(this->Values); }
+  double Least() const { return this->Values.minCoeff(); }
+
+private:
+  static int Count(const Eigen::VectorXd& values)
   {
     return static_cast<int>((values.array() <= 0.0).count());
   }
 
-  const Eigen::VectorXd& ScaledJacobiansOfBest() const { return this->Values; }
-
-private:
   HexMesh& Mesh;
   Eigen::VectorXd Values;
 };
@@ -71,23 +73,31 @@ std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
   return marked;
 }
 
-/// One run over all sharpnesses; the best state on the way is offered.
-void Run(const HexMesh& mesh, const PointConstraint& constraint,
-  const HexOptimizationOptions& options, Best& best, const Progress& progress)
+/// Sweeps over all points; the best state on the way is offered.
+void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
+  const std::vector<double>& sharpnesses, int count, Best& best, const Progress& progress)
 {
   HexSweeps sweeps(mesh, constraint);
-  const double steps = static_cast<double>(std::size(Sharpnesses)) * options.Sweeps;
+  const double steps = static_cast<double>(sharpnesses.size()) * count;
   double done = 0.0;
-  for (const double sharpness : Sharpnesses)
+  for (const double sharpness : sharpnesses)
   {
-    for (int sweep = 0; sweep < options.Sweeps; ++sweep)
+    for (int sweep = 0; sweep < count; ++sweep)
     {
-      sweeps.Lower(sharpness, {}, progress.Part(0.8 * done / steps, 0.8 * (done + 1.0) / steps));
+      sweeps.Lower(sharpness, {}, progress.Part(done / steps, (done + 1.0) / steps));
       ++done;
     }
     best.Offer(sweeps.Places());
   }
-  done = 0.0;
+}
+
+/// Sweeps over the points of bad hexahedra.
+void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
+  const HexOptimizationOptions& options, Best& best, const Progress& progress)
+{
+  HexSweeps sweeps(mesh, constraint);
+  const double steps = static_cast<double>(WorstSharpnesses.size()) * options.WorstSweeps;
+  double done = 0.0;
   for (const double sharpness : WorstSharpnesses)
   {
     std::vector<char> marked;
@@ -102,12 +112,24 @@ void Run(const HexMesh& mesh, const PointConstraint& constraint,
       {
         break;
       }
-      const double share = 0.2 / (std::size(WorstSharpnesses) * options.WorstSweeps);
-      sweeps.Lower(
-        sharpness, marked, progress.Part(0.8 + done * share, 0.8 + (done + 1.0) * share));
+      sweeps.Lower(sharpness, marked, progress.Part(done / steps, (done + 1.0) / steps));
       ++done;
     }
     best.Offer(sweeps.Places());
+  }
+}
+
+/// A few gentle sweeps turn most of what is inverted; the rest is untangled before sharper ones,
+/// which turn little, are spent on it.
+void Turn(HexMesh& mesh, const PointConstraint& constraint, int sweeps, Best& best,
+  const Progress& progress)
+{
+  LowerAll(mesh, constraint, GentleSharpnesses, sweeps, best, progress.Part(0.0, 0.3));
+  if (best.Inverted() > 0)
+  {
+    HexMesh untangled = mesh;
+    UntangleHexahedra(untangled, constraint, progress.Part(0.3, 1.0));
+    best.Offer(std::move(untangled.Points));
   }
 }
 
@@ -168,18 +190,27 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   }
   Best best(mesh);
   HexOptimizationResult result;
-  result.LeastBefore = best.ScaledJacobiansOfBest().minCoeff();
-  result.InvertedBefore = Best::Inverted(best.ScaledJacobiansOfBest());
-  Run(mesh, constraint, options, best, progress.Part(0.0, 0.5));
-  if (Best::Inverted(best.ScaledJacobiansOfBest()) > 0)
+  result.LeastBefore = best.Least();
+  result.InvertedBefore = best.Inverted();
+  // Sweeps over all points free some of what untangling alone does not.
+  constexpr double worstFrom = 0.8; // of the progress
+  constexpr int attempts = 2;
+  for (int attempt = 0; attempt < attempts && (attempt == 0 || best.Inverted() > 0); ++attempt)
   {
-    HexMesh untangled = mesh;
-    UntangleHexahedra(untangled, constraint, progress.Part(0.5, 0.6));
-    best.Offer(untangled.Points);
-    Run(untangled, constraint, options, best, progress.Part(0.6, 1.0));
+    const Progress part =
+      progress.Part(worstFrom * attempt / attempts, worstFrom * (attempt + 1.0) / attempts);
+    if (best.Inverted() > 0)
+    {
+      Turn(mesh, constraint, options.Sweeps, best, part.Part(0.0, 0.4));
+    }
+    LowerAll(mesh, constraint, Sharpnesses, options.Sweeps, best, part.Part(0.4, 1.0));
   }
-  result.LeastAfter = best.ScaledJacobiansOfBest().minCoeff();
-  result.InvertedAfter = Best::Inverted(best.ScaledJacobiansOfBest());
+  if (best.Inverted() == 0)
+  {
+    LowerWorst(mesh, constraint, options, best, progress.Part(worstFrom, 1.0));
+  }
+  result.LeastAfter = best.Least();
+  result.InvertedAfter = best.Inverted();
   progress(1.0);
   return result;
 }

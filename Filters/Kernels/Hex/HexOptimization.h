@@ -28,8 +28,9 @@ struct HexOptimizationResult
  * of bad hexahedra only, which raises the worst corners at little cost of the others (the l_p to
  * l_infinity continuation of Livesu, Sheffer, Vining and Tarini, "Practical hex-mesh optimization
  * via edge-cone rectification", 2015, with the determinants themselves). Inverted hexahedra have a
- * finite energy, too, and are turned; where some stay, UntangleHexahedra helps, and all is done
- * again.
+ * finite energy, too, and most are turned by the first gentle sweeps; the others are untangled
+ * (UntangleHexahedra) before sharper ones are spent on them. Where some stay, all is done again;
+ * the worst are only raised where none is inverted.
  *
  * mesh: its points, each where it may be, are moved, and none is ever elsewhere: what is reported
  * holds for the result as it is. Points are moved in sets

@@ -14,6 +14,8 @@ namespace
 {
 
 constexpr int Rings[] = { 1, 2, 3, 4, 6 };
+/// After so many rounds that turned few, the rest is left.
+constexpr int MostIdle = 2;
 
 /// The hexahedra around each point.
 std::vector<std::vector<int>> HexahedraAround(const HexMesh& mesh)
@@ -126,9 +128,11 @@ int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Pr
   const std::vector<std::vector<int>> around = HexahedraAround(mesh);
   Eigen::VectorXd values = ScaledJacobians(mesh);
   const auto inverted = [&] { return static_cast<int>((values.array() <= 0.0).count()); };
+  int idle = 0; // rounds that turned few
   for (const int& rings : Rings)
   {
-    if (inverted() == 0)
+    const int before = inverted();
+    if (before == 0)
     {
       break;
     }
@@ -151,6 +155,12 @@ int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Pr
       Untangle(mesh, pieces[i], constraint, marked, progress.Part(begin, begin + share));
     }
     values = ScaledJacobians(mesh);
+    constexpr double worthwhile = 0.8;
+    idle = inverted() > worthwhile * before ? idle + 1 : 0;
+    if (idle == MostIdle)
+    {
+      break;
+    }
   }
   progress(1.0);
   return inverted();

@@ -1,6 +1,8 @@
 #include "Hex/QuadPatches.h"
 
 #include "Hex/CornerGathering.h"
+#include "Hex/CornerRings.h"
+#include "Hex/PatchPinches.h"
 #include "Hex/PatchedBoundary.h"
 
 #include <algorithm>
@@ -149,6 +151,10 @@ Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi
     }
   }
   GatherCorners(points, quads, surface.Surface(), features, patchOf);
+  OpenPinches(
+    quads, RingsOfCorners(surface.Surface(), features),
+    [&](int quad, int patch) { return locators[patch].Find(middles.row(quad)).Distances(0); },
+    patchOf);
   std::vector<char> present(features.Patches, 0);
   for (const int patch : patchOf)
   {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -31,6 +32,9 @@ struct Hinge
 /// Creases fade out: where one ends, it goes on along the shortest way over edges whose normals are
 /// at least this share of the angle apart, to another crease. Without such a way it stays as it is.
 constexpr double FadingShare = 0.375;
+/// Patches of a smaller share of the area are as noise makes them; where the borders of others are
+/// less than such a share of what is sharp, all of that is noise.
+constexpr double NoiseArea = 1e-3, LeastCurves = 2.0 / 3.0;
 /// A way that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
 constexpr double LeastTip = 50.0;
 
@@ -201,23 +205,19 @@ void UniteSmall(
     }
   }
   const auto bySecond = [](const auto& a, const auto& b) { return a.second < b.second; };
-  while (!borders.empty())
+  std::set<std::pair<double, int>> order;
+  for (const auto& [patch, size] : sizes)
   {
-    auto smallest = sizes.end();
-    for (auto size = sizes.begin(); size != sizes.end(); ++size)
+    order.emplace(size, patch);
+  }
+  while (!order.empty() && order.begin()->first < least)
+  {
+    const auto [size, gone] = *order.begin();
+    order.erase(order.begin());
+    if (borders.count(gone) == 0)
     {
-      // A patch without a border is a component of its own.
-      if (borders.count(size->first) > 0 &&
-        (smallest == sizes.end() || size->second < smallest->second))
-      {
-        smallest = size;
-      }
+      continue; // a component of its own
     }
-    if (smallest == sizes.end() || smallest->second >= least)
-    {
-      return;
-    }
-    const int gone = smallest->first;
     const auto around = borders[gone];
     const int into = std::max_element(around.begin(), around.end(), bySecond)->first;
     sets.Merge(gone, into);
@@ -235,9 +235,23 @@ void UniteSmall(
       }
     }
     borders.erase(gone);
-    sizes[into] += smallest->second;
-    sizes.erase(gone);
+    order.erase({ sizes[into], into });
+    sizes[into] += size;
+    order.emplace(sizes[into], into);
   }
+}
+
+bool IsNoise(DisjointSets sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas)
+{
+  UniteSmall(sets, hinges, areas, NoiseArea * areas.sum());
+  double sharp = 0.0, curves = 0.0;
+  for (const Hinge& hinge : hinges)
+  {
+    const bool isCurve = sets.Find(hinge.Triangles[0]) != sets.Find(hinge.Triangles[1]);
+    sharp += hinge.Sharp ? hinge.Length : 0.0;
+    curves += hinge.Sharp && isCurve ? hinge.Length : 0.0;
+  }
+  return curves < LeastCurves * sharp;
 }
 
 /// The borders between patches, walked from corner to corner.
@@ -345,7 +359,12 @@ SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
       sets.Merge(hinge.Triangles[0], hinge.Triangles[1]);
     }
   }
-  UniteSmall(sets, hinges, 0.5 * AreaVectors(mesh).rowwise().norm(), leastArea);
+  const Eigen::VectorXd areas = 0.5 * AreaVectors(mesh).rowwise().norm();
+  if (IsNoise(sets, hinges, areas))
+  {
+    leastArea = std::numeric_limits<double>::infinity();
+  }
+  UniteSmall(sets, hinges, areas, leastArea);
   SurfaceFeatures features;
   features.PatchOf.resize(mesh.Triangles.rows());
   std::map<int, int> numbers;

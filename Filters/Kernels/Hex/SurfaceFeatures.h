@@ -40,7 +40,9 @@ struct SurfaceFeatures
  * as far as they bound patches. One that ends inside a patch goes on over edges of at least three
  * eighths of the angle to another one, on the shortest way, where there is such a way that meets
  * the other one at no small angle. A patch smaller than `leastArea` is united with the neighbour it
- * has the longest border with. One patch and no curves where nothing is sharp.
+ * has the longest border with. One patch and no curves where nothing is sharp, or where less than
+ * two thirds of what is sharp bound patches of more than a thousandth of the area: then it is
+ * noise, as of a scan.
  *
  * mesh: closed, oriented consistently.
  */
