@@ -8,6 +8,8 @@
 #include "Geometry/SignedDistance.h"
 #include "Surface/Parameterize.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -89,13 +91,24 @@ std::vector<std::array<int, 3>> Triangulated(
   polygon->EarCutTriangulation(ids);
   if (ids->GetNumberOfIds() != 3 * (static_cast<vtkIdType>(corners.size()) - 2))
   {
-    // Corners in line have ears without an area, which are left out; a fan has all edges.
+    // Corners in line have ears without an area, which are left out; a fan has all edges, and is
+    // right where the polygon is convex.
+    Eigen::Vector3d normal;
+    vtkPolygon::ComputeNormal(polygon->GetPoints(), normal.data());
     std::vector<std::array<int, 3>> fan;
+    bool isConvex = true;
     for (std::size_t k = 1; k + 1 < corners.size(); ++k)
     {
       fan.push_back({ corners[0], corners[k], corners[k + 1] });
+      const Eigen::Vector3d first = points.row(corners[k]) - points.row(corners[0]),
+                            second = points.row(corners[k + 1]) - points.row(corners[0]);
+      const double tolerance = 1e-9 * first.norm() * second.norm();
+      isConvex = isConvex && first.cross(second).dot(normal) > -tolerance;
     }
-    return fan;
+    if (isConvex)
+    {
+      return fan;
+    }
   }
   std::vector<std::array<int, 3>> triangles(ids->GetNumberOfIds() / 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -2,13 +2,20 @@
 
 As an example: give it a closed surface; colour the second output by Label to see the charts, and
 the first one to see where they come from."""
+import os
+import sys
+
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 import shapemap
 
 import shapetesting
 from shapetesting import array, fact, points, triangles
+
+sys.path.append(os.path.join(shapetesting.ROOT, 'Utilities'))
+import off
 
 AXES = numpy.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
 
@@ -31,6 +38,18 @@ def made(surface, **settings):
     return algorithm.GetOutputDataObject(0), algorithm.GetOutputDataObject(1), ' '.join(messages)
 
 
+def check_faces(image):
+    """Each triangle lies in the plane of its label, at a whole multiple of the unit, the right way
+    up."""
+    corners = points(image)[triangles(image)]
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    assert (numpy.einsum('ij,ij->i', normals, AXES[labels(image)]) > 0.0).all(), 'one is turned over'
+    heights = numpy.take_along_axis(corners, (labels(image) // 2)[:, None, None], axis=2)[:, :, 0]
+    assert (heights == heights[:, :1]).all(), 'a triangle is not flat across its axis'
+    units = heights / fact(image, 'Polycube.EdgeLength')
+    assert numpy.allclose(units, numpy.round(units), atol=1e-9)
+
+
 # The example: an ellipsoid becomes a box.
 ellipsoid = simple.Transform(Input=simple.Sphere(ThetaResolution=40, PhiResolution=40))
 ellipsoid.Transform.Scale = [2.0, 1.0, 1.0]
@@ -43,14 +62,7 @@ assert numpy.array_equal(labels(surface), labels(image))
 assert set(labels(image)) == set(range(6)), 'a side of the box is missing'
 assert fact(image, 'Polycube.Charts') == 6 and fact(image, 'Polycube.Corners') == 8
 
-# Each triangle lies in the plane of its label, at a whole multiple of the unit, the right way up.
-corners = points(image)[triangles(image)]
-normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-assert (numpy.einsum('ij,ij->i', normals, AXES[labels(image)]) > 0.0).all(), 'one is turned over'
-heights = numpy.take_along_axis(corners, (labels(image) // 2)[:, None, None], axis=2)[:, :, 0]
-assert (heights == heights[:, :1]).all(), 'a triangle is not flat across its axis'
-units = heights / fact(image, 'Polycube.EdgeLength')
-assert numpy.allclose(units, numpy.round(units), atol=1e-9)
+check_faces(image)
 assert 1.0 <= fact(image, 'Polycube.Distortion') < 1.5
 
 # A cube is its own polycube, and the unit can be chosen.
@@ -65,3 +77,17 @@ assert len(set(labels(cube))) == 6
 sheet = result(simple.Triangulate(Input=simple.Plane()))
 assert 'open loop' in made(sheet)[2]
 assert 'Compactness' in made(box, Compactness=0.0)[2]
+
+# A real part, where it is unpacked: the side of its thin hole has a chart to each side, and none that
+# folds over itself. Where its triangles are too coarse for that, the charts at fault are named.
+models = os.environ.get('SHAPEMAP_MODELS', os.path.join(shapetesting.BUILD, 'models'))
+if os.path.exists(os.path.join(models, 'joint.off')):
+    coarse = off.read(os.path.join(models, 'joint.off'))
+    assert 'turns' in made(coarse)[2] and ' of chart ' in made(coarse)[2], made(coarse)[2]
+    finer = vtkLinearSubdivisionFilter()
+    finer.SetNumberOfSubdivisions(2)
+    finer.SetInputData(coarse)
+    finer.Update()
+    same, cube, said = made(finer.GetOutput())
+    assert not said, said
+    check_faces(cube)

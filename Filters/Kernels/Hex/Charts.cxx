@@ -201,37 +201,39 @@ std::vector<ChartFault> FindChartFaults(
   return faults;
 }
 
+std::string DescribeChart(const Charts& charts, int chart)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << "chart " << chart << " (" << LabelName(charts.Labels[chart]) << ", "
+       << 100.0 * charts.Areas(chart) / charts.Areas.sum() << " % of the area)";
+  return text.str();
+}
+
 std::string Describe(const std::vector<ChartFault>& faults, const Charts& charts)
 {
   constexpr std::size_t most = 3;
   std::ostringstream text;
-  text.precision(2);
-  const auto name = [&](int chart)
-  {
-    text << "chart " << chart << " (" << LabelName(charts.Labels[chart]) << ", "
-         << 100.0 * charts.Areas(chart) / charts.Areas.sum() << " % of the area)";
-  };
   for (std::size_t i = 0; i < std::min(most, faults.size()); ++i)
   {
     const ChartFault& fault = faults[i];
     text << (i > 0 ? "; " : "");
-    name(fault.Chart);
+    text << DescribeChart(charts, fault.Chart);
     switch (fault.What)
     {
       case ChartFault::Kind::FewNeighbours:
         text << " has " << charts.Neighbours[fault.Chart].size() << " charts around it, not 4";
         break;
       case ChartFault::Kind::Opposite:
-        text << " lies beside ";
-        name(fault.Other);
+        text << " lies beside " << DescribeChart(charts, fault.Other);
         break;
       case ChartFault::Kind::Corner:
         text << " has a corner of " << charts.AtPoint[fault.Point].size() << " charts at point "
              << fault.Point;
         break;
       case ChartFault::Kind::Turn:
-        text << " has a border that turns back at point " << fault.Point << " to ";
-        name(fault.Other);
+        text << " has a border that turns back at point " << fault.Point << " to "
+             << DescribeChart(charts, fault.Other);
         break;
     }
   }

@@ -65,6 +65,9 @@ std::vector<ChartFault> FindChartFaults(
 /// "chart 3 (+x, 0.2 % of the area) has 2 neighbours, 4 are needed; ..." for the first few.
 std::string Describe(const std::vector<ChartFault>& faults, const Charts& charts);
 
+/// As "chart 3 (+x, 5.8 % of the area)".
+std::string DescribeChart(const Charts& charts, int chart);
+
 /// The unknowns of points whose surface has these charts: one for each chart, along its axis, and
 /// one for every other coordinate. Charts of one axis that share a point share the unknown.
 TiedCoordinates TieCharts(const Charts& charts, Eigen::Index points);

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -62,12 +64,61 @@ private:
   std::vector<std::array<bool, 3>> Fixed;
 };
 
+/// Of the pieces into which each chart of the coarse solid falls keeps the largest; the others get
+/// the label that most of their border is with.
+void RemoveIslands(
+  const Mesh& surface, const Eigen::VectorXi& coarseCharts, Eigen::VectorXi& labels)
+{
+  const Charts pieces = FindCharts(surface, labels);
+  std::map<int, int> largest; // by the coarse chart
+  std::vector<int> origin(pieces.Count(), -1);
+  for (Eigen::Index f = 0; f < labels.size(); ++f)
+  {
+    const int piece = pieces.Of(f);
+    if (origin[piece] < 0)
+    {
+      origin[piece] = coarseCharts(f);
+      const auto [found, fresh] = largest.emplace(origin[piece], piece);
+      if (!fresh && pieces.Areas(piece) > pieces.Areas(found->second))
+      {
+        found->second = piece;
+      }
+    }
+  }
+  std::map<int, std::map<int, double>> borders; // of islands, with each label
+  for (const Charts::Border& border : pieces.Borders)
+  {
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < border.Points.size(); ++i)
+    {
+      length +=
+        (surface.Points.row(border.Points[i + 1]) - surface.Points.row(border.Points[i])).norm();
+    }
+    borders[border.First][pieces.Labels[border.Second]] += length;
+    borders[border.Second][pieces.Labels[border.First]] += length;
+  }
+  for (Eigen::Index f = 0; f < labels.size(); ++f)
+  {
+    const int piece = pieces.Of(f);
+    if (const auto around = borders.find(piece);
+        largest.at(origin[piece]) != piece && around != borders.end())
+    {
+      labels(f) = std::max_element(around->second.begin(), around->second.end(),
+        [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        })->first;
+    }
+  }
+}
+
 /// The labels of the coarse solid's triangles closest to the surface's. A triangle that would have
 /// all its corners on the border of another chart, which leaves it no area, goes to that chart.
 Eigen::VectorXi TransferLabels(const Mesh& surface, const PolycubeMap& map,
   const SurfaceLocator& coarse, const Progress& progress)
 {
-  Eigen::VectorXi labels = map.Labels(coarse.Find(Centroids(surface), progress).Triangles);
+  const Eigen::VectorXi closest = coarse.Find(Centroids(surface), progress).Triangles;
+  Eigen::VectorXi labels = map.Labels(closest);
+  RemoveIslands(surface, map.Charts.Of(closest), labels);
   for (int round = 0; round < MaximumRelabellings; ++round)
   {
     const Charts charts = FindCharts(surface, labels);
@@ -127,17 +178,6 @@ std::vector<std::array<bool, 3>> Snap(
     }
   }
   return fixed;
-}
-
-std::vector<char> TurnedOver(const Mesh& polycube, const Eigen::VectorXi& labels)
-{
-  const Eigen::MatrixXd vectors = AreaVectors(polycube);
-  std::vector<char> turned(labels.size());
-  for (Eigen::Index f = 0; f < labels.size(); ++f)
-  {
-    turned[f] = !(vectors.row(f).dot(LabelAxis(labels(f))) > 0.0);
-  }
-  return turned;
 }
 
 /// Moves the points of triangles that are turned over, and so many rings around them.
@@ -213,6 +253,32 @@ void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
   places = all.topRows(places.rows());
 }
 
+/// Which charts, those with the most first.
+std::string DescribeTurned(
+  const Mesh& polycube, const Eigen::VectorXi& labels, const Charts& charts)
+{
+  std::map<int, int> counts;
+  const std::vector<char> turned = TurnedOver(polycube, labels);
+  for (std::size_t f = 0; f < turned.size(); ++f)
+  {
+    counts[charts.Of(static_cast<Eigen::Index>(f))] += turned[f];
+  }
+  std::vector<std::pair<int, int>> order;
+  for (const auto& [chart, count] : counts)
+  {
+    order.emplace_back(count, chart);
+  }
+  std::sort(order.rbegin(), order.rend());
+  std::string text;
+  constexpr std::size_t most = 3;
+  for (std::size_t i = 0; i < std::min(most, order.size()) && order[i].first > 0; ++i)
+  {
+    text += (i > 0 ? ", " : "") + std::to_string(order[i].first) + " of " +
+      DescribeChart(charts, order[i].second);
+  }
+  return text;
+}
+
 } // namespace
 
 PolycubeResult Polycube(
@@ -221,6 +287,7 @@ PolycubeResult Polycube(
   PolycubeMapOptions mapOptions;
   mapOptions.Compactness = options.Compactness;
   mapOptions.CellSize = options.TargetEdgeLength;
+  mapOptions.Facing = true;
   const PolycubeMap map = FindPolycubeMap(surface, mapOptions, progress.Part(0.0, 0.8));
   const SurfaceLocator coarse(map.Solid.Surface());
   Mesh scaled = surface;
@@ -253,7 +320,8 @@ PolycubeResult Polycube(
   {
     throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) + " charts turns " +
       std::to_string(turned) + " of " + std::to_string(surface.Triangles.rows()) +
-      " triangles over; refine the surface, or try another Compactness");
+      " triangles over: " + DescribeTurned({ places, surface.Triangles }, result.Labels, charts) +
+      "; refine the surface there, or try another Compactness");
   }
   result.Positions = map.CellSize * places;
   progress(1.0);

@@ -42,6 +42,8 @@ constexpr double Dearer = 1.0, Forbidden = 50.0;
 /// Charts of a greater share of the area are not given up.
 constexpr double GreatestGivenUp = 0.03;
 constexpr double AutomaticCells = 12000.0;
+/// A chart of which a greater share is turned over is folded.
+constexpr double Folded = 0.1;
 constexpr int QuantisationAttempts = 4;
 constexpr double QuantisationShrinkage = 0.75;
 
@@ -88,6 +90,30 @@ void Tie(const TiedCoordinates& tied, Eigen::MatrixXd& places)
   }
 }
 
+/// The triangles of charts that are folded over: of others, a few may be turned still.
+std::vector<char> FoldedOver(const Attempt& attempt)
+{
+  std::vector<char> turned = TurnedOver(attempt.Solid.Surface(attempt.Places), attempt.Labels);
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(attempt.Charts.Count()), all = counts;
+  for (Eigen::Index f = 0; f < attempt.Labels.size(); ++f)
+  {
+    counts(attempt.Charts.Of(f)) += turned[f];
+    all(attempt.Charts.Of(f)) += 1.0;
+  }
+  for (Eigen::Index f = 0; f < attempt.Labels.size(); ++f)
+  {
+    const int chart = attempt.Charts.Of(f);
+    turned[f] = turned[f] && counts(chart) > Folded * all(chart);
+  }
+  return turned;
+}
+
+int CountFolded(const Attempt& attempt)
+{
+  const std::vector<char> folded = FoldedOver(attempt);
+  return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
+}
+
 /// Deforms the solid with these labels.
 Attempt Deform(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress)
@@ -123,9 +149,10 @@ bool IsPositive(const WorkingSolid& solid, const Eigen::MatrixXd& places, Eigen:
 }
 
 /// Adds to the costs of labels that did not work: of charts with too few neighbours, and around
-/// tetrahedra that stayed negative. `before`: labels of the triangles that costs are for.
+/// tetrahedra that stayed negative, and triangles turned over where they have to face their labels.
+/// `before`: labels of the triangles that costs are for.
 void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const Attempt& attempt,
-  Eigen::MatrixXd& costs)
+  bool isFacing, Eigen::MatrixXd& costs)
 {
   const Charts charts = FindCharts(solid.Surface(), before);
   const double area = charts.Areas.sum();
@@ -136,6 +163,14 @@ void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const 
       charts.Areas(fault.Chart) < GreatestGivenUp * area;
   }
   std::vector<char> near(attempt.Solid.SurfacePoints, 0);
+  const std::vector<char> turned = FoldedOver(attempt);
+  for (Eigen::Index f = 0; isFacing && f < attempt.Solid.Triangles.rows(); ++f)
+  {
+    for (const int v : attempt.Solid.Triangles.row(f))
+    {
+      near[v] |= turned[f];
+    }
+  }
   for (Eigen::Index t = 0; t < attempt.Solid.Tetrahedra.rows(); ++t)
   {
     if (!IsPositive(attempt.Solid, attempt.Places, t))
@@ -165,7 +200,7 @@ void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const 
 
 /// The best of several tries with one compactness. work: counts the tetrahedra deformed.
 Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned,
-  double compactness, int& work, const Progress& progress)
+  double compactness, bool isFacing, int& work, const Progress& progress)
 {
   Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(solid.Triangles.rows(), 6);
   Eigen::MatrixXd places = aligned;
@@ -184,7 +219,8 @@ Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned
   {
     Attempt attempt = Deform(solid, labels, places, progress);
     work += static_cast<int>(attempt.Solid.Tetrahedra.rows());
-    RaiseCosts(solid, labels, attempt, costs);
+    RaiseCosts(solid, labels, attempt, isFacing, costs);
+    attempt.Result.Negative += isFacing ? CountFolded(attempt) : 0;
     if (attempt.Result.Negative < best.Result.Negative)
     {
       best = std::move(attempt);
@@ -232,6 +268,17 @@ bool MoveToIntegers(Attempt& attempt, const Progress& progress)
 
 } // namespace
 
+std::vector<char> TurnedOver(const Mesh& polycube, const Eigen::VectorXi& labels)
+{
+  const Eigen::MatrixXd vectors = AreaVectors(polycube);
+  std::vector<char> turned(labels.size());
+  for (Eigen::Index f = 0; f < labels.size(); ++f)
+  {
+    turned[f] = !(vectors.row(f).dot(LabelAxis(labels(f))) > 0.0);
+  }
+  return turned;
+}
+
 PolycubeMap FindPolycubeMap(
   const Mesh& surface, const PolycubeMapOptions& options, const Progress& progress)
 {
@@ -263,8 +310,8 @@ PolycubeMap FindPolycubeMap(
       {
         continue;
       }
-      Attempt attempt = TryCompactness(
-        solid, aligned, trial.Factor * options.Compactness, work, progress.Part(0.2, 0.8));
+      Attempt attempt = TryCompactness(solid, aligned, trial.Factor * options.Compactness,
+        options.Facing, work, progress.Part(0.2, 0.8));
       attempt.Rotation = rotation;
       if (attempt.Result.Negative < best.Result.Negative)
       {
@@ -278,8 +325,8 @@ PolycubeMap FindPolycubeMap(
       " charts, " +
       (best.Faults.empty() ? "none is at fault by itself" : Describe(best.Faults, best.Charts)) +
       "; " + std::to_string(best.Result.Negative) + " of " +
-      std::to_string(best.Solid.Tetrahedra.rows()) +
-      " tetrahedra stay inverted; try another Compactness");
+      std::to_string(best.Solid.Tetrahedra.rows()) + " tetrahedra stay inverted" +
+      (options.Facing ? " or are under folded charts" : "") + "; try another Compactness");
   }
   double size = options.CellSize > 0.0
     ? options.CellSize
@@ -289,7 +336,8 @@ PolycubeMap FindPolycubeMap(
     Attempt whole = best;
     whole.Solid.Points /= size;
     whole.Places /= size;
-    if (MoveToIntegers(whole, progress.Part(0.8, 1.0)))
+    if (MoveToIntegers(whole, progress.Part(0.8, 1.0)) &&
+      (!options.Facing || CountFolded(whole) == 0))
     {
       PolycubeMap map;
       map.Solid = std::move(whole.Solid);

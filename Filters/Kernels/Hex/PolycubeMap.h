@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace shape
 {
 
@@ -15,7 +17,14 @@ struct PolycubeMapOptions
   double Compactness = 3.0; ///< more: fewer charts, less: normals closer to the axes; > 0
   double CellSize = 0.0;    ///< the polycube's unit, in the surface's units; 0: about 12,000 cells
   int Triangles = 3000;     ///< of the coarse surface that is worked with, about
+  /// Whether a polycube with a chart of which more than a tenth does not face its label's way is
+  /// none. A chart may fold over itself without any negative tetrahedron, as around a thin hole;
+  /// that is good enough for hexahedra, but it is not the boundary of a polycube.
+  bool Facing = false;
 };
+
+/// Marks the triangles of a polycube that do not face the way of their label.
+std::vector<char> TurnedOver(const Mesh& polycube, const Eigen::VectorXi& labels);
 
 /// A solid and the polycube it is mapped to.
 struct PolycubeMap
