@@ -1,10 +1,5 @@
 #include "BenchmarkData.h"
 
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolygon.h"
-
 #include "Geometry/SignedDistance.h"
 #include "Surface/Parameterize.h"
 
@@ -14,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -73,50 +70,55 @@ shape::Mesh Welded(const shape::Mesh& mesh)
     mesh.Triangles.unaryExpr([&](int i) { return newId[i]; }) };
 }
 
-/// A polygon as triangles, convex or not.
+/// Twice the area of a triangle in the plane, with its sign.
+double Turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c)
+{
+  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+/// A simple polygon as triangles, by cutting off ears. One without an area, at corners in line, is
+/// cut off only where there is no other: vtkPolygon leaves it out, and a gap in the surface.
 std::vector<std::array<int, 3>> Triangulated(
   const Eigen::MatrixXd& points, const std::vector<int>& corners)
 {
-  if (corners.size() == 3)
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
   {
-    return { { corners[0], corners[1], corners[2] } };
+    const Eigen::Vector3d first = points.row(corners[k]) - points.row(corners[0]),
+                          second = points.row(corners[k + 1]) - points.row(corners[0]);
+    normal += first.cross(second);
   }
-  vtkNew<vtkPolygon> polygon;
-  for (const int corner : corners)
+  const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.normalized().cross(x);
+  const auto flat = [&](int corner)
+  { return Eigen::Vector2d(points.row(corner).dot(x), points.row(corner).dot(y)); };
+  const double tolerance = 1e-9 * normal.norm();
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> left = corners;
+  while (left.size() > 2)
   {
-    polygon->GetPoints()->InsertNextPoint(points(corner, 0), points(corner, 1), points(corner, 2));
-    polygon->GetPointIds()->InsertNextId(polygon->GetPointIds()->GetNumberOfIds());
-  }
-  vtkNew<vtkIdList> ids;
-  polygon->EarCutTriangulation(ids);
-  if (ids->GetNumberOfIds() != 3 * (static_cast<vtkIdType>(corners.size()) - 2))
-  {
-    // Corners in line have ears without an area, which are left out; a fan has all edges, and is
-    // right where the polygon is convex.
-    Eigen::Vector3d normal;
-    vtkPolygon::ComputeNormal(polygon->GetPoints(), normal.data());
-    std::vector<std::array<int, 3>> fan;
-    bool isConvex = true;
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    std::size_t best = 0;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < left.size(); ++k)
     {
-      fan.push_back({ corners[0], corners[k], corners[k + 1] });
-      const Eigen::Vector3d first = points.row(corners[k]) - points.row(corners[0]),
-                            second = points.row(corners[k + 1]) - points.row(corners[0]);
-      const double tolerance = 1e-9 * first.norm() * second.norm();
-      isConvex = isConvex && first.cross(second).dot(normal) > -tolerance;
+      const int before = left[(k + left.size() - 1) % left.size()], own = left[k],
+                after = left[(k + 1) % left.size()];
+      const Eigen::Vector2d a = flat(before), b = flat(own), c = flat(after);
+      const bool isEar = std::none_of(left.begin(), left.end(),
+        [&](int other)
+        {
+          const Eigen::Vector2d p = flat(other);
+          return other != before && other != own && other != after && Turn(a, b, p) > -tolerance &&
+            Turn(b, c, p) > -tolerance && Turn(c, a, p) > -tolerance;
+        });
+      if (isEar && Turn(a, b, c) > largest)
+      {
+        largest = Turn(a, b, c);
+        best = k;
+      }
     }
-    if (isConvex)
-    {
-      return fan;
-    }
-  }
-  std::vector<std::array<int, 3>> triangles(ids->GetNumberOfIds() / 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      triangles[t][k] = corners[ids->GetId(static_cast<vtkIdType>(3 * t + k))];
-    }
+    triangles.push_back(
+      { left[(best + left.size() - 1) % left.size()], left[best], left[(best + 1) % left.size()] });
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
   }
   return triangles;
 }
