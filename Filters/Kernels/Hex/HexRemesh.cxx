@@ -23,12 +23,19 @@ using MethodType = HexRemeshOptions::MethodType;
 
 /// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
 constexpr double LeastScaledJacobian = 0.3, LargestDistance = 0.01;
+/// What is aimed at between creases, as a share of the diagonal, with an automatic size.
+constexpr double WantedCreaseDistance = 0.001;
 
 /// The area of the smallest patch with borders of its own, in faces of cells.
 constexpr double LeastPatch = 4.0;
 
 /// Who gives a size gets as many as it makes, as far as their corners can be numbered.
 constexpr int MostOfGivenSize = std::numeric_limits<int>::max() / 64;
+
+double Diagonal(const Mesh& surface)
+{
+  return (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
+}
 
 int MostHexahedra(const HexRemeshOptions& options)
 {
@@ -66,6 +73,39 @@ HexRemeshResult ByGrid(const Mesh& surface, const HexRemeshOptions& options,
   return result;
 }
 
+/// With smaller cells where creases are farther than wanted, if there may be so many and they are
+/// nearer then: the distance falls with the square of the size.
+PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions options,
+  PolycubeHexesResult coarse, const Progress& progress)
+{
+  const HexFit& fit = coarse.Fit;
+  const double wanted = WantedCreaseDistance * Diagonal(surface);
+  if (!fit.CreasesKept || fit.LeastScaledJacobian < LeastScaledJacobian ||
+    fit.Creases.Distance <= wanted)
+  {
+    return coarse;
+  }
+  constexpr double safety = 0.8;
+  const double needed = std::sqrt(safety * wanted / fit.Creases.Distance),
+               least = std::cbrt(static_cast<double>(fit.Solid.Hexahedra.rows()) /
+                 static_cast<double>(options.MaximumHexahedra));
+  options.CellSize = coarse.CellSize * std::max(needed, least);
+  try
+  {
+    PolycubeHexesResult fine = PolycubeHexes(surface, options, progress);
+    if (fine.Fit.CreasesKept && fine.Fit.LeastScaledJacobian >= LeastScaledJacobian &&
+      fine.Fit.Creases.Distance < fit.Creases.Distance)
+    {
+      return fine;
+    }
+  }
+  catch (const SolveFailure&)
+  {
+    // No polycube of such cells: those there are will do.
+  }
+  return coarse;
+}
+
 HexRemeshResult ByPolycube(
   const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
 {
@@ -74,7 +114,13 @@ HexRemeshResult ByPolycube(
   polycube.MaximumHexahedra = MostHexahedra(options);
   polycube.PaddingLayers = options.PaddingLayers;
   polycube.FeatureAngle = options.FeatureAngle;
-  PolycubeHexesResult result = PolycubeHexes(surface, polycube, progress);
+  const bool isAutomatic = options.CellSize == 0.0;
+  PolycubeHexesResult result =
+    PolycubeHexes(surface, polycube, isAutomatic ? progress.Part(0.0, 0.4) : progress);
+  if (isAutomatic)
+  {
+    result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.4, 1.0));
+  }
   const char* maps[] = { "the harmonic map of the polycube's boundary",
     "the map of tetrahedra onto the polycube, whose harmonic map would turn more cells over",
     "a grid in the solid bent towards the axes, for want of a polycube with charts" };
@@ -114,8 +160,9 @@ bool IsBetter(const HexFit& one, const HexFit& other)
 }
 
 HexRemeshResult ByTheBetter(
-  const Mesh& surface, double diagonal, const HexRemeshOptions& options, const Progress& progress)
+  const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
 {
+  const double diagonal = Diagonal(surface);
   std::optional<HexRemeshResult> polycube;
   std::string why;
   try
@@ -239,9 +286,7 @@ HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
       " pairs of triangles; the solid is what it winds around";
     return result;
   }
-  const double diagonal =
-    (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
-  return ByTheBetter(surface, diagonal, options, progress.Part(0.02, 1.0));
+  return ByTheBetter(surface, options, progress.Part(0.02, 1.0));
 }
 
 } // namespace
