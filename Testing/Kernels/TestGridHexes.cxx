@@ -138,11 +138,11 @@ TEST(VoxelSolid, WhatIsNotPinchedIsAManifold)
     const Eigen::MatrixXd waves = 2.0 *
       Eigen::MatrixXd::NullaryExpr(
         8, 4, [&](Eigen::Index, Eigen::Index) { return uniform(generator); });
-    for (int z = 1; z < 11; ++z)
+    for (int z = 0; z < 12; ++z)
     {
-      for (int y = 1; y < 11; ++y)
+      for (int y = 0; y < 12; ++y)
       {
-        for (int x = 1; x < 11; ++x)
+        for (int x = 0; x < 12; ++x)
         {
           grid.Values(grid.Index(x, y, z)) =
             (waves * Eigen::Vector4d(x, y, z, 1.0)).array().sin().sum();
@@ -155,6 +155,11 @@ TEST(VoxelSolid, WhatIsNotPinchedIsAManifold)
       continue;
     }
     ++mended;
+    for (int side = 0; side < 12 * 12; ++side)
+    {
+      EXPECT_EQ(solid.Inside[grid.Index(0, side / 12, side % 12)], 0);
+      EXPECT_EQ(solid.Inside[grid.Index(side / 12, side % 12, 11)], 0);
+    }
     const auto topology =
       shape::SurfaceTopology(Boundary(shape::VoxelHexahedra(grid, solid.Inside)));
     EXPECT_EQ(topology.NonManifoldEdges, 0);

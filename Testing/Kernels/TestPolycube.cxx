@@ -58,6 +58,10 @@ TEST(Polycube, ABallBecomesACube)
   EXPECT_EQ(polycube.Charts, 6);
   EXPECT_EQ(polycube.Corners, 8);
   ExpectPolycube(ball, polycube);
+  const shape::Mesh inwards{ ball.Points, ball.Triangles.rowwise().reverse() };
+  const shape::PolycubeResult turned = shape::Polycube(inwards);
+  EXPECT_EQ(turned.Charts, 6);
+  EXPECT_LT(shape::EnclosedVolume({ turned.Positions, inwards.Triangles }), 0.0);
   const double volume = shape::EnclosedVolume({ polycube.Positions, ball.Triangles });
   EXPECT_NEAR(volume / shape::EnclosedVolume(ball), 1.0, 0.2);
 }

@@ -3,6 +3,7 @@
 #include "Core/Errors.h"
 #include "Geometry/ClosestPoint.h"
 #include "Hex/RegionCubes.h"
+#include "Hex/SeparateSolids.h"
 #include "Hex/SurfaceFeatures.h"
 #include "Quality/HausdorffDistance.h"
 #include "Quality/ScaledJacobian.h"
@@ -23,8 +24,8 @@ namespace
 
 /// By which cells become smaller where they have not the solid's topology.
 constexpr double Shrinkage = 0.85;
-/// Of the first grid with an automatic size, and by which there are more in the next ones.
-constexpr double AutomaticHexahedra = 16500.0, Growth = 1.7;
+/// By which there are more hexahedra in the next grids with an automatic size.
+constexpr double Growth = 1.7;
 /// The area of the smallest patch with borders of its own, in faces of cells.
 constexpr double LeastPatch = 4.0;
 /// What is good enough not to go on to smaller cells everywhere.
@@ -33,6 +34,11 @@ constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
 constexpr double LeastGain = 0.02;
 /// After so many rounds without such a gain no more are made.
 constexpr int MostIdle = 2;
+
+double DiagonalOf(const Mesh& mesh)
+{
+  return (mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff()).norm();
+}
 
 class GridSearch
 {
@@ -43,9 +49,7 @@ public:
     , Regions(surface, innerSurfaces, progress)
     , Cubes(this->Regions.Outer())
     , Bounding(this->Cubes.Boundary().Surface)
-    , Diagonal((this->Cubes.Surface().Points.colwise().maxCoeff() -
-        this->Cubes.Surface().Points.colwise().minCoeff())
-                 .norm())
+    , Diagonal(options.Diagonal > 0.0 ? options.Diagonal : DiagonalOf(this->Cubes.Surface()))
     , AllFeatures(FindFeatures(this->Bounding.Surface(), options.FeatureAngle, 0.0))
   {
     for (const SolidCubes& inner : this->Regions.Inner())
@@ -98,6 +102,22 @@ public:
       if (isLast || idle >= MostIdle)
       {
         return;
+      }
+    }
+  }
+
+  /// Grids of the Euler number and number of components that come out, where the surface crosses
+  /// itself and there is nothing yet.
+  void TakeAnyTopology(const Progress& progress)
+  {
+    if (!this->Best && this->Cubes.Boundary().Crossings > 0)
+    {
+      constexpr double share = 0.25; // of the most
+      this->Regions.Outer().TakeAnyTopology();
+      this->Refine(0.0, share * this->Options.MaximumHexahedra, this->Options.Rounds, progress);
+      if (this->Best)
+      {
+        this->Best->TopologyAgreed = false;
       }
     }
   }
@@ -283,12 +303,9 @@ void RequireInRange(const GridHexesOptions& options)
   RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
 }
 
-} // namespace
-
-GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options,
+GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
-  RequireInRange(options);
   GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
   if (options.CellSize > 0.0)
   {
@@ -306,7 +323,7 @@ GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options,
   }
   double begin = 0.05, before = -std::numeric_limits<double>::infinity();
   int rounds = options.Rounds;
-  for (double hexahedra = std::min<double>(AutomaticHexahedra, options.MaximumHexahedra);
+  for (double hexahedra = std::min<double>(options.FirstHexahedra, options.MaximumHexahedra);
        hexahedra <= options.MaximumHexahedra; hexahedra *= Growth)
   {
     const double end = 0.5 * (begin + 1.0);
@@ -320,8 +337,77 @@ GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options,
     begin = end;
     rounds = (rounds + 1) / 2;
   }
+  search.TakeAnyTopology(progress.Part(begin, 1.0));
   progress(1.0);
   return search.Result();
+}
+
+/// The share of the hexahedra that each solid may have.
+std::vector<double> Shares(const std::vector<Mesh>& solids)
+{
+  // So many for all that are small.
+  constexpr double small = 0.25;
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (const Mesh& solid : solids)
+  {
+    shares.push_back(EnclosedVolume(solid));
+    sum += shares.back();
+  }
+  double all = 0.0;
+  for (double& share : shares)
+  {
+    share = std::max(share / sum, small / static_cast<double>(solids.size()));
+    all += share;
+  }
+  for (double& share : shares)
+  {
+    share /= all;
+  }
+  return shares;
+}
+
+GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& solids,
+  const GridHexesOptions& options, const Progress& progress)
+{
+  const std::vector<double> shares = Shares(solids);
+  std::vector<HexFit> fits;
+  std::vector<SurfaceFeatures> features;
+  GridHexesResult result;
+  double begin = 0.0;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    GridHexesOptions own = options;
+    own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : DiagonalOf(surface);
+    own.FirstHexahedra = shares[i] * options.FirstHexahedra;
+    own.MaximumHexahedra = std::max(1, static_cast<int>(shares[i] * options.MaximumHexahedra));
+    GridHexesResult one = OfOneGrid(solids[i], own, progress.Part(begin, begin + shares[i]), {});
+    begin += shares[i];
+    fits.push_back(std::move(one.Fit));
+    features.push_back(std::move(one.Features));
+    result.CellSize = std::max(result.CellSize, one.CellSize);
+    result.Rounds = std::max(result.Rounds, one.Rounds);
+  }
+  result.Fit = JoinedFit(fits);
+  result.Features = JoinedFeatures(features, solids);
+  return result;
+}
+
+} // namespace
+
+GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options,
+  const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+{
+  RequireInRange(options);
+  if (innerSurfaces.empty())
+  {
+    const std::vector<Mesh> solids = SeparateSolids(surface, progress.Part(0.0, 0.02));
+    if (!solids.empty())
+    {
+      return OfSeveralGrids(surface, solids, options, progress.Part(0.02, 1.0));
+    }
+  }
+  return OfOneGrid(surface, options, progress.Part(0.02, 1.0), innerSurfaces);
 }
 
 } // namespace shape

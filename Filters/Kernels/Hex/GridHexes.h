@@ -17,12 +17,15 @@ struct GridHexesOptions
   /// solid's topology. 0: one that gives about 20,000 hexahedra, or smaller ones where these are
   /// not good enough.
   double CellSize = 0.0;
-  int MaximumHexahedra = 200000; ///< no smaller cells are tried than give so many
-  int PaddingLayers = 1;         ///< of hexahedra around the cells; >= 1
-  double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
+  int MaximumHexahedra = 200000;   ///< no smaller cells are tried than give so many
+  double FirstHexahedra = 16500.0; ///< about so many cells in the first grid of an automatic size
+  int PaddingLayers = 1;           ///< of hexahedra around the cells; >= 1
+  double FeatureAngle = 40.0;      ///< between normals, in degrees: what is sharper is a crease
   /// The scaled Jacobian of the worst hexahedron that is aimed at.
   double WantedScaledJacobian = 0.62;
-  /// The distance between the surfaces that is aimed at, as a share of the diagonal of the box.
+  /// What distances are shares of, in the surface's units; 0: the diagonal of the surface's box.
+  double Diagonal = 0.0;
+  /// The distance between the surfaces that is aimed at, as a share of the diagonal.
   double WantedDistance = 0.0045;
   /// The same of the distance between creases.
   double WantedCreaseDistance = 0.001;
@@ -34,9 +37,12 @@ struct GridHexesResult
 {
   HexFit Fit;               ///< its distance is to what bounds the solid
   SurfaceFeatures Features; ///< creases that were looked for, patches at least 4 cells large
-  double CellSize = 0.0;    ///< the one that was used, where the grid was not made finer
+  double CellSize = 0.0;    ///< the largest that was used, where the grid was not made finer
   int Crossings = 0;        ///< pairs of the surface's triangles that cross
-  int Rounds = 0;           ///< how many grids were made
+  /// False where the surface crosses itself and no two successive grids have the same Euler number
+  /// and number of components: then they are those of one grid of middling cells.
+  bool TopologyAgreed = true;
+  int Rounds = 0; ///< how many grids were made
   /// False where inner surfaces have creases, which are rounded; then no cells become smaller for
   /// the distance to these surfaces.
   bool InnerCreasesKept = true;
@@ -54,6 +60,10 @@ struct GridHexesResult
  * The boundary of the result is a manifold of the surface's Euler number and number of components.
  * Cells become smaller until that is so: thin parts and narrow gaps ask for it. Where the surface
  * crosses itself the solid is what it winds around at least once (SolidCubes).
+ *
+ * Several solids that are apart (SeparateSolids) have grids of their own, so that gaps between them
+ * need no small cells; each has a share of the hexahedra by its volume, at least some. Features are
+ * of their surfaces, one after the other, then.
  *
  * Inner surfaces are borders between regions (RegionCubes): hexahedra of two regions meet on them.
  *

@@ -55,7 +55,7 @@ GridHexesOptions OfGrid(const HexRemeshOptions& options)
 HexRemeshResult OfHexes(GridHexesResult result)
 {
   return { std::move(result.Fit), std::move(result.Features), MethodType::Grid, "", result.CellSize,
-    result.Crossings, {}, result.InnerCreasesKept };
+    result.Crossings, {}, result.InnerCreasesKept, result.TopologyAgreed };
 }
 
 HexRemeshResult ByGrid(const Mesh& surface, const HexRemeshOptions& options,
@@ -283,7 +283,10 @@ HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
   {
     result = ByGrid(surface, options, progress.Part(0.02, 1.0));
     result.Reason = "the surface crosses itself at " + std::to_string(crossings) +
-      " pairs of triangles; the solid is what it winds around";
+      " pairs of triangles; the solid is what it winds around" +
+      (result.TopologyAgreed
+          ? ""
+          : ", whose Euler number and components are as one grid has them, for no two agree");
     return result;
   }
   return ByTheBetter(surface, options, progress.Part(0.02, 1.0));

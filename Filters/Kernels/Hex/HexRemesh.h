@@ -57,6 +57,7 @@ struct HexRemeshResult
   /// Of the boundary's quads: their sizes by those wanted (SizeRatios); empty without Sizes.
   Eigen::VectorXd SizeRatios;
   bool InnerCreasesKept = true; ///< false where inner surfaces have creases
+  bool TopologyAgreed = true;   ///< see GridHexesResult
 };
 
 /**

@@ -281,9 +281,9 @@ std::string DescribeTurned(
 
 } // namespace
 
-PolycubeResult Polycube(
-  const Mesh& surface, const PolycubeOptions& options, const Progress& progress)
+PolycubeResult Polycube(const Mesh& given, const PolycubeOptions& options, const Progress& progress)
 {
+  const Mesh surface = FacingOutwards(given);
   PolycubeMapOptions mapOptions;
   mapOptions.Compactness = options.Compactness;
   mapOptions.CellSize = options.TargetEdgeLength;

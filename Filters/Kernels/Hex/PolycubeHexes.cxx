@@ -181,8 +181,9 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const SurfaceLocator& locator,
 } // namespace
 
 PolycubeHexesResult PolycubeHexes(
-  const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+  const Mesh& given, const PolycubeHexesOptions& options, const Progress& progress)
 {
+  const Mesh surface = FacingOutwards(given);
   if (options.MaximumHexahedra < 1)
   {
     throw InvalidInput("MaximumHexahedra must be at least 1");

@@ -154,7 +154,7 @@ bool SolidCubes::HasTopology(const HexMesh& cubes)
   const std::pair<int, int> now(found.EulerNumber, found.Components);
   const bool again = this->Before == now;
   this->Before = now;
-  return again;
+  return again || this->TakesAny;
 }
 
 } // namespace shape

@@ -21,7 +21,7 @@ namespace shape
  * least once.
  *
  * The topology of a surface that crosses itself is not known: it is the Euler number and number of
- * components that two successive grids agree on.
+ * components that two successive grids agree on; where none do, any after TakeAnyTopology.
  */
 class SolidCubes
 {
@@ -35,6 +35,9 @@ public:
   const SolidBoundaryResult& Boundary() const { return this->Bounding; }
   /// Of the surface: what the solid has to have where it does not cross itself.
   const Topology& SurfaceTopology() const { return this->Wanted; }
+
+  /// Takes any manifold from now on where the surface crosses itself.
+  void TakeAnyTopology() { this->TakesAny = true; }
 
   /// The size of cells in the warped space that make about so many hexahedra, those of a layer
   /// around them included.
@@ -60,6 +63,7 @@ private:
   Topology Wanted;
   int Solids; ///< components that bound solids from outside
   SolidBoundaryResult Bounding;
+  bool TakesAny = false;
   std::optional<std::pair<int, int>> Before; ///< Euler number and components of the last grid
 };
 

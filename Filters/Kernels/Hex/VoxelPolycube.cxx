@@ -74,8 +74,9 @@ SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVecto
     (points.colwise().maxCoeff() / size - offset).array().ceil().matrix();
   SampledGrid grid;
   grid.Spacing = size;
-  grid.Counts = (high - low).cast<int>().array() + 2;
-  grid.Origin = size * (low + offset - Eigen::RowVector3d::Constant(0.5));
+  constexpr double margin = 1.5; // cells: on the grid's sides there are none of the solid
+  grid.Counts = (high - low).cast<int>().array() + 4;
+  grid.Origin = size * (low + offset - Eigen::RowVector3d::Constant(margin));
   Eigen::MatrixXd centres(grid.Counts.prod(), 3);
   for (int z = 0; z < grid.Counts(2); ++z)
   {

@@ -178,15 +178,34 @@ double DistanceToOtherSide(const SampledGrid& grid, const std::vector<char>& ins
   return std::sqrt(least);
 }
 
+/// Marks the cells on the grid's sides.
+std::vector<char> OnSides(const SampledGrid& grid)
+{
+  std::vector<char> marked(grid.Values.size(), 0);
+  for (int z = 0; z < grid.Counts(2); ++z)
+  {
+    for (int y = 0; y < grid.Counts(1); ++y)
+    {
+      for (int x = 0; x < grid.Counts(0); ++x)
+      {
+        const Eigen::Array3i cell(x, y, z);
+        marked[grid.Index(x, y, z)] =
+          (cell == 0 || cell == grid.Counts.transpose().array() - 1).any();
+      }
+    }
+  }
+  return marked;
+}
+
 } // namespace
 
 VoxelSolid FindVoxelSolid(const SampledGrid& grid)
 {
   VoxelSolid solid;
+  std::vector<char> changed = OnSides(grid); // these stay outside
   solid.Inside.resize(grid.Values.size());
-  std::transform(grid.Values.begin(), grid.Values.end(), solid.Inside.begin(),
-    [](double level) { return static_cast<char>(level < 0.0); });
-  std::vector<char> changed(solid.Inside.size(), 0);
+  std::transform(grid.Values.begin(), grid.Values.end(), changed.begin(), solid.Inside.begin(),
+    [](double level, char side) { return static_cast<char>(level < 0.0 && !side); });
   for (int before = -1; before < solid.Changed;)
   {
     before = solid.Changed;

@@ -22,7 +22,8 @@ struct VoxelSolid
  * nearest to 0 changes sides, until the boundary is a manifold ("well-composed": Latecki, "3D
  * well-composed pictures", 1997).
  *
- * levels: at the centres of the cells; those on the grid's sides must be positive.
+ * levels: at the centres of the cells; the cells on the grid's sides are outside, whatever
+ * these say (signs of distances to a folded surface may be wrong anywhere).
  */
 VoxelSolid FindVoxelSolid(const SampledGrid& levels);
 
