@@ -230,7 +230,13 @@ for i, data in enumerate(inner):
     locator.SetInput(data)
     assert max(abs(locator.EvaluateFunction(place))
                for place in points(boundary)[numpy.unique(own)]) < 1e-6
-    assert distances[interface == i + 1].max() <= fact(solid, 'HexRemesh.InnerDistance') + 1e-9
+    # The middle of a quad that is not flat lies off its two triangles, between which and the surface
+    # InnerDistance is, as seen at places that are so far apart.
+    corners = points(boundary)[own]
+    bend = numpy.linalg.norm(corners[:, 1] + corners[:, 3] - corners[:, 0] - corners[:, 2], axis=1) / 4.0
+    spacing = numpy.sqrt(4.0 * numpy.pi * radii[i] ** 2 / 50000.0)
+    excess = distances[interface == i + 1] - fact(solid, 'HexRemesh.InnerDistance') - bend - spacing
+    assert excess.max() <= 0.0, excess.max()
     # Each of the quads is a face of two hexahedra, of the two regions.
     around = (0, 0, 2)[i]
     faces = {}

@@ -171,9 +171,11 @@ private:
                 inner.Surface(), this->Options.FeatureAngle, LeastPatch * size * size)
                 .Curves.empty();
             });
-        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features,
-          { this->Options.PaddingLayers }, progress.Part(0.1, 1.0),
-          { &*cells, &this->InnerBounding });
+        HexFitOptions fit;
+        fit.PaddingLayers = this->Options.PaddingLayers;
+        fit.MaximumHexahedra = this->Options.MaximumHexahedra;
+        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, fit,
+          progress.Part(0.1, 1.0), { &*cells, &this->InnerBounding });
         return result;
       }
     }

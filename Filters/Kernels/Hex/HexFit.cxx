@@ -17,20 +17,22 @@ namespace shape
 namespace
 {
 
-/// The layers that creases ask for. False where the creases of the result are not the surface's.
-bool AddLayers(
-  HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, PatchedBoundary& boundary)
+/// The layers that creases ask for. False where these are more hexahedra than there may be, or the
+/// creases of the result are not the surface's.
+bool AddLayers(HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, int most,
+  PatchedBoundary& boundary)
 {
   for (const std::vector<int>& patches : PlanLayers(surface, features, boundary))
   {
     PadPatches(mesh, patches, boundary);
   }
-  return MatchCurves(mesh, surface, features, boundary);
+  return (features.Curves.empty() || mesh.Hexahedra.rows() <= most) &&
+    MatchCurves(mesh, surface, features, boundary);
 }
 
 /// With these features, if they are found on the hexahedra.
 std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface,
-  const SurfaceFeatures& features, int layers, const InnerInterfaces& interfaces,
+  const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
   const Progress& progress)
 {
   progress(0.0);
@@ -42,12 +44,12 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   }
   HexFit fit;
   fit.Solid = core;
-  const InterfaceLayers interfaceLayers(fit.Solid, interfaces, layers);
-  for (int layer = 1; layer < layers; ++layer)
+  const InterfaceLayers interfaceLayers(fit.Solid, interfaces, options.PaddingLayers);
+  for (int layer = 1; layer < options.PaddingLayers; ++layer)
   {
     PadBoundary(fit.Solid, *boundary);
   }
-  if (!AddLayers(fit.Solid, surface.Surface(), features, *boundary))
+  if (!AddLayers(fit.Solid, surface.Surface(), features, options.MaximumHexahedra, *boundary))
   {
     return std::nullopt;
   }
@@ -90,11 +92,11 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
   const InnerInterfaces& interfaces)
 {
   std::optional<HexFit> fit =
-    FitWith(core, surface, features, options.PaddingLayers, interfaces, progress.Part(0.0, 0.6));
+    FitWith(core, surface, features, options, interfaces, progress.Part(0.0, 0.6));
   if (!fit || (!features.Curves.empty() && fit->LeastScaledJacobian < options.LeastWithCreases))
   {
-    std::optional<HexFit> smooth = FitWith(core, surface, WithoutCurves(features),
-      options.PaddingLayers, interfaces, progress.Part(0.6, 1.0));
+    std::optional<HexFit> smooth =
+      FitWith(core, surface, WithoutCurves(features), options, interfaces, progress.Part(0.6, 1.0));
     if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
     {
       fit = std::move(smooth);

@@ -7,6 +7,7 @@
 #include "Hex/InnerInterfaces.h"
 #include "Hex/SurfaceFeatures.h"
 
+#include <limits>
 #include <vector>
 
 namespace shape
@@ -17,6 +18,8 @@ struct HexFitOptions
   int PaddingLayers = 1; ///< of hexahedra around what is given; >= 1
   /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
   double LeastWithCreases = 0.2;
+  /// Creases whose layers make more are given up.
+  int MaximumHexahedra = std::numeric_limits<int>::max();
 };
 
 /// Hexahedra whose boundary lies on a surface.
