@@ -275,6 +275,24 @@ TEST(GridHexes, FillSeveralSolidsAndLeaveVoids)
     0.04 * shape::EnclosedVolume(surface));
 }
 
+TEST(GridHexes, SolidsAreApartHoweverNarrowTheGapIs)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
+  shape::Mesh surface{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
+  surface.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(2.01, 0.0, 0.0);
+  surface.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  shape::GridHexesOptions options;
+  options.CellSize = 0.2;
+  options.Rounds = 1;
+  const shape::GridHexesResult result = shape::GridHexes(surface, options);
+  const auto topology = shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary");
+  EXPECT_EQ(topology.Components, 2);
+  EXPECT_EQ(topology.EulerNumber, 4);
+  EXPECT_EQ(result.CellSize, 0.2); // no smaller for the gap
+  EXPECT_EQ(result.Fit.Inverted, 0);
+}
+
 TEST(GridHexes, CellsBecomeSmallerUntilTheTopologyIsTheSurfaces)
 {
   // The hole is 0.02 wide.

@@ -94,8 +94,7 @@ public:
       const double score = this->Score(*result);
       idle = score < reached + LeastGain ? idle + 1 : 0;
       reached = std::max(reached, score);
-      const bool isTooLarge = result->Fit.Solid.Hexahedra.rows() > this->Options.MaximumHexahedra;
-      if (score > this->BestScore() && !(isTooLarge && this->Best))
+      if (score > this->BestScore())
       {
         this->Best = std::move(*result);
       }
@@ -171,11 +170,9 @@ private:
                 inner.Surface(), this->Options.FeatureAngle, LeastPatch * size * size)
                 .Curves.empty();
             });
-        HexFitOptions fit;
-        fit.PaddingLayers = this->Options.PaddingLayers;
-        fit.MaximumHexahedra = this->Options.MaximumHexahedra;
-        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, fit,
-          progress.Part(0.1, 1.0), { &*cells, &this->InnerBounding });
+        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features,
+          { this->Options.PaddingLayers, this->Options.MaximumHexahedra }, progress.Part(0.1, 1.0),
+          { &*cells, &this->InnerBounding });
         return result;
       }
     }

@@ -16,10 +16,10 @@ namespace shape
 struct HexFitOptions
 {
   int PaddingLayers = 1; ///< of hexahedra around what is given; >= 1
-  /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
-  double LeastWithCreases = 0.2;
   /// Creases whose layers make more are given up.
   int MaximumHexahedra = std::numeric_limits<int>::max();
+  /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
+  double LeastWithCreases = 0.2;
 };
 
 /// Hexahedra whose boundary lies on a surface.

@@ -23,8 +23,6 @@ using MethodType = HexRemeshOptions::MethodType;
 
 /// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
 constexpr double LeastScaledJacobian = 0.3, LargestDistance = 0.01;
-/// What is aimed at between creases, as a share of the diagonal, with an automatic size.
-constexpr double WantedCreaseDistance = 0.001;
 
 /// The area of the smallest patch with borders of its own, in faces of cells.
 constexpr double LeastPatch = 4.0;
@@ -79,7 +77,7 @@ PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions op
   PolycubeHexesResult coarse, const Progress& progress)
 {
   const HexFit& fit = coarse.Fit;
-  const double wanted = WantedCreaseDistance * Diagonal(surface);
+  const double wanted = GridHexesOptions().WantedCreaseDistance * Diagonal(surface);
   if (!fit.CreasesKept || fit.LeastScaledJacobian < LeastScaledJacobian ||
     fit.Creases.Distance <= wanted)
   {

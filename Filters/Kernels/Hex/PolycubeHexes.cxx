@@ -157,10 +157,8 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const SurfaceLocator& locator,
   PolycubeHexesResult result;
   const double size = cubes.CellSize;
   result.Features = FindFeatures(locator.Surface(), options.FeatureAngle, LeastPatch * size * size);
-  HexFitOptions fit;
-  fit.PaddingLayers = options.PaddingLayers;
-  fit.MaximumHexahedra = options.MaximumHexahedra;
-  result.Fit = FitHexahedra(cubes.Solid, locator, result.Features, fit, progress);
+  result.Fit = FitHexahedra(cubes.Solid, locator, result.Features,
+    { options.PaddingLayers, options.MaximumHexahedra }, progress);
   // Points of the boundary stay points of the boundary.
   Eigen::VectorXi points;
   result.Polycube = Compacted(cubes.Places, SplitQuads(BoundaryQuads(cubes.Solid)), points);

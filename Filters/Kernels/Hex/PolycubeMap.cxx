@@ -163,12 +163,15 @@ void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const 
       charts.Areas(fault.Chart) < GreatestGivenUp * area;
   }
   std::vector<char> near(attempt.Solid.SurfacePoints, 0);
-  const std::vector<char> turned = FoldedOver(attempt);
-  for (Eigen::Index f = 0; isFacing && f < attempt.Solid.Triangles.rows(); ++f)
+  if (isFacing)
   {
-    for (const int v : attempt.Solid.Triangles.row(f))
+    const std::vector<char> folded = FoldedOver(attempt);
+    for (Eigen::Index f = 0; f < attempt.Solid.Triangles.rows(); ++f)
     {
-      near[v] |= turned[f];
+      for (const int v : attempt.Solid.Triangles.row(f))
+      {
+        near[v] |= folded[f];
+      }
     }
   }
   for (Eigen::Index t = 0; t < attempt.Solid.Tetrahedra.rows(); ++t)
