@@ -109,9 +109,9 @@ PlacesAndDistances Compare(const Segments& curves, const Segments& chains,
   }
   const SurfaceLocator near(
     chains.Ends.empty() ? Mesh{ points, SplitQuads(quads) } : chains.AsMesh());
-  PlacesAndDistances far{ curves.Places(ComparedAlong), {} };
-  far.Distances = near.Find(far.Places).Distances;
-  return far;
+  Eigen::MatrixXd places = curves.Places(ComparedAlong);
+  ClosestPoints closest = near.Find(places);
+  return { std::move(places), std::move(closest.Positions), std::move(closest.Distances) };
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -30,6 +31,8 @@ constexpr double Growth = 1.7;
 constexpr double LeastPatch = 4.0;
 /// What is good enough not to go on to smaller cells everywhere.
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
+/// What is farther by more than so many times is not snapped to, but asks for another grid.
+constexpr double SnappedFrom = 2.0;
 /// How much better smaller cells must make the result for still smaller ones to be tried.
 constexpr double LeastGain = 0.02;
 /// After so many rounds without such a gain no more are made.
@@ -75,21 +78,25 @@ public:
       const GridWarp warp(magnifiers);
       const Progress part =
         progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
-      std::optional<GridHexesResult> result =
-        this->Fill(size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp), warp, part);
+      std::optional<GridHexesResult> result = this->Fill(
+        size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp), warp, part.Part(0.0, 0.8));
       if (!result)
       {
         return;
       }
-      const bool done =
-        this->Reaches(*result, this->Options.WantedScaledJacobian, this->Options.WantedDistance) &&
-        result->Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
       const std::size_t before = magnifiers.size();
-      if (!done)
+      bool isSnapped = this->IsAsWanted(*result);
+      if (!isSnapped)
       {
         this->Magnify(*result, magnifiers);
+        isSnapped = this->IsWorthSnapping(*result);
+        if (isSnapped)
+        {
+          this->Snap(*result, part.Part(0.8, 1.0));
+        }
       }
-      const bool isLast = magnifiers.size() == before; // the next grid would be the same
+      // Where nothing is magnified the next grid would be the same.
+      const bool isLast = magnifiers.size() == before || this->IsAsWanted(*result);
       ++this->Rounds;
       const double score = this->Score(*result);
       idle = score < reached + LeastGain ? idle + 1 : 0;
@@ -97,11 +104,17 @@ public:
       if (score > this->BestScore())
       {
         this->Best = std::move(*result);
+        this->BestIsSnapped = isSnapped;
       }
       if (isLast || idle >= MostIdle)
       {
-        return;
+        break;
       }
+    }
+    if (this->Best && !this->BestIsSnapped)
+    {
+      this->Snap(*this->Best, progress.Part(0.9, 1.0));
+      this->BestIsSnapped = true;
     }
   }
 
@@ -111,9 +124,15 @@ public:
   {
     if (!this->Best && this->Cubes.Boundary().Crossings > 0)
     {
-      constexpr double share = 0.25; // of the most
+      // Of the most; where parts barely touch, it is luck which cells can be turned.
+      constexpr double shares[] = { 0.25, 0.08, 0.12, 0.18, 0.37, 0.55 };
       this->Regions.Outer().TakeAnyTopology();
-      this->Refine(0.0, share * this->Options.MaximumHexahedra, this->Options.Rounds, progress);
+      for (const double& share : shares)
+      {
+        const double done = static_cast<double>(&share - shares) / std::size(shares);
+        this->Refine(0.0, share * this->Options.MaximumHexahedra, 1,
+          progress.Part(done, done + 1.0 / std::size(shares)));
+      }
       if (this->Best)
       {
         this->Best->TopologyAgreed = false;
@@ -177,6 +196,33 @@ private:
       }
     }
     return std::nullopt;
+  }
+
+  bool IsAsWanted(const GridHexesResult& result) const
+  {
+    return this->Reaches(
+             result, this->Options.WantedScaledJacobian, this->Options.WantedDistance) &&
+      result.Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
+  }
+
+  /// Puts the boundary on what is farther than wanted.
+  void Snap(GridHexesResult& result, const Progress& progress) const
+  {
+    SnappingOptions options;
+    options.WantedDistance = this->Options.WantedDistance * this->Diagonal;
+    options.ScaledJacobians = { this->Options.WantedScaledJacobian, AcceptedScaledJacobian };
+    if (result.Fit.Inverted == 0 && result.Fit.Distance > options.WantedDistance)
+    {
+      SnapToSurface(result.Fit, this->Bounding, options, progress);
+    }
+  }
+
+  /// Whether snapping may well make it what is wanted, or what is accepted where nothing is yet.
+  bool IsWorthSnapping(const GridHexesResult& result) const
+  {
+    return this->Reaches(result,
+      this->IsAccepted() ? this->Options.WantedScaledJacobian : AcceptedScaledJacobian,
+      SnappedFrom * AcceptedDistance);
   }
 
   /// That the search is for.
@@ -284,6 +330,7 @@ private:
   const double Diagonal;
   const SurfaceFeatures AllFeatures; ///< patches of any size
   std::optional<GridHexesResult> Best;
+  bool BestIsSnapped = false;
   int Rounds = 0;
 };
 

@@ -55,7 +55,8 @@ struct GridHexesResult
  *
  * Where the result is farther from the surface than wanted, or has bad hexahedra, the next grid is
  * one of smaller cells there: space is magnified around these places before the grid is laid
- * (GridWarp), and the connections stay those of a regular grid. The best result is kept.
+ * (GridWarp), and the connections stay those of a regular grid. The best result is kept. What is
+ * near the wanted distance, and the best one, are snapped to what is farther (SnapToSurface).
  *
  * The boundary of the result is a manifold of the surface's Euler number and number of components.
  * Cells become smaller until that is so: thin parts and narrow gaps ask for it. Where the surface

@@ -8,6 +8,7 @@
 #include "Quality/HausdorffDistance.h"
 #include "Quality/ScaledJacobian.h"
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,6 +29,14 @@ bool AddLayers(HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& featur
   }
   return (features.Curves.empty() || mesh.Hexahedra.rows() <= most) &&
     MatchCurves(mesh, surface, features, boundary);
+}
+
+void Judge(HexFit& fit)
+{
+  const Eigen::VectorXd quality = ScaledJacobians(fit.Solid);
+  fit.LeastScaledJacobian = quality.minCoeff();
+  fit.MeanScaledJacobian = quality.mean();
+  fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
 }
 
 /// With these features, if they are found on the hexahedra.
@@ -53,8 +62,10 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   {
     return std::nullopt;
   }
-  const OnFeatures outer(surface.Surface(), features, *boundary, fit.Solid.Points.rows());
-  const OnSurfaces constraint(outer, interfaces, fit.Solid.Points.rows());
+  const Eigen::Index points = fit.Solid.Points.rows();
+  fit.Constraint = std::make_shared<OnSurfaces>(
+    OnFeatures(surface.Surface(), features, *boundary, points), interfaces, points);
+  const PointConstraint& constraint = *fit.Constraint;
   for (const auto& [point, place] : boundary->Starts)
   {
     fit.Solid.Points.row(point) = place;
@@ -66,10 +77,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   interfaceLayers.Spread(fit.Solid.Points);
   SmoothInverted(fit.Solid, constraint, progress.Part(0.1, 0.15));
   OptimizeHexahedra(fit.Solid, constraint, {}, progress.Part(0.15, 0.95));
-  const Eigen::VectorXd quality = ScaledJacobians(fit.Solid);
-  fit.LeastScaledJacobian = quality.minCoeff();
-  fit.MeanScaledJacobian = quality.mean();
-  fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
+  Judge(fit);
   fit.Quads = std::move(boundary->Quads);
   fit.PatchOf = std::move(boundary->PatchOf);
   fit.Distance = HausdorffDistance(
@@ -106,6 +114,13 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
   fit->Creases =
     CompareCreases(surface.Surface(), features, fit->Solid.Points, fit->Quads, fit->PatchOf);
   return std::move(fit.value());
+}
+
+void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOptions& options,
+  const Progress& progress)
+{
+  fit.Distance = SnapToFarPlaces(fit.Solid, fit.Quads, surface, *fit.Constraint, options, progress);
+  Judge(fit);
 }
 
 } // namespace shape

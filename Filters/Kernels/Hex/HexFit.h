@@ -5,9 +5,11 @@
 #include "Geometry/ClosestPoint.h"
 #include "Hex/CreaseFit.h"
 #include "Hex/InnerInterfaces.h"
+#include "Hex/Snapping.h"
 #include "Hex/SurfaceFeatures.h"
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace shape
@@ -40,6 +42,8 @@ struct HexFit
   std::vector<Eigen::MatrixXi>
     Interfaces;               ///< the quads on each inner surface, seen from outside it
   double InnerDistance = 0.0; ///< the largest between an interface and its surface
+  /// What points keep to; none where solids were joined.
+  std::shared_ptr<const PointConstraint> Constraint;
 };
 
 /**
@@ -58,5 +62,14 @@ struct HexFit
 HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
   const SurfaceFeatures& features, const HexFitOptions& options = {}, const Progress& progress = {},
   const InnerInterfaces& interfaces = {});
+
+/**
+ * Puts points of the boundary on what of the surface is farther from it than wanted
+ * (SnapToFarPlaces); creases stay as they are.
+ *
+ * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
+ */
+void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOptions& options,
+  const Progress& progress = {});
 
 } // namespace shape

@@ -73,10 +73,12 @@ std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
   return marked;
 }
 
-/// Sweeps over all points; the best state on the way is offered.
+/// Sweeps over the points that move; the best state on the way is offered.
 void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
-  const std::vector<double>& sharpnesses, int count, Best& best, const Progress& progress)
+  const std::vector<double>& sharpnesses, const HexOptimizationOptions& options, Best& best,
+  const Progress& progress)
 {
+  const int count = options.Sweeps;
   HexSweeps sweeps(mesh, constraint);
   const double steps = static_cast<double>(sharpnesses.size()) * count;
   double done = 0.0;
@@ -84,7 +86,7 @@ void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
   {
     for (int sweep = 0; sweep < count; ++sweep)
     {
-      sweeps.Lower(sharpness, {}, progress.Part(done / steps, (done + 1.0) / steps));
+      sweeps.Lower(sharpness, options.Marked, progress.Part(done / steps, (done + 1.0) / steps));
       ++done;
     }
     best.Offer(sweeps.Places());
@@ -121,10 +123,10 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
 
 /// A few gentle sweeps turn most of what is inverted; the rest is untangled before sharper ones,
 /// which turn little, are spent on it.
-void Turn(HexMesh& mesh, const PointConstraint& constraint, int sweeps, Best& best,
-  const Progress& progress)
+void Turn(HexMesh& mesh, const PointConstraint& constraint, const HexOptimizationOptions& options,
+  Best& best, const Progress& progress)
 {
-  LowerAll(mesh, constraint, GentleSharpnesses, sweeps, best, progress.Part(0.0, 0.3));
+  LowerAll(mesh, constraint, GentleSharpnesses, options, best, progress.Part(0.0, 0.3));
   if (best.Inverted() > 0)
   {
     HexMesh untangled = mesh;
@@ -201,9 +203,9 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
       progress.Part(worstFrom * attempt / attempts, worstFrom * (attempt + 1.0) / attempts);
     if (best.Inverted() > 0)
     {
-      Turn(mesh, constraint, options.Sweeps, best, part.Part(0.0, 0.4));
+      Turn(mesh, constraint, options, best, part.Part(0.0, 0.4));
     }
-    LowerAll(mesh, constraint, Sharpnesses, options.Sweeps, best, part.Part(0.4, 1.0));
+    LowerAll(mesh, constraint, Sharpnesses, options, best, part.Part(0.4, 1.0));
   }
   if (best.Inverted() == 0)
   {

@@ -4,6 +4,8 @@
 #include "Core/Progress.h"
 #include "Volume/SimplexPatch.h"
 
+#include <vector>
+
 namespace shape
 {
 
@@ -12,6 +14,8 @@ struct HexOptimizationOptions
   int Sweeps = 6;       ///< over all points, at each sharpness; >= 0
   int WorstSweeps = 60; ///< over the points of bad hexahedra, at each greater sharpness; >= 0
   double Bad = 0.7;     ///< hexahedra of a lower scaled Jacobian are bad
+  /// n: points that move, and those around bad hexahedra with them; empty: all.
+  std::vector<char> Marked = {};
 };
 
 struct HexOptimizationResult

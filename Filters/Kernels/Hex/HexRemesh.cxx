@@ -104,6 +104,17 @@ PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions op
   return coarse;
 }
 
+/// As grids are, by GridHexes.
+void SnapIfFar(HexFit& fit, const Mesh& surface, const Progress& progress)
+{
+  SnappingOptions options;
+  options.WantedDistance = GridHexesOptions().WantedDistance * Diagonal(surface);
+  if (fit.Inverted == 0 && fit.Distance > options.WantedDistance)
+  {
+    SnapToSurface(fit, SurfaceLocator(surface), options, progress);
+  }
+}
+
 HexRemeshResult ByPolycube(
   const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
 {
@@ -114,11 +125,12 @@ HexRemeshResult ByPolycube(
   polycube.FeatureAngle = options.FeatureAngle;
   const bool isAutomatic = options.CellSize == 0.0;
   PolycubeHexesResult result =
-    PolycubeHexes(surface, polycube, isAutomatic ? progress.Part(0.0, 0.4) : progress);
+    PolycubeHexes(surface, polycube, progress.Part(0.0, isAutomatic ? 0.4 : 0.9));
   if (isAutomatic)
   {
-    result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.4, 1.0));
+    result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.4, 0.9));
   }
+  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
   const char* maps[] = { "the harmonic map of the polycube's boundary",
     "the map of tetrahedra onto the polycube, whose harmonic map would turn more cells over",
     "a grid in the solid bent towards the axes, for want of a polycube with charts" };
@@ -137,7 +149,8 @@ HexRemeshResult ByGivenPolycube(const Mesh& surface, const HexRemeshOptions& opt
   result.Features =
     FindFeatures(surface, options.FeatureAngle, LeastPatch * cells.CellSize * cells.CellSize);
   result.Fit = FitHexahedra(cells.Solid, SurfaceLocator(surface), result.Features,
-    { options.PaddingLayers }, progress.Part(0.4, 1.0));
+    { options.PaddingLayers }, progress.Part(0.4, 0.9));
+  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
   result.Reason = "the given Polycube, carried by the harmonic map of its SourcePosition";
   return result;
 }

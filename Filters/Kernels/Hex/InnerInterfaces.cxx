@@ -118,9 +118,8 @@ void InterfaceLayers::Spread(Eigen::MatrixXd& points) const
   }
 }
 
-OnSurfaces::OnSurfaces(
-  const OnFeatures& outer, const InnerInterfaces& interfaces, Eigen::Index points)
-  : Outer(outer)
+OnSurfaces::OnSurfaces(OnFeatures outer, const InnerInterfaces& interfaces, Eigen::Index points)
+  : Outer(std::move(outer))
   , SurfaceOf(points, -1)
 {
   for (std::size_t i = 0; i < interfaces.Count(); ++i)

@@ -54,8 +54,8 @@ private:
 class OnSurfaces : public PointConstraint
 {
 public:
-  /// outer: must outlive this. points: how many the hexahedra have.
-  OnSurfaces(const OnFeatures& outer, const InnerInterfaces& interfaces, Eigen::Index points);
+  /// points: how many the hexahedra have.
+  OnSurfaces(OnFeatures outer, const InnerInterfaces& interfaces, Eigen::Index points);
 
   int Freedom(int point) const override;
   PointDirections Directions(int point, const Eigen::RowVector3d& place) const override;
@@ -64,7 +64,7 @@ public:
 private:
   const PointConstraint& Of(int point) const;
 
-  const OnFeatures& Outer;
+  OnFeatures Outer;
   std::vector<OnFeatures> Inner;
   std::vector<int> SurfaceOf; ///< of each point the inner surface, or -1
 };

@@ -128,6 +128,10 @@ Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi
       }
     }
   }
+  if (patchOf.minCoeff() < 0)
+  {
+    return {}; // a component of the boundary is reached from no patch
+  }
   // A quad with three edges in a row on a curve could never be good.
   for (bool changed = true; changed;)
   {

@@ -13,7 +13,7 @@ namespace shape
  * to its middle, as far as the quads of a patch hang together by edges; the others are reached from
  * these, closest first. Then quads that stick out into another patch with three edges join it,
  * corners are gathered (GatherCorners) and pinches opened (OpenPinches). Empty where a patch has no
- * quad.
+ * quad, or a component of the quads no patch.
  */
 Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const SurfaceLocator& surface, const SurfaceFeatures& features);

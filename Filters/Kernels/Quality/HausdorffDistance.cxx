@@ -1,5 +1,6 @@
 #include "Quality/HausdorffDistance.h"
 
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -15,7 +16,9 @@ PlacesAndDistances DistancesBetween(
   PlacesAndDistances result;
   result.Places.resize(static_cast<Eigen::Index>(used.size()) + random, 3);
   result.Places << from.Points(used, Eigen::all), RandomPlaces(from, random, seed);
-  result.Distances = to.Find(result.Places, progress).Distances;
+  ClosestPoints closest = to.Find(result.Places, progress);
+  result.Nearest = std::move(closest.Positions);
+  result.Distances = std::move(closest.Distances);
   return result;
 }
 

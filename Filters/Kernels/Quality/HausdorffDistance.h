@@ -13,6 +13,7 @@ namespace shape
 struct PlacesAndDistances
 {
   Eigen::MatrixXd Places;    ///< n x 3
+  Eigen::MatrixXd Nearest;   ///< n x 3: on the other one
   Eigen::VectorXd Distances; ///< n
 };
 
