@@ -39,10 +39,11 @@
  * sharp as a crease, that of the creases that were looked for: less than 1 where some end inside a
  * patch, or bound patches smaller than 4 cells; 0 where less than two thirds of it bounds patches
  * of a thousandth of the area, which is noise: of a scan with a real crease, a greater FeatureAngle
- * may find it), .Regions, .InnerDistance (as .Distance, between regions and inner surfaces),
- * .InnerCreasesKept (0 where an inner surface has creases), .Crossings (pairs of the surface's
- * triangles that cross), .EulerNumber and .Components of the boundary; of each of Verdict's further
- * measures its minimum, mean and maximum, as HexRemesh.Volume.
+ * may find it), .ReleasedPoints (of the boundary, off the surface, where hexahedra on it would be
+ * inverted: 0 but in grooves where surfaces touch), .Regions, .InnerDistance (as .Distance, between
+ * regions and inner surfaces), .InnerCreasesKept (0 where an inner surface has creases), .Crossings
+ * (pairs of the surface's triangles that cross), .EulerNumber and .Components of the boundary; of
+ * each of Verdict's further measures its minimum, mean and maximum, as HexRemesh.Volume.
  *
  * The mathematics: shape::HexRemesh.
  */

@@ -215,6 +215,7 @@ void vtkShapeHexResult::AddFacts(
     { "CornersKept", fit.Creases.Corners },
     { "CreaseDistance", fit.Creases.Distance },
     { "CreaseShare", result.Features.CurveShare() },
+    { "ReleasedPoints", static_cast<double>(result.Fit.Released) },
     { "InnerCreasesKept", result.InnerCreasesKept ? 1.0 : 0.0 },
     { "Crossings", result.Crossings },
     { "EulerNumber", topology.EulerNumber },

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -124,15 +123,9 @@ public:
   {
     if (!this->Best && this->Cubes.Boundary().Crossings > 0)
     {
-      // Of the most; where parts barely touch, it is luck which cells can be turned.
-      constexpr double shares[] = { 0.25, 0.08, 0.12, 0.18, 0.37, 0.55 };
+      constexpr double share = 0.25; // of the most
       this->Regions.Outer().TakeAnyTopology();
-      for (const double& share : shares)
-      {
-        const double done = static_cast<double>(&share - shares) / std::size(shares);
-        this->Refine(0.0, share * this->Options.MaximumHexahedra, 1,
-          progress.Part(done, done + 1.0 / std::size(shares)));
-      }
+      this->Refine(0.0, share * this->Options.MaximumHexahedra, 1, progress);
       if (this->Best)
       {
         this->Best->TopologyAgreed = false;
@@ -151,7 +144,7 @@ public:
     return this->Best ? this->Score(*this->Best) : -std::numeric_limits<double>::infinity();
   }
 
-  GridHexesResult Result()
+  GridHexesResult Result(const Progress& progress)
   {
     if (!this->Best)
     {
@@ -161,6 +154,10 @@ public:
         " and number of components " + std::to_string(topology.Components) +
         (this->InnerBounding.empty() ? "" : ", and those of the inner surfaces, apart") +
         ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
+    }
+    if (this->Best->Fit.Inverted > 0)
+    {
+      ReleaseInverted(this->Best->Fit, this->Bounding, progress);
     }
     this->Best->Rounds = this->Rounds;
     return std::move(*this->Best);
@@ -363,16 +360,15 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
         " hexahedra; at least " + std::to_string(least) +
         " is needed, or a greater MaximumHexahedra");
     }
-    search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 1.0));
-    progress(1.0);
-    return search.Result();
+    search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
+    return search.Result(progress.Part(0.95, 1.0));
   }
   double begin = 0.05, before = -std::numeric_limits<double>::infinity();
   int rounds = options.Rounds;
   for (double hexahedra = std::min<double>(options.FirstHexahedra, options.MaximumHexahedra);
        hexahedra <= options.MaximumHexahedra; hexahedra *= Growth)
   {
-    const double end = 0.5 * (begin + 1.0);
+    const double end = 0.5 * (begin + 0.95);
     search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
     const double score = search.BestScore();
     if (search.IsAccepted() || (std::isfinite(score) && score < before + LeastGain))
@@ -383,9 +379,8 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
     begin = end;
     rounds = (rounds + 1) / 2;
   }
-  search.TakeAnyTopology(progress.Part(begin, 1.0));
-  progress(1.0);
-  return search.Result();
+  search.TakeAnyTopology(progress.Part(begin, 0.95));
+  return search.Result(progress.Part(0.95, 1.0));
 }
 
 /// The share of the hexahedra that each solid may have.

@@ -5,6 +5,7 @@
 #include "Hex/LayerPlan.h"
 #include "Hex/OnFeatures.h"
 #include "Hex/PatchedBoundary.h"
+#include "Hex/Releasing.h"
 #include "Quality/HausdorffDistance.h"
 #include "Quality/ScaledJacobian.h"
 
@@ -121,6 +122,15 @@ void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOpt
 {
   fit.Distance = SnapToFarPlaces(fit.Solid, fit.Quads, surface, *fit.Constraint, options, progress);
   Judge(fit);
+}
+
+void ReleaseInverted(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
+{
+  fit.Released = ReleaseInverted(fit.Solid, *fit.Constraint, progress.Part(0.0, 0.9));
+  Judge(fit);
+  fit.Distance = HausdorffDistance(
+    surface.Surface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress.Part(0.9, 1.0))
+                   .Larger();
 }
 
 } // namespace shape

@@ -42,6 +42,7 @@ struct HexFit
   std::vector<Eigen::MatrixXi>
     Interfaces;               ///< the quads on each inner surface, seen from outside it
   double InnerDistance = 0.0; ///< the largest between an interface and its surface
+  int Released = 0; ///< points that are off the surface, so that no hexahedron is inverted
   /// What points keep to; none where solids were joined.
   std::shared_ptr<const PointConstraint> Constraint;
 };
@@ -71,5 +72,12 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
  */
 void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOptions& options,
   const Progress& progress = {});
+
+/**
+ * Where hexahedra are inverted, frees points around them of the surface (ReleaseInverted).
+ *
+ * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
+ */
+void ReleaseInverted(HexFit& fit, const SurfaceLocator& surface, const Progress& progress = {});
 
 } // namespace shape

@@ -317,6 +317,11 @@ HexRemeshResult HexRemesh(const Mesh& surface, const HexRemeshOptions& given,
     options.CellSize = LongestSide(surface.Points) / given.CellsOnLongestSide;
   }
   HexRemeshResult result = Made(surface, options, guides, progress);
+  if (result.Fit.Released > 0)
+  {
+    result.Reason += "; " + std::to_string(result.Fit.Released) +
+      " points of the boundary are off the surface, where hexahedra on it stayed inverted";
+  }
   if (result.Fit.Inverted > 0)
   {
     throw SolveFailure(std::to_string(result.Fit.Inverted) +

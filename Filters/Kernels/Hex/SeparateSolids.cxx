@@ -92,6 +92,7 @@ HexFit JoinedFit(const std::vector<HexFit>& fits)
     joined.LeastScaledJacobian = std::min(joined.LeastScaledJacobian, fit.LeastScaledJacobian);
     sum += fit.MeanScaledJacobian * static_cast<double>(count(fit));
     joined.Inverted += fit.Inverted;
+    joined.Released += fit.Released;
     joined.Distance = std::max(joined.Distance, fit.Distance);
     joined.CreasesKept = joined.CreasesKept && fit.CreasesKept;
     joined.Creases.Distance = std::max(joined.Creases.Distance, fit.Creases.Distance);
