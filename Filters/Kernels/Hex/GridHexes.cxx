@@ -346,6 +346,12 @@ void RequireInRange(const GridHexesOptions& options)
   RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
 }
 
+GridHexesResult Ended(GridHexesResult result, const Progress& progress)
+{
+  progress(1.0);
+  return result;
+}
+
 GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
@@ -361,7 +367,7 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
         " is needed, or a greater MaximumHexahedra");
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
-    return search.Result(progress.Part(0.95, 1.0));
+    return Ended(search.Result(progress.Part(0.95, 1.0)), progress);
   }
   double begin = 0.05, before = -std::numeric_limits<double>::infinity();
   int rounds = options.Rounds;
@@ -380,7 +386,7 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
     rounds = (rounds + 1) / 2;
   }
   search.TakeAnyTopology(progress.Part(begin, 0.95));
-  return search.Result(progress.Part(0.95, 1.0));
+  return Ended(search.Result(progress.Part(0.95, 1.0)), progress);
 }
 
 /// The share of the hexahedra that each solid may have.
