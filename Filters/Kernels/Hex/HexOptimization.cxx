@@ -207,7 +207,7 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
     }
     LowerAll(mesh, constraint, Sharpnesses, options, best, part.Part(0.4, 1.0));
   }
-  if (best.Inverted() == 0)
+  if (best.Least() > options.RaiseFrom)
   {
     LowerWorst(mesh, constraint, options, best, progress.Part(worstFrom, 1.0));
   }

@@ -14,6 +14,8 @@ struct HexOptimizationOptions
   int Sweeps = 6;       ///< over all points, at each sharpness; >= 0
   int WorstSweeps = 60; ///< over the points of bad hexahedra, at each greater sharpness; >= 0
   double Bad = 0.7;     ///< hexahedra of a lower scaled Jacobian are bad
+  /// The worst are raised only where no scaled Jacobian is this low before.
+  double RaiseFrom = 0.0;
   /// n: points that move, and those around bad hexahedra with them; empty: all.
   std::vector<char> Marked = {};
 };
@@ -33,8 +35,7 @@ struct HexOptimizationResult
  * l_infinity continuation of Livesu, Sheffer, Vining and Tarini, "Practical hex-mesh optimization
  * via edge-cone rectification", 2015, with the determinants themselves). Inverted hexahedra have a
  * finite energy, too, and most are turned by the first gentle sweeps; the others are untangled
- * (UntangleHexahedra) before sharper ones are spent on them. Where some stay, all is done again;
- * the worst are only raised where none is inverted.
+ * (UntangleHexahedra) before sharper ones are spent on them. Where some stay, all is done again.
  *
  * mesh: its points, each where it may be, are moved, and none is ever elsewhere: what is reported
  * holds for the result as it is. Points are moved in sets

@@ -13,6 +13,9 @@ namespace shape
 namespace
 {
 
+/// By how much raising the worst hexahedra has been seen to raise them.
+constexpr double MostRaised = 0.15;
+
 /// Points on creases and some others stay where they are.
 class Holding : public PointConstraint
 {
@@ -95,6 +98,7 @@ public:
     GrowRings(this->Solid.Hexahedra, rings, marked);
     HexOptimizationOptions optimization;
     optimization.Marked = std::move(marked);
+    optimization.RaiseFrom = least - MostRaised;
     const HexOptimizationResult result =
       OptimizeHexahedra(this->Solid, this->Constraint, optimization, progress.Part(0.0, 0.8));
     const bool isBad = result.LeastAfter < least;
