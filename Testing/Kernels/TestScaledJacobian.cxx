@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -57,4 +59,16 @@ TEST(ScaledJacobian, CollapsedEdgesAreTheWorstThereIs)
   const Eigen::VectorXd values = shape::ScaledJacobians(mesh);
   EXPECT_NEAR(values(0), 1.0, 1e-15);
   EXPECT_EQ(values(1), -1.0);
+}
+
+TEST(ScaledJacobian, PointsOfBadHexahedraAreMarkedWhereThereAreSuch)
+{
+  shape::HexMesh mesh{ Eigen::MatrixXd(16, 3), Eigen::MatrixXi(2, 8) };
+  mesh.Points << Box(), Box();
+  mesh.Hexahedra << 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15;
+  EXPECT_TRUE(shape::PointsOfBad(mesh, 0.99).empty());
+  mesh.Points.row(14) << 0.4, 0.4, 1.0;
+  std::vector<char> wanted(16, 0);
+  std::fill(wanted.begin() + 8, wanted.end(), 1);
+  EXPECT_EQ(shape::PointsOfBad(mesh, 0.99), wanted);
 }

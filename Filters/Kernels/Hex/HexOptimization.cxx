@@ -56,23 +56,6 @@ private:
   Eigen::VectorXd Values;
 };
 
-/// Marks the points of hexahedra of a lower scaled Jacobian, none where there is none.
-std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
-{
-  const Eigen::VectorXd values = ScaledJacobians(mesh);
-  std::vector<char> marked;
-  for (Eigen::Index hex = 0; hex < values.size(); ++hex)
-  {
-    if (values(hex) < bad)
-    {
-      marked.resize(mesh.Points.rows(), 0);
-      const auto points = mesh.Hexahedra.row(hex);
-      std::for_each(points.begin(), points.end(), [&](int point) { marked[point] = 1; });
-    }
-  }
-  return marked;
-}
-
 /// Sweeps over the points that move; the best state on the way is offered.
 void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
   const std::vector<double>& sharpnesses, const HexOptimizationOptions& options, Best& best,

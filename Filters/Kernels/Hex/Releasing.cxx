@@ -3,7 +3,6 @@
 #include "Hex/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -44,28 +43,16 @@ private:
   const PointConstraint& Others;
 };
 
-/// Marks the points of hexahedra of this scaled Jacobian or less; none where there are none.
-std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
+bool HasInverted(const HexMesh& mesh)
 {
-  const Eigen::VectorXd values = ScaledJacobians(mesh);
-  std::vector<char> marked;
-  for (Eigen::Index hex = 0; hex < values.size(); ++hex)
-  {
-    if (values(hex) <= bad)
-    {
-      marked.resize(mesh.Points.rows(), 0);
-      const auto points = mesh.Hexahedra.row(hex);
-      std::for_each(points.begin(), points.end(), [&](int point) { marked[point] = 1; });
-    }
-  }
-  return marked;
+  return ScaledJacobians(mesh).minCoeff() <= 0.0;
 }
 
 } // namespace
 
 int ReleaseInverted(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
 {
-  if (PointsOfBad(mesh, 0.0).empty())
+  if (!HasInverted(mesh))
   {
     return 0;
   }
@@ -92,7 +79,7 @@ int ReleaseInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
     OptimizeHexahedra(mesh, releasing, options, part);
   }
   progress(1.0);
-  if (!PointsOfBad(mesh, 0.0).empty())
+  if (HasInverted(mesh))
   {
     mesh.Points = before;
     return 0;

@@ -103,12 +103,12 @@ public:
       OptimizeHexahedra(this->Solid, this->Constraint, optimization, progress.Part(0.0, 0.8));
     const bool isBad = result.LeastAfter < least;
     const bool hasCulprits = isBad && this->HalveCulprits(held, least);
-    this->Compare(progress.Part(0.8, 1.0));
+    this->Compare(progress.Part(0.8, 0.9));
     if (isBad || this->Reached >= reached)
     {
       this->Solid.Points = before;
       this->Constraint.IsHeld = held;
-      this->Compare(progress);
+      this->Compare(progress.Part(0.9, 1.0));
       return hasCulprits;
     }
     return true;
@@ -155,16 +155,7 @@ private:
   /// as far in the next rounds. False where there are none.
   bool HalveCulprits(const std::vector<char>& held, double least)
   {
-    const Eigen::VectorXd values = ScaledJacobians(this->Solid);
-    std::vector<char> near(held.size(), 0);
-    for (Eigen::Index hex = 0; hex < values.size(); ++hex)
-    {
-      if (values(hex) < least)
-      {
-        const auto points = this->Solid.Hexahedra.row(hex);
-        std::for_each(points.begin(), points.end(), [&](int point) { near[point] = 1; });
-      }
-    }
+    std::vector<char> near = PointsOfBad(this->Solid, least);
     GrowRings(this->Solid.Hexahedra, 1, near);
     bool found = false;
     for (std::size_t point = 0; point < held.size(); ++point)

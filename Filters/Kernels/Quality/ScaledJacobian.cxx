@@ -62,4 +62,20 @@ Eigen::VectorXd ScaledJacobians(const HexMesh& mesh)
   return values;
 }
 
+std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
+{
+  const Eigen::VectorXd values = ScaledJacobians(mesh);
+  std::vector<char> marked;
+  for (Eigen::Index hex = 0; hex < values.size(); ++hex)
+  {
+    if (values(hex) < bad)
+    {
+      marked.resize(mesh.Points.rows(), 0);
+      const auto points = mesh.Hexahedra.row(hex);
+      std::for_each(points.begin(), points.end(), [&](int point) { marked[point] = 1; });
+    }
+  }
+  return marked;
+}
+
 } // namespace shape

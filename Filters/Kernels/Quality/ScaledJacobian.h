@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace shape
 {
 
@@ -19,5 +21,8 @@ double ScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners);
 
 /// Those of all hexahedra (m).
 Eigen::VectorXd ScaledJacobians(const HexMesh& mesh);
+
+/// Marks, of n points, those of hexahedra with a lower scaled Jacobian; empty where there is none.
+std::vector<char> PointsOfBad(const HexMesh& mesh, double bad);
 
 } // namespace shape
