@@ -92,6 +92,10 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
       if (sweep % between == 0)
       {
         marked = PointsOfBad({ sweeps.Places(), mesh.Hexahedra }, options.Bad);
+        for (std::size_t point = 0; point < std::min(marked.size(), options.Marked.size()); ++point)
+        {
+          marked[point] = static_cast<char>(marked[point] && options.Marked[point]);
+        }
       }
       if (marked.empty())
       {

@@ -16,7 +16,7 @@ struct HexOptimizationOptions
   double Bad = 0.7;     ///< hexahedra of a lower scaled Jacobian are bad
   /// The worst are raised only where no scaled Jacobian is this low before.
   double RaiseFrom = 0.0;
-  /// n: points that move, and those around bad hexahedra with them; empty: all.
+  /// n: points that move, but for what is inverted; empty: all.
   std::vector<char> Marked = {};
 };
 
