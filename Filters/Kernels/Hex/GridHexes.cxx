@@ -208,7 +208,8 @@ private:
     SnappingOptions options;
     options.WantedDistance = this->Options.WantedDistance * this->Diagonal;
     options.ScaledJacobians = { this->Options.WantedScaledJacobian, AcceptedScaledJacobian };
-    if (result.Fit.Inverted == 0 && result.Fit.Distance > options.WantedDistance)
+    if (this->Options.Snap && result.Fit.Inverted == 0 &&
+      result.Fit.Distance > options.WantedDistance)
     {
       SnapToSurface(result.Fit, this->Bounding, options, progress);
     }

@@ -29,6 +29,7 @@ struct GridHexesOptions
   double WantedDistance = 0.0045;
   /// The same of the distance between creases.
   double WantedCreaseDistance = 0.001;
+  bool Snap = true; ///< whether points are put on what is farther than wanted (SnapToSurface)
   std::vector<Magnifier> Magnifiers; ///< of the space of the first grid; with a CellSize
   int Rounds = 6; ///< of making cells smaller where the result is not as wanted; >= 1
 };

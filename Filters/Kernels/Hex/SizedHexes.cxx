@@ -47,6 +47,7 @@ SizedHexesResult SizedHexes(const Mesh& surface, const Eigen::VectorXd& sizes,
 {
   RequireSizes(surface, sizes);
   const int rounds = options.Rounds;
+  options.Snap = false; // it changes the sizes
   Eigen::VectorXd asked = sizes;
   SizedHexesResult result;
   for (const bool last : { false, true })
