@@ -158,6 +158,7 @@ public:
     if (this->Best->Fit.Inverted > 0)
     {
       ReleaseInverted(this->Best->Fit, this->Bounding, progress);
+      this->MeasureInner(this->Best->Fit);
     }
     this->Best->Rounds = this->Rounds;
     return std::move(*this->Best);
@@ -202,6 +203,12 @@ private:
       result.Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
   }
 
+  /// Where the boundary's points were moved, those of interfaces near them were, too.
+  void MeasureInner(HexFit& fit) const
+  {
+    fit.InnerDistance = InnerDistance(fit.Solid.Points, fit.Interfaces, this->InnerBounding);
+  }
+
   /// Puts the boundary on what is farther than wanted.
   void Snap(GridHexesResult& result, const Progress& progress) const
   {
@@ -212,6 +219,7 @@ private:
       result.Fit.Distance > options.WantedDistance)
     {
       SnapToSurface(result.Fit, this->Bounding, options, progress);
+      this->MeasureInner(result.Fit);
     }
   }
 

@@ -89,7 +89,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   if (interfaces.Count() > 0)
   {
     fit.Interfaces = interfaces.Cells->Interfaces;
-    fit.InnerDistance = InnerDistance(fit.Solid.Points, interfaces);
+    fit.InnerDistance = InnerDistance(fit.Solid.Points, fit.Interfaces, *interfaces.Surfaces);
   }
   return fit;
 }

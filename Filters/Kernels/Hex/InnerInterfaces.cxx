@@ -160,15 +160,14 @@ Eigen::RowVector3d OnSurfaces::Nearest(int point, const Eigen::RowVector3d& plac
   return this->Of(point).Nearest(point, place);
 }
 
-double InnerDistance(
-  const Eigen::MatrixXd& points, const InnerInterfaces& interfaces, const Progress& progress)
+double InnerDistance(const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXi>& interfaces,
+  const std::vector<SurfaceLocator>& surfaces, const Progress& progress)
 {
   double largest = 0.0;
-  for (std::size_t i = 0; i < interfaces.Count(); ++i)
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
   {
     largest = std::max(largest,
-      HausdorffDistance((*interfaces.Surfaces)[i].Surface(),
-        { points, SplitQuads(interfaces.Cells->Interfaces[i]) }, progress)
+      HausdorffDistance(surfaces[i].Surface(), { points, SplitQuads(interfaces[i]) }, progress)
         .Larger());
   }
   return largest;

@@ -69,8 +69,9 @@ private:
   std::vector<int> SurfaceOf; ///< of each point the inner surface, or -1
 };
 
-/// The larger one-sided Hausdorff distance between interfaces and their surfaces; 0 without any.
-double InnerDistance(
-  const Eigen::MatrixXd& points, const InnerInterfaces& interfaces, const Progress& progress = {});
+/// The larger one-sided Hausdorff distance between interfaces (quads of each) and their surfaces; 0
+/// without any.
+double InnerDistance(const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXi>& interfaces,
+  const std::vector<SurfaceLocator>& surfaces, const Progress& progress = {});
 
 } // namespace shape
