@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <utility>
 
 namespace
 {
@@ -233,6 +234,31 @@ TEST(HexOptimization, PointsOfTheBoundaryStayOnIt)
       EXPECT_NEAR(mesh.Points.row(point).norm(), 1.0, 1e-15);
     }
   }
+}
+
+TEST(HexOptimization, TheWorstAreRaisedOnWhereTheyAreNotGoodEnough)
+{
+  constexpr int n = 6;
+  shape::HexMesh ball = Grid(n);
+  const auto sides = Sides(ball, n);
+  for (int point = 0; point < ball.Points.rows(); ++point)
+  {
+    if (sides[point])
+    {
+      ball.Points.row(point).normalize();
+    }
+  }
+  const auto raised = [&](double to)
+  {
+    shape::HexMesh mesh = ball;
+    shape::HexOptimizationOptions options;
+    options.Sweeps = options.WorstSweeps = 1;
+    options.RaiseTo = to;
+    return std::pair(shape::OptimizeHexahedra(mesh, OnSphere(sides), options).LeastAfter, mesh);
+  };
+  const auto [least, mesh] = raised(0.0);
+  EXPECT_EQ(raised(least).second.Points, mesh.Points);
+  EXPECT_GT(raised(1.0).first, least + 0.01);
 }
 
 TEST(HexOptimization, SmoothingMakesPointsMeansOfTheirNeighbours)

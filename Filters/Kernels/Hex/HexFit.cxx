@@ -19,6 +19,9 @@ namespace shape
 namespace
 {
 
+/// The worst scaled Jacobian that is enough not to spend more sweeps on it.
+constexpr double RaisedTo = 0.55;
+
 /// The layers that creases ask for. False where these are more hexahedra than there may be, or the
 /// creases of the result are not the surface's.
 bool AddLayers(HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, int most,
@@ -77,7 +80,9 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   SpreadLayers(*boundary, fit.Solid.Points);
   interfaceLayers.Spread(fit.Solid.Points);
   SmoothInverted(fit.Solid, constraint, progress.Part(0.1, 0.15));
-  OptimizeHexahedra(fit.Solid, constraint, {}, progress.Part(0.15, 0.95));
+  HexOptimizationOptions optimization;
+  optimization.RaiseTo = RaisedTo;
+  OptimizeHexahedra(fit.Solid, constraint, optimization, progress.Part(0.15, 0.95));
   Judge(fit);
   fit.Quads = std::move(boundary->Quads);
   fit.PatchOf = std::move(boundary->PatchOf);

@@ -108,6 +108,26 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
   }
 }
 
+/// Sweeps over the points of bad hexahedra, and longer ones where they were too few.
+void Raise(const HexMesh& mesh, const PointConstraint& constraint,
+  const HexOptimizationOptions& options, Best& best, const Progress& progress)
+{
+  LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
+  constexpr double leastGain = 0.01, share = 0.2;
+  constexpr int attempts = 3;
+  HexOptimizationOptions longer = options;
+  longer.WorstSweeps *= 3;
+  double before = -1.0;
+  for (int attempt = 0;
+       attempt < attempts && best.Least() < options.RaiseTo && best.Least() >= before + leastGain;
+       ++attempt)
+  {
+    const double begin = 0.4 + share * attempt;
+    before = best.Least();
+    LowerWorst(mesh, constraint, longer, best, progress.Part(begin, begin + share));
+  }
+}
+
 /// A few gentle sweeps turn most of what is inverted; the rest is untangled before sharper ones,
 /// which turn little, are spent on it.
 void Turn(HexMesh& mesh, const PointConstraint& constraint, const HexOptimizationOptions& options,
@@ -196,7 +216,7 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   }
   if (best.Least() > options.RaiseFrom)
   {
-    LowerWorst(mesh, constraint, options, best, progress.Part(worstFrom, 1.0));
+    Raise(mesh, constraint, options, best, progress.Part(worstFrom, 1.0));
   }
   result.LeastAfter = best.Least();
   result.InvertedAfter = best.Inverted();
