@@ -47,8 +47,7 @@ void Run(
     { "Polycube", Method::Polycube }, { "Grid", Method::Grid } };
   const shape::Mesh surface = Read(path);
   const shape::Topology wanted = shape::RequireClosedSurface(surface, path);
-  const double diagonal =
-    (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
+  const double diagonal = shape::BoxDiagonal(surface.Points);
   shape::HexRemeshOptions options = settings;
   options.Method = methods.at(method);
   options.CellSize *= 0.01 * diagonal;

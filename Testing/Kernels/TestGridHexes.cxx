@@ -85,11 +85,6 @@ shape::Mesh Pyramid(bool isDouble)
   return pyramid;
 }
 
-double DiagonalOf(const shape::Mesh& mesh)
-{
-  return (mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff()).norm();
-}
-
 } // namespace
 
 TEST(HexMesh, TheBoundaryIsThatOfTheSolid)
@@ -376,7 +371,7 @@ TEST(GridHexes, CornersOfFourSidesAreKept)
     EXPECT_EQ(result.Fit.Creases.Corners, isDouble ? 6 : 5);
     EXPECT_LT(result.Fit.Creases.Distance, 1e-9);
     EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
-    EXPECT_LT(result.Fit.Distance, 1e-3 * DiagonalOf(pyramid));
+    EXPECT_LT(result.Fit.Distance, 1e-3 * shape::BoxDiagonal(pyramid.Points));
   }
 }
 
@@ -390,7 +385,7 @@ TEST(GridHexes, CreasesOfABracketAndOfARoundHoleAreNear)
   EXPECT_TRUE(hole.CreasesKept);
   EXPECT_EQ(hole.Creases.Corners, 8);
   // The hole's edges are closed: no point of theirs is fixed, so chords are what keeps them apart.
-  EXPECT_LT(hole.Creases.Distance, 1e-3 * DiagonalOf(block));
+  EXPECT_LT(hole.Creases.Distance, 1e-3 * shape::BoxDiagonal(block.Points));
   EXPECT_GT(hole.LeastScaledJacobian, 0.55);
   options.CellSize = 0.1;
   const shape::Mesh bracket =

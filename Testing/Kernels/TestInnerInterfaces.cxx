@@ -2,6 +2,7 @@
 #include "Core/Topology.h"
 #include "Geometry/ClosestPoint.h"
 #include "Hex/GridHexes.h"
+#include "Hex/InnerInterfaces.h"
 #include "Quality/ScaledJacobian.h"
 #include "TestShapes.h"
 
@@ -106,6 +107,32 @@ TEST(InnerInterfaces, ABallInABallIsARegionOfItsOwn)
   EXPECT_GT(fit.LeastScaledJacobian, 0.3);
   EXPECT_GT(fit.InnerDistance, 0.0);
   EXPECT_LT(fit.InnerDistance, 0.03);
+}
+
+TEST(InnerInterfaces, TheirDistanceIsThatAfterTheOuterSurfaceIsSnappedTo)
+{
+  // A tip sharper than the cells, above a ball that is not much larger than they are.
+  shape::Mesh drop = Ball(1.0, { 0.0, 0.0, 0.0 });
+  for (auto point : drop.Points.rowwise())
+  {
+    const double away = (point - Eigen::RowVector3d::UnitX()).norm();
+    point *= 1.0 + 0.3 * std::exp(-away / 0.1);
+  }
+  const std::vector<shape::Mesh> inner = { Ball(0.15, { 0.8, 0.0, 0.0 }, 3) };
+  shape::GridHexesOptions options;
+  options.CellSize = 0.12;
+  options.Rounds = 1;
+  const shape::HexFit snapped = shape::GridHexes(drop, options, {}, inner).Fit;
+  options.Snap = false;
+  const shape::HexFit fit = shape::GridHexes(drop, options, {}, inner).Fit;
+  EXPECT_LT(snapped.Distance, fit.Distance);
+  EXPECT_NE(snapped.InnerDistance, fit.InnerDistance);
+  for (const shape::HexFit* each : { &snapped, &fit })
+  {
+    const std::vector<shape::SurfaceLocator> surfaces(inner.begin(), inner.end());
+    EXPECT_EQ(
+      each->InnerDistance, shape::InnerDistance(each->Solid.Points, each->Interfaces, surfaces));
+  }
 }
 
 TEST(InnerInterfaces, BallsSideBySideAndInOneAnother)

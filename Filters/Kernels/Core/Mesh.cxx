@@ -17,6 +17,12 @@ double LongestSide(const Eigen::MatrixXd& points)
     : (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
 }
 
+double BoxDiagonal(const Eigen::MatrixXd& points)
+{
+  return points.rows() == 0 ? 0.0
+                            : (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
 Eigen::MatrixXd AreaVectors(const Mesh& mesh)
 {
   Eigen::MatrixXd vectors(mesh.Triangles.rows(), 3);

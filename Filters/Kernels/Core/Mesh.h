@@ -31,6 +31,9 @@ inline Eigen::Matrix3d Corners(const Mesh& mesh, Eigen::Index triangle)
 /// The longest side of the points' axis-aligned bounding box: the size that errors are divided by.
 double LongestSide(const Eigen::MatrixXd& points);
 
+/// The diagonal of that box.
+double BoxDiagonal(const Eigen::MatrixXd& points);
+
 /// Twice-area vectors of the triangles (m x 3): the cross product of two edges, pointing outwards.
 Eigen::MatrixXd AreaVectors(const Mesh& mesh);
 

@@ -144,8 +144,7 @@ void RequireTopology(const HexMesh& cells, const Mesh& surface)
 
 void RequireSourcesOn(const Eigen::MatrixXd& sources, const Mesh& surface)
 {
-  const double diagonal =
-    (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
+  const double diagonal = BoxDiagonal(surface.Points);
   Eigen::Index farthest = 0;
   const double distance = SurfaceLocator(surface).Find(sources).Distances.maxCoeff(&farthest);
   if (distance > FarthestSource * diagonal)

@@ -37,11 +37,6 @@ constexpr double LeastGain = 0.02;
 /// After so many rounds without such a gain no more are made.
 constexpr int MostIdle = 2;
 
-double DiagonalOf(const Mesh& mesh)
-{
-  return (mesh.Points.colwise().maxCoeff() - mesh.Points.colwise().minCoeff()).norm();
-}
-
 class GridSearch
 {
 public:
@@ -51,7 +46,8 @@ public:
     , Regions(surface, innerSurfaces, progress)
     , Cubes(this->Regions.Outer())
     , Bounding(this->Cubes.Boundary().Surface)
-    , Diagonal(options.Diagonal > 0.0 ? options.Diagonal : DiagonalOf(this->Cubes.Surface()))
+    , Diagonal(
+        options.Diagonal > 0.0 ? options.Diagonal : BoxDiagonal(this->Cubes.Surface().Points))
     , AllFeatures(FindFeatures(this->Bounding.Surface(), options.FeatureAngle, 0.0))
   {
     for (const SolidCubes& inner : this->Regions.Inner())
@@ -434,7 +430,7 @@ GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& sol
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
     GridHexesOptions own = options;
-    own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : DiagonalOf(surface);
+    own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : BoxDiagonal(surface.Points);
     own.FirstHexahedra = shares[i] * options.FirstHexahedra;
     own.MaximumHexahedra = std::max(1, static_cast<int>(shares[i] * options.MaximumHexahedra));
     GridHexesResult one = OfOneGrid(solids[i], own, progress.Part(begin, begin + shares[i]), {});

@@ -30,11 +30,6 @@ constexpr double LeastPatch = 4.0;
 /// Who gives a size gets as many as it makes, as far as their corners can be numbered.
 constexpr int MostOfGivenSize = std::numeric_limits<int>::max() / 64;
 
-double Diagonal(const Mesh& surface)
-{
-  return (surface.Points.colwise().maxCoeff() - surface.Points.colwise().minCoeff()).norm();
-}
-
 int MostHexahedra(const HexRemeshOptions& options)
 {
   return options.CellSize > 0.0 ? MostOfGivenSize : options.MaximumHexahedra;
@@ -77,7 +72,7 @@ PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions op
   PolycubeHexesResult coarse, const Progress& progress)
 {
   const HexFit& fit = coarse.Fit;
-  const double wanted = GridHexesOptions().WantedCreaseDistance * Diagonal(surface);
+  const double wanted = GridHexesOptions().WantedCreaseDistance * BoxDiagonal(surface.Points);
   if (!fit.CreasesKept || fit.LeastScaledJacobian < LeastScaledJacobian ||
     fit.Creases.Distance <= wanted)
   {
@@ -108,7 +103,7 @@ PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions op
 void SnapIfFar(HexFit& fit, const Mesh& surface, const Progress& progress)
 {
   SnappingOptions options;
-  options.WantedDistance = GridHexesOptions().WantedDistance * Diagonal(surface);
+  options.WantedDistance = GridHexesOptions().WantedDistance * BoxDiagonal(surface.Points);
   if (fit.Inverted == 0 && fit.Distance > options.WantedDistance)
   {
     SnapToSurface(fit, SurfaceLocator(surface), options, progress);
@@ -173,7 +168,7 @@ bool IsBetter(const HexFit& one, const HexFit& other)
 HexRemeshResult ByTheBetter(
   const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
 {
-  const double diagonal = Diagonal(surface);
+  const double diagonal = BoxDiagonal(surface.Points);
   std::optional<HexRemeshResult> polycube;
   std::string why;
   try

@@ -1,5 +1,6 @@
 #include "Hex/Snapping.h"
 
+#include "Hex/GivenFreedoms.h"
 #include "Hex/HexOptimization.h"
 #include "Quality/HausdorffDistance.h"
 #include "Quality/ScaledJacobian.h"
@@ -15,38 +16,6 @@ namespace
 
 /// By how much raising the worst hexahedra has been seen to raise them.
 constexpr double MostRaised = 0.15;
-
-/// Points on creases and some others stay where they are.
-class Holding : public PointConstraint
-{
-public:
-  Holding(const PointConstraint& others, Eigen::Index points)
-    : IsHeld(points, 0)
-    , Others(others)
-  {
-  }
-
-  int Freedom(int point) const override
-  {
-    const int freedom = this->Others.Freedom(point);
-    return freedom == 1 || this->IsHeld[point] ? 0 : freedom;
-  }
-  PointDirections Directions(int point, const Eigen::RowVector3d& place) const override
-  {
-    return this->Others.Directions(point, place);
-  }
-  Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& place) const override
-  {
-    return this->Others.Nearest(point, place);
-  }
-
-  bool MaySlide(int point) const { return this->Others.Freedom(point) == 2; }
-
-  std::vector<char> IsHeld;
-
-private:
-  const PointConstraint& Others;
-};
 
 /// Where the surfaces are far from each other.
 struct FarPlace
@@ -64,6 +33,7 @@ public:
     , Quads(quads)
     , Triangles(SplitQuads(quads))
     , Surface(surface)
+    , Given(constraint)
     , Constraint(constraint, mesh.Points.rows())
     , Share(mesh.Points.rows(), 1.0)
     , Wanted(wanted)
@@ -75,6 +45,9 @@ public:
       std::for_each(points.begin(), points.end(),
         [&](int point) { this->QuadsAround[point].push_back(static_cast<int>(q)); });
     }
+    // Points on creases stay.
+    std::vector<char>& freedoms = this->Constraint.Freedoms;
+    std::replace(freedoms.begin(), freedoms.end(), char(1), char(0));
     this->Compare({});
   }
 
@@ -86,7 +59,7 @@ public:
   bool Round(const SnappingOptions& options, const Progress& progress)
   {
     const Eigen::MatrixXd before = this->Solid.Points;
-    const std::vector<char> held = this->Constraint.IsHeld;
+    const std::vector<char> freedoms = this->Constraint.Freedoms;
     const double reached = this->Reached;
     const double least = Floor(options, ScaledJacobians(this->Solid).minCoeff());
     std::vector<char> marked = this->Snap();
@@ -102,12 +75,12 @@ public:
     const HexOptimizationResult result =
       OptimizeHexahedra(this->Solid, this->Constraint, optimization, progress.Part(0.0, 0.8));
     const bool isBad = result.LeastAfter < least;
-    const bool hasCulprits = isBad && this->HalveCulprits(held, least);
+    const bool hasCulprits = isBad && this->HalveCulprits(freedoms, least);
     this->Compare(progress.Part(0.8, 0.9));
     if (isBad || this->Reached >= reached)
     {
       this->Solid.Points = before;
-      this->Constraint.IsHeld = held;
+      this->Constraint.Freedoms = freedoms;
       this->Compare(progress.Part(0.9, 1.0));
       return hasCulprits;
     }
@@ -153,14 +126,14 @@ private:
 
   /// Points of bad hexahedra, or of such next to them, that were not held before are put only half
   /// as far in the next rounds. False where there are none.
-  bool HalveCulprits(const std::vector<char>& held, double least)
+  bool HalveCulprits(const std::vector<char>& freedoms, double least)
   {
     std::vector<char> near = PointsOfBad(this->Solid, least);
     GrowRings(this->Solid.Hexahedra, 1, near);
     bool found = false;
-    for (std::size_t point = 0; point < held.size(); ++point)
+    for (std::size_t point = 0; point < freedoms.size(); ++point)
     {
-      if (near[point] && this->Constraint.IsHeld[point] && !held[point])
+      if (near[point] && this->Constraint.Freedoms[point] < freedoms[point])
       {
         this->Share[point] *= 0.5;
         found = true;
@@ -203,7 +176,7 @@ private:
     {
       const int point = nearest[i];
       const Eigen::RowVector3d& there = this->Far[i].OnSurface;
-      if (taken[point] || !this->Constraint.MaySlide(point) || this->Share[point] < leastShare ||
+      if (taken[point] || this->Given.Freedom(point) != 2 || this->Share[point] < leastShare ||
         (this->Constraint.Nearest(point, there) - there).norm() > 0.5 * this->Far[i].Distance)
       {
         continue;
@@ -211,7 +184,7 @@ private:
       const Eigen::RowVector3d here = this->Solid.Points.row(point);
       this->Solid.Points.row(point) =
         this->Constraint.Nearest(point, here + this->Share[point] * (there - here));
-      this->Constraint.IsHeld[point] = 1;
+      this->Constraint.Freedoms[point] = 0;
       marked.resize(taken.size(), 0);
       marked[point] = 1;
       for (const int q : this->QuadsAround[point])
@@ -227,7 +200,8 @@ private:
   const Eigen::MatrixXi& Quads;
   const Eigen::MatrixXi Triangles;
   const SurfaceLocator& Surface;
-  Holding Constraint;
+  const PointConstraint& Given;
+  GivenFreedoms Constraint;
   std::vector<double> Share; ///< of the way that a point is put
   const double Wanted;
   std::vector<std::vector<int>> QuadsAround; ///< of each point
