@@ -76,6 +76,15 @@ void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
   }
 }
 
+/// Of the marks leaves those that are in others, too, where there are any.
+void LeaveMarked(const std::vector<char>& others, std::vector<char>& marked)
+{
+  for (std::size_t point = 0; point < std::min(marked.size(), others.size()); ++point)
+  {
+    marked[point] = static_cast<char>(marked[point] && others[point]);
+  }
+}
+
 /// Sweeps over the points of bad hexahedra.
 void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, Best& best, const Progress& progress)
@@ -92,10 +101,7 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
       if (sweep % between == 0)
       {
         marked = PointsOfBad({ sweeps.Places(), mesh.Hexahedra }, options.Bad);
-        for (std::size_t point = 0; point < std::min(marked.size(), options.Marked.size()); ++point)
-        {
-          marked[point] = static_cast<char>(marked[point] && options.Marked[point]);
-        }
+        LeaveMarked(options.Marked, marked);
       }
       if (marked.empty())
       {
@@ -108,13 +114,13 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
   }
 }
 
-/// Sweeps over the points of bad hexahedra, and longer ones where they were too few.
+/// Sweeps over the points of bad hexahedra, and longer ones near those that are still too bad.
 void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, Best& best, const Progress& progress)
 {
   LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
   constexpr double leastGain = 0.01, share = 0.2;
-  constexpr int attempts = 3;
+  constexpr int attempts = 3, rings = 3;
   HexOptimizationOptions longer = options;
   longer.WorstSweeps *= 3;
   double before = -1.0;
@@ -124,6 +130,9 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   {
     const double begin = 0.4 + share * attempt;
     before = best.Least();
+    longer.Marked = PointsOfBad(mesh, options.RaiseTo);
+    GrowRings(mesh.Hexahedra, rings, longer.Marked);
+    LeaveMarked(options.Marked, longer.Marked);
     LowerWorst(mesh, constraint, longer, best, progress.Part(begin, begin + share));
   }
 }
