@@ -13,15 +13,8 @@ namespace
 /// How far two sides must exceed the third, in longest sides.
 constexpr double Slack = 1e-6;
 
-std::array<double, 3> MollifiedSides(const Mesh& mesh, Eigen::Index t)
+std::array<double, 3> Mollified(std::array<double, 3> sides)
 {
-  std::array<double, 3> sides;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    sides[corner] = (mesh.Points.row(mesh.Triangles(t, (corner + 1) % 3)) -
-      mesh.Points.row(mesh.Triangles(t, (corner + 2) % 3)))
-                      .norm();
-  }
   const double longest = *std::max_element(sides.begin(), sides.end());
   const double excess = sides[0] + sides[1] + sides[2] - 2.0 * longest;
   const double raise = std::max(0.0, Slack * longest - excess);
@@ -45,11 +38,26 @@ double AreaOfSides(std::array<double, 3> sides)
 
 TriangleAngles AnglesOfTriangles(const Mesh& mesh)
 {
-  const Eigen::Index count = mesh.Triangles.rows();
+  Eigen::MatrixXd sides(mesh.Triangles.rows(), 3);
+  for (Eigen::Index t = 0; t < sides.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      sides(t, corner) = (mesh.Points.row(mesh.Triangles(t, (corner + 1) % 3)) -
+        mesh.Points.row(mesh.Triangles(t, (corner + 2) % 3)))
+                           .norm();
+    }
+  }
+  return AnglesOfSides(sides);
+}
+
+TriangleAngles AnglesOfSides(const Eigen::MatrixXd& lengths)
+{
+  const Eigen::Index count = lengths.rows();
   TriangleAngles angles{ Eigen::MatrixXd(count, 3), Eigen::VectorXd(count) };
   for (Eigen::Index t = 0; t < count; ++t)
   {
-    const std::array<double, 3> sides = MollifiedSides(mesh, t);
+    const std::array<double, 3> sides = Mollified({ lengths(t, 0), lengths(t, 1), lengths(t, 2) });
     const double area = AreaOfSides(sides);
     angles.Areas(t) = area;
     for (int corner = 0; corner < 3; ++corner)

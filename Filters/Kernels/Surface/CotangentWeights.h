@@ -25,6 +25,9 @@ struct TriangleAngles
  */
 TriangleAngles AnglesOfTriangles(const Mesh& mesh);
 
+/// The same from the lengths of the sides (m x 3) opposite each corner.
+TriangleAngles AnglesOfSides(const Eigen::MatrixXd& sides);
+
 /**
  * The cotangent stiffness matrix (n x n, both triangles stored, positive semi-definite):
  * L_ij = -(cot a + cot b) / 2 over the two angles opposite the edge ij, rows sum to zero; x^T L x /

@@ -1,0 +1,192 @@
+#include "Surface/HeatGeodesics.h"
+
+#include "Core/HalfEdges.h"
+#include "Core/Topology.h"
+#include "Surface/CotangentWeights.h"
+#include "Surface/EdgeGeodesics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// 1; 0 at the ends of edges with one triangle.
+Eigen::VectorXd InsideOf(const Mesh& mesh)
+{
+  Eigen::VectorXd inside = Eigen::VectorXd::Ones(mesh.Points.rows());
+  const std::vector<HalfEdge> edges = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  const auto same = [&](std::size_t i, std::size_t j)
+  {
+    return j < edges.size() && edges[i].Low() == edges[j].Low() &&
+      edges[i].High() == edges[j].High();
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (!same(i, i + 1) && (i == 0 || !same(i, i - 1)))
+    {
+      inside(edges[i].Begin) = inside(edges[i].End) = 0.0;
+    }
+  }
+  return inside;
+}
+
+/// The farthest that a point of a component is from its first point along edges.
+double Extent(const Mesh& mesh, const Eigen::VectorXi& componentId)
+{
+  std::vector<int> firsts;
+  for (int point = 0; point < componentId.size(); ++point)
+  {
+    if (componentId(point) == static_cast<int>(firsts.size()))
+    {
+      firsts.push_back(point);
+    }
+  }
+  const Eigen::VectorXd distances = EdgeGeodesics(
+    mesh, { firsts, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(firsts.size())) });
+  double extent = 0.0;
+  for (const double distance : distances)
+  {
+    extent = std::isinf(distance) ? extent : std::max(extent, distance);
+  }
+  return extent;
+}
+
+Eigen::VectorXd LumpedMasses(const IntrinsicTriangles& flat, Eigen::Index points)
+{
+  const Eigen::VectorXd areas = AnglesOfSides(flat.Sides).Areas;
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(points);
+  for (Eigen::Index t = 0; t < areas.size(); ++t)
+  {
+    for (const int point : flat.Triangles.row(t))
+    {
+      masses(point) += areas(t) / 3.0;
+    }
+  }
+  return masses;
+}
+
+/// stiffness * time + diagonal; 1 where no triangle is.
+Eigen::SparseMatrix<double> Shifted(
+  const Eigen::SparseMatrix<double>& stiffness, double time, const Eigen::VectorXd& diagonal)
+{
+  Eigen::SparseMatrix<double> matrix = time * stiffness;
+  for (Eigen::Index i = 0; i < diagonal.size(); ++i)
+  {
+    matrix.coeffRef(i, i) += diagonal(i) > 0.0 ? diagonal(i) : 1.0;
+  }
+  return matrix;
+}
+
+} // namespace
+
+HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
+  : Given(mesh.Triangles)
+  , Flat(IntrinsicDelaunay(mesh))
+  , ComponentId(SurfaceTopology(mesh).ComponentId)
+  , Inside(InsideOf(mesh))
+{
+  progress(0.2);
+  constexpr double share = 1.0 / 300.0, rest = 1e-9;
+  const Eigen::Index points = mesh.Points.rows();
+  const Eigen::SparseMatrix<double> stiffness =
+    CotangentStiffness(this->Flat.Triangles, AnglesOfSides(this->Flat.Sides).Cotangents, points);
+  const Eigen::VectorXd masses = LumpedMasses(this->Flat, points);
+  const double side =
+    std::max(this->Flat.Sides.mean(), share * 2.0 * Extent(mesh, this->ComponentId));
+  const double time = side * side;
+  this->Heat.Factorize(Shifted(stiffness, time, masses));
+  progress(0.5);
+  // Constants are free in each component: a little of the masses settles them.
+  this->Poisson.Factorize(Shifted(stiffness, 1.0, (rest / masses.sum()) * masses));
+  progress(0.8);
+  if (this->Inside.minCoeff() == 0.0)
+  {
+    const Eigen::VectorXd border = Eigen::VectorXd::Ones(points) - this->Inside;
+    const Eigen::SparseMatrix<double> kept =
+      this->Inside.asDiagonal() * stiffness * this->Inside.asDiagonal();
+    const Eigen::VectorXd diagonal = this->Inside.cwiseProduct(masses) + border;
+    this->HeatWithin.emplace();
+    this->HeatWithin->Factorize(Shifted(kept, time, diagonal));
+  }
+  progress(1.0);
+}
+
+Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
+{
+  Eigen::VectorXd divergence = Eigen::VectorXd::Zero(heat.size());
+  for (Eigen::Index t = 0; t < this->Flat.Triangles.rows(); ++t)
+  {
+    const auto corners = this->Flat.Triangles.row(t);
+    const double a = this->Flat.Sides(t, 0), b = this->Flat.Sides(t, 1), c = this->Flat.Sides(t, 2);
+    const double x = (c * c + (b - a) * (b + a)) / (2.0 * c);
+    const double y = std::sqrt(std::max(b * b - x * x, 0.0));
+    // Twice-area gradients of the hat functions: the opposite sides, turned inwards.
+    const std::array<Eigen::Vector2d, 3> hats = { Eigen::Vector2d(-y, x - c),
+      Eigen::Vector2d(y, -x), Eigen::Vector2d(0.0, c) };
+    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      gradient += heat(corners(k)) * hats[k];
+    }
+    const double norm = gradient.stableNorm();
+    if (norm > 0.0)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        divergence(corners(k)) -= 0.5 * hats[k].dot(gradient / norm);
+      }
+    }
+  }
+  return divergence;
+}
+
+Eigen::VectorXd HeatGeodesics::Distances(const ClosestPoints& seeds) const
+{
+  const Eigen::Index points = this->ComponentId.size();
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(points);
+  for (Eigen::Index i = 0; i < seeds.Triangles.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      start(this->Given(seeds.Triangles(i), k)) += seeds.Barycentrics(i, k);
+    }
+  }
+  Eigen::VectorXd heat = this->Heat.Solve(start);
+  if (this->HeatWithin)
+  {
+    heat = 0.5 * (heat + this->HeatWithin->Solve(this->Inside.cwiseProduct(start)).col(0));
+  }
+  const Eigen::VectorXd distances = this->Poisson.Solve(this->Divergence(heat));
+  const int components = this->ComponentId.maxCoeff() + 1;
+  std::vector<double> least(components, Infinity);
+  std::vector<char> hasSeed(components, 0);
+  for (Eigen::Index point = 0; point < points; ++point)
+  {
+    const int component = this->ComponentId(point);
+    if (component >= 0)
+    {
+      least[component] = std::min(least[component], distances(point));
+      hasSeed[component] |= start(point) > 0.0;
+    }
+  }
+  Eigen::VectorXd result = Eigen::VectorXd::Constant(points, Infinity);
+  for (Eigen::Index point = 0; point < points; ++point)
+  {
+    const int component = this->ComponentId(point);
+    if (component >= 0 && hasSeed[component])
+    {
+      result(point) = distances(point) - least[component];
+    }
+  }
+  return result;
+}
+
+} // namespace shape

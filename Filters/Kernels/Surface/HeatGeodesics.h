@@ -1,0 +1,49 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+#include "Core/SparseSolve.h"
+#include "Geometry/ClosestPoint.h"
+#include "Surface/IntrinsicDelaunay.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace shape
+{
+
+/**
+ * Approximate geodesic distances from many sets of seeds over one factorisation: heat flows for a
+ * short time, its gradient is made of unit length, and the function with the gradient nearest to
+ * that is the distance (Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013, algorithm 1),
+ * on the intrinsic Delaunay triangulation. On a surface with border the mean of the heat that the
+ * border holds back and the heat that it lets go is taken (section 3.4 there).
+ *
+ * The time is the square of the mean side, as there, or of a 300th of the surface's extent along it
+ * where that is longer: farther heat would be less than any number.
+ */
+class HeatGeodesics
+{
+public:
+  /// mesh: a consistently oriented 2-manifold, open or closed. Throws SolveFailure, Aborted.
+  explicit HeatGeodesics(const Mesh& mesh, const Progress& progress = {});
+
+  /// n distances in the model's units from the nearest of the places, 0 at the least; infinite
+  /// where a component has none.
+  Eigen::VectorXd Distances(const ClosestPoints& seeds) const;
+
+private:
+  /// The integral of the normalised negative gradient of the heat against each point's hat
+  /// function.
+  Eigen::VectorXd Divergence(const Eigen::VectorXd& heat) const;
+
+  const Eigen::MatrixXi Given; ///< the mesh's triangles
+  IntrinsicTriangles Flat;
+  Eigen::VectorXi ComponentId;
+  Eigen::VectorXd Inside; ///< 1; 0 on the border
+  SparseCholesky Heat, Poisson;
+  std::optional<SparseCholesky> HeatWithin; ///< let go at the border, where there is one
+};
+
+} // namespace shape
