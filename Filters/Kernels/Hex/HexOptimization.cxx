@@ -120,6 +120,7 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
 {
   LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
   constexpr double leastGain = 0.01, share = 0.2;
+  constexpr double most = 0.3; // of the points: where more are concerned it helps too little
   constexpr int attempts = 3, rings = 3;
   HexOptimizationOptions longer = options;
   longer.WorstSweeps *= 3;
@@ -133,6 +134,11 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
     longer.Marked = PointsOfBad(mesh, options.RaiseTo);
     GrowRings(mesh.Hexahedra, rings, longer.Marked);
     LeaveMarked(options.Marked, longer.Marked);
+    if (static_cast<double>(std::count(longer.Marked.begin(), longer.Marked.end(), 1)) >
+      most * static_cast<double>(mesh.Points.rows()))
+    {
+      break;
+    }
     LowerWorst(mesh, constraint, longer, best, progress.Part(begin, begin + share));
   }
 }
