@@ -14,7 +14,7 @@
  * GeodesicDistance.UnreachedPoints, the number of these.
  *
  * Heat: each of its two or three factorisations is one library call: an abort takes effect at its
- * end (within a second at 250,000 points).
+ * end.
  *
  * The mathematics: shape::GeodesicDistance.
  */
@@ -32,7 +32,7 @@ public:
   vtkTypeMacro(vtkShapeGeodesicDistance, vtkShapeAlgorithm);
 
   ///@{
-  /// 0 = Heat: smooth, about a percent off. 1 = Exact: the shortest paths on the polyhedron. 2 =
+  /// 0 = Heat: smooth, near to them. 1 = Exact: the shortest paths on the polyhedron. 2 =
   /// Dijkstra: along edges, always too long. Default: Heat.
   vtkShapeEnumOption(Method, shape::GeodesicDistanceOptions::MethodType,
     shape::GeodesicDistanceOptions::MethodType::Heat,

@@ -16,7 +16,8 @@ struct HexOptimizationOptions
   double Bad = 0.7;     ///< hexahedra of a lower scaled Jacobian are bad
   /// The worst are raised only where no scaled Jacobian is this low before.
   double RaiseFrom = 0.0;
-  /// While the worst are below this they are raised again by more sweeps, as long as that helps.
+  /// While the worst are below this they are raised again by more sweeps, as long as that helps and
+  /// less than a third of the points are near such.
   double RaiseTo = 0.0;
   /// n: points that move, but for what is inverted; empty: all.
   std::vector<char> Marked = {};

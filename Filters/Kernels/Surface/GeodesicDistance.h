@@ -13,9 +13,9 @@ struct GeodesicDistanceOptions
 {
   enum class MethodType
   {
-    Heat,    ///< HeatGeodesics: smooth, about a percent off, quick for many seeds
+    Heat,    ///< HeatGeodesics: smooth, near to the shortest paths
     Exact,   ///< ExactGeodesics
-    Dijkstra ///< EdgeGeodesics: along edges, too long by up to a sixth on good triangles
+    Dijkstra ///< EdgeGeodesics: along edges, never too short
   };
   MethodType Method = MethodType::Heat;
 };

@@ -59,13 +59,13 @@ double Extent(const Mesh& mesh, const Eigen::VectorXi& componentId)
   return extent;
 }
 
-Eigen::VectorXd LumpedMasses(const IntrinsicTriangles& flat, Eigen::Index points)
+Eigen::VectorXd LumpedMasses(
+  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points)
 {
-  const Eigen::VectorXd areas = AnglesOfSides(flat.Sides).Areas;
   Eigen::VectorXd masses = Eigen::VectorXd::Zero(points);
   for (Eigen::Index t = 0; t < areas.size(); ++t)
   {
-    for (const int point : flat.Triangles.row(t))
+    for (const int point : triangles.row(t))
     {
       masses(point) += areas(t) / 3.0;
     }
@@ -96,9 +96,10 @@ HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
   progress(0.2);
   constexpr double share = 1.0 / 300.0, rest = 1e-9;
   const Eigen::Index points = mesh.Points.rows();
+  const TriangleAngles angles = AnglesOfSides(this->Flat.Sides);
   const Eigen::SparseMatrix<double> stiffness =
-    CotangentStiffness(this->Flat.Triangles, AnglesOfSides(this->Flat.Sides).Cotangents, points);
-  const Eigen::VectorXd masses = LumpedMasses(this->Flat, points);
+    CotangentStiffness(this->Flat.Triangles, angles.Cotangents, points);
+  const Eigen::VectorXd masses = LumpedMasses(this->Flat.Triangles, angles.Areas, points);
   const double side =
     std::max(this->Flat.Sides.mean(), share * 2.0 * Extent(mesh, this->ComponentId));
   const double time = side * side;
