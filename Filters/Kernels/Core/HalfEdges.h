@@ -23,4 +23,20 @@ struct HalfEdge
 /// in the order of Low, High, Triangle.
 std::vector<HalfEdge> SortedHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
+/// Of side 3 t + k, which runs from corner k of triangle t to the next one, the side of the
+/// triangle beside it, or -1 on the border. triangles: an oriented 2-manifold's.
+std::vector<int> SideTwins(const Eigen::MatrixXi& triangles, Eigen::Index points);
+
+///@{
+/// The sides of the same triangle after and before a side.
+inline int NextSide(int side)
+{
+  return side - side % 3 + (side + 1) % 3;
+}
+inline int PreviousSide(int side)
+{
+  return side - side % 3 + (side + 2) % 3;
+}
+///@}
+
 } // namespace shape

@@ -187,9 +187,9 @@ private:
     const double distance = this->Distances(point);
     for (const int side : this->Frames.SidesFrom(point))
     {
-      const int opposite = SideFrames::Next(side);
+      const int opposite = NextSide(side);
       this->Reach(this->Frames.End(side), distance + this->Frames.Length(side), false);
-      const int back = SideFrames::Previous(side);
+      const int back = PreviousSide(side);
       this->Reach(this->Frames.Begin(back), distance + this->Frames.Length(back), false);
       this->See(
         opposite, 0.0, this->Frames.Length(opposite), this->Frames.Opposite(opposite), distance);
@@ -203,8 +203,7 @@ private:
     {
       return;
     }
-    const int side = window.Side, next = SideFrames::Next(side),
-              previous = SideFrames::Previous(side);
+    const int side = window.Side, next = NextSide(side), previous = PreviousSide(side);
     const Eigen::Vector2d &corner = this->Frames.Opposite(side), &eye = window.Eye;
     // Where the line from the eye to the corner enters the triangle.
     const double entry = eye(0) - (corner(0) - eye(0)) * eye(1) / (corner(1) - eye(1));

@@ -22,17 +22,13 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 Eigen::VectorXd InsideOf(const Mesh& mesh)
 {
   Eigen::VectorXd inside = Eigen::VectorXd::Ones(mesh.Points.rows());
-  const std::vector<HalfEdge> edges = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
-  const auto same = [&](std::size_t i, std::size_t j)
+  const std::vector<int> twins = SideTwins(mesh.Triangles, mesh.Points.rows());
+  for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
-    return j < edges.size() && edges[i].Low() == edges[j].Low() &&
-      edges[i].High() == edges[j].High();
-  };
-  for (std::size_t i = 0; i < edges.size(); ++i)
-  {
-    if (!same(i, i + 1) && (i == 0 || !same(i, i - 1)))
+    if (twins[side] < 0)
     {
-      inside(edges[i].Begin) = inside(edges[i].End) = 0.0;
+      inside(mesh.Triangles(side / 3, side % 3)) = 0.0;
+      inside(mesh.Triangles(side / 3, NextSide(side) % 3)) = 0.0;
     }
   }
   return inside;

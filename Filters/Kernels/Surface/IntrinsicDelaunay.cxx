@@ -19,23 +19,13 @@ constexpr double Slack = 1e-6;
 constexpr double LeastWeight = -1e-9;
 constexpr int None = -1;
 
-int Next(int side)
-{
-  return side - side % 3 + (side + 1) % 3;
-}
-
-int Previous(int side)
-{
-  return side - side % 3 + (side + 2) % 3;
-}
-
 /// Side 3 t + k is that of triangle t from its corner k to the next one.
 class Flipper
 {
 public:
   explicit Flipper(const Mesh& mesh)
     : Begins(mesh.Triangles.size())
-    , Twins(mesh.Triangles.size(), None)
+    , Twins(SideTwins(mesh.Triangles, mesh.Points.rows()))
     , Lengths(mesh.Triangles.size())
   {
     for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
@@ -47,15 +37,6 @@ public:
         this->Lengths[side] =
           (mesh.Points.row(mesh.Triangles(t, (k + 1) % 3)) - mesh.Points.row(mesh.Triangles(t, k)))
             .norm();
-      }
-    }
-    const std::vector<HalfEdge> edges = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
-    for (std::size_t i = 0; i + 1 < edges.size(); ++i)
-    {
-      const HalfEdge &one = edges[i], &other = edges[i + 1];
-      if (one.Low() == other.Low() && one.High() == other.High())
-      {
-        this->Glue(3 * one.Triangle + one.Corner, 3 * other.Triangle + other.Corner);
       }
     }
     this->Mollify();
@@ -87,7 +68,8 @@ public:
       }
       const int twin = this->Twins[side];
       this->Flip(side);
-      for (const int near : { Next(side), Previous(side), Next(twin), Previous(twin) })
+      for (const int near :
+        { NextSide(side), PreviousSide(side), NextSide(twin), PreviousSide(twin) })
       {
         if (!waits[near])
         {
@@ -114,12 +96,6 @@ public:
   }
 
 private:
-  void Glue(int one, int other)
-  {
-    this->Twins[one] = other;
-    this->Twins[other] = one;
-  }
-
   void Mollify()
   {
     double sum = 0.0;
@@ -155,14 +131,14 @@ private:
   /// The cosine of the angle between a side and the previous one, where the side begins.
   double Cosine(int side) const
   {
-    const double a = this->Lengths[side], b = this->Lengths[Previous(side)],
-                 c = this->Lengths[Next(side)];
+    const double a = this->Lengths[side], b = this->Lengths[PreviousSide(side)],
+                 c = this->Lengths[NextSide(side)];
     return std::clamp((a * a + (b - c) * (b + c)) / (2.0 * a * b), -1.0, 1.0);
   }
 
   double Cotangent(int side) const
   {
-    const double cosine = this->Cosine(Previous(side));
+    const double cosine = this->Cosine(PreviousSide(side));
     return cosine / std::sqrt(std::max(1.0 - cosine * cosine, 1e-24));
   }
 
@@ -182,7 +158,8 @@ private:
   void Flip(int side)
   {
     const int twin = this->Twins[side];
-    const int bc = Next(side), ca = Previous(side), ad = Next(twin), db = Previous(twin);
+    const int bc = NextSide(side), ca = PreviousSide(side), ad = NextSide(twin),
+              db = PreviousSide(twin);
     const double cosine = this->Cosine(side), other = this->Cosine(ad);
     const double sines = std::sqrt((1.0 - cosine * cosine) * (1.0 - other * other));
     const double ac = this->Lengths[ca], length = this->Lengths[ad];
@@ -195,7 +172,8 @@ private:
     const std::array<double, 4> lengths = { this->Lengths[bc], this->Lengths[ca], this->Lengths[ad],
       this->Lengths[db] };
     // Triangle of `side`: d -> c, c -> a, a -> d; that of `twin`: c -> d, d -> b, b -> c.
-    const std::array<int, 4> places = { Previous(twin), Next(side), Previous(side), Next(twin) };
+    const std::array<int, 4> places = { PreviousSide(twin), NextSide(side), PreviousSide(side),
+      NextSide(twin) };
     const std::array<int, 4> begins = { b, c, a, d };
     this->Begins[side] = d;
     this->Begins[twin] = c;

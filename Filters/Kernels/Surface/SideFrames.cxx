@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 
 namespace shape
@@ -12,7 +11,7 @@ namespace shape
 
 SideFrames::SideFrames(const Mesh& mesh)
   : Begins(mesh.Triangles.size())
-  , Twins(mesh.Triangles.size(), -1)
+  , Twins(SideTwins(mesh.Triangles, mesh.Points.rows()))
   , Lengths(mesh.Triangles.size())
   , Opposites(mesh.Triangles.size())
   , Angles(mesh.Points.rows(), 0.0)
@@ -37,20 +36,11 @@ SideFrames::SideFrames(const Mesh& mesh)
       this->From[mesh.Triangles(t, k)].push_back(side);
     }
   }
-  const std::vector<HalfEdge> edges = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
   {
-    const int side = 3 * edges[i].Triangle + edges[i].Corner;
-    if (i + 1 < edges.size() && edges[i].Low() == edges[i + 1].Low() &&
-      edges[i].High() == edges[i + 1].High())
+    if (this->Twins[side] < 0)
     {
-      const int twin = 3 * edges[i + 1].Triangle + edges[i + 1].Corner;
-      this->Twins[side] = twin;
-      this->Twins[twin] = side;
-    }
-    else if (this->Twins[side] < 0)
-    {
-      this->OnBorder[edges[i].Begin] = this->OnBorder[edges[i].End] = 1;
+      this->OnBorder[this->Begin(side)] = this->OnBorder[this->End(side)] = 1;
     }
   }
 }

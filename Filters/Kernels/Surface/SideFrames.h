@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Core/HalfEdges.h"
 #include "Core/Mesh.h"
 
 #include <Eigen/Core>
@@ -17,11 +18,8 @@ public:
   /// mesh: a consistently oriented 2-manifold, open or closed.
   explicit SideFrames(const Mesh& mesh);
 
-  static int Next(int side) { return side - side % 3 + (side + 1) % 3; }
-  static int Previous(int side) { return side - side % 3 + (side + 2) % 3; }
-
   int Begin(int side) const { return this->Begins[side]; } ///< the point
-  int End(int side) const { return this->Begins[Next(side)]; }
+  int End(int side) const { return this->Begins[NextSide(side)]; }
   int Twin(int side) const { return this->Twins[side]; } ///< of the triangle beside; -1: none
   double Length(int side) const { return this->Lengths[side]; }
   /// The corner opposite, in the frame.
