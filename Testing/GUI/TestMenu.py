@@ -6,10 +6,17 @@ from xml.etree import ElementTree
 import shapetesting
 import window
 
-filters = [proxy for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*.xml'))
-           for proxy in ElementTree.parse(path).iter('SourceProxy')
-           if proxy.find('Hints/ShowInMenu') is not None]
+proxies = {proxy.get('name'): proxy for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*.xml'))
+           for proxy in ElementTree.parse(path).iter('SourceProxy')}
+filters = [proxy for proxy in proxies.values() if proxy.find('Hints/ShowInMenu') is not None]
 assert len(filters) >= 2
+
+
+def inputs(proxy):
+    """What goes into a filter, its own and what it inherits."""
+    base = proxies.get(proxy.get('base_proxyname'))
+    return ([] if base is None else inputs(base)) + proxy.findall('InputProperty')
+
 
 w = window.Window()
 
@@ -23,9 +30,9 @@ w.click(window.PANEL + 'Delete')
 w.open('DentedSphere600.vtp')
 for proxy in filters:
     w.filter(proxy.get('label'))
-    if sum(port.find('Hints/Optional') is None for port in proxy.findall('InputProperty')) > 1:
+    if sum(port.find('Hints/Optional') is None for port in inputs(proxy)) > 1:
         # Where it needs several, the window asks what goes into which port: OK is the first button, Cancel the second.
-        for port in proxy.findall('InputProperty'):
+        for port in inputs(proxy):
             w.check(window.DIALOG + 'buttonFrame/' + port.get('name'), 'text', port.get('label'))
         w.click(window.DIALOG + 'buttonBox/1QPushButton1')
     else:
