@@ -9,15 +9,17 @@
 namespace
 {
 
-/// Points of the sides of a box stay where they are; the others are free.
+/// Points of the sides of a box stay where they are, although there is a surface that they are on;
+/// the others are free.
 class SidesStay : public shape::PointConstraint
 {
 public:
-  explicit SidesStay(std::vector<char> onSide)
+  explicit SidesStay(std::vector<char> onSide, int freedom = 0)
     : OnSide(std::move(onSide))
+    , OfSides(freedom)
   {
   }
-  int Freedom(int point) const override { return this->OnSide[point] ? 0 : 3; }
+  int Freedom(int point) const override { return this->OnSide[point] ? this->OfSides : 3; }
   shape::PointDirections Directions(int, const Eigen::RowVector3d&) const override
   {
     return Eigen::Matrix<double, 3, 0>();
@@ -26,7 +28,18 @@ public:
 
 private:
   const std::vector<char> OnSide;
+  const int OfSides;
 };
+
+int Freed(const shape::GivenFreedoms& freedoms, const shape::PointConstraint& given)
+{
+  int count = 0;
+  for (int point = 0; point < static_cast<int>(freedoms.Freedoms.size()); ++point)
+  {
+    count += freedoms.Freedom(point) > given.Freedom(point) ? 1 : 0;
+  }
+  return count;
+}
 
 constexpr int Side = 6; // unit cubes along each edge of the box
 
@@ -71,7 +84,10 @@ TEST(Releasing, PointsThatHoldAHexahedronInvertedAreFreedAndOthersStay)
   // Two points of the top change places: what is under the edge between them is inverted.
   mesh.Points.row(Id(3, 3, Side)).swap(mesh.Points.row(Id(4, 3, Side)));
   ASSERT_LT(shape::ScaledJacobians(mesh).minCoeff(), 0.0);
-  const int released = shape::ReleaseInverted(mesh, SidesStay(onSide));
+  const SidesStay sides(onSide);
+  shape::GivenFreedoms freedoms(sides, mesh.Points.rows());
+  shape::ReleaseInverted(mesh, freedoms);
+  const int released = Freed(freedoms, sides);
   EXPECT_GT(shape::ScaledJacobians(mesh).minCoeff(), 0.2);
   EXPECT_GE(released, 2);
   EXPECT_LT(released, (Side + 1) * (Side + 1));
@@ -86,7 +102,10 @@ TEST(Releasing, NothingIsMovedWhereNothingIsInverted)
   std::vector<char> onSide;
   shape::HexMesh mesh = Cubes(onSide);
   const Eigen::MatrixXd before = mesh.Points;
-  EXPECT_EQ(shape::ReleaseInverted(mesh, SidesStay(onSide)), 0);
+  const SidesStay sides(onSide);
+  shape::GivenFreedoms freedoms(sides, mesh.Points.rows());
+  shape::ReleaseInverted(mesh, freedoms);
+  EXPECT_EQ(Freed(freedoms, sides), 0);
   EXPECT_EQ(mesh.Points, before);
 }
 
@@ -99,6 +118,61 @@ TEST(Releasing, NothingIsMovedWhereItDoesNotHelp)
   mesh.Hexahedra.conservativeResize(mesh.Hexahedra.rows() + 1, 8);
   mesh.Hexahedra.bottomRows(1) << hex.tail(4), hex.head(4);
   const Eigen::MatrixXd before = mesh.Points;
-  EXPECT_EQ(shape::ReleaseInverted(mesh, SidesStay(onSide)), 0);
+  const SidesStay sides(onSide);
+  shape::GivenFreedoms freedoms(sides, mesh.Points.rows());
+  shape::ReleaseInverted(mesh, freedoms);
+  EXPECT_EQ(Freed(freedoms, sides), 0);
+  EXPECT_EQ(mesh.Points, before);
+}
+
+namespace
+{
+
+constexpr double Wanted = 0.7;
+
+/// A point of the top is near another one: what is between them is thin.
+shape::HexMesh Pressed(std::vector<char>& onSide)
+{
+  shape::HexMesh mesh = Cubes(onSide);
+  mesh.Points(Id(3, 3, Side), 0) = 3.9;
+  return mesh;
+}
+
+} // namespace
+
+TEST(Releasing, PointsOfASurfaceThatHoldAHexahedronBadAreFreedButNotThoseOfCreases)
+{
+  for (const int freedom : { 2, 1 })
+  {
+    std::vector<char> onSide;
+    shape::HexMesh mesh = Pressed(onSide);
+    const double least = shape::ScaledJacobians(mesh).minCoeff();
+    ASSERT_GT(least, 0.0);
+    ASSERT_LT(least, Wanted);
+    const SidesStay sides(onSide, freedom);
+    shape::GivenFreedoms freedoms(sides, mesh.Points.rows());
+    shape::ReleaseWorst(mesh, freedoms, Wanted, [](const shape::HexMesh&) { return true; });
+    if (freedom == 2)
+    {
+      EXPECT_GE(shape::ScaledJacobians(mesh).minCoeff(), Wanted);
+      EXPECT_GE(Freed(freedoms, sides), 1);
+      EXPECT_LT(Freed(freedoms, sides), (Side + 1) * (Side + 1));
+    }
+    else
+    {
+      EXPECT_EQ(Freed(freedoms, sides), 0);
+    }
+  }
+}
+
+TEST(Releasing, NothingIsFreedWhereTheResultIsNotAccepted)
+{
+  std::vector<char> onSide;
+  shape::HexMesh mesh = Pressed(onSide);
+  const Eigen::MatrixXd before = mesh.Points;
+  const SidesStay sides(onSide, 2);
+  shape::GivenFreedoms freedoms(sides, mesh.Points.rows());
+  shape::ReleaseWorst(mesh, freedoms, Wanted, [](const shape::HexMesh&) { return false; });
+  EXPECT_EQ(Freed(freedoms, sides), 0);
   EXPECT_EQ(mesh.Points, before);
 }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -23,6 +25,13 @@ public:
     }
   }
 
+  /// The same; the others live as long as this.
+  GivenFreedoms(std::shared_ptr<const PointConstraint> others, Eigen::Index points)
+    : GivenFreedoms(*others, points)
+  {
+    this->Owned = std::move(others);
+  }
+
   int Freedom(int point) const override { return this->Freedoms[point]; }
   PointDirections Directions(int point, const Eigen::RowVector3d& place) const override
   {
@@ -38,6 +47,7 @@ public:
 
 private:
   const PointConstraint& Others;
+  std::shared_ptr<const PointConstraint> Owned;
 };
 
 } // namespace shape

@@ -2,6 +2,7 @@
 
 #include "Core/Errors.h"
 #include "Geometry/ClosestPoint.h"
+#include "Hex/PlacesToMagnify.h"
 #include "Hex/RegionCubes.h"
 #include "Hex/SeparateSolids.h"
 #include "Hex/SurfaceFeatures.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,12 +24,20 @@ namespace
 
 /// By which cells become smaller where they have not the solid's topology.
 constexpr double Shrinkage = 0.85;
-/// By which there are more hexahedra in the next grids with an automatic size.
-constexpr double Growth = 1.7;
+/// By which there are more hexahedra in the next grids with an automatic size, and where most of
+/// the solid asks for smaller cells.
+constexpr double Growth = 1.4, LargeGrowth = 3.0;
 /// The area of the smallest patch with borders of its own, in faces of cells.
 constexpr double LeastPatch = 4.0;
 /// What is good enough not to go on to smaller cells everywhere.
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
+/// The worst scaled Jacobian that may well become an accepted one by more time spent on it.
+constexpr double RaisedFrom = 0.4;
+/// The radius of a magnifier, in cells.
+constexpr double MagnifiedRadius = 2.5;
+/// The share of the solid's cells near places to magnify from which smaller cells everywhere are
+/// better.
+constexpr double MostMagnified = 0.3;
 /// What is farther by more than so many times is not snapped to, but asks for another grid.
 constexpr double SnappedFrom = 2.0;
 /// How much better smaller cells must make the result for still smaller ones to be tried.
@@ -62,10 +70,12 @@ public:
   }
 
   /// Rounds of grids, each finer where the one before was not good enough. size: of the cells in
-  /// the first; where it is 0, such that there are about `hexahedra` in each.
-  void Refine(double size, double hexahedra, int rounds, const Progress& progress)
+  /// the first; where it is 0, such that there are about `hexahedra` in each. By what to grow for
+  /// the next.
+  double Refine(double size, double hexahedra, int rounds, const Progress& progress)
   {
     std::vector<Magnifier> magnifiers = this->Options.Magnifiers;
+    double growth = Growth;
     double reached = -std::numeric_limits<double>::infinity();
     int idle = 0; // rounds without a gain
     for (int round = 0; round < rounds; ++round)
@@ -73,12 +83,14 @@ public:
       const GridWarp warp(magnifiers);
       const Progress part =
         progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
-      std::optional<GridHexesResult> result = this->Fill(
-        size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp), warp, part.Part(0.0, 0.8));
+      const double first = size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp);
+      std::optional<GridHexesResult> result =
+        this->Fill(std::min(first, this->LargestSize), warp, part.Part(0.0, 0.8));
       if (!result)
       {
-        return;
+        break;
       }
+      this->LargestSize = result->CellSize / Shrinkage;
       const std::size_t before = magnifiers.size();
       bool isSnapped = this->IsAsWanted(*result);
       if (!isSnapped)
@@ -90,8 +102,13 @@ public:
           this->Snap(*result, part.Part(0.8, 1.0));
         }
       }
+      if (IsMostMagnified(magnifiers.size() - before, *result))
+      {
+        growth = LargeGrowth;
+      }
       // Where nothing is magnified the next grid would be the same.
-      const bool isLast = magnifiers.size() == before || this->IsAsWanted(*result);
+      const bool isLast =
+        magnifiers.size() == before || this->IsAsWanted(*result) || growth > Growth;
       ++this->Rounds;
       const double score = this->Score(*result);
       idle = score < reached + LeastGain ? idle + 1 : 0;
@@ -106,11 +123,12 @@ public:
         break;
       }
     }
-    if (this->Best && !this->BestIsSnapped)
+    if (this->Best && !this->BestIsSnapped && (size > 0.0 || this->IsNear(*this->Best)))
     {
       this->Snap(*this->Best, progress.Part(0.9, 1.0));
       this->BestIsSnapped = true;
     }
+    return growth;
   }
 
   /// Grids of the Euler number and number of components that come out, where the surface crosses
@@ -151,12 +169,17 @@ public:
         (this->InnerBounding.empty() ? "" : ", and those of the inner surfaces, apart") +
         ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
     }
-    if (this->Best->Fit.Inverted > 0)
+    if (this->Best->Fit.Inverted == 0)
     {
-      ReleaseInverted(this->Best->Fit, this->Bounding, progress);
-      this->MeasureInner(this->Best->Fit);
+      this->Raise(*this->Best, progress.Part(0.0, 0.3));
+    }
+    this->Release(*this->Best, progress.Part(0.3, 0.5));
+    if (!this->Reaches(*this->Best, 0.0, AcceptedDistance) && this->IsNear(*this->Best))
+    {
+      this->SnapAndRelease(*this->Best, progress.Part(0.5, 1.0));
     }
     this->Best->Rounds = this->Rounds;
+    progress(1.0);
     return std::move(*this->Best);
   }
 
@@ -183,13 +206,30 @@ private:
                 inner.Surface(), this->Options.FeatureAngle, LeastPatch * size * size)
                 .Curves.empty();
             });
-        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features,
-          { this->Options.PaddingLayers, this->Options.MaximumHexahedra }, progress.Part(0.1, 1.0),
-          { &*cells, &this->InnerBounding });
+        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, this->FitOptions(),
+          progress.Part(0.1, 1.0), { &*cells, &this->InnerBounding });
         return result;
       }
     }
     return std::nullopt;
+  }
+
+  HexFitOptions FitOptions() const
+  {
+    HexFitOptions options;
+    options.PaddingLayers = this->Options.PaddingLayers;
+    options.MaximumHexahedra = this->Options.MaximumHexahedra;
+    options.RaisedFrom = RaisedFrom;
+    return options;
+  }
+
+  /// Whether so many magnifiers are for most of the solid.
+  static bool IsMostMagnified(std::size_t magnifiers, const GridHexesResult& result)
+  {
+    constexpr double pi = 3.14159265358979324;
+    const double cells = 4.0 / 3.0 * pi * std::pow(MagnifiedRadius, 3.0);
+    return cells * static_cast<double>(magnifiers) >
+      MostMagnified * static_cast<double>(result.Fit.Solid.Hexahedra.rows());
   }
 
   bool IsAsWanted(const GridHexesResult& result) const
@@ -206,16 +246,57 @@ private:
   }
 
   /// Puts the boundary on what is farther than wanted.
-  void Snap(GridHexesResult& result, const Progress& progress) const
+  void Snap(
+    GridHexesResult& result, const Progress& progress, double least = AcceptedScaledJacobian) const
   {
     SnappingOptions options;
     options.WantedDistance = this->Options.WantedDistance * this->Diagonal;
-    options.ScaledJacobians = { this->Options.WantedScaledJacobian, AcceptedScaledJacobian };
+    options.ScaledJacobians = { this->Options.WantedScaledJacobian, least };
     if (this->Options.Snap && result.Fit.Inverted == 0 &&
       result.Fit.Distance > options.WantedDistance)
     {
       SnapToSurface(result.Fit, this->Bounding, options, progress);
       this->MeasureInner(result.Fit);
+    }
+  }
+
+  /// Lets points leave the surface at bad hexahedra; but next to creases, whose corners may well be
+  /// why these are bad, only at inverted ones.
+  void Release(GridHexesResult& result, const Progress& progress) const
+  {
+    const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
+    if (result.Fit.Inverted > 0 ||
+      (!hasCreases && result.Fit.LeastScaledJacobian < AcceptedScaledJacobian))
+    {
+      ReleaseBad(
+        result.Fit, this->Bounding, AcceptedDistance * this->Diagonal, progress.Part(0.0, 0.9));
+      this->MeasureInner(result.Fit);
+    }
+  }
+
+  /// Snaps at the cost of hexahedra, whose points leave the surface then, unless that costs more
+  /// than it gains.
+  void SnapAndRelease(GridHexesResult& result, const Progress& progress) const
+  {
+    constexpr double least = 0.2;
+    GridHexesResult snapped = result;
+    this->Snap(snapped, progress.Part(0.0, 0.7), least);
+    this->Release(snapped, progress.Part(0.7, 1.0));
+    if (this->Score(snapped) > this->Score(result))
+    {
+      result = std::move(snapped);
+    }
+  }
+
+  /// Spends more time on the worst hexahedra, unless that costs more than it gains.
+  void Raise(GridHexesResult& result, const Progress& progress) const
+  {
+    GridHexesResult raised = result;
+    RaiseWorst(raised.Fit, this->Bounding, progress);
+    this->MeasureInner(raised.Fit);
+    if (this->Score(raised) > this->Score(result))
+    {
+      result = std::move(raised);
     }
   }
 
@@ -240,6 +321,12 @@ private:
       Distance(result) <= distance * this->Diagonal;
   }
 
+  /// Whether snapping may well reach the accepted distance.
+  bool IsNear(const GridHexesResult& result) const
+  {
+    return this->Reaches(result, 0.0, SnappedFrom * AcceptedDistance);
+  }
+
   /// The greater, the better. Creases count most among what is not inverted, then what is accepted.
   double Score(const GridHexesResult& result) const
   {
@@ -259,41 +346,12 @@ private:
   /// patches too small for the cells have, and at bad hexahedra.
   void Magnify(const GridHexesResult& result, std::vector<Magnifier>& magnifiers) const
   {
-    constexpr double radius = 2.5, apart = 1.5; // cells, radii
-    constexpr double strength = 0.4, share = 0.9;
     const HexMesh& solid = result.Fit.Solid;
-    const std::size_t before = magnifiers.size();
-    const auto add = [&](const Eigen::RowVector3d& centre, double times = 1.0)
-    {
-      if (std::none_of(magnifiers.begin() + static_cast<std::ptrdiff_t>(before), magnifiers.end(),
-            [&](const Magnifier& other)
-            { return (other.Centre - centre).norm() < apart * other.Radius; }))
-      {
-        magnifiers.push_back({ centre, radius * result.CellSize, times * strength });
-      }
-    };
-    const auto addFar = [&](const PlacesAndDistances& far, double wanted)
-    {
-      std::vector<int> order(far.Distances.size());
-      std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(),
-        [&](int a, int b) { return far.Distances(a) > far.Distances(b); });
-      for (const int i : order)
-      {
-        if (far.Distances(i) < share * wanted * this->Diagonal)
-        {
-          break;
-        }
-        // What is more than four times too far would take too many rounds.
-        const double times = far.Distances(i) / (wanted * this->Diagonal);
-        constexpr double most = 2.0;
-        add(far.Places.row(i), std::clamp(std::log2(0.5 * times), 1.0, most));
-      }
-    };
+    PlacesToMagnify places(MagnifiedRadius * result.CellSize);
     const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
     {
-      addFar(DistancesBetween(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
-        this->Options.WantedDistance);
+      places.AddFar(DistancesBetween(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
+        this->Options.WantedDistance * this->Diagonal);
     };
     addFarOnSurface(this->Bounding.Surface(), result.Fit.Quads);
     for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
@@ -302,16 +360,16 @@ private:
     }
     if (result.Fit.CreasesKept)
     {
-      addFar(DistancesOfCurves(this->Bounding.Surface(), result.Features, solid.Points,
-               result.Fit.Quads, result.Fit.PatchOf),
-        this->Options.WantedCreaseDistance);
+      places.AddFar(DistancesOfCurves(this->Bounding.Surface(), result.Features, solid.Points,
+                      result.Fit.Quads, result.Fit.PatchOf),
+        this->Options.WantedCreaseDistance * this->Diagonal);
     }
     for (const int corner : this->AllFeatures.Corners)
     {
       if (!result.Features.Curves.empty() &&
         !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
       {
-        add(this->Bounding.Surface().Points.row(corner));
+        places.Add(this->Bounding.Surface().Points.row(corner));
       }
     }
     const Eigen::VectorXd quality = ScaledJacobians(solid);
@@ -319,9 +377,10 @@ private:
     {
       if (quality(hex) < AcceptedScaledJacobian)
       {
-        add(solid.Points(solid.Hexahedra.row(hex), Eigen::all).colwise().mean());
+        places.Add(solid.Points(solid.Hexahedra.row(hex), Eigen::all).colwise().mean());
       }
     }
+    magnifiers.insert(magnifiers.end(), places.Magnifiers().begin(), places.Magnifiers().end());
   }
 
   const GridHexesOptions& Options;
@@ -331,6 +390,8 @@ private:
   std::vector<SurfaceLocator> InnerBounding;
   const double Diagonal;
   const SurfaceFeatures AllFeatures; ///< patches of any size
+  /// Larger cells did not have the topology.
+  double LargestSize = std::numeric_limits<double>::infinity();
   std::optional<GridHexesResult> Best;
   bool BestIsSnapped = false;
   int Rounds = 0;
@@ -351,12 +412,6 @@ void RequireInRange(const GridHexesOptions& options)
   RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
 }
 
-GridHexesResult Ended(GridHexesResult result, const Progress& progress)
-{
-  progress(1.0);
-  return result;
-}
-
 GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
@@ -372,57 +427,33 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
         " is needed, or a greater MaximumHexahedra");
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
-    return Ended(search.Result(progress.Part(0.95, 1.0)), progress);
+    return search.Result(progress.Part(0.95, 1.0));
   }
   double begin = 0.05, before = -std::numeric_limits<double>::infinity();
-  int rounds = options.Rounds;
-  for (double hexahedra = std::min<double>(options.FirstHexahedra, options.MaximumHexahedra);
-       hexahedra <= options.MaximumHexahedra; hexahedra *= Growth)
+  double hexahedra = std::min<double>(options.FirstHexahedra, options.MaximumHexahedra);
+  int rounds = options.Rounds, idle = 0; // idle: grids without a gain
+  while (hexahedra <= options.MaximumHexahedra && idle < MostIdle)
   {
     const double end = 0.5 * (begin + 0.95);
-    search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
-    const double score = search.BestScore();
-    if (search.IsAccepted() || (std::isfinite(score) && score < before + LeastGain))
+    hexahedra *= search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
+    if (search.IsAccepted())
     {
       break;
     }
-    before = score;
+    const double score = search.BestScore();
+    idle = std::isfinite(score) && score < before + LeastGain ? idle + 1 : 0;
+    before = std::max(before, score);
     begin = end;
     rounds = (rounds + 1) / 2;
   }
   search.TakeAnyTopology(progress.Part(begin, 0.95));
-  return Ended(search.Result(progress.Part(0.95, 1.0)), progress);
-}
-
-/// The share of the hexahedra that each solid may have.
-std::vector<double> Shares(const std::vector<Mesh>& solids)
-{
-  // So many for all that are small.
-  constexpr double small = 0.25;
-  std::vector<double> shares;
-  double sum = 0.0;
-  for (const Mesh& solid : solids)
-  {
-    shares.push_back(EnclosedVolume(solid));
-    sum += shares.back();
-  }
-  double all = 0.0;
-  for (double& share : shares)
-  {
-    share = std::max(share / sum, small / static_cast<double>(solids.size()));
-    all += share;
-  }
-  for (double& share : shares)
-  {
-    share /= all;
-  }
-  return shares;
+  return search.Result(progress.Part(0.95, 1.0));
 }
 
 GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& solids,
   const GridHexesOptions& options, const Progress& progress)
 {
-  const std::vector<double> shares = Shares(solids);
+  const std::vector<double> shares = SharesOfSolids(solids);
   std::vector<HexFit> fits;
   std::vector<SurfaceFeatures> features;
   GridHexesResult result;

@@ -62,8 +62,8 @@ struct GridHexesResult
  * The boundary of the result is a manifold of the surface's Euler number and number of components.
  * Cells become smaller until that is so: thin parts and narrow gaps ask for it. Where the surface
  * crosses itself the solid is what it winds around at least once (SolidCubes).
- * Where hexahedra of the best grid are inverted, points around them leave the surface
- * (ReleaseInverted).
+ * Where hexahedra of the best grid are inverted or bad, points around them leave the surface
+ * (ReleaseBad).
  *
  * Several solids that are apart (SeparateSolids) have grids of their own, so that gaps between them
  * need no small cells; each has a share of the hexahedra by its volume, at least some. Features are

@@ -1,6 +1,7 @@
 #include "Hex/HexFit.h"
 
 #include "Hex/BoundaryLayers.h"
+#include "Hex/GivenFreedoms.h"
 #include "Hex/HexOptimization.h"
 #include "Hex/LayerPlan.h"
 #include "Hex/OnFeatures.h"
@@ -9,6 +10,7 @@
 #include "Quality/HausdorffDistance.h"
 #include "Quality/ScaledJacobian.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -41,6 +43,13 @@ void Judge(HexFit& fit)
   fit.LeastScaledJacobian = quality.minCoeff();
   fit.MeanScaledJacobian = quality.mean();
   fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
+}
+
+void Measure(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
+{
+  fit.Distance =
+    HausdorffDistance(surface.Surface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress)
+      .Larger();
 }
 
 /// With these features, if they are found on the hexahedra.
@@ -82,13 +91,12 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   SmoothInverted(fit.Solid, constraint, progress.Part(0.1, 0.15));
   HexOptimizationOptions optimization;
   optimization.RaiseTo = RaisedTo;
+  optimization.RaiseAgainFrom = options.RaisedFrom;
   OptimizeHexahedra(fit.Solid, constraint, optimization, progress.Part(0.15, 0.95));
   Judge(fit);
   fit.Quads = std::move(boundary->Quads);
   fit.PatchOf = std::move(boundary->PatchOf);
-  fit.Distance = HausdorffDistance(
-    surface.Surface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress.Part(0.95, 1.0))
-                   .Larger();
+  Measure(fit, surface, progress.Part(0.95, 1.0));
   fit.CreasesKept = true;
   fit.RegionOf = interfaceLayers.Regions(fit.Solid.Hexahedra.rows());
   if (interfaces.Count() > 0)
@@ -129,13 +137,45 @@ void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOpt
   Judge(fit);
 }
 
-void ReleaseInverted(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
+void RaiseWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
 {
-  fit.Released = ReleaseInverted(fit.Solid, *fit.Constraint, progress.Part(0.0, 0.9));
+  if (fit.LeastScaledJacobian < RaisedTo)
+  {
+    HexOptimizationOptions optimization;
+    optimization.Sweeps = 0;
+    optimization.RaiseTo = RaisedTo;
+    OptimizeHexahedra(fit.Solid, *fit.Constraint, optimization, progress.Part(0.0, 0.9));
+    Judge(fit);
+    Measure(fit, surface, progress.Part(0.9, 1.0));
+  }
+}
+
+void ReleaseBad(
+  HexFit& fit, const SurfaceLocator& surface, double mostDistance, const Progress& progress)
+{
+  const auto released = std::make_shared<GivenFreedoms>(fit.Constraint, fit.Solid.Points.rows());
+  GivenFreedoms& freedoms = *released;
+  ReleaseInverted(fit.Solid, freedoms, progress.Part(0.0, 0.4));
   Judge(fit);
-  fit.Distance = HausdorffDistance(
-    surface.Surface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress.Part(0.9, 1.0))
-                   .Larger();
+  if (fit.Inverted == 0)
+  {
+    Measure(fit, surface, progress.Part(0.4, 0.45));
+    constexpr double slack = 1.05;
+    const double most = std::max(mostDistance, slack * fit.Distance);
+    const auto accepts = [&](const HexMesh& mesh)
+    {
+      return HausdorffDistance(surface.Surface(), { mesh.Points, SplitQuads(fit.Quads) })
+               .Larger() <= most;
+    };
+    ReleaseWorst(fit.Solid, freedoms, RaisedTo, accepts, progress.Part(0.45, 0.95));
+    Judge(fit);
+  }
+  Measure(fit, surface, progress.Part(0.95, 1.0));
+  for (int point = 0; point < static_cast<int>(freedoms.Freedoms.size()); ++point)
+  {
+    fit.Released += freedoms.Freedom(point) > fit.Constraint->Freedom(point) ? 1 : 0;
+  }
+  fit.Constraint = released;
 }
 
 } // namespace shape

@@ -22,6 +22,8 @@ struct HexFitOptions
   int MaximumHexahedra = std::numeric_limits<int>::max();
   /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
   double LeastWithCreases = 0.2;
+  /// The worst scaled Jacobian below which no more time is spent on it (RaiseWorst may, later).
+  double RaisedFrom = 0.0;
 };
 
 /// Hexahedra whose boundary lies on a surface.
@@ -42,7 +44,7 @@ struct HexFit
   std::vector<Eigen::MatrixXi>
     Interfaces;               ///< the quads on each inner surface, seen from outside it
   double InnerDistance = 0.0; ///< the largest between an interface and its surface
-  int Released = 0; ///< points that are off the surface, so that no hexahedron is inverted
+  int Released = 0;           ///< points that need not be on the surface any more (ReleaseBad)
   /// What points keep to; none where solids were joined.
   std::shared_ptr<const PointConstraint> Constraint;
 };
@@ -74,10 +76,20 @@ void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOpt
   const Progress& progress = {});
 
 /**
- * Where hexahedra are inverted, frees points around them of the surface (ReleaseInverted).
+ * Spends more time on the worst hexahedra where they are not good enough.
+ *
+ * fit: of FitHexahedra, none inverted, and surface: what it was given. Throws Aborted.
+ */
+void RaiseWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress = {});
+
+/**
+ * Frees points around hexahedra of the surface: around those that are inverted (ReleaseInverted),
+ * then around the worst where they are not good enough (ReleaseWorst), as long as the distance
+ * stays below a most one, or grows by less than a twentieth.
  *
  * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
  */
-void ReleaseInverted(HexFit& fit, const SurfaceLocator& surface, const Progress& progress = {});
+void ReleaseBad(
+  HexFit& fit, const SurfaceLocator& surface, double mostDistance, const Progress& progress = {});
 
 } // namespace shape

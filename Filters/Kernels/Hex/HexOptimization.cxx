@@ -124,7 +124,7 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   constexpr int attempts = 3, rings = 3;
   HexOptimizationOptions longer = options;
   longer.WorstSweeps *= 3;
-  double before = -1.0;
+  double before = options.RaiseAgainFrom - leastGain;
   for (int attempt = 0;
        attempt < attempts && best.Least() < options.RaiseTo && best.Least() >= before + leastGain;
        ++attempt)

@@ -19,6 +19,7 @@ struct HexOptimizationOptions
   /// While the worst are below this they are raised again by more sweeps, as long as that helps and
   /// less than a third of the points are near such.
   double RaiseTo = 0.0;
+  double RaiseAgainFrom = 0.0; ///< where the worst is lower, that is not done
   /// n: points that move, but for what is inverted; empty: all.
   std::vector<char> Marked = {};
 };

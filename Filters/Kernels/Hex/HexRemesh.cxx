@@ -315,7 +315,7 @@ HexRemeshResult HexRemesh(const Mesh& surface, const HexRemeshOptions& given,
   if (result.Fit.Released > 0)
   {
     result.Reason += "; " + std::to_string(result.Fit.Released) +
-      " points of the boundary are off the surface, where hexahedra on it stayed inverted";
+      " points of the boundary are off the surface, where hexahedra on it stayed inverted or bad";
   }
   if (result.Fit.Inverted > 0)
   {

@@ -1,6 +1,5 @@
 #include "Hex/Releasing.h"
 
-#include "Hex/GivenFreedoms.h"
 #include "Hex/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
 
@@ -23,14 +22,14 @@ bool HasInverted(const HexMesh& mesh)
 
 } // namespace
 
-int ReleaseInverted(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
+void ReleaseInverted(HexMesh& mesh, GivenFreedoms& freedoms, const Progress& progress)
 {
   if (!HasInverted(mesh))
   {
-    return 0;
+    return;
   }
   const Eigen::MatrixXd before = mesh.Points;
-  GivenFreedoms releasing(constraint, mesh.Points.rows());
+  const std::vector<char> given = freedoms.Freedoms;
   for (int rings = 0; rings <= MostRings; ++rings)
   {
     std::vector<char> marked = PointsOfBad(mesh, Bad);
@@ -41,7 +40,7 @@ int ReleaseInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
     GrowRings(mesh.Hexahedra, rings, marked);
     for (std::size_t point = 0; point < marked.size(); ++point)
     {
-      releasing.Freedoms[point] = marked[point] ? 3 : releasing.Freedoms[point];
+      freedoms.Freedoms[point] = marked[point] ? 3 : freedoms.Freedoms[point];
     }
     const Progress part =
       progress.Part(rings / (MostRings + 1.0), (rings + 1.0) / (MostRings + 1.0));
@@ -49,21 +48,46 @@ int ReleaseInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
     GrowRings(mesh.Hexahedra, around, marked);
     HexOptimizationOptions options;
     options.Marked = std::move(marked);
-    OptimizeHexahedra(mesh, releasing, options, part);
+    OptimizeHexahedra(mesh, freedoms, options, part);
   }
   progress(1.0);
   if (HasInverted(mesh))
   {
     mesh.Points = before;
-    return 0;
+    freedoms.Freedoms = given;
   }
-  int count = 0;
-  for (Eigen::Index point = 0; point < mesh.Points.rows(); ++point)
+}
+
+void ReleaseWorst(HexMesh& mesh, GivenFreedoms& freedoms, double wanted,
+  const std::function<bool(const HexMesh& mesh)>& accepts, const Progress& progress)
+{
+  for (int rings = 0; rings <= MostRings; ++rings)
   {
-    const int id = static_cast<int>(point);
-    count += releasing.Freedom(id) > constraint.Freedom(id) ? 1 : 0;
+    std::vector<char> marked = PointsOfBad(mesh, wanted);
+    if (marked.empty())
+    {
+      break;
+    }
+    const Eigen::MatrixXd before = mesh.Points;
+    const std::vector<char> given = freedoms.Freedoms;
+    GrowRings(mesh.Hexahedra, rings, marked);
+    for (std::size_t point = 0; point < marked.size(); ++point)
+    {
+      const bool isOnSurface = freedoms.Freedoms[point] == 2;
+      freedoms.Freedoms[point] = marked[point] && isOnSurface ? 3 : freedoms.Freedoms[point];
+    }
+    HexOptimizationOptions options;
+    options.Sweeps = 0; // over all: those near the worst are enough, and stay nearer to the surface
+    options.RaiseTo = wanted;
+    const HexOptimizationResult result = OptimizeHexahedra(mesh, freedoms, options,
+      progress.Part(rings / (MostRings + 1.0), (rings + 1.0) / (MostRings + 1.0)));
+    if (result.LeastAfter <= result.LeastBefore || !accepts(mesh))
+    {
+      mesh.Points = before;
+      freedoms.Freedoms = given;
+    }
   }
-  return count;
+  progress(1.0);
 }
 
 } // namespace shape

@@ -2,7 +2,9 @@
 
 #include "Core/HexMesh.h"
 #include "Core/Progress.h"
-#include "Volume/SimplexPatch.h"
+#include "Hex/GivenFreedoms.h"
+
+#include <functional>
 
 namespace shape
 {
@@ -12,10 +14,17 @@ namespace shape
  * surfaces make where they touch: points around them are freed of the surface, farther and farther
  * from them, a few rings of hexahedra at most, and moved (OptimizeHexahedra).
  *
- * mesh: its points are moved; if some stay inverted, none is. Returns how many points were freed of
- * the constraint: 0 where none was inverted, or it does not help. Throws Aborted.
+ * mesh: its points are moved; if some stay inverted, none is. freedoms: become 3 for those that are
+ * freed. Nothing is done where none is inverted. Throws Aborted.
  */
-int ReleaseInverted(
-  HexMesh& mesh, const PointConstraint& constraint, const Progress& progress = {});
+void ReleaseInverted(HexMesh& mesh, GivenFreedoms& freedoms, const Progress& progress = {});
+
+/**
+ * The same for hexahedra that are not inverted but whose scaled Jacobian is below `wanted`; points
+ * on creases stay there. It goes on while `accepts` is true of the mesh, whose last such state is
+ * kept, and the worst becomes better. Throws Aborted.
+ */
+void ReleaseWorst(HexMesh& mesh, GivenFreedoms& freedoms, double wanted,
+  const std::function<bool(const HexMesh& mesh)>& accepts, const Progress& progress = {});
 
 } // namespace shape

@@ -134,4 +134,28 @@ SurfaceFeatures JoinedFeatures(
   return joined;
 }
 
+std::vector<double> SharesOfSolids(const std::vector<Mesh>& solids)
+{
+  // So many for all that are small.
+  constexpr double small = 0.25;
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (const Mesh& solid : solids)
+  {
+    shares.push_back(EnclosedVolume(solid));
+    sum += shares.back();
+  }
+  double all = 0.0;
+  for (double& share : shares)
+  {
+    share = std::max(share / sum, small / static_cast<double>(solids.size()));
+    all += share;
+  }
+  for (double& share : shares)
+  {
+    share /= all;
+  }
+  return shares;
+}
+
 } // namespace shape

@@ -27,4 +27,7 @@ HexFit JoinedFit(const std::vector<HexFit>& fits);
 SurfaceFeatures JoinedFeatures(
   const std::vector<SurfaceFeatures>& features, const std::vector<Mesh>& solids);
 
+/// The share of the hexahedra that each solid may have: by its volume, and at least some.
+std::vector<double> SharesOfSolids(const std::vector<Mesh>& solids);
+
 } // namespace shape
