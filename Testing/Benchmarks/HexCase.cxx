@@ -1,5 +1,6 @@
 // One measurement of hexahedra in a solid, in a process of its own: see Usage.
 #include "BenchmarkData.h"
+#include "CornerBound.h"
 #include "Cost.h"
 
 #include "Core/Errors.h"
@@ -23,7 +24,8 @@ CellSize: in hundredths of the diagonal of the surface's box
 
 Prints one line. distance is the larger one-sided Hausdorff distance to the surface in percent of the
 diagonal of its box, crease that between creases, share that of the creases' length that was looked
-for; euler and components are those of the hexahedra's boundary, wanted those of the
+for, bound what the worst scaled Jacobian can be at the corners that are kept (see CornerBound.h);
+released counts points that need not be on the surface; euler and components are those of the hexahedra's boundary, wanted those of the
 surface; MiB is the peak of memory above the start. Exits with 2 where the surface cannot be read or is not closed, with
 1 where no hexahedra are found.)";
 
@@ -57,17 +59,20 @@ void Run(
   const shape::HexFit& fit = result.Fit;
   const shape::Topology found =
     shape::SurfaceTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
-  std::printf("vertices=%d method=%s hexes=%d min=%.4f mean=%.4f inverted=%d distance=%.4f "
-              "patches=%d corners=%d cornerskept=%d creases=%d crease=%.4f share=%.3f crossings=%d "
-              "euler=%d wantedeuler=%d "
-              "components=%d wantedcomponents=%d cpu=%.1f wall=%.1f mib=%.0f reason=%s\n",
+  std::printf(
+    "vertices=%d method=%s hexes=%d min=%.4f mean=%.4f inverted=%d distance=%.4f "
+    "patches=%d corners=%d cornerskept=%d creases=%d crease=%.4f share=%.3f bound=%.4f released=%d "
+    "crossings=%d "
+    "euler=%d wantedeuler=%d "
+    "components=%d wantedcomponents=%d cpu=%.1f wall=%.1f mib=%.0f reason=%s\n",
     static_cast<int>(surface.Points.rows()), result.Method == Method::Grid ? "Grid" : "Polycube",
     static_cast<int>(fit.Solid.Hexahedra.rows()), fit.LeastScaledJacobian, fit.MeanScaledJacobian,
     fit.Inverted, 100.0 * fit.Distance / diagonal, fit.PatchOf.maxCoeff() + 1,
     static_cast<int>(result.Features.Corners.size()), fit.Creases.Corners, fit.CreasesKept ? 1 : 0,
-    100.0 * fit.Creases.Distance / diagonal, result.Features.CurveShare(), result.Crossings,
-    found.EulerNumber, wanted.EulerNumber, found.Components, wanted.Components, cost.Cpu, cost.Wall,
-    cost.MiB, result.Reason.c_str());
+    100.0 * fit.Creases.Distance / diagonal, result.Features.CurveShare(),
+    fit.CreasesKept ? benchmark::CornerBound(shape::FacingOutwards(surface), result.Features) : 1.0,
+    fit.Released, result.Crossings, found.EulerNumber, wanted.EulerNumber, found.Components,
+    wanted.Components, cost.Cpu, cost.Wall, cost.MiB, result.Reason.c_str());
 }
 
 } // namespace

@@ -27,7 +27,7 @@ FIGURES = (
 )
 POLYCUBE_SHARE = 60
 COLUMNS = ('hexes', 'min', 'mean', 'distance', 'corners', 'cornerskept', 'creases', 'crease',
-           'share', 'crossings', 'euler', 'components', 'cpu', 'mib')
+           'share', 'bound', 'released', 'crossings', 'euler', 'components', 'cpu', 'mib')
 
 
 def measure(case, path, method, seconds, threads):
@@ -118,7 +118,7 @@ def main():
             unfinished += 1
             print('%-24s FAULT %s' % (name, wrong), flush=True)
             continue
-        rows.append(row)
+        rows.append(dict(row, name=name))
         show(name, row, ('FAULT ' + wrong + ' ' if wrong else '') + row['reason'])
         if row['vertices'] > MOST_VERTICES or row['crossings'] > 0 or arguments.skip_polycube:
             continue
@@ -134,9 +134,13 @@ def main():
     print('0 inverted, topology, at most %d hexahedra: all but %d  %s' % (
         MOST_HEXAHEDRA, len(faults), ' '.join(faults)))
     for title, least, holds in FIGURES:
-        share = 100.0 * sum(map(holds, rows)) / max(len(rows), 1)
+        share = 100.0 * sum(map(holds, rows)) / max(len(rows) + unfinished, 1)
         missed += share < least
         print('%-34s %5.1f %% (at least %g)%s' % (title, share, least, '' if share >= least else '  MISSED'))
+        for row in rows:
+            if not holds(row):
+                print('  not %s: worst scaled Jacobian %.4f (at most %.4f at the corners it has), distance %.3f %%'
+                      % (row['name'], row['min'], row['bound'], row['distance']))
     if polycubes or others:
         share = 100.0 * len(polycubes) / (len(polycubes) + len(others))
         missed += share < POLYCUBE_SHARE

@@ -435,7 +435,8 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
   while (hexahedra <= options.MaximumHexahedra && idle < MostIdle)
   {
     const double end = 0.5 * (begin + 0.95);
-    hexahedra *= search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
+    const double growth = search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
+    hexahedra *= growth;
     if (search.IsAccepted())
     {
       break;
@@ -444,7 +445,7 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
     idle = std::isfinite(score) && score < before + LeastGain ? idle + 1 : 0;
     before = std::max(before, score);
     begin = end;
-    rounds = (rounds + 1) / 2;
+    rounds = growth > Growth ? 1 : (rounds + 1) / 2;
   }
   search.TakeAnyTopology(progress.Part(begin, 0.95));
   return search.Result(progress.Part(0.95, 1.0));

@@ -120,7 +120,7 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
 {
   LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
   constexpr double leastGain = 0.01, share = 0.2;
-  constexpr double most = 0.3; // of the points: where more are concerned it helps too little
+  constexpr double most = 0.1; // of the points: where more are concerned it helps too little
   constexpr int attempts = 3, rings = 3;
   HexOptimizationOptions longer = options;
   longer.WorstSweeps *= 3;

@@ -17,7 +17,7 @@ struct HexOptimizationOptions
   /// The worst are raised only where no scaled Jacobian is this low before.
   double RaiseFrom = 0.0;
   /// While the worst are below this they are raised again by more sweeps, as long as that helps and
-  /// less than a third of the points are near such.
+  /// at most a tenth of the points are near such.
   double RaiseTo = 0.0;
   double RaiseAgainFrom = 0.0; ///< where the worst is lower, that is not done
   /// n: points that move, but for what is inverted; empty: all.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Hex/SurfaceFeatures.h"
+
+namespace benchmark
+{
+
+/**
+ * The greatest worst scaled Jacobian that hexahedra can have at the corners of a surface whose
+ * creases all are chains of their edges, one corner by itself: there either is one hexahedron for
+ * each patch around one edge that leads inwards, or every hexahedron has three edges on the
+ * surface. Patches wider than 90 degrees may have two quads. 1 without corners.
+ *
+ * With unit vectors d_i along the edges on the surface, clockwise seen from outside, and the inward
+ * edge a, a hexahedron has the scaled Jacobian (d_i x d_i+1) . a there. The a whose least product
+ * is greatest points to that point of the convex hull of the d_i x d_i+1 that is nearest to 0, and
+ * the product is its length.
+ */
+double CornerBound(const shape::Mesh& surface, const shape::SurfaceFeatures& features);
+
+} // namespace benchmark
