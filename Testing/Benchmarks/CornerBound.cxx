@@ -88,6 +88,17 @@ std::vector<Sector> SectorsAround(
   return sectors;
 }
 
+bool IsConvex(const std::vector<Sector>& sectors)
+{
+  bool isConvex = true;
+  for (std::size_t i = 0; i < sectors.size(); ++i)
+  {
+    const Sector& before = sectors[(i + sectors.size() - 1) % sectors.size()];
+    isConvex = isConvex && before.Middle.dot(sectors[i].Begin.cross(sectors[i].Middle)) < 0.0;
+  }
+  return isConvex;
+}
+
 /// The least scaled Jacobian around the best inward edge.
 double AroundAnEdge(const std::vector<Direction>& along)
 {
@@ -176,7 +187,7 @@ double benchmark::CornerBound(const shape::Mesh& surface, const shape::SurfaceFe
   {
     const std::vector<Sector> sectors = SectorsAround(surface, corner, creases);
     constexpr std::size_t least = 3, most = 8; // patches: of more no bound is computed
-    if (sectors.size() >= least && sectors.size() <= most)
+    if (sectors.size() >= least && sectors.size() <= most && IsConvex(sectors))
     {
       bound = std::min(bound, BoundOf(sectors));
     }

@@ -24,10 +24,10 @@ CellSize: in hundredths of the diagonal of the surface's box
 
 Prints one line. distance is the larger one-sided Hausdorff distance to the surface in percent of the
 diagonal of its box, crease that between creases, share that of the creases' length that was looked
-for, bound what the worst scaled Jacobian can be at the corners that are kept (see CornerBound.h);
-released counts points that need not be on the surface; euler and components are those of the hexahedra's boundary, wanted those of the
-surface; MiB is the peak of memory above the start. Exits with 2 where the surface cannot be read or is not closed, with
-1 where no hexahedra are found.)";
+for, bound what the worst scaled Jacobian can be at the convex corners that are kept (CornerBound.h);
+released counts points that need not be on the surface; euler and components are those of the
+hexahedra's boundary, wanted those of the surface; MiB is the peak of memory above the start. Exits
+with 2 where the surface cannot be read or is not closed, with 1 where no hexahedra are found.)";
 
 shape::Mesh Read(const std::string& path)
 {

@@ -139,7 +139,7 @@ def main():
         print('%-34s %5.1f %% (at least %g)%s' % (title, share, least, '' if share >= least else '  MISSED'))
         for row in rows:
             if not holds(row):
-                print('  not %s: worst scaled Jacobian %.4f (at most %.4f at the corners it has), distance %.3f %%'
+                print('  not %s: worst scaled Jacobian %.4f (its convex corners allow %.4f), distance %.3f %%'
                       % (row['name'], row['min'], row['bound'], row['distance']))
     if polycubes or others:
         share = 100.0 * len(polycubes) / (len(polycubes) + len(others))
