@@ -261,12 +261,14 @@ private:
   }
 
   /// Lets points leave the surface at bad hexahedra; but next to creases, whose corners may well be
-  /// why these are bad, only at inverted ones.
+  /// why these are bad, and with inner surfaces, which points would leave too, only at inverted
+  /// ones.
   void Release(GridHexesResult& result, const Progress& progress) const
   {
     const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
+    const bool isSmooth = !hasCreases && this->InnerBounding.empty();
     if (result.Fit.Inverted > 0 ||
-      (!hasCreases && result.Fit.LeastScaledJacobian < AcceptedScaledJacobian))
+      (isSmooth && result.Fit.LeastScaledJacobian < AcceptedScaledJacobian))
     {
       ReleaseBad(
         result.Fit, this->Bounding, AcceptedDistance * this->Diagonal, progress.Part(0.0, 0.9));
