@@ -33,7 +33,7 @@ public:
 
   ///@{
   /// 0 = Heat: smooth, near to them. 1 = Exact: the shortest paths on the polyhedron. 2 =
-  /// Dijkstra: along edges, always too long. Default: Heat.
+  /// Dijkstra: along edges, never too short. Default: Heat.
   vtkShapeEnumOption(Method, shape::GeodesicDistanceOptions::MethodType,
     shape::GeodesicDistanceOptions::MethodType::Heat,
     shape::GeodesicDistanceOptions::MethodType::Dijkstra);

@@ -169,7 +169,8 @@ public:
         (this->InnerBounding.empty() ? "" : ", and those of the inner surfaces, apart") +
         ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
     }
-    if (this->Best->Fit.Inverted == 0)
+    const HexFit& fit = this->Best->Fit;
+    if (fit.Inverted == 0 && fit.LeastScaledJacobian < AcceptedScaledJacobian)
     {
       this->Raise(*this->Best, progress.Part(0.0, 0.3));
     }
