@@ -212,7 +212,7 @@ void vtkShapeHexResult::AddFacts(
     { "Patches", fit.PatchOf.maxCoeff() + 1.0 },
     { "Corners", static_cast<double>(result.Features.Corners.size()) },
     { "CreasesKept", fit.CreasesKept ? 1.0 : 0.0 },
-    { "CornersKept", fit.Creases.Corners },
+    { "CornersKept", static_cast<double>(fit.Creases.CornerPoints.size()) },
     { "CreaseDistance", fit.Creases.Distance },
     { "CreaseShare", result.Features.CurveShare() },
     { "ReleasedPoints", static_cast<double>(result.Fit.Released) },

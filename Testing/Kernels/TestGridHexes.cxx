@@ -368,11 +368,24 @@ TEST(GridHexes, CornersOfFourSidesAreKept)
     const shape::GridHexesResult result = shape::GridHexes(pyramid, options);
     EXPECT_EQ(result.Features.Corners.size(), isDouble ? 6U : 5U);
     EXPECT_TRUE(result.Fit.CreasesKept);
-    EXPECT_EQ(result.Fit.Creases.Corners, isDouble ? 6 : 5);
+    EXPECT_EQ(result.Fit.Creases.CornerPoints.size(), isDouble ? 6U : 5U);
     EXPECT_LT(result.Fit.Creases.Distance, 1e-9);
     EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
     EXPECT_LT(result.Fit.Distance, 1e-3 * shape::BoxDiagonal(pyramid.Points));
   }
+}
+
+TEST(GridHexes, CellsDoNotBecomeSmallerForCornersThatNoGridMakesBetter)
+{
+  shape::GridHexesOptions options;
+  options.FirstHexahedra = 1000.0;
+  options.MaximumHexahedra = 10000;
+  const shape::GridHexesResult result = shape::GridHexes(Pyramid(false), options);
+  EXPECT_LT(result.Fit.LeastScaledJacobian, 0.55);
+  EXPECT_EQ(result.Fit.Creases.CornerPoints.size(), 5U);
+  EXPECT_GT(
+    shape::LeastScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid), 0.55);
+  EXPECT_LE(result.Rounds, 3);
 }
 
 TEST(GridHexes, CreasesOfABracketAndOfARoundHoleAreNear)
@@ -383,7 +396,7 @@ TEST(GridHexes, CreasesOfABracketAndOfARoundHoleAreNear)
   const shape::Mesh block = BlockWithHole();
   const shape::HexFit hole = shape::GridHexes(block, options).Fit;
   EXPECT_TRUE(hole.CreasesKept);
-  EXPECT_EQ(hole.Creases.Corners, 8);
+  EXPECT_EQ(hole.Creases.CornerPoints.size(), 8U);
   // The hole's edges are closed: no point of theirs is fixed, so chords are what keeps them apart.
   EXPECT_LT(hole.Creases.Distance, 1e-3 * shape::BoxDiagonal(block.Points));
   EXPECT_GT(hole.LeastScaledJacobian, 0.55);
@@ -392,7 +405,7 @@ TEST(GridHexes, CreasesOfABracketAndOfARoundHoleAreNear)
     shapetest::Prism({ { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0, 0 }, { 2, 0 }, { 2, 1 } });
   const shape::HexFit fit = shape::GridHexes(bracket, options).Fit;
   EXPECT_TRUE(fit.CreasesKept);
-  EXPECT_EQ(fit.Creases.Corners, 12);
+  EXPECT_EQ(fit.Creases.CornerPoints.size(), 12U);
   EXPECT_LT(fit.Creases.Distance, 1e-9);
   EXPECT_GT(fit.LeastScaledJacobian, 0.5);
 }

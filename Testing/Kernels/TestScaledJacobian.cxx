@@ -61,6 +61,17 @@ TEST(ScaledJacobian, CollapsedEdgesAreTheWorstThereIs)
   EXPECT_EQ(values(1), -1.0);
 }
 
+TEST(ScaledJacobian, TheLeastAwayFromPointsIsThatOfHexahedraWithoutThem)
+{
+  shape::HexMesh mesh{ Eigen::MatrixXd(16, 3), Eigen::MatrixXi(2, 8) };
+  mesh.Points << Box(), Box();
+  mesh.Points.row(14) << 0.4, 0.4, 1.0;
+  mesh.Hexahedra << 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15;
+  EXPECT_LT(shape::LeastScaledJacobianAwayFrom({ 3 }, mesh), 0.0);
+  EXPECT_NEAR(shape::LeastScaledJacobianAwayFrom({ 8 }, mesh), 1.0, 1e-15);
+  EXPECT_EQ(shape::LeastScaledJacobianAwayFrom({ 0, 8 }, mesh), 1.0);
+}
+
 TEST(ScaledJacobian, PointsOfBadHexahedraAreMarkedWhereThereAreSuch)
 {
   shape::HexMesh mesh{ Eigen::MatrixXd(16, 3), Eigen::MatrixXi(2, 8) };

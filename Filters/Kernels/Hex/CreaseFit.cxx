@@ -121,12 +121,15 @@ CreaseFit CompareCreases(const Mesh& surface, const SurfaceFeatures& features,
 {
   CreaseFit fit;
   const std::set<int> used(quads.data(), quads.data() + quads.size());
-  fit.Corners = static_cast<int>(std::count_if(features.Corners.begin(), features.Corners.end(),
-    [&](int corner)
+  for (const int corner : features.Corners)
+  {
+    const auto at = std::find_if(used.begin(), used.end(),
+      [&](int point) { return points.row(point) == surface.Points.row(corner); });
+    if (at != used.end())
     {
-      return std::any_of(used.begin(), used.end(),
-        [&](int point) { return points.row(point) == surface.Points.row(corner); });
-    }));
+      fit.CornerPoints.push_back(*at);
+    }
+  }
   const Segments curves = CurvesOf(surface, features), chains = ChainsOf(points, quads, patchOf);
   if (curves.Ends.empty())
   {

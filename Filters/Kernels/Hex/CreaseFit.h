@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace shape
 {
 
@@ -16,7 +18,7 @@ struct CreaseFit
   /// quads of different patches, at places along both; to the whole boundary where it is of one
   /// patch. 0 where the surface has no curves.
   double Distance = 0.0;
-  int Corners = 0; ///< of the surface at which the boundary has a point, in exactly this place
+  std::vector<int> CornerPoints; ///< of the boundary, those exactly at a corner of the surface
 };
 
 /// quads: q x 4, of points. patchOf: q.

@@ -33,11 +33,6 @@ constexpr double LeastPatch = 4.0;
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
 /// The worst scaled Jacobian that may well become an accepted one by more time spent on it.
 constexpr double RaisedFrom = 0.4;
-/// The radius of a magnifier, in cells.
-constexpr double MagnifiedRadius = 2.5;
-/// The share of the solid's cells near places to magnify from which smaller cells everywhere are
-/// better.
-constexpr double MostMagnified = 0.3;
 /// What is farther by more than so many times is not snapped to, but asks for another grid.
 constexpr double SnappedFrom = 2.0;
 /// How much better smaller cells must make the result for still smaller ones to be tried.
@@ -95,16 +90,15 @@ public:
       bool isSnapped = this->IsAsWanted(*result);
       if (!isSnapped)
       {
-        this->Magnify(*result, magnifiers);
+        if (this->Magnify(*result, magnifiers))
+        {
+          growth = LargeGrowth;
+        }
         isSnapped = this->IsWorthSnapping(*result);
         if (isSnapped)
         {
           this->Snap(*result, part.Part(0.8, 1.0));
         }
-      }
-      if (IsMostMagnified(magnifiers.size() - before, *result))
-      {
-        growth = LargeGrowth;
       }
       // Where nothing is magnified the next grid would be the same.
       const bool isLast =
@@ -149,7 +143,9 @@ public:
 
   bool IsAccepted() const
   {
-    return this->Best && this->Reaches(*this->Best, AcceptedScaledJacobian, AcceptedDistance);
+    return this->Best &&
+      (this->Reaches(*this->Best, AcceptedScaledJacobian, AcceptedDistance) ||
+        this->AreOnlyCornersBad(*this->Best));
   }
 
   /// Minus infinity where there is nothing yet.
@@ -224,20 +220,25 @@ private:
     return options;
   }
 
-  /// Whether so many magnifiers are for most of the solid.
-  static bool IsMostMagnified(std::size_t magnifiers, const GridHexesResult& result)
-  {
-    constexpr double pi = 3.14159265358979324;
-    const double cells = 4.0 / 3.0 * pi * std::pow(MagnifiedRadius, 3.0);
-    return cells * static_cast<double>(magnifiers) >
-      MostMagnified * static_cast<double>(result.Fit.Solid.Hexahedra.rows());
-  }
-
   bool IsAsWanted(const GridHexesResult& result) const
   {
     return this->Reaches(
              result, this->Options.WantedScaledJacobian, this->Options.WantedDistance) &&
-      result.Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
+      this->HasWantedCreases(result);
+  }
+
+  bool HasWantedCreases(const GridHexesResult& result) const
+  {
+    return result.Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
+  }
+
+  /// Whether all is good enough but for hexahedra at corners that are kept, of which other grids
+  /// have the same.
+  bool AreOnlyCornersBad(const GridHexesResult& result) const
+  {
+    return this->Reaches(result, 0.0, AcceptedDistance) && this->HasWantedCreases(result) &&
+      LeastScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
+      AcceptedScaledJacobian;
   }
 
   /// Where the boundary's points were moved, those of interfaces near them were, too.
@@ -346,11 +347,12 @@ private:
   }
 
   /// Adds magnifiers where the surfaces or their creases are far from each other, at corners that
-  /// patches too small for the cells have, and at bad hexahedra.
-  void Magnify(const GridHexesResult& result, std::vector<Magnifier>& magnifiers) const
+  /// patches too small for the cells have, and at bad hexahedra. Whether these are for most of the
+  /// solid.
+  bool Magnify(const GridHexesResult& result, std::vector<Magnifier>& magnifiers) const
   {
     const HexMesh& solid = result.Fit.Solid;
-    PlacesToMagnify places(MagnifiedRadius * result.CellSize);
+    PlacesToMagnify places(result.CellSize);
     const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
     {
       places.AddFar(DistancesBetween(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
@@ -375,15 +377,9 @@ private:
         places.Add(this->Bounding.Surface().Points.row(corner));
       }
     }
-    const Eigen::VectorXd quality = ScaledJacobians(solid);
-    for (Eigen::Index hex = 0; hex < quality.size(); ++hex)
-    {
-      if (quality(hex) < AcceptedScaledJacobian)
-      {
-        places.Add(solid.Points(solid.Hexahedra.row(hex), Eigen::all).colwise().mean());
-      }
-    }
+    places.AddBad(solid, AcceptedScaledJacobian);
     magnifiers.insert(magnifiers.end(), places.Magnifiers().begin(), places.Magnifiers().end());
+    return places.AreMostOf(solid.Hexahedra.rows());
   }
 
   const GridHexesOptions& Options;

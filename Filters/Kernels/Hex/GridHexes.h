@@ -15,7 +15,7 @@ struct GridHexesOptions
 {
   /// Of the grid, in the surface's units; a smaller one is used where this one cannot have the
   /// solid's topology. 0: one that gives about 20,000 hexahedra, or smaller ones where these are
-  /// not good enough.
+  /// not good enough anywhere but at corners that are kept, where other grids have the same.
   double CellSize = 0.0;
   int MaximumHexahedra = 200000;   ///< no smaller cells are tried than give so many
   double FirstHexahedra = 16500.0; ///< about so many cells in the first grid of an automatic size

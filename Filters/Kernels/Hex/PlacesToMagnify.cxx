@@ -1,11 +1,19 @@
 #include "Hex/PlacesToMagnify.h"
 
+#include "Quality/ScaledJacobian.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace shape
 {
+namespace
+{
+
+constexpr double Radius = 2.5; // of a magnifier, in cells
+
+} // namespace
 
 void PlacesToMagnify::Add(const Eigen::RowVector3d& centre, double times)
 {
@@ -14,7 +22,7 @@ void PlacesToMagnify::Add(const Eigen::RowVector3d& centre, double times)
         [&](const Magnifier& other)
         { return (other.Centre - centre).norm() < apart * other.Radius; }))
   {
-    this->Gathered.push_back({ centre, this->Radius, times * strength });
+    this->Gathered.push_back({ centre, Radius * this->CellSize, times * strength });
   }
 }
 
@@ -35,6 +43,25 @@ void PlacesToMagnify::AddFar(const PlacesAndDistances& far, double wanted)
     constexpr double most = 2.0;
     this->Add(far.Places.row(i), std::clamp(std::log2(0.5 * far.Distances(i) / wanted), 1.0, most));
   }
+}
+
+void PlacesToMagnify::AddBad(const HexMesh& mesh, double accepted)
+{
+  const Eigen::VectorXd quality = ScaledJacobians(mesh);
+  for (Eigen::Index hex = 0; hex < quality.size(); ++hex)
+  {
+    if (quality(hex) < accepted)
+    {
+      this->Add(mesh.Points(mesh.Hexahedra.row(hex), Eigen::all).colwise().mean());
+    }
+  }
+}
+
+bool PlacesToMagnify::AreMostOf(Eigen::Index cells) const
+{
+  constexpr double pi = 3.14159265358979324, most = 0.3; // of the cells
+  const double magnified = 4.0 / 3.0 * pi * Radius * Radius * Radius;
+  return magnified * static_cast<double>(this->Gathered.size()) > most * static_cast<double>(cells);
 }
 
 } // namespace shape

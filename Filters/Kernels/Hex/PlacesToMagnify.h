@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Core/HexMesh.h"
 #include "Hex/GridWarp.h"
 #include "Quality/HausdorffDistance.h"
 
@@ -16,21 +17,28 @@ class PlacesToMagnify
 {
 public:
   /// radius: of the magnifiers.
-  explicit PlacesToMagnify(double radius)
-    : Radius(radius)
+  /// cellSize: of the grid that they are places of.
+  explicit PlacesToMagnify(double cellSize)
+    : CellSize(cellSize)
   {
   }
 
-  /// times: how much stronger than usual.
+  /// times: how much stronger than usual its magnifier is.
   void Add(const Eigen::RowVector3d& centre, double times = 1.0);
 
   /// Those that are farther than nearly wanted, the farthest first, the stronger the farther.
   void AddFar(const PlacesAndDistances& far, double wanted);
 
+  /// Hexahedra of a lower scaled Jacobian than accepted.
+  void AddBad(const HexMesh& mesh, double accepted);
+
   const std::vector<Magnifier>& Magnifiers() const { return this->Gathered; }
 
+  /// Whether the magnifiers are for most of a solid of so many cells.
+  bool AreMostOf(Eigen::Index cells) const;
+
 private:
-  double Radius;
+  double CellSize;
   std::vector<Magnifier> Gathered;
 };
 

@@ -96,7 +96,10 @@ HexFit JoinedFit(const std::vector<HexFit>& fits)
     joined.Distance = std::max(joined.Distance, fit.Distance);
     joined.CreasesKept = joined.CreasesKept && fit.CreasesKept;
     joined.Creases.Distance = std::max(joined.Creases.Distance, fit.Creases.Distance);
-    joined.Creases.Corners += fit.Creases.Corners;
+    for (const int point : fit.Creases.CornerPoints)
+    {
+      joined.Creases.CornerPoints.push_back(static_cast<int>(points) + point);
+    }
   }
   joined.MeanScaledJacobian = sum / static_cast<double>(count(joined));
   return joined;

@@ -62,6 +62,27 @@ Eigen::VectorXd ScaledJacobians(const HexMesh& mesh)
   return values;
 }
 
+double LeastScaledJacobianAwayFrom(const std::vector<int>& points, const HexMesh& mesh)
+{
+  const Eigen::VectorXd values = ScaledJacobians(mesh);
+  std::vector<char> isGiven(mesh.Points.rows(), 0);
+  for (const int point : points)
+  {
+    isGiven[point] = 1;
+  }
+  double least = 1.0;
+  for (Eigen::Index hex = 0; hex < values.size(); ++hex)
+  {
+    const auto corners = mesh.Hexahedra.row(hex);
+    if (std::none_of(
+          corners.begin(), corners.end(), [&](int point) { return isGiven[point] != 0; }))
+    {
+      least = std::min(least, values(hex));
+    }
+  }
+  return least;
+}
+
 std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
 {
   const Eigen::VectorXd values = ScaledJacobians(mesh);
