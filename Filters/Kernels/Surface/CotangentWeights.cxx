@@ -99,6 +99,20 @@ Eigen::SparseMatrix<double> CotangentStiffness(
   return stiffness;
 }
 
+Eigen::VectorXd LumpedMasses(
+  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points)
+{
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(points);
+  for (Eigen::Index t = 0; t < areas.size(); ++t)
+  {
+    for (const int point : triangles.row(t))
+    {
+      masses(point) += areas(t) / 3.0;
+    }
+  }
+  return masses;
+}
+
 Eigen::SparseMatrix<double> PositiveStiffness(
   const Eigen::SparseMatrix<double>& stiffness, double least)
 {

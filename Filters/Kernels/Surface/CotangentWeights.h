@@ -36,6 +36,11 @@ TriangleAngles AnglesOfSides(const Eigen::MatrixXd& sides);
 Eigen::SparseMatrix<double> CotangentStiffness(
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& cotangents, Eigen::Index points);
 
+/// The masses of points (n): a third of the area of the triangles around each, in their units
+/// squared; 0 where there is none.
+Eigen::VectorXd LumpedMasses(
+  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points);
+
 /**
  * `stiffness` with every edge weight -L_ij raised to `least` and the diagonal to match: an
  * M-matrix, whose solutions obey the maximum principle where obtuse angles break it. Not conformal

@@ -55,20 +55,6 @@ double Extent(const Mesh& mesh, const Eigen::VectorXi& componentId)
   return extent;
 }
 
-Eigen::VectorXd LumpedMasses(
-  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points)
-{
-  Eigen::VectorXd masses = Eigen::VectorXd::Zero(points);
-  for (Eigen::Index t = 0; t < areas.size(); ++t)
-  {
-    for (const int point : triangles.row(t))
-    {
-      masses(point) += areas(t) / 3.0;
-    }
-  }
-  return masses;
-}
-
 /// stiffness * time + diagonal; 1 where no triangle is.
 Eigen::SparseMatrix<double> Shifted(
   const Eigen::SparseMatrix<double>& stiffness, double time, const Eigen::VectorXd& diagonal)

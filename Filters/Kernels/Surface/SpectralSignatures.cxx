@@ -1,0 +1,84 @@
+#include "Surface/SpectralSignatures.h"
+
+#include "Core/Errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+/// How many eigenvalues are 0; there are more than these and `others`.
+Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
+{
+  const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
+  if (spectrum.Eigenvalues.size() < zeros + others)
+  {
+    throw InvalidInput("NumberOfEigenpairs is " + std::to_string(spectrum.Eigenvalues.size()) +
+      ", of which " + std::to_string(zeros) +
+      " are the constants, one on each component; it must be at least " +
+      std::to_string(zeros + others));
+  }
+  return zeros;
+}
+
+/// The sum of the squares of eigenfunctions with these weights (k x count), of which each column's
+/// sum is 1, times the area.
+Eigen::MatrixXd WeightedSquares(const LaplaceSpectrum& spectrum, Eigen::MatrixXd weights)
+{
+  weights.array().rowwise() /= weights.colwise().sum().array().eval();
+  return spectrum.Masses.sum() * (spectrum.Eigenfunctions.array().square().matrix() * weights);
+}
+
+double Between(double first, double last, int i, int count)
+{
+  return count > 1 ? first + (last - first) * i / (count - 1) : first;
+}
+
+} // namespace
+
+Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
+{
+  const Eigen::Index zeros = ZeroCount(spectrum, 1);
+  const double reach = 4.0 * std::log(10.0);
+  const double first = std::log(reach / spectrum.Eigenvalues.tail(1)(0)),
+               last = std::log(reach / spectrum.Eigenvalues(zeros));
+  Eigen::MatrixXd weights(spectrum.Eigenvalues.size(), times);
+  for (int i = 0; i < times; ++i)
+  {
+    weights.col(i) =
+      (-std::exp(Between(first, last, i, times)) * spectrum.Eigenvalues).array().exp();
+  }
+  return WeightedSquares(spectrum, std::move(weights));
+}
+
+Eigen::MatrixXd WaveKernelSignature(const LaplaceSpectrum& spectrum, int energies)
+{
+  const Eigen::Index zeros = ZeroCount(spectrum, 1);
+  const Eigen::ArrayXd logarithms =
+    spectrum.Eigenvalues.tail(spectrum.Eigenvalues.size() - zeros).array().log();
+  const double first = logarithms(0), last = logarithms.tail(1)(0);
+  const double deviation =
+    std::max(0.07 * (last - first), std::numeric_limits<double>::epsilon()); // if all are equal
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(spectrum.Eigenvalues.size(), energies);
+  for (int i = 0; i < energies; ++i)
+  {
+    const double energy = Between(first + 2.0 * deviation, last - 2.0 * deviation, i, energies);
+    weights.col(i).tail(logarithms.size()) =
+      (-(logarithms - energy).square() / (2.0 * deviation * deviation)).exp();
+  }
+  return WeightedSquares(spectrum, std::move(weights));
+}
+
+Eigen::MatrixXd SpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)
+{
+  const Eigen::Index zeros = ZeroCount(spectrum, dimensions);
+  return spectrum.Eigenfunctions.middleCols(zeros, dimensions) *
+    spectrum.Eigenvalues.segment(zeros, dimensions).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+} // namespace shape
