@@ -424,6 +424,23 @@ void vtkShapeConvert::ForEachLeaf(vtkDataObject* input, vtkDataObject* output, P
   output->GetFieldData()->PassData(input->GetFieldData());
 }
 
+void vtkShapeConvert::AddPointFields(
+  vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields)
+{
+  vtkIdType first = 0;
+  ForEachLeaf(input, output, Points::Kept,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const vtkIdType count = from->GetNumberOfPoints();
+      to->ShallowCopy(from);
+      for (const PointField& field : fields)
+      {
+        to->GetPointData()->AddArray(ToArray(field.Values.middleRows(first, count), field.Name));
+      }
+      first += count;
+    });
+}
+
 void vtkShapeConvert::FromMesh(const shape::Mesh& mesh, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;

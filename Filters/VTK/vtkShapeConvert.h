@@ -88,6 +88,17 @@ void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
 void ForEachLeaf(vtkDataObject* input, vtkDataObject* output, Points points,
   const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill);
 
+/// Values of points (n x d), and the name of their array.
+struct PointField
+{
+  std::string Name;
+  Eigen::MatrixXd Values;
+};
+
+/// Makes `output` like `input` with these fields of the points of its blocks, one after the other.
+void AddPointFields(
+  vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields);
+
 /// A mesh as a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);
 

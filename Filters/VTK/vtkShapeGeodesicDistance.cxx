@@ -2,9 +2,7 @@
 
 #include "vtkShapeConvert.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -24,19 +22,8 @@ void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
   const shape::GeodesicDistanceResult result = shape::GeodesicDistance(
     mesh, vtkShapeConvert::ToPoints(this->GetWhole(1).Grid), this->Options, progress);
 
-  // This process's points come block by block.
-  const Eigen::MatrixXd distances = vtkShapeConvert::Rows(result.Distances, whole.OwnPoints);
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkIdType first = 0;
-  vtkShapeConvert::ForEachLeaf(this->GetInputDataObject(0, 0), output,
-    vtkShapeConvert::Points::Kept,
-    [&](vtkDataSet* from, vtkDataSet* to)
-    {
-      const vtkIdType count = from->GetNumberOfPoints();
-      to->ShallowCopy(from);
-      to->GetPointData()->AddArray(
-        vtkShapeConvert::ToArray(distances.middleRows(first, count), "GeodesicDistance"));
-      first += count;
-    });
+  vtkShapeConvert::AddPointFields(this->GetInputDataObject(0, 0), output,
+    { { "GeodesicDistance", vtkShapeConvert::Rows(result.Distances, whole.OwnPoints) } });
   vtkShapeConvert::AddFact(output, "GeodesicDistance.UnreachedPoints", result.Unreached);
 }

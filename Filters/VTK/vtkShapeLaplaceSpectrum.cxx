@@ -5,11 +5,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <string>
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkShapeLaplaceSpectrum);
@@ -26,11 +23,10 @@ void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   shape::SpectralAnalysis analysis = shape::AnalyseSpectrum(mesh, this->Options, progress);
 
-  // This process's points come block by block.
-  std::vector<std::pair<std::string, Eigen::MatrixXd>> fields;
+  std::vector<vtkShapeConvert::PointField> fields;
   const auto add = [&](const char* name, Eigen::MatrixXd& values)
   {
-    fields.emplace_back(name, vtkShapeConvert::Rows(values, whole.OwnPoints));
+    fields.push_back({ name, vtkShapeConvert::Rows(values, whole.OwnPoints) });
     values.resize(0, 0);
   };
   add("Eigenfunctions", analysis.Spectrum.Eigenfunctions);
@@ -38,20 +34,7 @@ void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
   add("WaveKernelSignature", analysis.WaveKernel);
   add("Embedding", analysis.Embedding);
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkIdType first = 0;
-  vtkShapeConvert::ForEachLeaf(this->GetInputDataObject(0, 0), output,
-    vtkShapeConvert::Points::Kept,
-    [&](vtkDataSet* from, vtkDataSet* to)
-    {
-      const vtkIdType count = from->GetNumberOfPoints();
-      to->ShallowCopy(from);
-      for (const auto& [name, values] : fields)
-      {
-        to->GetPointData()->AddArray(
-          vtkShapeConvert::ToArray(values.middleRows(first, count), name));
-      }
-      first += count;
-    });
+  vtkShapeConvert::AddPointFields(this->GetInputDataObject(0, 0), output, fields);
   output->GetFieldData()->AddArray(
     vtkShapeConvert::ToArray(analysis.Spectrum.Eigenvalues, "LaplaceSpectrum.Eigenvalues"));
 }
