@@ -12,7 +12,8 @@
  * (double, EmbeddingDimensions components; MDS: in the surface's units), all 0 at points without a
  * triangle. Field data: LaplaceSpectrum.Eigenvalues, ascending, in 1 / length^2.
  *
- * Each factorisation is one library call: an abort takes effect at its end.
+ * Each factorisation, and each decomposition of a surface with few points for the number of
+ * eigenpairs, is one library call: an abort takes effect at its end.
  *
  * The mathematics: shape::AnalyseSpectrum, shape::FindLaplaceSpectrum.
  */

@@ -22,22 +22,12 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   const shape::ParameterizeResult map = shape::Parameterize(mesh, this->Options, progress);
 
-  // This process's points come block by block.
   const Eigen::MatrixXd positions = vtkShapeConvert::Rows(map.Positions, whole.OwnPoints);
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   vtkDataObject* surface = this->GetOutputDataObject(0);
   vtkDataObject* image = this->GetOutputDataObject(1);
-  vtkIdType first = 0;
-  vtkShapeConvert::ForEachLeaf(input, surface, vtkShapeConvert::Points::Kept,
-    [&](vtkDataSet* from, vtkDataSet* to)
-    {
-      const vtkIdType count = from->GetNumberOfPoints();
-      to->ShallowCopy(from);
-      to->GetPointData()->AddArray(
-        vtkShapeConvert::ToArray(positions.middleRows(first, count), "TargetPosition"));
-      first += count;
-    });
-  first = 0;
+  vtkShapeConvert::AddPointFields(input, surface, { { "TargetPosition", positions } });
+  vtkIdType first = 0; // of this process's points, which come block by block
   vtkShapeConvert::ForEachLeaf(input, image, vtkShapeConvert::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {

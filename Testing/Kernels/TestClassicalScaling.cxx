@@ -16,28 +16,15 @@ struct Plates
   shape::Mesh Flat, Bent;
 };
 
-Plates MakePlates(int n)
+Plates MakePlates(int cells)
 {
-  Plates plates;
-  plates.Flat = { Eigen::MatrixXd((2 * n + 1) * (n + 1), 3), Eigen::MatrixXi(4 * n * n, 3) };
+  Plates plates{ shapetest::FlatSquare(cells, 0.0), {} };
+  plates.Flat.Points.col(1) *= 0.5;
   plates.Bent = plates.Flat;
-  for (int j = 0, t = 0; j <= n; ++j)
-  {
-    for (int i = 0; i <= 2 * n; ++i)
-    {
-      const int p = i + (2 * n + 1) * j;
-      const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
-      const double radius = 2.0 / M_PI;
-      plates.Flat.Points.row(p) << x, y, 0.0;
-      plates.Bent.Points.row(p) << radius * std::cos(x / radius), y, radius * std::sin(x / radius);
-      if (i < 2 * n && j < n)
-      {
-        plates.Flat.Triangles.row(t++) << p, p + 1, p + 2 * n + 2;
-        plates.Flat.Triangles.row(t++) << p, p + 2 * n + 2, p + 2 * n + 1;
-      }
-    }
-  }
-  plates.Bent.Triangles = plates.Flat.Triangles;
+  constexpr double radius = 2.0 / M_PI;
+  const Eigen::ArrayXd angles = plates.Flat.Points.col(0).array() / radius;
+  plates.Bent.Points.col(0) = radius * angles.sin();
+  plates.Bent.Points.col(2) = radius * angles.cos();
   return plates;
 }
 
@@ -45,7 +32,7 @@ Plates MakePlates(int n)
 
 TEST(ClassicalScaling, UnbendsAPlate)
 {
-  const Plates plates = MakePlates(24);
+  const Plates plates = MakePlates(34);
   const Eigen::MatrixXd found = shape::ClassicalScaling(plates.Bent, 3, 100);
   double worst = 0.0;
   for (Eigen::Index i = 0; i < found.rows(); i += 7)

@@ -16,7 +16,6 @@ namespace shape
 class PlacesToMagnify
 {
 public:
-  /// radius: of the magnifiers.
   /// cellSize: of the grid that they are places of.
   explicit PlacesToMagnify(double cellSize)
     : CellSize(cellSize)
