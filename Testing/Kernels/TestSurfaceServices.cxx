@@ -63,7 +63,7 @@ TEST(ClosestPoint, AgreesWithTheSearchOfEveryTriangle)
   const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 24, 12);
   const Eigen::MatrixXd points = RandomPoints(500, 2.0);
   const shape::ClosestPoints found = shape::SurfaceLocator(torus).Find(points);
-  const Eigen::MatrixXd positions = shape::Interpolate(torus.Triangles, torus.Points, found);
+  const Eigen::MatrixXd positions = shape::Pulled(found, torus.Triangles, torus.Points);
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
     EXPECT_NEAR(found.Distances(i), BruteForceDistance(torus, points.row(i)), 1e-12);

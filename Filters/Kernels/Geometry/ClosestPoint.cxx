@@ -197,7 +197,7 @@ const Mesh& SurfaceLocator::Surface() const
 ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress& progress) const
 {
   const Eigen::Index n = points.rows();
-  ClosestPoints result{ Eigen::VectorXi(n), Eigen::MatrixXd(n, 3), Eigen::MatrixXd(n, 3),
+  ClosestPoints result{ { Eigen::VectorXi(n), Eigen::MatrixXd(n, 3) }, Eigen::MatrixXd(n, 3),
     Eigen::VectorXd(n) };
   ParallelFor(
     static_cast<int>(n), 256,
@@ -246,20 +246,6 @@ ClosestPlace SurfaceLocator::FindOne(const RowVector3d& point, int guess) const
   RequireFound(nearest);
   const RowVector3d position = nearest.Barycentric * this->Impl->Facets[nearest.Triangle].Corners;
   return { nearest.Triangle, nearest.Barycentric, position, (position - point).norm() };
-}
-
-Eigen::MatrixXd Interpolate(
-  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values, const ClosestPoints& places)
-{
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(places.Triangles.size(), values.cols());
-  for (Eigen::Index i = 0; i < result.rows(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      result.row(i) += places.Barycentrics(i, k) * values.row(triangles(places.Triangles(i), k));
-    }
-  }
-  return result;
 }
 
 } // namespace shape

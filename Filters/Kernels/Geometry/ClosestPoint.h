@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Core/Mesh.h"
+#include "Core/PreciseMap.h"
 #include "Core/Progress.h"
 
 #include <memory>
@@ -8,13 +9,12 @@
 namespace shape
 {
 
-/// Where on a surface the closest points to n points lie.
-struct ClosestPoints
+/// Where on a surface the closest points to n points lie; barycentric coordinates are exactly 0
+/// opposite an edge that a place lies on.
+struct ClosestPoints : PreciseMap
 {
-  Eigen::VectorXi Triangles;    ///< n: the triangle
-  Eigen::MatrixXd Barycentrics; ///< n x 3: the place in it; exactly 0 opposite an edge it lies on
-  Eigen::MatrixXd Positions;    ///< n x 3
-  Eigen::VectorXd Distances;    ///< n: >= 0
+  Eigen::MatrixXd Positions; ///< n x 3
+  Eigen::VectorXd Distances; ///< n: >= 0
 };
 
 /// Where on a surface the closest point to one point lies.
@@ -54,9 +54,5 @@ private:
   struct Locator;
   std::unique_ptr<Locator> Impl;
 };
-
-/// Values given at the points of a surface (n x d), interpolated linearly at places on it.
-Eigen::MatrixXd Interpolate(
-  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values, const ClosestPoints& places);
 
 } // namespace shape

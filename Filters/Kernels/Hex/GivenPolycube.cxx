@@ -193,8 +193,9 @@ GivenPolycubeCells CellsOfPolycube(const GivenPolycube& polycube, const Mesh& su
   std::vector<int> onBoundary(quads.data(), quads.data() + quads.size());
   std::sort(onBoundary.begin(), onBoundary.end());
   onBoundary.erase(std::unique(onBoundary.begin(), onBoundary.end()), onBoundary.end());
-  carried(onBoundary, Eigen::all) = Interpolate(outer.Triangles, polycube.Sources,
-    SurfaceLocator(outer).Find(cells.Solid.Points(onBoundary, Eigen::all)));
+  carried(onBoundary, Eigen::all) =
+    Pulled(SurfaceLocator(outer).Find(cells.Solid.Points(onBoundary, Eigen::all)), outer.Triangles,
+      polycube.Sources);
   cells.Solid.Points = std::move(carried);
   progress(1.0);
   return cells;

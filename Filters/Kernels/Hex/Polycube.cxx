@@ -300,8 +300,8 @@ PolycubeResult Polycube(const Mesh& given, const PolycubeOptions& options, const
   result.Charts = charts.Count();
   result.Corners = static_cast<int>(std::count_if(charts.AtPoint.begin(), charts.AtPoint.end(),
     [](const std::vector<int>& around) { return around.size() > 2; }));
-  Eigen::MatrixXd places = Interpolate(
-    map.Solid.Triangles, map.Places.topRows(map.Solid.SurfacePoints), coarse.Find(surface.Points));
+  Eigen::MatrixXd places = Pulled(
+    coarse.Find(surface.Points), map.Solid.Triangles, map.Places.topRows(map.Solid.SurfacePoints));
   const std::vector<std::array<bool, 3>> fixed = Snap(surface, charts, places);
   const auto count = [&]
   {

@@ -39,7 +39,7 @@ public:
       this->Places.row(count + i) = surface.Points.row(i * stride);
     }
     const ClosestPoints closest = SurfaceLocator(surface).Find(this->Places);
-    this->Wanted = Interpolate(surface.Triangles, sizes, closest).col(0).array().log();
+    this->Wanted = Pulled(closest, surface.Triangles, sizes).col(0).array().log();
     this->Stretch = Eigen::VectorXd::Zero(this->Wanted.size());
     this->CellSize = this->Wanted.mean();
   }
@@ -219,7 +219,7 @@ Eigen::VectorXd SizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi&
     middles.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
   }
   const Eigen::VectorXd wanted =
-    Interpolate(surface.Triangles, sizes, SurfaceLocator(surface).Find(middles)).col(0);
+    Pulled(SurfaceLocator(surface).Find(middles), surface.Triangles, sizes).col(0);
   const Eigen::VectorXd areas = 0.5 * AreaVectors({ points, SplitQuads(quads) }).rowwise().norm();
   Eigen::VectorXd ratios(quads.rows());
   for (Eigen::Index q = 0; q < quads.rows(); ++q)

@@ -2,71 +2,18 @@
 
 #include "Core/Errors.h"
 #include "Core/Topology.h"
-#include "Surface/EdgeGeodesics.h"
+#include "Surface/FarthestPoints.h"
 #include "Surface/HeatGeodesics.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace shape
 {
-namespace
-{
-
-/// A point that triangles use, each the farthest from those before; fewer where there are no more.
-std::vector<int> FarthestPoints(const Mesh& mesh, int count, const Progress& progress)
-{
-  std::vector<int> samples = { mesh.Triangles.minCoeff() };
-  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(mesh.Points.rows(), -1.0);
-  for (const int point : mesh.Triangles.reshaped())
-  {
-    nearest(point) = std::numeric_limits<double>::infinity();
-  }
-  while (static_cast<int>(samples.size()) < count)
-  {
-    nearest =
-      nearest.cwiseMin(EdgeGeodesics(mesh, { { samples.back() }, Eigen::VectorXd::Zero(1) }));
-    Eigen::Index farthest = 0;
-    if (nearest.maxCoeff(&farthest) <= 0.0)
-    {
-      break;
-    }
-    samples.push_back(static_cast<int>(farthest));
-    progress(static_cast<double>(samples.size()) / count);
-  }
-  return samples;
-}
-
-/// n x s: from each sample; 0 at points without a triangle.
-Eigen::MatrixXd DistancesFrom(
-  const Mesh& mesh, const std::vector<int>& samples, const Progress& progress)
-{
-  std::vector<int> cornerOf(mesh.Points.rows(), -1);
-  for (int corner = 0; corner < static_cast<int>(mesh.Triangles.size()); ++corner)
-  {
-    cornerOf[mesh.Triangles(corner / 3, corner % 3)] = corner;
-  }
-  const HeatGeodesics geodesics(mesh, progress.Part(0.0, 0.1));
-  Eigen::MatrixXd distances(mesh.Points.rows(), static_cast<Eigen::Index>(samples.size()));
-  for (Eigen::Index i = 0; i < distances.cols(); ++i)
-  {
-    const int corner = cornerOf[samples[i]];
-    const ClosestPoints place{ Eigen::VectorXi::Constant(1, corner / 3),
-      Eigen::RowVector3d::Unit(corner % 3), mesh.Points.row(samples[i]), Eigen::VectorXd::Zero(1) };
-    const Eigen::VectorXd from = geodesics.Distances(place);
-    distances.col(i) = from.array().isFinite().select(from, 0.0);
-    progress(0.1 + 0.9 * (static_cast<double>(i) + 1.0) / static_cast<double>(distances.cols()));
-  }
-  return distances;
-}
-
-} // namespace
-
 Eigen::MatrixXd ClassicalScaling(
   const Mesh& mesh, int dimensions, int samples, const Progress& progress)
 {
@@ -78,8 +25,8 @@ Eigen::MatrixXd ClassicalScaling(
       "embedding");
   }
   const std::vector<int> points = FarthestPoints(mesh, samples, progress.Part(0.0, 0.2));
-  const Eigen::MatrixXd squares =
-    DistancesFrom(mesh, points, progress.Part(0.2, 0.9)).array().square();
+  Eigen::MatrixXd squares = HeatDistances(mesh, points, progress.Part(0.2, 0.9)).array().square();
+  squares = squares.array().isFinite().select(squares, 0.0);
   Eigen::MatrixXd between = squares(points, Eigen::all);
   between = 0.5 * (between + between.transpose()).eval();
   const Eigen::VectorXd means = between.rowwise().mean();

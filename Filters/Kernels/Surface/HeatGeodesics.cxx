@@ -1,6 +1,7 @@
 #include "Surface/HeatGeodesics.h"
 
 #include "Core/HalfEdges.h"
+#include "Core/Parallel.h"
 #include "Core/Topology.h"
 #include "Surface/CotangentWeights.h"
 #include "Surface/EdgeGeodesics.h"
@@ -131,45 +132,83 @@ Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
   return divergence;
 }
 
-Eigen::VectorXd HeatGeodesics::Distances(const ClosestPoints& seeds) const
+Eigen::VectorXd HeatGeodesics::Distances(const PreciseMap& seeds) const
 {
-  const Eigen::Index points = this->ComponentId.size();
-  Eigen::VectorXd start = Eigen::VectorXd::Zero(points);
-  for (Eigen::Index i = 0; i < seeds.Triangles.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      start(this->Given(seeds.Triangles(i), k)) += seeds.Barycentrics(i, k);
-    }
-  }
-  Eigen::VectorXd heat = this->Heat.Solve(start);
+  return this->Distances(Pushed(
+    seeds, this->Given, Eigen::VectorXd::Ones(seeds.Triangles.size()), this->ComponentId.size()));
+}
+
+Eigen::MatrixXd HeatGeodesics::Distances(const Eigen::MatrixXd& seeds) const
+{
+  Eigen::MatrixXd heat = this->Heat.Solve(seeds);
   if (this->HeatWithin)
   {
-    heat = 0.5 * (heat + this->HeatWithin->Solve(this->Inside.cwiseProduct(start)).col(0));
+    heat = 0.5 * (heat + this->HeatWithin->Solve(this->Inside.asDiagonal() * seeds));
   }
-  const Eigen::VectorXd distances = this->Poisson.Solve(this->Divergence(heat));
+  constexpr int grain = 4;
+  const int sets = static_cast<int>(seeds.cols());
+  ParallelFor(sets, grain,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        heat.col(k) = this->Divergence(heat.col(k));
+      }
+    });
+  Eigen::MatrixXd distances = this->Poisson.Solve(heat);
+  ParallelFor(sets, grain,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        this->Begin(seeds.col(k), distances.col(k));
+      }
+    });
+  return distances;
+}
+
+void HeatGeodesics::Begin(
+  const Eigen::Ref<const Eigen::VectorXd>& seeds, Eigen::Ref<Eigen::VectorXd> distances) const
+{
   const int components = this->ComponentId.maxCoeff() + 1;
   std::vector<double> least(components, Infinity);
   std::vector<char> hasSeed(components, 0);
-  for (Eigen::Index point = 0; point < points; ++point)
+  for (Eigen::Index point = 0; point < seeds.size(); ++point)
   {
     const int component = this->ComponentId(point);
     if (component >= 0)
     {
       least[component] = std::min(least[component], distances(point));
-      hasSeed[component] |= start(point) > 0.0;
+      hasSeed[component] |= seeds(point) > 0.0;
     }
   }
-  Eigen::VectorXd result = Eigen::VectorXd::Constant(points, Infinity);
-  for (Eigen::Index point = 0; point < points; ++point)
+  for (Eigen::Index point = 0; point < seeds.size(); ++point)
   {
     const int component = this->ComponentId(point);
-    if (component >= 0 && hasSeed[component])
-    {
-      result(point) = distances(point) - least[component];
-    }
+    distances(point) =
+      component >= 0 && hasSeed[component] ? distances(point) - least[component] : Infinity;
   }
-  return result;
+}
+
+Eigen::MatrixXd HeatDistances(
+  const Mesh& mesh, const std::vector<int>& points, const Progress& progress)
+{
+  constexpr int batch = 32; // sets that one pass over the factors serves
+  const HeatGeodesics geodesics(mesh, progress.Part(0.0, 0.1));
+  const int count = static_cast<int>(points.size());
+  Eigen::MatrixXd distances(mesh.Points.rows(), count);
+  for (int first = 0; first < count; first += batch)
+  {
+    const int size = std::min(batch, count - first);
+    Eigen::MatrixXd seeds = Eigen::MatrixXd::Zero(mesh.Points.rows(), size);
+    for (int k = 0; k < size; ++k)
+    {
+      seeds(points[first + k], k) = 1.0;
+    }
+    distances.middleCols(first, size) = geodesics.Distances(seeds);
+    progress(0.1 + 0.9 * (first + size) / count);
+  }
+  return distances;
 }
 
 } // namespace shape

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "Core/Mesh.h"
+#include "Core/PreciseMap.h"
 #include "Core/Progress.h"
 #include "Core/SparseSolve.h"
-#include "Geometry/ClosestPoint.h"
 #include "Surface/IntrinsicDelaunay.h"
 
 #include <Eigen/Core>
 
 #include <optional>
+#include <vector>
 
 namespace shape
 {
@@ -31,12 +32,18 @@ public:
 
   /// n distances in the model's units from the nearest of the places, 0 at the least; infinite
   /// where a component has none.
-  Eigen::VectorXd Distances(const ClosestPoints& seeds) const;
+  Eigen::VectorXd Distances(const PreciseMap& seeds) const;
+
+  /// The same from c sets at once: columns of how much of a seed is at each point, n x c, >= 0.
+  Eigen::MatrixXd Distances(const Eigen::MatrixXd& seeds) const;
 
 private:
   /// The integral of the normalised negative gradient of the heat against each point's hat
   /// function.
   Eigen::VectorXd Divergence(const Eigen::VectorXd& heat) const;
+  /// Shifts solutions so that the least of each component with a seed is 0.
+  void Begin(
+    const Eigen::Ref<const Eigen::VectorXd>& seeds, Eigen::Ref<Eigen::VectorXd> distances) const;
 
   const Eigen::MatrixXi Given; ///< the mesh's triangles
   IntrinsicTriangles Flat;
@@ -45,5 +52,10 @@ private:
   SparseCholesky Heat, Poisson;
   std::optional<SparseCholesky> HeatWithin; ///< let go at the border, where there is one
 };
+
+/// n x s: those from each of s points that have a triangle; infinite as above. Throws SolveFailure,
+/// Aborted.
+Eigen::MatrixXd HeatDistances(
+  const Mesh& mesh, const std::vector<int>& points, const Progress& progress = {});
 
 } // namespace shape

@@ -26,22 +26,13 @@ Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
   return zeros;
 }
 
-/// The sum of the squares of eigenfunctions with these weights (k x count), of which each column's
-/// sum is 1, times the area.
-Eigen::MatrixXd WeightedSquares(const LaplaceSpectrum& spectrum, Eigen::MatrixXd weights)
-{
-  weights.array().rowwise() /= weights.colwise().sum().array().eval();
-  return spectrum.Masses.sum() * (spectrum.Eigenfunctions.array().square().matrix() * weights);
-}
-
 double Between(double first, double last, int i, int count)
 {
   return count > 1 ? first + (last - first) * i / (count - 1) : first;
 }
 
-} // namespace
-
-Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
+/// How much each eigenfunction counts at each time (k x times); each column's sum is 1.
+Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
   const double reach = 4.0 * std::log(10.0);
@@ -53,10 +44,12 @@ Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
     weights.col(i) =
       (-std::exp(Between(first, last, i, times)) * spectrum.Eigenvalues).array().exp();
   }
-  return WeightedSquares(spectrum, std::move(weights));
+  weights.array().rowwise() /= weights.colwise().sum().array().eval();
+  return weights;
 }
 
-Eigen::MatrixXd WaveKernelSignature(const LaplaceSpectrum& spectrum, int energies)
+/// And at each energy.
+Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
   const Eigen::ArrayXd logarithms =
@@ -71,7 +64,45 @@ Eigen::MatrixXd WaveKernelSignature(const LaplaceSpectrum& spectrum, int energie
     weights.col(i).tail(logarithms.size()) =
       (-(logarithms - energy).square() / (2.0 * deviation * deviation)).exp();
   }
-  return WeightedSquares(spectrum, std::move(weights));
+  weights.array().rowwise() /= weights.colwise().sum().array().eval();
+  return weights;
+}
+
+/// The sum over the eigenfunctions of their squares, times the area.
+Eigen::MatrixXd Signature(const LaplaceSpectrum& spectrum, const Eigen::MatrixXd& weights)
+{
+  return spectrum.Masses.sum() * (spectrum.Eigenfunctions.array().square().matrix() * weights);
+}
+
+/// And of their products with their values at a point.
+Eigen::MatrixXd KernelFrom(
+  const LaplaceSpectrum& spectrum, int point, const Eigen::MatrixXd& weights)
+{
+  return spectrum.Masses.sum() *
+    (spectrum.Eigenfunctions *
+      (spectrum.Eigenfunctions.row(point).transpose().asDiagonal() * weights));
+}
+
+} // namespace
+
+Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
+{
+  return Signature(spectrum, HeatWeights(spectrum, times));
+}
+
+Eigen::MatrixXd WaveKernelSignature(const LaplaceSpectrum& spectrum, int energies)
+{
+  return Signature(spectrum, WaveWeights(spectrum, energies));
+}
+
+Eigen::MatrixXd HeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times)
+{
+  return KernelFrom(spectrum, point, HeatWeights(spectrum, times));
+}
+
+Eigen::MatrixXd WaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies)
+{
+  return KernelFrom(spectrum, point, WaveWeights(spectrum, energies));
 }
 
 Eigen::MatrixXd SpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)

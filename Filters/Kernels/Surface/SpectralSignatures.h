@@ -31,6 +31,14 @@ Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times =
  */
 Eigen::MatrixXd WaveKernelSignature(const LaplaceSpectrum& spectrum, int energies = 100);
 
+/// The same kernels between each point and one point: sum of exp(-lambda t) phi(x) phi(point), over
+/// sum of exp(-lambda t), times the area; n x times. It tells points apart that a symmetry of the
+/// surface exchanges, unless it keeps `point`.
+Eigen::MatrixXd HeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times = 100);
+
+/// And with the weights of WaveKernelSignature; n x energies.
+Eigen::MatrixXd WaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies = 100);
+
 /**
  * The eigenfunctions of the least eigenvalues that are not 0, divided by the roots of these
  * (Rustamov, "Laplace-Beltrami eigenfunctions for deformation invariant shape representation",

@@ -128,7 +128,7 @@ void BoundaryProblem::Collocate(const Eigen::MatrixXd& points, const Progress& p
   }
   this->PlaceResidual.conservativeResize(before + points.rows(), 3);
   this->PlaceResidual.bottomRows(points.rows()) =
-    Interpolate(this->Scaled.Surface.Triangles, this->Scaled.Targets, places) -
+    Pulled(places, this->Scaled.Surface.Triangles, this->Scaled.Targets) -
     Evaluate(this->Sum, places.Positions, progress.Part(0.5, 1.0), this->SumError);
 }
 

@@ -30,7 +30,7 @@ UntangleResult FoldFree(const Cells& domain, const Eigen::MatrixXd& moved, const
   }
   const ClosestPoints closest =
     SurfaceLocator(boundary).Find(domain.Points(outer, Eigen::all), progress.Part(0.0, 0.1));
-  const Eigen::MatrixXd images = Interpolate(boundary.Triangles, targets, closest);
+  const Eigen::MatrixXd images = Pulled(closest, boundary.Triangles, targets);
   Cells carried = domain;
   carried.Points = moved;
   const double farthest = OnSurface * LongestSide(boundary.Points);

@@ -49,11 +49,10 @@ public:
   PointDirections Directions(int, const Eigen::RowVector3d& place) const override
   {
     const ClosestPoints closest = this->Locator.Find(place);
-    const Eigen::Vector3d normal =
-      Interpolate(this->Locator.Surface().Triangles, this->Normals, closest)
-        .row(0)
-        .normalized()
-        .transpose();
+    const Eigen::Vector3d normal = Pulled(closest, this->Locator.Surface().Triangles, this->Normals)
+                                     .row(0)
+                                     .normalized()
+                                     .transpose();
     PointDirections directions(3, 2);
     directions.col(0) = normal.unitOrthogonal();
     directions.col(1) = normal.cross(directions.col(0));

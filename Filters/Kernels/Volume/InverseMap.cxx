@@ -141,7 +141,7 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
     return {};
   }
   const Eigen::RowVector3d onBoundary =
-    Interpolate(image.Triangles, this->Domain.Locator().Surface().Points, at.Closest);
+    Pulled(at.Closest, image.Triangles, this->Domain.Locator().Surface().Points);
   if (this->Seeds.rows() == 0)
   {
     return onBoundary;
@@ -177,7 +177,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
 
   // The image's triangles are the domain's: a place on the one is a place on the other.
   const Eigen::MatrixXd onBoundary =
-    Interpolate(image.Triangles, this->Domain.Locator().Surface().Points, at.Closest);
+    Pulled(at.Closest, image.Triangles, this->Domain.Locator().Surface().Points);
   const Eigen::MatrixXi nearest =
     Nearest(this->SeedImages, points, MostStarts, progress.Part(0.15, 0.2));
   const auto startOf = [&](int i, int attempt) -> Eigen::RowVector3d

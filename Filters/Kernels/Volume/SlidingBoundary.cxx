@@ -153,7 +153,7 @@ PointDirections SlidingBoundary::Directions(int point, const Eigen::RowVector3d&
   }
   const ClosestPoints closest = this->Locator.Find(place);
   Eigen::Vector3d normal =
-    Interpolate(this->Locator.Surface().Triangles, this->Normals, closest).row(0).transpose();
+    Pulled(closest, this->Locator.Surface().Triangles, this->Normals).row(0).transpose();
   // Where the surface is folded, normals cancel out.
   if (normal.norm() < 0.1)
   {
