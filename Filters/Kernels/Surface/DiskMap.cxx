@@ -2,7 +2,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Orientation.h"
-#include "Core/Topology.h"
+#include "Surface/OpenLoops.h"
 
 #include <algorithm>
 #include <array>
@@ -16,74 +16,6 @@ namespace
 
 /// Edges of the loop must be longer than this, in lengths of the loop: shorter ones have one angle.
 constexpr double ShortestLoopEdge = 1e-14;
-
-void RequireDisk(const Mesh& surface)
-{
-  const Topology topology = RequireManifold(surface, "the surface");
-  if (topology.Components > 1)
-  {
-    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components; keep one with Connectivity / Extract Largest");
-  }
-  if (topology.OpenLoops == 0)
-  {
-    throw InvalidInput("the surface is closed; cut it first with Shape Cut Feature");
-  }
-  if (topology.OpenLoops > 1)
-  {
-    throw InvalidInput("the surface has " + std::to_string(topology.OpenLoops) +
-      " open loops (first at point " + std::to_string(topology.FirstOpenPoint) +
-      "); fill all but the outer one with Shape Fill Holes");
-  }
-  if (topology.EulerNumber != 1)
-  {
-    throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
-      " (genus " + std::to_string((1 - topology.EulerNumber) / 2) +
-      "); a disk map needs Euler number 1: cut its handles and fill the holes");
-  }
-  const auto unused = (topology.ComponentId.array() < 0).count();
-  if (unused > 0)
-  {
-    const auto first = std::find(topology.ComponentId.begin(), topology.ComponentId.end(), -1) -
-      topology.ComponentId.begin();
-    throw InvalidInput("the surface has " + std::to_string(unused) +
-      (unused == 1 ? " point that no triangle uses" : " points that no triangle uses") +
-      " (first at point " + std::to_string(first) + "); remove with Clean");
-  }
-}
-
-/// The points of the one open loop as its triangles run through them, with the surface to the left.
-std::vector<int> OpenLoop(const Mesh& surface)
-{
-  std::vector<std::array<int, 2>> sides;
-  sides.reserve(3 * surface.Triangles.rows());
-  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      sides.push_back({ surface.Triangles(t, corner), surface.Triangles(t, (corner + 1) % 3) });
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  std::vector<int> next(surface.Points.rows(), -1);
-  int first = -1;
-  for (const auto& [begin, end] : sides)
-  {
-    if (!std::binary_search(sides.begin(), sides.end(), std::array<int, 2>{ end, begin }))
-    {
-      next[begin] = end;
-      first = begin;
-    }
-  }
-  std::vector<int> loop;
-  int point = first;
-  do
-  {
-    loop.push_back(point);
-    point = next[point];
-  } while (point != first);
-  return loop;
-}
 
 /// Turns the loop so that the point with the greatest coordinates comes first, and of several at
 /// one place the first by number.
@@ -264,10 +196,10 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
 DiskMapResult DiskMap(const Mesh& surface, const DiskMapOptions& options, const Progress& progress)
 {
   progress(0.0);
-  RequireDisk(surface);
+  RequireOpenSurface(surface, LoopCount::One);
   progress(0.1);
   DiskMapResult result;
-  result.Loop = OpenLoop(surface);
+  result.Loop = OpenLoops(surface).front();
   StartAtGreatest(result.Loop, surface.Points);
   const double size = LongestSide(surface.Points);
   Mesh scaled = surface;
