@@ -1,0 +1,91 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/PreciseMap.h"
+#include "TestShapes.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <vector>
+
+// Surfaces whose correspondence is known.
+namespace shapetest
+{
+
+/// A sphere with five bumps of different height, none of which lies where its mirror image does.
+/// The triangles are those of an icosphere that `turn` rotates first; the shape stays.
+inline shape::Mesh BumpySphere(int level, const Eigen::Matrix3d& turn)
+{
+  shape::Mesh mesh = Icosphere(level);
+  mesh.Points = mesh.Points * turn.transpose();
+  Eigen::Matrix<double, 5, 3> directions;
+  directions << 1, 0, 0, -0.4, 0.9, 0, -0.5, -0.6, 0.6, 0.1, -0.5, -0.8, 0.2, 0.3, 0.9;
+  const double heights[5] = { 1.4, 1.1, 0.9, 1.2, 0.7 };
+  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
+  {
+    const Eigen::RowVector3d direction = mesh.Points.row(i);
+    for (int k = 0; k < 5; ++k)
+    {
+      const double cosine = direction.dot(directions.row(k).normalized());
+      mesh.Points.row(i) += heights[k] * std::exp(14.0 * (cosine - 1.0)) * direction;
+    }
+  }
+  return mesh;
+}
+
+inline Eigen::Matrix3d Rotation(double angle, const Eigen::Vector3d& axis)
+{
+  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+/// The same surface with its points and triangles in another order.
+struct Renumbered
+{
+  shape::Mesh Mesh;
+  Eigen::VectorXi NewOf; ///< n: where each old point is
+};
+
+inline Renumbered Renumber(const shape::Mesh& mesh, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  const auto order = [&](Eigen::Index count)
+  {
+    std::vector<int> list(count);
+    std::iota(list.begin(), list.end(), 0);
+    std::shuffle(list.begin(), list.end(), random);
+    return list;
+  };
+  Renumbered result;
+  const std::vector<int> points = order(mesh.Points.rows());
+  const std::vector<int> triangles = order(mesh.Triangles.rows());
+  result.Mesh = { mesh.Points(points, Eigen::all), mesh.Triangles(triangles, Eigen::all) };
+  result.NewOf.resize(mesh.Points.rows());
+  for (int k = 0; k < static_cast<int>(points.size()); ++k)
+  {
+    result.NewOf(points[k]) = k;
+  }
+  result.Mesh.Triangles = result.Mesh.Triangles.unaryExpr([&](int i) { return result.NewOf(i); });
+  return result;
+}
+
+/// The mirror image across x = 0, facing outwards as before.
+inline shape::Mesh Mirrored(shape::Mesh mesh)
+{
+  mesh.Points.col(0) *= -1.0;
+  mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
+  return mesh;
+}
+
+/// How far in space points are taken from `wanted` (n x 3), over the longest side of `other`.
+inline Eigen::VectorXd MapErrors(
+  const shape::PreciseMap& map, const shape::Mesh& other, const Eigen::MatrixXd& wanted)
+{
+  return (shape::Pulled(map, other.Triangles, other.Points) - wanted).rowwise().norm() /
+    shape::LongestSide(other.Points);
+}
+
+} // namespace shapetest
