@@ -1,4 +1,5 @@
 #include "Core/Errors.h"
+#include "Core/Topology.h"
 #include "Surface/ExactGeodesics.h"
 #include "TestShapes.h"
 
@@ -158,10 +159,59 @@ TEST(ExactGeodesics, AreTheSameThereAndBack)
   }
 }
 
+TEST(ExactGeodesics, BetweenPlacesAreThoseFromThem)
+{
+  shape::Mesh half = Model("elephant"); // open, so that paths turn on a border, too
+  half.Triangles = half.Triangles.topRows(half.Triangles.rows() / 2).eval();
+  half = shape::SplitComponents(half).front();
+  for (const shape::Mesh& mesh : { Model("hand"), Model("elk"), half })
+  {
+    const int count = 40;
+    const shape::ClosestPoints places =
+      shape::SurfaceLocator(mesh).Find(shape::RandomPlaces(mesh, count, 3));
+    Eigen::VectorXi points = Eigen::VectorXi::LinSpaced(count, 0, 1000);
+    const shape::PreciseMap corners = shape::MapToPoints(points, mesh);
+    const Eigen::VectorXd there = shape::ExactGeodesicsBetween(mesh, places, corners),
+                          back = shape::ExactGeodesicsBetween(mesh, corners, places);
+    for (int i = 0; i < count; ++i)
+    {
+      shape::ClosestPoints seed;
+      seed.Triangles = places.Triangles.row(i);
+      seed.Barycentrics = places.Barycentrics.row(i);
+      const double wanted = shape::ExactGeodesics(mesh, seed)(points(i));
+      EXPECT_NEAR(there(i), wanted, 1e-10 * wanted);
+      EXPECT_NEAR(back(i), wanted, 1e-10 * wanted);
+    }
+    EXPECT_EQ(shape::ExactGeodesicsBetween(mesh, places, places).cwiseAbs().maxCoeff(), 0.0);
+  }
+}
+
+TEST(ExactGeodesics, BetweenComponentsAreInfinite)
+{
+  shape::Mesh two = shapetest::Icosphere(1);
+  const Eigen::Index points = two.Points.rows(), triangles = two.Triangles.rows();
+  two.Points.conservativeResize(2 * points, 3);
+  two.Points.bottomRows(points) =
+    two.Points.topRows(points).rowwise() + Eigen::RowVector3d(3, 0, 0);
+  two.Triangles.conservativeResize(2 * triangles, 3);
+  two.Triangles.bottomRows(triangles) =
+    (two.Triangles.topRows(triangles).array() + static_cast<int>(points)).matrix();
+  const shape::PreciseMap from = shape::MapToPoints(Eigen::Vector2i(0, 1), two),
+                          to =
+                            shape::MapToPoints(Eigen::Vector2i(static_cast<int>(points), 1), two);
+  const Eigen::VectorXd distances = shape::ExactGeodesicsBetween(two, from, to);
+  EXPECT_TRUE(std::isinf(distances(0)));
+  EXPECT_EQ(distances(1), 0.0);
+}
+
 TEST(ExactGeodesics, CanBeAborted)
 {
   const shape::Mesh mesh = Model("elephant");
   EXPECT_THROW(shape::ExactGeodesics(
                  mesh, At(mesh, mesh.Points.row(0)), shape::Progress([](double) { return false; })),
+    shape::Aborted);
+  const shape::PreciseMap ends = shape::MapToPoints(Eigen::Vector2i(0, 1000), mesh);
+  EXPECT_THROW(
+    shape::ExactGeodesicsBetween(mesh, ends, ends, shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Core/Mesh.h"
+#include "Core/PreciseMap.h"
 #include "Core/Progress.h"
 #include "Geometry/ClosestPoint.h"
 
@@ -27,5 +28,13 @@ namespace shape
  */
 Eigen::VectorXd ExactGeodesics(
   const Mesh& mesh, const ClosestPoints& seeds, const Progress& progress = {});
+
+/**
+ * The length of the shortest path between each of n pairs of places (n), exact as above; infinite
+ * where no path leads. A pair takes the longer the more of the surface its path could lead through.
+ * Throws Aborted.
+ */
+Eigen::VectorXd ExactGeodesicsBetween(
+  const Mesh& mesh, const PreciseMap& from, const PreciseMap& to, const Progress& progress = {});
 
 } // namespace shape
