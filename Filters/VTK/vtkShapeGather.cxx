@@ -163,14 +163,14 @@ std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const st
   return surfaces;
 }
 
-/// One grid of several data sets, without those that have no cell.
+/// One grid of several data sets, without those that have no point.
 vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& pieces)
 {
   vtkNew<vtkAppendFilter> append;
   append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   for (vtkDataSet* piece : pieces)
   {
-    if (piece->GetNumberOfCells() > 0)
+    if (piece->GetNumberOfPoints() > 0)
     {
       append->AddInputData(piece);
     }

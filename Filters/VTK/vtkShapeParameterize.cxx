@@ -1,17 +1,20 @@
 #include "vtkShapeParameterize.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeCutImage.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkShapeParameterize);
 
 vtkShapeParameterize::vtkShapeParameterize()
 {
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Landmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareOutputLikeInput();
   this->DeclareMovedOutput();
 }
@@ -20,22 +23,36 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
 {
   const WholeInput& whole = this->GetWhole(0);
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
-  const shape::ParameterizeResult map = shape::Parameterize(mesh, this->Options, progress);
+  Eigen::MatrixXd landmarks(0, 3);
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    landmarks = vtkShapeConvert::ToPoints(this->GetWhole(1).Grid);
+  }
+  const shape::ParameterizeResult map =
+    shape::Parameterize(mesh, landmarks, this->Options, progress);
 
   const Eigen::MatrixXd positions = vtkShapeConvert::Rows(map.Positions, whole.OwnPoints);
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   vtkDataObject* surface = this->GetOutputDataObject(0);
   vtkDataObject* image = this->GetOutputDataObject(1);
   vtkShapeConvert::AddPointFields(input, surface, { { "TargetPosition", positions } });
+  const bool isCut = !map.Cut.Originals.empty();
+  const vtkShapeCutImage cut(mesh, map.Cut, map.CutPositions);
   vtkIdType first = 0; // of this process's points, which come block by block
   vtkShapeConvert::ForEachLeaf(input, image, vtkShapeConvert::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const vtkIdType count = from->GetNumberOfPoints();
-      vtkShapeConvert::Move(from, positions.middleRows(first, count), to);
+      const auto begin = whole.OwnPoints.begin() + first;
+      first += count;
+      if (isCut)
+      {
+        cut.Fill(from, { begin, begin + count }, to);
+        return;
+      }
+      vtkShapeConvert::Move(from, positions.middleRows(first - count, count), to);
       to->GetPointData()->AddArray(
         vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
-      first += count;
     });
 
   for (vtkDataObject* output : { surface, image })
@@ -45,6 +62,7 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
     vtkShapeConvert::AddFact(output, "Parameterize.ReinsertedPoints", map.ReinsertedPoints);
     vtkShapeConvert::AddFact(output, "Parameterize.FlippedTriangles", map.FlippedTriangles);
     vtkShapeConvert::AddFact(output, "Parameterize.ConformalDistortion", map.ConformalDistortion);
+    vtkShapeConvert::AddFact(output, "Parameterize.Energy", map.Energy);
     vtkShapeConvert::AddFact(output, "Parameterize.LoopLength", map.LoopLength);
   }
 }

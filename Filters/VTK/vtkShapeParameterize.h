@@ -2,22 +2,29 @@
  * @class   vtkShapeParameterize
  * @brief   maps a surface onto a simple domain without flipping a triangle
  *
- * Input: for the Sphere a closed surface of genus 0, for the Disk a surface with one open loop and
- * no handle (polygons are triangulated inside). Blocks and distributed pieces are joined first;
- * each process gets its own back.
+ * Input: for the Sphere and the Orbifold a closed surface of genus 0, for the Disk one with one
+ * open loop and no handle, for FreeBoundary with one or more (polygons are triangulated inside).
+ * Blocks and distributed pieces are joined first; each process gets its own back. Landmarks
+ * (optional): for the Orbifold three or four points, whose nearest points of the surface become its
+ * cones.
  *
  * Output 0: the same surface with the point array `TargetPosition` (double, 3): where each point
  * goes. Output 1: the image: the same triangles at their target positions with `SourcePosition`.
+ * The Orbifold's image is cut open, as triangles: points on the cut have a copy for each place, and
+ * `OriginalPointId` is the input's point; TargetPosition is the place of the copy with its number.
  *
  * Field data of both: Parameterize.Method (Sphere: ConformalFlow; where that would flip triangles,
- * PositiveFlow or GlobalReinsertion, which AreaWeight > 0 asks for. Disk: the weights),
+ * PositiveFlow or GlobalReinsertion, which AreaWeight > 0 asks for. Disk: the weights;
+ * FreeBoundary: BoundaryFirst; both, refined: SymmetricDirichlet. Orbifold: the tile),
  * Parameterize.Iterations, Parameterize.ReinsertedPoints (how many points needed a new place to end
  * the method's flips), Parameterize.FlippedTriangles (0: a map that flips one is an error),
  * Parameterize.ConformalDistortion (mean over the surface's area; 1 keeps every angle),
- * Parameterize.LoopLength (Disk: of the open loop, in the surface's units; Sphere: 0).
+ * Parameterize.Energy (mean symmetric Dirichlet energy over the surface's area, scaled to the
+ * image's: 4 for a similarity; Sphere: 0), Parameterize.LoopLength (Disk, FreeBoundary: of the
+ * longest open loop, in the surface's units; else 0).
  *
- * The Disk's factorisation is one library call: an abort takes effect at its end (within a second
- * at 100,000 points).
+ * Each factorisation is one library call: an abort takes effect at its end (within a second at
+ * 100,000 points).
  *
  * The mathematics: shape::Parameterize.
  */
@@ -37,9 +44,12 @@ public:
   ///@{
   /// What the surface is mapped onto. 0 = Disk: the disk in the plane z = 0, or the square, as
   /// Outline says; counter-clockwise seen from +z. 1 = Sphere: the unit sphere, centred so that the
-  /// mean of the image, weighted by the surface's area, is the origin. Default: Sphere.
+  /// mean of the image, weighted by the surface's area, is the origin. 2 = FreeBoundary: the plane
+  /// z = 0, conformal, with the surface's area, around its centroid, x its longer principal axis.
+  /// 3 = Orbifold: a Tile of the plane z = 0, whose copies, turned around the cones, continue the
+  /// map across the cut. Default: Sphere.
   vtkShapeEnumOption(Domain, shape::ParameterizeOptions::DomainType,
-    shape::ParameterizeOptions::DomainType::Disk, shape::ParameterizeOptions::DomainType::Sphere);
+    shape::ParameterizeOptions::DomainType::Disk, shape::ParameterizeOptions::DomainType::Orbifold);
   ///@}
 
   ///@{
@@ -57,6 +67,24 @@ public:
   /// corner (1, 1) on. Default: Circle.
   vtkShapeEnumOption(
     Outline, shape::DiskOutline, shape::DiskOutline::Circle, shape::DiskOutline::Square);
+  ///@}
+
+  ///@{
+  /// Disk and FreeBoundary: 0 = None. 1 = SymmetricDirichlet: points move until lengths and areas
+  /// change least (scalable locally injective mappings), and no triangle flips on the way; the
+  /// Disk's outline stays. FreeBoundary starts from Tutte's map where the conformal one flips a
+  /// triangle, which without Refine is an error. Default: None.
+  vtkShapeEnumOption(Refine, shape::ParameterizeOptions::RefineType,
+    shape::ParameterizeOptions::RefineType::None,
+    shape::ParameterizeOptions::RefineType::SymmetricDirichlet);
+  ///@}
+
+  ///@{
+  /// Orbifold with three Landmarks, the angles of the surface around them in the image: 0 = Square:
+  /// 90, 180 and 90 degrees. 1 = Rhombus: 120 each. 2 = Triangle: 60, 120 and 180. With four
+  /// Landmarks it is a parallelogram, 180 each, as conformal as can be. Default: Rhombus.
+  vtkShapeEnumOption(
+    Tile, shape::OrbifoldType, shape::OrbifoldType::Square, shape::OrbifoldType::Triangle);
   ///@}
 
   ///@{

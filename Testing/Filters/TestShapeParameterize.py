@@ -1,4 +1,5 @@
-"""Shape Parameterize: a closed surface of genus 0 to the unit sphere, an open one to the disk.
+"""Shape Parameterize: a closed surface of genus 0 to the unit sphere or an orbifold, an open one to the
+disk or, its border free, to the plane.
 
 As an example: give it a surface, take TargetPosition from the first output, or the image from the
 second."""
@@ -8,6 +9,8 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 import shapemap
 
 import shapetesting
@@ -20,11 +23,26 @@ def flipped(corners, sphere):
     return int((numpy.einsum('ij,ij->i', a, numpy.cross(b, c)) <= 0.0).sum())
 
 
-def error_of(data, **properties):
+def cloud(places):
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    shapetesting.set_points(data, places)
+    return data
+
+
+def signed_areas(image):
+    """Twice the areas of the triangles of a planar image, positive where counter-clockwise."""
+    a, b, c = (points(image)[triangles(image)[:, i], :2] for i in range(3))
+    return numpy.cross(b - a, c - a)
+
+
+def error_of(data, landmarks=None, **properties):
     algorithm = shapemap.vtkShapeParameterize()
     for name, value in properties.items():
         getattr(algorithm, 'Set' + name)(value)
     algorithm.SetInputDataObject(data)
+    if landmarks is not None:
+        algorithm.SetInputDataObject(1, cloud(landmarks))
     messages = shapetesting.run(algorithm)
     assert bool(messages) == (algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0)
     return ' '.join(messages)
@@ -121,4 +139,72 @@ assert 'Shape Parameterize: the surface has 2 open loops' in error_of(
 assert 'fill all but the outer one with Shape Fill Holes' in error_of(
     shapetesting.without_cells(mapped, (11, 400)), Domain=0)
 assert not error_of(shapetesting.without_cells(mapped, (11,)), Domain=0)
-print('a surface of genus 0 goes to the sphere, an open one to the disk, without a flip')
+
+# FreeBoundary, through ParaView's proxies: conformal, with the surface's area and a free border.
+free_map = simple.ShapeParameterize(Input=cap, Domain='FreeBoundary')
+assert free_map.Refine == 'None'
+measured = {}
+for refine, method in (('None', 'BoundaryFirst'), ('SymmetricDirichlet', 'SymmetricDirichlet')):
+    free_map.Refine = refine
+    free_map.UpdatePipeline()
+    free = shapetesting.output(free_map, 1)
+    assert fact(free, 'Parameterize.Method') == method
+    assert (signed_areas(free) > 0.0).all() and (points(free)[:, 2] == 0.0).all()
+    p = array(free, 'SourcePosition')[triangles(free)]
+    area = numpy.linalg.norm(numpy.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1).sum()
+    assert abs(signed_areas(free).sum() / area - 1.0) < 1e-6, 'the image has another area'
+    measured[refine] = (fact(free, 'Parameterize.ConformalDistortion'),
+                        fact(free, 'Parameterize.Energy'))
+assert measured['None'][0] < 1.01, 'the free map is conformal: %s' % measured
+assert 4.0 < measured['SymmetricDirichlet'][1] < measured['None'][1], measured
+assert fact(free, 'Parameterize.LoopLength') > 4.0
+disk_map.Outline = 'Circle'
+disk_map.UpdatePipeline()
+before = fact(shapetesting.output(disk_map), 'Parameterize.Energy')
+disk_map.Refine = 'SymmetricDirichlet'
+disk_map.UpdatePipeline()
+refined = shapetesting.output(disk_map, 1)
+assert fact(refined, 'Parameterize.Energy') < before and (signed_areas(refined) > 0.0).all()
+assert abs(numpy.linalg.norm(points(refined), axis=1).max() - 1.0) < 1e-15, 'the outline moved'
+assert not error_of(shapetesting.without_cells(mapped, (11, 400)), Domain=2, Refine=1)
+assert 'the surface is closed; cut it first with Shape Cut Feature' in error_of(mapped, Domain=2)
+
+# The Orbifold: cut open along a path through the landmarks, laid out on a tile.
+ends = [[2.0, 0.0, 0.0], [-1.0, 2.0, 0.0], [-1.0, -2.0, 1.0], [0.0, 0.0, -2.0]]
+places = simple.TrivialProducer()
+places.GetClientSideObject().SetOutput(cloud(ends[:3]))
+orbifold_map = simple.ShapeParameterize(Input=surface, Landmarks=places, Domain='Orbifold')
+assert orbifold_map.Tile == 'Rhombus'
+count = mapped.GetNumberOfPoints()
+for tile, area in (('Square', 1.0), ('Rhombus', 0.75 ** 0.5), ('Triangle', 0.1875 ** 0.5)):
+    orbifold_map.Tile = tile
+    orbifold_map.UpdatePipeline()
+    laid = shapetesting.output(orbifold_map, 1)
+    assert (signed_areas(laid) > 0.0).all() and abs(signed_areas(laid).sum() - 2.0 * area) < 1e-12
+    originals = array(laid, 'OriginalPointId')
+    assert laid.GetNumberOfPoints() > count and (originals[:count] == numpy.arange(count)).all()
+    whole = shapetesting.output(orbifold_map, 0)
+    assert (array(laid, 'SourcePosition') == points(whole)[originals]).all()
+    assert (array(whole, 'TargetPosition') == points(laid)[:count]).all()
+    assert (originals[triangles(laid)] == triangles(whole)).all(), 'the triangles are the same'
+    assert fact(laid, 'Parameterize.Method') == tile
+four = shapemap.vtkShapeParameterize()
+four.SetDomain(3)
+blocks = vtkMultiBlockDataSet()  # the block and its arrays keep their places
+blocks.SetBlock(1, mapped)
+four.SetInputDataObject(0, blocks)
+four.SetInputDataObject(1, cloud(ends))
+assert not shapetesting.run(four)
+laid = four.GetOutputDataObject(1).GetBlock(1)
+assert (signed_areas(laid) > 0.0).all() and abs(signed_areas(laid).sum() - 2.0) < 1e-12
+assert (array(laid, 'TargetPosition') == positions[array(laid, 'OriginalPointId')]).all()
+assert fact(four.GetOutputDataObject(1), 'Parameterize.Method') == 'Parallelogram'
+assert not error_of(clean.GetOutput(), [[1, 1, 1], [-1, -1, 1], [1, -1, -1]], Domain=3)
+
+assert 'has 3 or 4 cones, but there are 0 Landmarks' in error_of(mapped, Domain=3)
+assert 'but there are 2 Landmarks' in error_of(mapped, ends[:2], Domain=3)
+assert 'are the same point' in error_of(mapped, ends[:2] + ends[:1], Domain=3)
+assert 'Landmarks are the cones of the Orbifold' in error_of(mapped, ends, Domain=1)
+assert '(genus 2)' in error_of(read('TwoTorusSmall.vtp'), ends, Domain=3)
+assert 'open loop' in error_of(opened, ends, Domain=3)
+print('a surface of genus 0 goes to the sphere or a tile, an open one to the plane, without a flip')

@@ -125,3 +125,44 @@ TEST(Parameterize, OntoTheDiskHandsItsOptionsOnAndSaysHow)
     shape::DiskMap(cap, { shape::CombinationWeights::Cotangent, shape::DiskOutline::Square })
       .Points);
 }
+
+TEST(Parameterize, FreeBoundaryAndRefineHandTheirOptionsOn)
+{
+  shape::Mesh bumps = shapetest::FlatDisk(8);
+  bumps.Points.col(2) = 0.4 * (3.0 * bumps.Points.col(0)).array().sin();
+  shape::ParameterizeOptions options;
+  options.Domain = shape::ParameterizeOptions::DomainType::FreeBoundary;
+  const shape::ParameterizeResult conformal = shape::Parameterize(bumps, options);
+  EXPECT_EQ(conformal.Method, "BoundaryFirst");
+  EXPECT_LT(conformal.ConformalDistortion, 1.05);
+  options.Refine = shape::ParameterizeOptions::RefineType::SymmetricDirichlet;
+  const shape::ParameterizeResult refined = shape::Parameterize(bumps, options);
+  EXPECT_EQ(refined.Method, "SymmetricDirichlet");
+  EXPECT_GT(refined.Iterations, 0);
+  EXPECT_LE(refined.Energy, conformal.Energy);
+  EXPECT_GE(refined.Energy, 4.0);
+  options.Domain = shape::ParameterizeOptions::DomainType::Disk;
+  const shape::ParameterizeResult disk = shape::Parameterize(bumps, options);
+  EXPECT_GT(disk.Energy, refined.Energy);
+  EXPECT_NEAR(disk.Positions.rowwise().norm().maxCoeff(), 1.0, 1e-15);
+}
+
+TEST(Parameterize, OntoTheOrbifoldTakesTheNearestPointsAsCones)
+{
+  const shape::Mesh mesh = shapetest::Icosphere(3);
+  const Eigen::MatrixXd landmarks = 1.5 * mesh.Points.topRows(4);
+  shape::ParameterizeOptions options;
+  options.Domain = shape::ParameterizeOptions::DomainType::Orbifold;
+  const shape::ParameterizeResult map = shape::Parameterize(mesh, landmarks, options);
+  EXPECT_EQ(map.Method, "Parallelogram");
+  EXPECT_EQ(map.Positions, map.CutPositions.topRows(642));
+  EXPECT_GT(map.CutPositions.rows(), 642);
+  EXPECT_LT(map.ConformalDistortion, 1.1);
+  options.Tile = shape::OrbifoldType::Square;
+  const shape::ParameterizeResult square = shape::Parameterize(mesh, landmarks.topRows(3), options);
+  EXPECT_EQ(square.Method, "Square");
+  EXPECT_LT((square.Positions.row(2) - Eigen::RowVector3d(1.0, 1.0, 0.0)).norm(), 1e-15);
+  EXPECT_THROW(shape::Parameterize(mesh, options), shape::InvalidInput);
+  options.Domain = shape::ParameterizeOptions::DomainType::Sphere;
+  EXPECT_THROW(shape::Parameterize(mesh, landmarks, options), shape::InvalidInput);
+}

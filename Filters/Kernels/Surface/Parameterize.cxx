@@ -1,8 +1,18 @@
 #include "Surface/Parameterize.h"
 
 #include "Core/Errors.h"
+#include "Core/Topology.h"
 #include "Quality/ConformalDistortion.h"
+#include "Quality/MapQuality.h"
+#include "Surface/FreeBoundaryMap.h"
+#include "Surface/InjectiveRefinement.h"
+#include "Surface/OrbifoldTutte.h"
+#include "Surface/PlanarElements.h"
 #include "Surface/SphereMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace shape
 {
@@ -70,30 +80,165 @@ ParameterizeResult OntoSphere(
   return result;
 }
 
+double AreaOf(const Mesh& mesh)
+{
+  return 0.5 * AreaVectors(mesh).rowwise().norm().sum();
+}
+
+/// By how much the surface is scaled to have its image's area.
+double ScaleTo(const Eigen::MatrixXd& image, const Mesh& surface)
+{
+  return std::sqrt(AreaOf({ image, surface.Triangles }) / AreaOf(surface));
+}
+
+bool IsRefined(const ParameterizeOptions& options)
+{
+  return options.Refine == ParameterizeOptions::RefineType::SymmetricDirichlet;
+}
+
 ParameterizeResult OntoDisk(
   const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
 {
-  const DiskMapResult map = DiskMap(surface, { options.Weights, options.Outline }, progress);
+  const Progress mapping = progress.Part(0.0, IsRefined(options) ? 0.3 : 1.0);
+  const DiskMapResult map = DiskMap(surface, { options.Weights, options.Outline }, mapping);
   ParameterizeResult result;
   result.Positions = map.Points;
   result.Method = Word(options.Weights);
   result.FlippedTriangles = map.FlippedTriangles;
   result.LoopLength = map.LoopLength;
+  if (IsRefined(options))
+  {
+    InjectiveRefinementOptions refinement;
+    refinement.Scale = ScaleTo(map.Points, surface);
+    const InjectiveRefinementResult refined = RefineInjectively(
+      surface, map.Points.leftCols(2), map.Loop, refinement, progress.Part(0.3, 1.0));
+    result.Positions.leftCols(2) = refined.Points;
+    result.Method = "SymmetricDirichlet";
+    result.Iterations = refined.Iterations;
+  }
   return result;
+}
+
+ParameterizeResult WithFreeBoundary(
+  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+{
+  FreeBoundaryMapOptions own;
+  own.Refine = IsRefined(options);
+  const FreeBoundaryMapResult map = FreeBoundaryMap(surface, own, progress);
+  ParameterizeResult result;
+  result.Positions = map.Points;
+  result.Method = own.Refine ? "SymmetricDirichlet" : "BoundaryFirst";
+  result.Iterations = map.Iterations;
+  result.LoopLength = map.LoopLength;
+  return result;
+}
+
+std::string Word(OrbifoldType type)
+{
+  switch (type)
+  {
+    case OrbifoldType::Square:
+      return "Square";
+    case OrbifoldType::Rhombus:
+      return "Rhombus";
+    case OrbifoldType::Triangle:
+      return "Triangle";
+    case OrbifoldType::Rectangle:
+      break;
+  }
+  return "Parallelogram";
+}
+
+/// The points of the surface that are nearest to the landmarks.
+std::vector<int> NearestPoints(const Mesh& surface, const Eigen::MatrixXd& landmarks)
+{
+  RequireFinite(landmarks, "the Landmarks");
+  RequireFinite(surface.Points, "the surface");
+  std::vector<int> points;
+  for (const auto& landmark : landmarks.rowwise())
+  {
+    Eigen::Index nearest = 0;
+    (surface.Points.rowwise() - landmark).rowwise().squaredNorm().minCoeff(&nearest);
+    points.push_back(static_cast<int>(nearest));
+  }
+  return points;
+}
+
+ParameterizeResult OntoOrbifold(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+  const ParameterizeOptions& options, const Progress& progress)
+{
+  if (landmarks.rows() != 3 && landmarks.rows() != 4)
+  {
+    throw InvalidInput("the Orbifold has 3 or 4 cones, but there are " +
+      std::to_string(landmarks.rows()) + " Landmarks; give 3 or 4 points near the surface");
+  }
+  if (surface.Triangles.rows() == 0)
+  {
+    throw InvalidInput("the surface has no triangles");
+  }
+  const OrbifoldType type = landmarks.rows() == 4 ? OrbifoldType::Rectangle : options.Tile;
+  OrbifoldImage image = OrbifoldTutte(surface, NearestPoints(surface, landmarks), type, progress);
+  if (type == OrbifoldType::Rectangle)
+  {
+    image.Points = OnBestParallelogram(image);
+  }
+  ParameterizeResult result;
+  result.CutPositions = Eigen::MatrixXd::Zero(image.Points.rows(), 3);
+  result.CutPositions.leftCols(2) = image.Points;
+  result.Positions = result.CutPositions.topRows(surface.Points.rows());
+  result.Cut = std::move(image.Cut);
+  result.FlippedTriangles = image.FlippedTriangles;
+  result.Method = Word(type);
+  return result;
+}
+
+ParameterizeResult Onto(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+  const ParameterizeOptions& options, const Progress& progress)
+{
+  using Domain = ParameterizeOptions::DomainType;
+  if (options.Domain != Domain::Orbifold && landmarks.rows() > 0)
+  {
+    throw InvalidInput(
+      "Landmarks are the cones of the Orbifold; choose that Domain, or leave Landmarks empty");
+  }
+  switch (options.Domain)
+  {
+    case Domain::Disk:
+      return OntoDisk(surface, options, progress);
+    case Domain::FreeBoundary:
+      return WithFreeBoundary(surface, options, progress);
+    case Domain::Orbifold:
+      return OntoOrbifold(surface, landmarks, options, progress);
+    case Domain::Sphere:
+      break;
+  }
+  return OntoSphere(surface, options, progress);
 }
 
 } // namespace
 
+ParameterizeResult Parameterize(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+  const ParameterizeOptions& options, const Progress& progress)
+{
+  ParameterizeResult result = Onto(surface, landmarks, options, progress);
+  const bool isCut = options.Domain == ParameterizeOptions::DomainType::Orbifold;
+  const Mesh& mapped = isCut ? result.Cut.Surface : surface;
+  const Eigen::MatrixXd& image = isCut ? result.CutPositions : result.Positions;
+  const Eigen::VectorXd areas = AreaVectors(mapped).rowwise().norm();
+  result.ConformalDistortion = areas.dot(ConformalDistortion(mapped, image)) / areas.sum();
+  if (options.Domain != ParameterizeOptions::DomainType::Sphere)
+  {
+    const PlanarElements elements(mapped, ScaleTo(image, mapped));
+    result.Energy = std::min(
+      LargestMeasure, elements.Energy(image.leftCols(2), Distortion::SymmetricDirichlet, 1.0));
+  }
+  return result;
+}
+
 ParameterizeResult Parameterize(
   const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
 {
-  ParameterizeResult result = options.Domain == ParameterizeOptions::DomainType::Disk
-    ? OntoDisk(surface, options, progress)
-    : OntoSphere(surface, options, progress);
-  const Eigen::VectorXd areas = AreaVectors(surface).rowwise().norm();
-  result.ConformalDistortion =
-    areas.dot(ConformalDistortion(surface, result.Positions)) / areas.sum();
-  return result;
+  return Parameterize(surface, Eigen::MatrixXd(0, 3), options, progress);
 }
 
 } // namespace shape
