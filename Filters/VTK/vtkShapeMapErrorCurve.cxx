@@ -1,0 +1,70 @@
+#include "vtkShapeMapErrorCurve.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkShapeMapErrorCurve);
+
+vtkShapeMapErrorCurve::vtkShapeMapErrorCurve()
+{
+  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Target", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Truth", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
+  this->DeclareOutput("vtkTable");
+}
+
+void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
+{
+  vtkPolyData* source = this->GetWhole(0).Data;
+  vtkPolyData* goal = this->GetWhole(1).Data;
+  vtkUnstructuredGrid* places = this->GetWhole(2).Grid;
+  const shape::Mesh input = vtkShapeConvert::ToMesh(source, "the Input");
+  const shape::Mesh target = vtkShapeConvert::ToMesh(goal, "the Target");
+  const Eigen::MatrixXd map = vtkShapeConvert::ToPointArray(source, this->MapArray, 3, "the Input");
+  shape::MapTruth truth;
+  truth.Places = vtkShapeConvert::ToPoints(places);
+  truth.Targets = vtkShapeConvert::ToPointArray(places, this->MapArray, 3, "the Truth");
+  if (places->GetPointData()->HasArray(this->SymmetryArray.c_str()))
+  {
+    truth.Mirrored = vtkShapeConvert::ToPointArray(places, this->SymmetryArray, 3, "the Truth");
+  }
+
+  const bool hasBack = goal->GetPointData()->HasArray(this->MapArray.c_str());
+  const shape::MapErrorCurveResult result = shape::MapErrorCurve(
+    input, map, target, truth, this->Options, progress.Part(0.0, hasBack ? 0.7 : 0.95));
+  auto* output = vtkTable::SafeDownCast(this->GetOutputDataObject(0));
+  const auto add = [&](const std::string& fact, double value)
+  { vtkShapeConvert::AddFact(output, "MapErrorCurve." + fact, value); };
+  add("Mean", result.Mean);
+  add("Median", result.Median);
+  add("Percentile95", result.Percentile95);
+  add("Maximum", result.Maximum);
+  add("AreaUnderCurve", result.AreaUnderCurve);
+  add("Unit", result.Unit);
+  add("Mirrored", result.Mirrored ? 1.0 : 0.0);
+  add("UnreachedPlaces", result.Unreached);
+  add("LargestGap", result.LargestGap);
+  add("Coverage", shape::Coverage(input, map, target, progress.Part(0.95, 1.0)));
+  if (hasBack)
+  {
+    const Eigen::MatrixXd back =
+      vtkShapeConvert::ToPointArray(goal, this->MapArray, 3, "the Target");
+    const Eigen::VectorXd trips =
+      shape::RoundTripErrors(input, map, target, back, progress.Part(0.7, 0.95));
+    add("RoundTripMean", trips.size() > 0 ? trips.mean() : 0.0);
+    add("RoundTripMaximum", trips.size() > 0 ? trips.maxCoeff() : 0.0);
+  }
+  // Every process has the same curve: one of them hands it on.
+  if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
+  {
+    output->AddColumn(vtkShapeConvert::ToArray(result.Errors, "Error"));
+    output->AddColumn(vtkShapeConvert::ToArray(result.Shares, "Share"));
+  }
+}
