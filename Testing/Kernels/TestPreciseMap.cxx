@@ -9,7 +9,7 @@
 
 TEST(PreciseMap, PullsLinearFunctionsAndPushesByTheTranspose)
 {
-  const shape::Mesh torus = Torus(2.0, 0.7, 20, 10);
+  const shape::Mesh torus = shapetest::Torus(2.0, 0.7, 20, 10);
   const shape::PreciseMap map =
     shape::SurfaceLocator(torus).Find(shape::RandomPlaces(torus, 50, 3));
   const Eigen::MatrixXd there = shape::Pulled(map, torus.Triangles, torus.Points);
@@ -23,7 +23,7 @@ TEST(PreciseMap, PullsLinearFunctionsAndPushesByTheTranspose)
 
 TEST(PreciseMap, ToPointsIsExactThereAndMainCornersGoBack)
 {
-  shape::Mesh torus = Torus(2.0, 0.7, 20, 10);
+  shape::Mesh torus = shapetest::Torus(2.0, 0.7, 20, 10);
   Eigen::VectorXi all(torus.Points.rows());
   std::iota(all.begin(), all.end(), 0);
   const shape::PreciseMap map = shape::MapToPoints(all, torus);
@@ -32,5 +32,6 @@ TEST(PreciseMap, ToPointsIsExactThereAndMainCornersGoBack)
   torus.Points.conservativeResize(torus.Points.rows() + 1, 3);
   torus.Points.bottomRows(1).setZero();
   const int unused = static_cast<int>(torus.Points.rows()) - 1;
-  EXPECT_THROW(shape::MapToPoints(Eigen::VectorXi::Constant(1, unused), torus), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::MapToPoints(Eigen::VectorXi::Constant(1, unused), torus), shape::InvalidInput);
 }

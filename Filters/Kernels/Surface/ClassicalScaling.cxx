@@ -14,6 +14,28 @@
 
 namespace shape
 {
+
+Eigen::MatrixXd ScalingAxes(const Eigen::MatrixXd& squares, int dimensions)
+{
+  const Eigen::VectorXd means = squares.rowwise().mean();
+  const Eigen::MatrixXd products =
+    -0.5 * ((squares.colwise() - means).rowwise() - means.transpose()).array() - 0.5 * means.mean();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(products);
+  Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(squares.rows(), dimensions);
+  const int count = std::min<int>(dimensions, static_cast<int>(squares.rows()));
+  for (int k = 0; k < count; ++k)
+  {
+    const Eigen::Index last = products.cols() - 1 - k;
+    constexpr double least = 1e-9; // of the largest; others are of rounding, or there are none
+    const double value = solver.eigenvalues()(last);
+    if (value > least * solver.eigenvalues().maxCoeff())
+    {
+      axes.col(k) = solver.eigenvectors().col(last) / std::sqrt(value);
+    }
+  }
+  return axes;
+}
+
 Eigen::MatrixXd ClassicalScaling(
   const Mesh& mesh, int dimensions, int samples, const Progress& progress)
 {
@@ -29,26 +51,13 @@ Eigen::MatrixXd ClassicalScaling(
   squares = squares.array().isFinite().select(squares, 0.0);
   Eigen::MatrixXd between = squares(points, Eigen::all);
   between = 0.5 * (between + between.transpose()).eval();
-  const Eigen::VectorXd means = between.rowwise().mean();
-  const Eigen::MatrixXd products =
-    -0.5 * ((between.colwise() - means).rowwise() - means.transpose()).array() - 0.5 * means.mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(products);
-  progress(0.95);
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(mesh.Points.rows(), dimensions);
-  const int count = std::min<int>(dimensions, static_cast<int>(points.size()));
-  for (int k = 0; k < count; ++k)
+  const Eigen::RowVectorXd means = between.colwise().mean();
+  Eigen::MatrixXd result = -0.5 * ((squares.rowwise() - means) * ScalingAxes(between, dimensions));
+  for (Eigen::Index k = 0; k < result.cols(); ++k)
   {
-    const Eigen::Index last = products.cols() - 1 - k;
-    constexpr double least = 1e-9; // of the largest; others are of rounding, or there are none
-    const double value = axes.eigenvalues()(last);
-    if (value > least * axes.eigenvalues().maxCoeff())
-    {
-      const Eigen::VectorXd pseudo = axes.eigenvectors().col(last) / std::sqrt(value);
-      result.col(k) = -0.5 * ((squares.rowwise() - means.transpose()) * pseudo);
-      Eigen::Index largest = 0;
-      result.col(k).cwiseAbs().maxCoeff(&largest);
-      result.col(k) *= result(largest, k) < 0.0 ? -1.0 : 1.0;
-    }
+    Eigen::Index largest = 0;
+    result.col(k).cwiseAbs().maxCoeff(&largest);
+    result.col(k) *= result(largest, k) < 0.0 ? -1.0 : 1.0;
   }
   for (Eigen::Index i = 0; i < result.rows(); ++i)
   {

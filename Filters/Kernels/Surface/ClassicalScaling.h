@@ -25,4 +25,9 @@ namespace shape
 Eigen::MatrixXd ClassicalScaling(
   const Mesh& mesh, int dimensions, int samples = 500, const Progress& progress = {});
 
+/// What classical scaling makes positions of: squared distances from the samples, less their means,
+/// times this (s x dimensions), times -1/2. squares: s x s, symmetric, between the samples. Columns
+/// without a positive eigenvalue are 0.
+Eigen::MatrixXd ScalingAxes(const Eigen::MatrixXd& squares, int dimensions);
+
 } // namespace shape

@@ -2,44 +2,44 @@
 
 #include "Core/HalfEdges.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <queue>
-#include <utility>
 
 namespace shape
 {
-namespace
-{
 
-/// The neighbours of each point, each once, and how far they are.
-std::vector<std::vector<std::pair<double, int>>> NeighboursOf(const Mesh& mesh)
+EdgeGraph::EdgeGraph(const Mesh& mesh)
+  : First(mesh.Points.rows() + 1, 0)
 {
-  std::vector<std::vector<std::pair<double, int>>> neighbours(mesh.Points.rows());
-  int low = -1, high = -1;
-  for (const HalfEdge& edge : SortedHalfEdges(mesh.Triangles, mesh.Points.rows()))
+  std::vector<HalfEdge> once = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  const auto same = [](const HalfEdge& a, const HalfEdge& b)
+  { return a.Low() == b.Low() && a.High() == b.High(); };
+  once.erase(std::unique(once.begin(), once.end(), same), once.end());
+  for (const HalfEdge& edge : once)
   {
-    if (edge.Low() != low || edge.High() != high)
-    {
-      low = edge.Low();
-      high = edge.High();
-      const double length = (mesh.Points.row(low) - mesh.Points.row(high)).norm();
-      neighbours[low].emplace_back(length, high);
-      neighbours[high].emplace_back(length, low);
-    }
+    ++this->First[edge.Begin + 1];
+    ++this->First[edge.End + 1];
   }
-  return neighbours;
+  for (std::size_t i = 1; i < this->First.size(); ++i)
+  {
+    this->First[i] += this->First[i - 1];
+  }
+  this->Edges.resize(2 * once.size());
+  std::vector<int> next = this->First;
+  for (const HalfEdge& edge : once)
+  {
+    const double length = (mesh.Points.row(edge.Low()) - mesh.Points.row(edge.High())).norm();
+    this->Edges[next[edge.Low()]++] = { length, edge.High() };
+    this->Edges[next[edge.High()]++] = { length, edge.Low() };
+  }
 }
 
-} // namespace
-
-Eigen::VectorXd EdgeGeodesics(const Mesh& mesh, const EdgeSeeds& seeds, const Progress& progress)
+void EdgeGraph::Lower(
+  Eigen::VectorXd& distances, const EdgeSeeds& seeds, const Progress& progress) const
 {
-  using Event = std::pair<double, int>;
-  const std::vector<std::vector<Event>> neighbours = NeighboursOf(mesh);
-  Eigen::VectorXd distances =
-    Eigen::VectorXd::Constant(mesh.Points.rows(), std::numeric_limits<double>::infinity());
-  std::priority_queue<Event, std::vector<Event>, std::greater<>> queue;
+  std::priority_queue<Edge, std::vector<Edge>, std::greater<>> queue;
   const auto reach = [&](int point, double distance)
   {
     if (distance < distances(point))
@@ -63,12 +63,19 @@ Eigen::VectorXd EdgeGeodesics(const Mesh& mesh, const EdgeSeeds& seeds, const Pr
     queue.pop();
     if (distance <= distances(point))
     {
-      for (const auto& [length, other] : neighbours[point])
+      for (int i = this->First[point]; i < this->First[point + 1]; ++i)
       {
-        reach(other, distance + length);
+        reach(this->Edges[i].second, distance + this->Edges[i].first);
       }
     }
   }
+}
+
+Eigen::VectorXd EdgeGeodesics(const Mesh& mesh, const EdgeSeeds& seeds, const Progress& progress)
+{
+  Eigen::VectorXd distances =
+    Eigen::VectorXd::Constant(mesh.Points.rows(), std::numeric_limits<double>::infinity());
+  EdgeGraph(mesh).Lower(distances, seeds, progress);
   progress(1.0);
   return distances;
 }

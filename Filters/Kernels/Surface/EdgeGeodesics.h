@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -17,9 +18,25 @@ struct EdgeSeeds
   Eigen::VectorXd Distances;
 };
 
-/// The length of the shortest path along edges from the seeds to each point (Dijkstra 1959): n
-/// distances in the model's units, never less than the surface's own; infinite where no path leads.
-/// Throws Aborted.
+/// The edges of a surface and their lengths, along which distances from many seeds are found.
+class EdgeGraph
+{
+public:
+  explicit EdgeGraph(const Mesh& mesh);
+
+  /// Lowers distances (n) to those from more seeds where these are nearer (Dijkstra 1959): it goes
+  /// no farther than that. Throws Aborted.
+  void Lower(
+    Eigen::VectorXd& distances, const EdgeSeeds& seeds, const Progress& progress = {}) const;
+
+private:
+  using Edge = std::pair<double, int>; ///< its length and where it leads
+  std::vector<int> First;              ///< edges from point i: from First[i] to First[i + 1]
+  std::vector<Edge> Edges;
+};
+
+/// The length of the shortest path along edges from the seeds to each point: n distances in the
+/// model's units, never less than the surface's own; infinite where no path leads. Throws Aborted.
 Eigen::VectorXd EdgeGeodesics(
   const Mesh& mesh, const EdgeSeeds& seeds, const Progress& progress = {});
 

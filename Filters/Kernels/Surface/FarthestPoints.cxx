@@ -15,10 +15,10 @@ std::vector<int> FarthestPoints(const Mesh& mesh, int count, const Progress& pro
   {
     nearest(point) = std::numeric_limits<double>::infinity();
   }
+  const EdgeGraph edges(mesh);
   while (static_cast<int>(samples.size()) < count)
   {
-    nearest =
-      nearest.cwiseMin(EdgeGeodesics(mesh, { { samples.back() }, Eigen::VectorXd::Zero(1) }));
+    edges.Lower(nearest, { { samples.back() }, Eigen::VectorXd::Zero(1) });
     Eigen::Index farthest = 0;
     if (nearest.maxCoeff(&farthest) <= 0.0)
     {

@@ -146,7 +146,7 @@ FreeBoundaryMapResult FreeBoundaryMap(
   {
     const InjectiveRefinementResult refined =
       RefineInjectively(unit, image, {}, options.Refinement, progress.Part(0.3, 1.0));
-    image = refined.Points / std::sqrt(AreaOf(surface.Triangles, refined.Points));
+    image = refined.Points;
     result.Iterations = refined.Iterations;
   }
   Settle(surface.Triangles, image);

@@ -30,7 +30,8 @@ struct FreeBoundaryMapResult
  * Tutte's map of the longest loop to a circle (uniform weights, other loops filled with fans) where
  * the conformal one flips a triangle. Far parts of the image may overlap.
  *
- * The image has the surface's area and its centroid at the origin. x is its longer principal axis,
+ * The conformal image has the surface's area, a refined one the size at which it is least
+ * distorted. Its centroid is at the origin. x is its longer principal axis,
  * in the sense in which it reaches farther (by the third moment); where these do not tell, its
  * point with the lowest number, off the middle, lies in the direction of x. So the image does not
  * change when the surface moves. Triangles run counter-clockwise seen from +z.

@@ -16,8 +16,8 @@ struct InjectiveRefinementOptions
   Distortion Measure = Distortion::SymmetricDirichlet;
   double Exponent = 1.0;       ///< of the exponential measures; > 0
   double Scale = 1.0;          ///< lengths of the surface count times this; > 0
-  int MaximumIterations = 500; ///< >= 0
-  double Tolerance = 1e-6;     ///< ends where an iteration gains less than this share; in [0, 1)
+  int MaximumIterations = 300; ///< >= 0
+  double Tolerance = 1e-5;     ///< ends where an iteration gains less than this share; in [0, 1)
 };
 
 struct InjectiveRefinementResult

@@ -228,7 +228,8 @@ ParameterizeResult Parameterize(const Mesh& surface, const Eigen::MatrixXd& land
   result.ConformalDistortion = areas.dot(ConformalDistortion(mapped, image)) / areas.sum();
   if (options.Domain != ParameterizeOptions::DomainType::Sphere)
   {
-    const PlanarElements elements(mapped, ScaleTo(image, mapped));
+    const bool hasOwnSize = options.Domain == ParameterizeOptions::DomainType::FreeBoundary;
+    const PlanarElements elements(mapped, hasOwnSize ? 1.0 : ScaleTo(image, mapped));
     result.Energy = std::min(
       LargestMeasure, elements.Energy(image.leftCols(2), Distortion::SymmetricDirichlet, 1.0));
   }

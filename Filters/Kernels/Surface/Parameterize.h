@@ -51,8 +51,9 @@ struct ParameterizeResult
   int FlippedTriangles = 0;     ///< of the image: 0, else it throws
   double LoopLength = 0.0; ///< Disk, FreeBoundary: of the longest open loop, in the surface's units
   double ConformalDistortion = 1.0; ///< mean over the surface's area; 1 keeps every angle
-  /// Mean symmetric Dirichlet energy over the surface's area, scaled to the image's: 4 for a
-  /// similarity, the least; at most LargestMeasure. 0 on the Sphere.
+  /// Mean symmetric Dirichlet energy over the surface's area: 4, the least, where lengths stay.
+  /// Disk and Orbifold: of the surface scaled to the image's area. At most LargestMeasure; 0 on the
+  /// Sphere.
   double Energy = 0.0;
 };
 

@@ -39,8 +39,9 @@ public:
   }
 
   /// The shortest path that avoids blocked points (Dijkstra 1959), both ends included; empty where
-  /// there is none.
-  std::vector<int> Path(int from, int to, const std::vector<char>& blocked) const
+  /// there is none. toll: what it costs to pass through each point.
+  std::vector<int> Path(
+    int from, int to, const std::vector<char>& blocked, const std::vector<double>& toll) const
   {
     std::vector<double> distances(this->Neighbours.size(), Infinity);
     std::vector<int> before(this->Neighbours.size(), -1);
@@ -58,7 +59,8 @@ public:
       }
       for (const int next : this->Neighbours[point])
       {
-        const double length = distance + (this->Points.row(next) - this->Points.row(point)).norm();
+        const double length =
+          distance + toll[next] + (this->Points.row(next) - this->Points.row(point)).norm();
         if (length < distances[next] && (blocked[next] == 0 || next == to))
         {
           distances[next] = length;
@@ -76,10 +78,50 @@ public:
     return path;
   }
 
+  const std::vector<int>& NeighboursOf(int point) const { return this->Neighbours[point]; }
+
 private:
   const Eigen::MatrixXd& Points;
   std::vector<std::vector<int>> Neighbours;
 };
+
+/// The path through the stops; where a leg is missing, the path up to there. toll: of passing a
+/// point beside a stop that the leg does not end at.
+EdgePath FindPath(const EdgeGraph& graph, const std::vector<int>& stops, Eigen::Index points,
+  double toll, const Progress& progress)
+{
+  std::vector<char> blocked(points, 0);
+  std::vector<double> tolls(points, 0.0);
+  for (const int stop : stops)
+  {
+    blocked[stop] = 1;
+  }
+  EdgePath path{ { stops.front() }, { 0 } };
+  for (std::size_t i = 1; i < stops.size(); ++i)
+  {
+    progress(static_cast<double>(i - 1) / static_cast<double>(stops.size() - 1));
+    std::fill(tolls.begin(), tolls.end(), 0.0);
+    for (std::size_t other = i; other < stops.size(); ++other)
+    {
+      for (const int neighbour : graph.NeighboursOf(stops[other]))
+      {
+        tolls[neighbour] += toll;
+      }
+    }
+    const std::vector<int> leg = graph.Path(stops[i - 1], stops[i], blocked, tolls);
+    if (leg.empty())
+    {
+      break;
+    }
+    for (const int point : leg)
+    {
+      blocked[point] = 1;
+    }
+    path.Points.insert(path.Points.end(), leg.begin() + 1, leg.end());
+    path.Stops.push_back(static_cast<int>(path.Points.size()) - 1);
+  }
+  return path;
+}
 
 } // namespace
 
@@ -133,28 +175,20 @@ CutSurface CutAlong(const Mesh& surface, const std::vector<std::array<int, 2>>& 
 EdgePath PathThrough(const Mesh& surface, const std::vector<int>& stops, const Progress& progress)
 {
   const EdgeGraph graph(surface);
-  std::vector<char> blocked(surface.Points.rows(), 0);
-  for (const int stop : stops)
+  const Eigen::Index points = surface.Points.rows();
+  EdgePath path = FindPath(graph, stops, points, 0.0, progress.Part(0.0, 0.5));
+  if (path.Stops.size() < stops.size())
   {
-    blocked[stop] = 1;
+    // A stop was walled in: now that costs as much as ten times across the surface.
+    path =
+      FindPath(graph, stops, points, 10.0 * BoxDiagonal(surface.Points), progress.Part(0.5, 1.0));
   }
-  EdgePath path{ { stops.front() }, { 0 } };
-  for (std::size_t i = 1; i < stops.size(); ++i)
+  if (path.Stops.size() < stops.size())
   {
-    progress(static_cast<double>(i - 1) / static_cast<double>(stops.size() - 1));
-    const std::vector<int> leg = graph.Path(stops[i - 1], stops[i], blocked);
-    if (leg.empty())
-    {
-      throw InvalidInput("no path along edges leads from point " + std::to_string(stops[i - 1]) +
-        " to point " + std::to_string(stops[i]) +
-        " past the path through the points before; subdivide the surface with Linear Subdivision");
-    }
-    for (const int point : leg)
-    {
-      blocked[point] = 1;
-    }
-    path.Points.insert(path.Points.end(), leg.begin() + 1, leg.end());
-    path.Stops.push_back(static_cast<int>(path.Points.size()) - 1);
+    throw InvalidInput("no path along edges leads from point " +
+      std::to_string(stops[path.Stops.size() - 1]) + " to point " +
+      std::to_string(stops[path.Stops.size()]) +
+      " past the path through the points before; subdivide the surface with Linear Subdivision");
   }
   progress(1.0);
   return path;

@@ -29,7 +29,8 @@ struct EdgePath
 
 /**
  * The path through `stops` in order, each leg the shortest along edges that meets neither the legs
- * before it nor another stop.
+ * before it nor another stop; where that leaves a stop out of reach, legs keep away from the points
+ * beside stops to come.
  *
  * Throws InvalidInput where there is none: the mesh is too coarse there. Aborted.
  */

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "Core/Progress.h"
+#include "Correspondence/SurfaceMaps.h"
+#include "Surface/LaplaceSpectrum.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shape
+{
+
+struct ZoomOutOptions
+{
+  int Last = 120; ///< eigenfunctions of each surface at the end, at most as many as spectra have
+  int Step = 5;   ///< by which they become more; >= 1
+};
+
+/// Samples of a surface and its spectrum.
+struct SampledSpectrum
+{
+  const Eigen::MatrixXi& Triangles;
+  const LaplaceSpectrum& Spectrum;
+  const std::vector<int>& Samples; ///< points
+};
+
+/// Two functional maps: each takes coefficients of a function on one surface, in its
+/// eigenfunctions, to those of its image on the other one.
+struct FunctionalMaps
+{
+  Eigen::MatrixXd AToB, BToA; ///< k x k
+};
+
+/**
+ * Refines a map between two surfaces: from functional maps to points' maps, nearest in the images
+ * of the eigenfunctions, and back with more eigenfunctions (Melzi, Ren, Rodola, Sharma, Wonka and
+ * Ovsjanikov, "ZoomOut: spectral upsampling for efficient shape correspondence", 2019, equations 1
+ * to 3), both ways at once: each functional map is fitted to both points' maps (Ren, Melzi,
+ * Ovsjanikov and Wonka, "MapTree: recovering multiple solutions in the space of maps", 2020,
+ * section 5), so that they end near each other's inverse.
+ *
+ * map: k x k, from a to b, of spectra of surfaces whose area is 1. landmarks: kept near each other,
+ * each with the weight of a twentieth of the samples. Throws Aborted.
+ */
+FunctionalMaps ZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
+  const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options = {},
+  const Progress& progress = {});
+
+} // namespace shape

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+struct StressScalingOptions
+{
+  int Dimensions = 8;      ///< >= 1
+  int Samples = 500;       ///< > Dimensions
+  int Iterations = 200;    ///< of the majorisation at most; >= 0
+  double Tolerance = 1e-4; ///< relative change of the stress at which it ends; >= 0
+};
+
+/**
+ * Positions whose straight distances are as near as can be to how far points are apart along a
+ * surface: the least sum of squared differences between samples, by majorisation (SMACOF: de Leeuw,
+ * "Applications of convex analysis to multidimensional scaling", 1977) from classical scaling; all
+ * other points by the smoothest functions through the samples, the least of tr X' L M^-1 L X
+ * (Rustamov, "Multiscale biharmonic kernels", 2011). Unlike ClassicalScaling's, which fits inner
+ * products, distances that no flat space has are not made too long.
+ *
+ * mesh: a consistently oriented 2-manifold of one component, open or closed. Returns n x Dimensions
+ * in the model's units; 0 at points without a triangle. Throws InvalidInput, SolveFailure, Aborted.
+ */
+Eigen::MatrixXd StressScaling(
+  const Mesh& mesh, const StressScalingOptions& options = {}, const Progress& progress = {});
+
+} // namespace shape
