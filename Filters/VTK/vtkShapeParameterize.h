@@ -19,9 +19,9 @@
  * Parameterize.Iterations, Parameterize.ReinsertedPoints (how many points needed a new place to end
  * the method's flips), Parameterize.FlippedTriangles (0: a map that flips one is an error),
  * Parameterize.ConformalDistortion (mean over the surface's area; 1 keeps every angle),
- * Parameterize.Energy (mean symmetric Dirichlet energy over the surface's area, scaled to the
- * image's: 4 for a similarity; Sphere: 0), Parameterize.LoopLength (Disk, FreeBoundary: of the
- * longest open loop, in the surface's units; else 0).
+ * Parameterize.Energy (mean symmetric Dirichlet energy over the surface's area: 4 where lengths
+ * stay; Disk and Orbifold: scaled to the image's area; Sphere: 0), Parameterize.LoopLength (Disk,
+ * FreeBoundary: of the longest open loop, in the surface's units; else 0).
  *
  * Each factorisation is one library call: an abort takes effect at its end (within a second at
  * 100,000 points).
@@ -45,9 +45,9 @@ public:
   /// What the surface is mapped onto. 0 = Disk: the disk in the plane z = 0, or the square, as
   /// Outline says; counter-clockwise seen from +z. 1 = Sphere: the unit sphere, centred so that the
   /// mean of the image, weighted by the surface's area, is the origin. 2 = FreeBoundary: the plane
-  /// z = 0, conformal, with the surface's area, around its centroid, x its longer principal axis.
-  /// 3 = Orbifold: a Tile of the plane z = 0, whose copies, turned around the cones, continue the
-  /// map across the cut. Default: Sphere.
+  /// z = 0, conformal, with the surface's area (where refined, the size of least distortion),
+  /// around its centroid, x its longer principal axis. 3 = Orbifold: a Tile of the plane z = 0,
+  /// whose copies, turned around the cones, continue the map across the cut. Default: Sphere.
   vtkShapeEnumOption(Domain, shape::ParameterizeOptions::DomainType,
     shape::ParameterizeOptions::DomainType::Disk, shape::ParameterizeOptions::DomainType::Orbifold);
   ///@}

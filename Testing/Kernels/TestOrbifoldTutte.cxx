@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,23 @@ TEST(OrbifoldTutte, CanBeCutBetweenNeighbours)
   };
   EXPECT_EQ(Flips(shape::OrbifoldTutte(octahedron, { 0, 2, 4 }, OrbifoldType::Rhombus)), 0);
   EXPECT_EQ(Flips(shape::OrbifoldTutte(octahedron, { 0, 2, 1, 5 }, OrbifoldType::Rectangle)), 0);
+}
+
+TEST(OrbifoldTutte, FindsAPathWhereTheShortestWouldWallAConeIn)
+{
+  // Every four corners of an icosahedron, in every order.
+  const shape::Mesh mesh = shapetest::Icosphere(0);
+  int paths = 0;
+  for (int code = 0; code < 12 * 12 * 12; ++code)
+  {
+    const std::vector<int> stops = { 0, code % 12, code / 12 % 12, code / 144 };
+    if (std::set<int>(stops.begin(), stops.end()).size() == 4)
+    {
+      EXPECT_EQ(shape::PathThrough(mesh, stops).Stops.size(), 4u);
+      ++paths;
+    }
+  }
+  EXPECT_EQ(paths, 990);
 }
 
 TEST(OrbifoldTutte, WhatItCannotMapIsRefusedWithTheFact)

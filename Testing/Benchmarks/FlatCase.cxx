@@ -1,0 +1,202 @@
+// Sphere, disk, free-boundary and orbifold maps of one surface, in a process of its own: see Usage.
+#include "BenchmarkData.h"
+#include "Cost.h"
+
+#include "Core/Errors.h"
+#include "Core/HalfEdges.h"
+#include "Core/Orientation.h"
+#include "Core/Topology.h"
+#include "Surface/ConformalFlattening.h"
+#include "Surface/EdgeGeodesics.h"
+#include "Surface/FarthestPoints.h"
+#include "Surface/Parameterize.h"
+#include "Surface/SurfaceCut.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr const char* Usage = R"(flat_case MODEL
+
+MODEL  an OFF file; points at the same place are joined, the longest side of its box is made 1
+
+Prints a line of what the surface is; where it is one component of genus 0 then one for each map:
+its name, triangles that exact orientations call flipped (-1 where the map is refused), the mean
+symmetric Dirichlet energy, the mean conformal distortion, iterations, CPU seconds and what it says.
+A closed surface is mapped to the sphere and to orbifolds whose cones are far from each other, and
+cut open along a tree of paths between points far from each other for the others.)";
+
+using Domain = shape::ParameterizeOptions::DomainType;
+using Refine = shape::ParameterizeOptions::RefineType;
+
+int FlipsOnSphere(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& image)
+{
+  int flips = 0;
+  for (const auto& corners : triangles.rowwise())
+  {
+    // The origin lies behind a triangle that faces outwards.
+    flips += shape::Orientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2)),
+               Eigen::RowVector3d::Zero()) >= 0;
+  }
+  return flips;
+}
+
+int FlipsInPlane(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& image)
+{
+  int flips = 0;
+  for (const auto& corners : triangles.rowwise())
+  {
+    flips += shape::Orientation(image.row(corners(0)).head<2>(), image.row(corners(1)).head<2>(),
+               image.row(corners(2)).head<2>()) <= 0;
+  }
+  return flips;
+}
+
+void Report(const std::string& name, const shape::Mesh& mesh, const Eigen::MatrixXd& landmarks,
+  const shape::ParameterizeOptions& options)
+{
+  shape::ParameterizeResult map;
+  std::string message;
+  int flips = -1;
+  const benchmark::Cost cost = benchmark::Measure(
+    [&]
+    {
+      try
+      {
+        map = shape::Parameterize(mesh, landmarks, options);
+        flips = 0;
+      }
+      catch (const std::exception& problem)
+      {
+        message = problem.what();
+      }
+    });
+  if (flips == 0)
+  {
+    flips = options.Domain == Domain::Sphere ? FlipsOnSphere(mesh.Triangles, map.Positions)
+      : options.Domain == Domain::Orbifold
+      ? FlipsInPlane(map.Cut.Surface.Triangles, map.CutPositions)
+      : FlipsInPlane(mesh.Triangles, map.Positions);
+  }
+  std::printf("%s flips=%d energy=%.6g conformal=%.5g iterations=%d cpu=%.2f %s\n", name.c_str(),
+    flips, map.Energy, map.ConformalDistortion, map.Iterations, cost.Cpu,
+    message.empty() ? map.Method.c_str() : message.c_str());
+  std::fflush(stdout);
+}
+
+/// Cut along shortest paths that join each point to the tree of those before it.
+shape::Mesh CutAlongTree(const shape::Mesh& mesh, const std::vector<int>& points)
+{
+  std::vector<std::vector<int>> neighbours(mesh.Points.rows());
+  for (const shape::HalfEdge& side : shape::SortedHalfEdges(mesh.Triangles, mesh.Points.rows()))
+  {
+    neighbours[side.Begin].push_back(side.End);
+  }
+  std::set<int> tree = { points.front() };
+  std::vector<std::array<int, 2>> edges;
+  for (const int point : points)
+  {
+    const Eigen::VectorXd distances = shape::EdgeGeodesics(
+      mesh, { { tree.begin(), tree.end() }, Eigen::VectorXd::Zero(tree.size()) });
+    // Down to the tree, each time to where the path from there led.
+    for (int at = point; distances(at) > 0.0;)
+    {
+      double best = std::numeric_limits<double>::infinity();
+      int next = at;
+      for (const int neighbour : neighbours[at])
+      {
+        const double length =
+          distances(neighbour) + (mesh.Points.row(neighbour) - mesh.Points.row(at)).norm();
+        if (length < best && distances(neighbour) < distances(at))
+        {
+          best = length;
+          next = neighbour;
+        }
+      }
+      edges.push_back({ at, next });
+      tree.insert(at);
+      at = next;
+    }
+  }
+  return shape::CutAlong(mesh, edges).Surface;
+}
+
+void MapToPlane(const shape::Mesh& mesh, bool hasOneLoop)
+{
+  const Eigen::MatrixXd none(0, 3);
+  shape::ParameterizeOptions options;
+  options.Domain = Domain::Disk;
+  if (hasOneLoop)
+  {
+    Report("Disk", mesh, none, options);
+  }
+  options.Domain = Domain::FreeBoundary;
+  Report("Conformal", mesh, none, options);
+  options.Refine = Refine::SymmetricDirichlet;
+  Report("FreeBoundary", mesh, none, options);
+}
+
+void Run(const std::string& path)
+{
+  shape::Mesh mesh = benchmark::ReadOff(path, true);
+  const shape::Topology topology = shape::RequireManifold(mesh, "the surface");
+  const double genus = 0.5 * (2 - topology.OpenLoops - topology.EulerNumber);
+  std::printf("points=%td triangles=%td components=%d loops=%d genus=%g\n", mesh.Points.rows(),
+    mesh.Triangles.rows(), topology.Components, topology.OpenLoops, genus);
+  if (topology.Components != 1 || genus != 0.0)
+  {
+    return;
+  }
+  mesh = shape::SplitComponents(mesh).front(); // without points that no triangle uses
+  if (topology.OpenLoops > 0)
+  {
+    MapToPlane(mesh, topology.OpenLoops == 1);
+    return;
+  }
+  mesh = shape::FacingOutwards(mesh);
+  Report("Sphere", mesh, Eigen::MatrixXd(0, 3), {});
+  constexpr int branches = 12;
+  std::vector<int> far = shape::FarthestPoints(mesh, branches + 1);
+  far.erase(far.begin()); // which is anywhere
+  shape::ParameterizeOptions options;
+  options.Domain = Domain::Orbifold;
+  for (const std::size_t cones : { 3, 4 })
+  {
+    if (far.size() >= cones)
+    {
+      const std::vector<int> first(far.begin(), far.begin() + static_cast<std::ptrdiff_t>(cones));
+      Report("Orbifold" + std::to_string(cones), mesh, mesh.Points(first, Eigen::all), options);
+    }
+  }
+  MapToPlane(CutAlongTree(mesh, far), true);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc != 2)
+  {
+    std::fputs(Usage, stderr);
+    return 1;
+  }
+  try
+  {
+    Run(argv[1]);
+  }
+  catch (const std::exception& problem)
+  {
+    std::fprintf(stderr, "%s\n", problem.what());
+    return 1;
+  }
+  return 0;
+}
