@@ -38,7 +38,7 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
 
   const bool hasBack = goal->GetPointData()->HasArray(this->MapArray.c_str());
   const shape::MapErrorCurveResult result = shape::MapErrorCurve(
-    input, map, target, truth, this->Options, progress.Part(0.0, hasBack ? 0.7 : 0.95));
+    input, map, target, truth, this->Options, progress.Part(0.0, hasBack ? 0.7 : 0.9));
   auto* output = vtkTable::SafeDownCast(this->GetOutputDataObject(0));
   const auto add = [&](const std::string& fact, double value)
   { vtkShapeConvert::AddFact(output, "MapErrorCurve." + fact, value); };
@@ -51,13 +51,14 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
   add("Mirrored", result.Mirrored ? 1.0 : 0.0);
   add("UnreachedPlaces", result.Unreached);
   add("LargestGap", result.LargestGap);
-  add("Coverage", shape::Coverage(input, map, target, progress.Part(0.95, 1.0)));
+  add("Coverage",
+    shape::Coverage(input, map, target, progress.Part(hasBack ? 0.7 : 0.9, hasBack ? 0.75 : 1.0)));
   if (hasBack)
   {
     const Eigen::MatrixXd back =
       vtkShapeConvert::ToPointArray(goal, this->MapArray, 3, "the Target");
     const Eigen::VectorXd trips =
-      shape::RoundTripErrors(input, map, target, back, progress.Part(0.7, 0.95));
+      shape::RoundTripErrors(input, map, target, back, progress.Part(0.75, 1.0));
     add("RoundTripMean", trips.size() > 0 ? trips.mean() : 0.0);
     add("RoundTripMaximum", trips.size() > 0 ? trips.maxCoeff() : 0.0);
   }

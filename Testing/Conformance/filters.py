@@ -75,5 +75,10 @@ def with_good_inputs(name):
     return algorithm
 
 
+def size_of(output):
+    """Points, or a table's rows."""
+    return sum(output.GetNumberOfElements(kind) for kind in (output.POINT, output.ROW))
+
+
 def label(name):
     return new(name).GetLabel()
