@@ -254,8 +254,10 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
     throw SolveFailure("the measure exceeds double precision at the start; reduce the Exponent");
   }
   const double area = elements.Areas().sum();
-  double gain = 1.0;
-  while (result.Iterations < options.MaximumIterations && gain > options.Tolerance)
+  // One small gain may be a step that a single triangle held back.
+  constexpr int patience = 5;
+  int smallGains = 0;
+  while (result.Iterations < options.MaximumIterations && smallGains < patience)
   {
     // Most is gained in the first iterations.
     const double done = 1.0 - 20.0 / (20.0 + result.Iterations);
@@ -272,7 +274,8 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
     {
       break;
     }
-    gain = (before - result.Energy) / before;
+    const bool isSmall = before - result.Energy <= options.Tolerance * before;
+    smallGains = isSmall ? smallGains + 1 : 0;
   }
   progress(1.0);
   return result;

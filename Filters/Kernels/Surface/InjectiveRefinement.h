@@ -17,7 +17,8 @@ struct InjectiveRefinementOptions
   double Exponent = 1.0;       ///< of the exponential measures; > 0
   double Scale = 1.0;          ///< lengths of the surface count times this; > 0
   int MaximumIterations = 300; ///< >= 0
-  double Tolerance = 1e-5;     ///< ends where an iteration gains less than this share; in [0, 1)
+  /// Ends where each of five iterations gains no more than this share; in [0, 1).
+  double Tolerance = 1e-5;
 };
 
 struct InjectiveRefinementResult
