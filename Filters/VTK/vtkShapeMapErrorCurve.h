@@ -19,7 +19,7 @@
  * map back to Input: .RoundTripMean and .RoundTripMaximum, how far points of Input come back from
  * themselves, over the root of its area.
  *
- * Distances of the map's cells, such as conformal distortion and Dirichlet energy, are Shape Map
+ * Measures of the map's cells, such as conformal distortion and Dirichlet energy, are Shape Map
  * Quality's.
  *
  * The mathematics: shape::MapErrorCurve, shape::RoundTripErrors, shape::Coverage.

@@ -28,7 +28,7 @@ def errors_of(surface, target, truth, **properties):
 
 
 # The example: each point goes too far by an arc; the chart is the curve of the literature.
-sphere = simple.Sphere(Radius=1.0, ThetaResolution=96, PhiResolution=96)
+sphere = simple.Sphere(Radius=1.0, ThetaResolution=48, PhiResolution=48)
 turn = 'iHat*(coordsX*cos({0})-coordsY*sin({0}))+jHat*(coordsX*sin({0})+coordsY*cos({0}))+kHat*coordsZ'
 turned = simple.Calculator(Input=sphere, ResultArrayName='TargetPosition',
                            Function=turn.format(ANGLE))

@@ -99,7 +99,7 @@ TEST(MapErrorCurve, IsMeasuredAlongTheSurface)
 
 TEST(MapErrorCurve, TakesTheTruthOrItsMirrorImageAsAWhole)
 {
-  const shape::Mesh torus = shapetest::Torus(2.0, 0.7, 60, 30);
+  const shape::Mesh torus = shapetest::Torus(2.0, 0.7, 40, 20);
   Eigen::MatrixXd mirror = torus.Points;
   mirror.col(0) *= -1.0;
   const Eigen::MatrixXd& right = torus.Points;
