@@ -9,7 +9,8 @@
  * Output 0: SurfaceA with the point arrays
  * - `AreaDifference`: the ratio of areas around the point, B's over A's;
  * - `ConformalDifference`: 1 where the map is conformal; else how much larger the Dirichlet energy
- *   of a function around the point becomes: (s / t + t / s) / 2 for stretches s and t;
+ *   of a function around the point becomes: (s / t + t / s) / 2 for stretches s and t, or t / s on
+ *   a limb so thin that functions vary along it only;
  * - `AreaEigenfunctions`, `ConformalEigenfunctions`: of the two operators (10 components, the
  *   eigenvalues farthest from 1 first): large where the surfaces differ as much as that.
  * The first two are means over as much as NumberOfEigenpairs functions can tell apart. Field data:

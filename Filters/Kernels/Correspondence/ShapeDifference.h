@@ -29,9 +29,12 @@ struct DifferenceOperator
 
 struct ShapeDifferenceResult
 {
-  DifferenceOperator Area;      ///< of <f, g> = the integral of f g; Field: the ratio of areas
-  DifferenceOperator Conformal; ///< of the integral of grad f . grad g; Field: at least near 1
-  int Undetermined = 0;         ///< functions of the second surface that the map says too little of
+  DifferenceOperator Area; ///< of <f, g> = the integral of f g; Field: the ratio of areas
+  /// Of the integral of grad f . grad g. Field: (s / t + t / s) / 2 for stretches s and t, where
+  /// functions vary as much in all directions; t / s on a limb so thin that they vary along it
+  /// only.
+  DifferenceOperator Conformal;
+  int Undetermined = 0; ///< functions of the second surface that the map says too little of
 };
 
 /// How many eigenfunctions of an operator there are, or k.
