@@ -24,7 +24,7 @@
  * FreeBoundary: of the longest open loop, in the surface's units; else 0).
  *
  * Each factorisation is one library call: an abort takes effect at its end (within a second at
- * 100,000 points; Refine: two).
+ * 100,000 points).
  *
  * The mathematics: shape::Parameterize.
  */

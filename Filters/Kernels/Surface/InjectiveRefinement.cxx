@@ -54,7 +54,8 @@ LocalTerms TermsAt(const Eigen::MatrixXd& points, const PlanarElements& elements
 class ProxySystem
 {
 public:
-  ProxySystem(const PlanarElements& elements, Eigen::Index points, const std::vector<int>& fixed)
+  ProxySystem(const PlanarElements& elements, Eigen::Index points, const std::vector<int>& fixed,
+    const Progress& progress)
     : Elements(elements)
     , Rows(points, 0)
   {
@@ -70,7 +71,7 @@ public:
     {
       row = row < 0 ? row : this->Count++;
     }
-    this->MakePattern();
+    this->MakePattern(progress);
   }
 
   int Unknowns() const { return this->Count; }
@@ -139,7 +140,7 @@ private:
   }
 
   /// Finds where the matrix keeps the first entry of each block.
-  void MakePattern()
+  void MakePattern(const Progress& progress)
   {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(36 * this->Elements.Triangles().rows());
@@ -152,8 +153,10 @@ private:
           entries.emplace_back(2 * row + 1, 2 * column + b, 1.0);
         }
       });
+    progress(0.0);
     this->Matrix.resize(2 * this->Count, 2 * this->Count);
     this->Matrix.setFromTriplets(entries.begin(), entries.end());
+    progress(0.0);
     const int* inner = this->Matrix.innerIndexPtr();
     const int* outer = this->Matrix.outerIndexPtr();
     this->ForEachBlock(
@@ -289,8 +292,11 @@ InjectiveRefinementResult RefineInjectively(const Mesh& surface, const Eigen::Ma
 {
   progress(0.0);
   RequireStart(surface, start, options);
+  progress(0.0);
   const PlanarElements elements(surface, options.Scale);
-  ProxySystem system(elements, surface.Points.rows(), fixed);
+  progress(0.0);
+  ProxySystem system(elements, surface.Points.rows(), fixed, progress.Part(0.0, 0.0));
+  progress(0.0);
   if (system.Unknowns() == 0)
   {
     const double energy = elements.Energy(start, options.Measure, options.Exponent);
