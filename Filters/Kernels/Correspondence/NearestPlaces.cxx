@@ -4,6 +4,7 @@
 #include "Correspondence/NearestRows.h"
 #include "Correspondence/PlaceInTriangle.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -66,8 +67,9 @@ public:
       const double a = e.squaredNorm(), b = e.dot(f), c = f.squaredNorm(), u = w.dot(e),
                    v = w.dot(f);
       const auto [x, y] = PlaceInTriangle(a, b, c, u, v);
-      const double squared =
-        w.squaredNorm() + x * (x * a + 2.0 * y * b - 2.0 * u) + y * (y * c - 2.0 * v);
+      // Rounding must not make it negative: the walk would never end.
+      const double squared = std::max(
+        0.0, w.squaredNorm() + x * (x * a + 2.0 * y * b - 2.0 * u) + y * (y * c - 2.0 * v));
       if (squared < this->Squared * (1.0 - rounding))
       {
         this->Squared = squared;
