@@ -3,6 +3,8 @@
 #include "Core/Errors.h"
 #include "Correspondence/FeatureAssignment.h"
 #include "Correspondence/FeaturedSurface.h"
+#include "Correspondence/LandmarkPlaces.h"
+#include "Correspondence/MatchingInput.h"
 #include "Correspondence/NearestRows.h"
 
 #include <algorithm>
@@ -47,26 +49,6 @@ std::vector<Landmarks> Candidates(const FeaturedSurface& a, const FeaturedSurfac
   return candidates;
 }
 
-/// Where each sample lies among some features: s x c.
-Eigen::MatrixXd Places(
-  const FeaturedSurface& surface, const std::vector<int>& features, double turnWeight)
-{
-  const auto count = static_cast<int>(features.size());
-  std::vector<int> columns;
-  for (int i = 0; i < count; ++i)
-  {
-    for (int j = 0; j < i; ++j)
-    {
-      columns.push_back(features[i] * static_cast<int>(surface.Features.size()) + features[j]);
-    }
-  }
-  const auto turns = static_cast<int>(columns.size());
-  Eigen::MatrixXd places(surface.Weights.size(), count + turns);
-  places.leftCols(count) = surface.ToFeatures(Eigen::all, features) / std::sqrt(count);
-  places.rightCols(turns) = turnWeight / std::sqrt(turns) * surface.Turns(Eigen::all, columns);
-  return places;
-}
-
 double MeanDifference(
   const FeaturedSurface& a, const FeaturedSurface& b, const Eigen::VectorXi& images)
 {
@@ -85,13 +67,12 @@ std::array<double, 2> Distortions(
     own.push_back(i);
     other.push_back(j);
   }
-  // A turn of a right angle counts as much as a seventh of the surface's size, root of the area.
-  constexpr double weight = 0.15;
-  const Eigen::MatrixXd placesA = Places(a, own, weight);
+  const Eigen::MatrixXd placesA = PlacesAmong(a.ToFeatures, a.Turns, own, 1.0);
   std::array<double, 2> distortions = {};
   for (int mirrored = 0; mirrored < 2; ++mirrored)
   {
-    const Eigen::MatrixXd placesB = Places(b, other, mirrored ? -weight : weight);
+    const Eigen::MatrixXd placesB =
+      PlacesAmong(b.ToFeatures, b.Turns, other, mirrored ? -1.0 : 1.0);
     distortions[mirrored] = 0.5 *
       (MeanDifference(a, b, NearestRows(placesA, placesB)) +
         MeanDifference(b, a, NearestRows(placesB, placesA)));

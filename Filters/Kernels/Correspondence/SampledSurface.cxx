@@ -1,7 +1,5 @@
 #include "Correspondence/SampledSurface.h"
 
-#include "Core/Errors.h"
-#include "Core/Topology.h"
 #include "Surface/FarthestPoints.h"
 #include "Surface/HeatGeodesics.h"
 
@@ -10,6 +8,25 @@
 
 namespace shape
 {
+namespace
+{
+
+Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::VectorXd& areas)
+{
+  // A sample in a fold may be nearest to nothing, not even itself, for distances are not exact.
+  const double least = 1e-3 * areas.sum() / static_cast<double>(distances.cols());
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(distances.cols());
+  for (Eigen::Index i = 0; i < areas.size(); ++i)
+  {
+    Eigen::Index nearest = 0;
+    distances.row(i).minCoeff(&nearest);
+    shares(nearest) += areas(i);
+  }
+  shares = shares.cwiseMax(least);
+  return shares / shares.sum();
+}
+
+} // namespace
 
 Eigen::MatrixXd SampledSurface::Between() const
 {
@@ -17,47 +34,35 @@ Eigen::MatrixXd SampledSurface::Between() const
   return 0.5 * (one + one.transpose());
 }
 
-SampledSurface SampleSurface(const Mesh& mesh, int count, const Progress& progress)
+SampledSurface SampleSurface(
+  const Mesh& mesh, int count, const Progress& progress, const std::vector<int>& first)
 {
   SampledSurface sampled;
   const Eigen::VectorXd areas = PointAreas(mesh);
   sampled.Length = std::sqrt(areas.sum());
-  sampled.Points = FarthestPoints(mesh, count, progress.Part(0.0, 0.3));
-  sampled.Distances = HeatDistances(mesh, sampled.Points, progress.Part(0.3, 1.0)) / sampled.Length;
-  sampled.Weights = Eigen::VectorXd::Zero(sampled.Distances.cols());
-  for (Eigen::Index i = 0; i < areas.size(); ++i)
+  sampled.Points = first;
+  for (const int point : FarthestPoints(mesh, count, progress.Part(0.0, 0.3)))
   {
-    Eigen::Index nearest = 0;
-    sampled.Distances.row(i).minCoeff(&nearest);
-    sampled.Weights(nearest) += areas(i) / areas.sum();
+    if (std::find(first.begin(), first.end(), point) == first.end())
+    {
+      sampled.Points.push_back(point);
+    }
   }
+  sampled.Distances = HeatDistances(mesh, sampled.Points, progress.Part(0.3, 1.0)) / sampled.Length;
+  sampled.Weights = NearestShares(sampled.Distances, areas);
   return sampled;
 }
 
-void RequireConnected(const Mesh& mesh, const std::string& name)
+SampledSurface FirstSamples(const SampledSurface& sampled, int count, const Eigen::VectorXd& areas)
 {
-  const Topology topology = RequireManifold(mesh, name);
-  if (topology.Components > 1)
-  {
-    throw InvalidInput(name + " has " + std::to_string(topology.Components) +
-      " components, between which there are no distances; keep one with Connectivity / Extract "
-      "Largest");
-  }
-  const auto unused = (topology.ComponentId.array() < 0).count();
-  if (unused > 0)
-  {
-    const auto first = std::find(topology.ComponentId.begin(), topology.ComponentId.end(), -1) -
-      topology.ComponentId.begin();
-    throw InvalidInput(name + " has " + std::to_string(unused) +
-      " points that no triangle uses (first at point " + std::to_string(first) +
-      "); remove them with Clean");
-  }
-  const double area = PointAreas(mesh).sum();
-  if (!(area > 0.0 && std::isfinite(area)))
-  {
-    throw InvalidInput(name + " has no area that double precision can hold (its longest side is " +
-      std::to_string(LongestSide(mesh.Points)) + "); scale it or check its coordinates");
-  }
+  SampledSurface part;
+  const auto size =
+    std::min<std::ptrdiff_t>(count, static_cast<std::ptrdiff_t>(sampled.Points.size()));
+  part.Points.assign(sampled.Points.begin(), sampled.Points.begin() + size);
+  part.Distances = sampled.Distances.leftCols(size);
+  part.Weights = NearestShares(part.Distances, areas);
+  part.Length = sampled.Length;
+  return part;
 }
 
 } // namespace shape

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
 #include <vector>
 
 namespace shape
@@ -16,17 +15,18 @@ struct SampledSurface
 {
   std::vector<int> Points;   ///< s: of the mesh, the farthest from each other
   Eigen::MatrixXd Distances; ///< n x s: along the surface, over the root of its area
-  Eigen::VectorXd Weights;   ///< s: the share of the area that is nearest to each; the sum is 1
-  double Length = 0.0;       ///< the root of the area, in the model's units
+  Eigen::VectorXd Weights; ///< s: the share of the area that is nearest to each, > 0; the sum is 1
+  double Length = 0.0;     ///< the root of the area, in the model's units
   Eigen::MatrixXd Between() const; ///< s x s: Distances of the samples, made symmetric
 };
 
-/// The same points, and all points' distances from them (HeatDistances). mesh: RequireConnected.
-/// Fewer than `count` where the mesh has not so many. Throws SolveFailure, Aborted.
-SampledSurface SampleSurface(const Mesh& mesh, int count, const Progress& progress = {});
+/// Some points, none twice, and `count` of FarthestPoints or as many as the mesh has, and the
+/// distances of all points from them (HeatDistances). mesh: RequireConnected. Throws SolveFailure,
+/// Aborted.
+SampledSurface SampleSurface(
+  const Mesh& mesh, int count, const Progress& progress = {}, const std::vector<int>& first = {});
 
-/// Throws InvalidInput unless the mesh is a consistently oriented 2-manifold of one component with
-/// an area, open or closed, and a triangle at each point. `name`: "surface A".
-void RequireConnected(const Mesh& mesh, const std::string& name);
+/// The first `count` samples alone; areas: n, of the mesh's points.
+SampledSurface FirstSamples(const SampledSurface& sampled, int count, const Eigen::VectorXd& areas);
 
 } // namespace shape

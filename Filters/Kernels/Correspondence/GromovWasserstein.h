@@ -1,0 +1,38 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+#include "Correspondence/GromovWassersteinCoupling.h"
+#include "Correspondence/SurfaceMaps.h"
+
+namespace shape
+{
+
+struct GromovWassersteinOptions
+{
+  int Samples = 500;   ///< of each surface, whose distances are compared; >= 10
+  int Eigenpairs = 60; ///< of each surface, in which the map is taken from samples to all; >= 2
+  EntropicCouplingOptions Coupling;
+};
+
+/**
+ * Corresponding points of two surfaces by the coupling of samples that keeps distances along the
+ * surfaces best (FindCoupling; Solomon, Peyre, Kim and Sra, "Entropic metric alignment for
+ * correspondence problems", 2016), which may be one to many where shapes differ.
+ *
+ * Samples weigh as much as the area that is nearest to them. Entropy falls on a quarter of the
+ * samples, and all of them follow at its end. Landmarks are samples that go to each other; the
+ * start is how alike samples lie to them (LandmarkPlaces). Without landmarks it is that of
+ * AutomaticLandmarks, and nothing is fixed.
+ *
+ * From the samples to all points: each sample's image is the mean of B's eigenfunctions over what
+ * goes there, interpolated by the eigenfunctions of A in least squares ("soft" functional maps,
+ * section 4 of the paper); each point goes to a place near its row there (NearestPlaces).
+ *
+ * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus, with a
+ * triangle at each point. Sizes may differ. Throws InvalidInput where not, SolveFailure, Aborted.
+ */
+SurfaceMaps GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const GromovWassersteinOptions& options = {}, const Progress& progress = {});
+
+} // namespace shape
