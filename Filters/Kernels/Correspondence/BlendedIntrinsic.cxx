@@ -101,27 +101,43 @@ Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const 
   return { Pulled(places, to.Sphere.Triangles, to.Embedding), scales.array().cosh().inverse() };
 }
 
-/// The Moebius maps of every three landmarks that are three points on both spheres.
-std::vector<Eigen::Matrix2cd> MapsOfTriples(
-  const RoundSurface& a, const RoundSurface& b, const Landmarks& landmarks)
+/// Every three of so many landmarks, or some that are evenly spread over them.
+std::vector<std::vector<int>> Triples(int count)
 {
-  const auto count = static_cast<int>(landmarks.size());
-  std::vector<Eigen::Matrix2cd> maps;
+  constexpr std::size_t most = 300;
+  std::vector<std::vector<int>> all, some;
   for (int i = 0; i < count; ++i)
   {
     for (int j = i + 1; j < count; ++j)
     {
       for (int k = j + 1; k < count; ++k)
       {
-        const std::vector<int> own = { landmarks[i][0], landmarks[j][0], landmarks[k][0] };
-        const std::vector<int> other = { landmarks[i][1], landmarks[j][1], landmarks[k][1] };
-        const Eigen::Matrix2cd moebius =
-          MoebiusThrough(a.Points(own, Eigen::all), b.Points(other, Eigen::all));
-        if (moebius.allFinite())
-        {
-          maps.push_back(moebius);
-        }
+        all.push_back({ i, j, k });
       }
+    }
+  }
+  const std::size_t stride = std::max<std::size_t>(1, (all.size() + most - 1) / most);
+  for (std::size_t t = 0; t < all.size(); t += stride)
+  {
+    some.push_back(all[t]);
+  }
+  return some;
+}
+
+/// The Moebius maps of triples of landmarks that are three points on both spheres.
+std::vector<Eigen::Matrix2cd> MapsOfTriples(
+  const RoundSurface& a, const RoundSurface& b, const Landmarks& landmarks)
+{
+  const ComplexPoints onA = a.Points(PointsOf(landmarks, 0), Eigen::all),
+                      onB = b.Points(PointsOf(landmarks, 1), Eigen::all);
+  std::vector<Eigen::Matrix2cd> maps;
+  for (const std::vector<int>& triple : Triples(static_cast<int>(landmarks.size())))
+  {
+    const Eigen::Matrix2cd moebius =
+      MoebiusThrough(onA(triple, Eigen::all), onB(triple, Eigen::all));
+    if (moebius.allFinite())
+    {
+      maps.push_back(moebius);
     }
   }
   return maps;

@@ -93,14 +93,14 @@ Eigen::MatrixXd PlacesAmong(const Eigen::MatrixXd& distances, const Eigen::Matri
   // A turn of a right angle counts as much as a seventh of the surface's size, the root of its
   // area.
   constexpr double weight = 0.15;
-  constexpr int most = 12;
+  const auto functions = static_cast<int>(std::lround(std::sqrt(turns.cols())));
   const auto count = static_cast<int>(chosen.size());
   std::vector<int> columns;
-  for (int i = 0; i < std::min(count, most); ++i)
+  for (int i = 0; i < std::min(count, functions); ++i)
   {
     for (int j = 0; j < i; ++j)
     {
-      columns.push_back(chosen[i] * static_cast<int>(distances.cols()) + chosen[j]);
+      columns.push_back(chosen[i] * functions + chosen[j]);
     }
   }
   const auto pairs = static_cast<int>(columns.size());
@@ -119,7 +119,9 @@ Eigen::MatrixXd LandmarkPlaces(
   std::vector<int> all(mesh.Points.rows()), chosen(landmarks.size());
   std::iota(all.begin(), all.end(), 0);
   std::iota(chosen.begin(), chosen.end(), 0);
-  return PlacesAmong(distances, DirectionTurns(mesh, distances, all), chosen, 1.0);
+  constexpr Eigen::Index most = 12; // of turns there are as many as the square
+  const Eigen::Index count = std::min(most, distances.cols());
+  return PlacesAmong(distances, DirectionTurns(mesh, distances.leftCols(count), all), chosen, 1.0);
 }
 
 } // namespace shape

@@ -32,7 +32,8 @@ Eigen::MatrixXd DirectionTurns(
 Eigen::MatrixXd LandmarkPlaces(
   const Mesh& mesh, const std::vector<int>& landmarks, const Progress& progress = {});
 
-/// The same numbers of distances (s x k) and DirectionTurns (s x k^2), of some of the landmarks.
+/// The same numbers of distances (s x k) and the DirectionTurns of all or the first of them, for
+/// some of the landmarks. turnSign: 1, or -1 for the mirror image.
 Eigen::MatrixXd PlacesAmong(const Eigen::MatrixXd& distances, const Eigen::MatrixXd& turns,
   const std::vector<int>& chosen, double turnSign);
 
