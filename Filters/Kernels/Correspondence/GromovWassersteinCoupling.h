@@ -20,8 +20,8 @@ struct MetricSpaces
 
 struct EntropicCouplingOptions
 {
-  double FirstEntropy = 0.005;  ///< where it begins; > 0
-  double Entropy = 0.005;       ///< where it ends; in (0, FirstEntropy]
+  double FirstEntropy = 0.001;  ///< where it begins; > 0
+  double Entropy = 2e-4;        ///< where it ends; in (0, FirstEntropy]
   double Factor = 0.5;          ///< from one to the next; in (0, 1)
   int Iterations = 10;          ///< at most, at each; >= 1
   int SinkhornIterations = 500; ///< at most, in each iteration; >= 1
