@@ -91,8 +91,9 @@ void vtkShapeAlgorithm::DeclareOutput(const std::string& type)
   this->SetNumberOfOutputPorts(static_cast<int>(this->OutputTypes.size()));
 }
 
-void vtkShapeAlgorithm::DeclareOutputLikeInput()
+void vtkShapeAlgorithm::DeclareOutputLikeInput(int input)
 {
+  this->LikeInput[static_cast<int>(this->OutputTypes.size())] = input;
   this->DeclareOutput("");
 }
 
@@ -214,7 +215,9 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
 {
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
-    vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+    const auto like = this->LikeInput.find(port);
+    vtkDataObject* input =
+      vtkDataObject::GetData(inputs[like == this->LikeInput.end() ? 0 : like->second]);
     std::string type = this->OutputTypes[port];
     if (type.empty())
     {

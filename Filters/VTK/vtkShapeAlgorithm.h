@@ -13,7 +13,7 @@
  * - Execute throws shape::InvalidInput or shape::SolveFailure. Here that becomes one error event
  *   whose text starts with the filter's label; every output is left empty and the pipeline is told
  *   that the request failed. Where one process fails, all of them do.
- * - An output like the input has the type of the first input.
+ * - An output like an input has its type.
  */
 #ifndef vtkShapeAlgorithm_h
 #define vtkShapeAlgorithm_h
@@ -24,6 +24,7 @@
 
 #include "Core/Progress.h" // for shape::Progress
 
+#include <map>    // for ports
 #include <set>    // for ports
 #include <string> // for names
 #include <vector> // for ports
@@ -115,9 +116,9 @@ protected:
   /// Appends an output port of a class.
   void DeclareOutput(const std::string& type);
   ///@{
-  /// Appends an output port like the first input, whose points are kept, or moved: then image data
-  /// and rectilinear grids become structured grids.
-  void DeclareOutputLikeInput();
+  /// Appends an output port like an input, the first if none is named, whose points are kept, or
+  /// moved: then image data and rectilinear grids become structured grids.
+  void DeclareOutputLikeInput(int input = 0);
   void DeclareMovedOutput();
   ///@}
 
@@ -170,7 +171,8 @@ private:
   shape::Progress MakeProgress();
 
   std::vector<InputPort> InputPorts;
-  std::vector<std::string> OutputTypes; ///< empty: like the first input
+  std::vector<std::string> OutputTypes; ///< empty: like an input
+  std::map<int, int> LikeInput;         ///< which input, for outputs that are not like the first
   std::set<int> MovedOutputs;
   std::vector<std::vector<WholeInput>> Wholes;
   std::vector<Count> Counts;

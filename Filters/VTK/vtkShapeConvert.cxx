@@ -11,6 +11,7 @@
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -435,7 +436,18 @@ void vtkShapeConvert::AddPointFields(
       to->ShallowCopy(from);
       for (const PointField& field : fields)
       {
-        to->GetPointData()->AddArray(ToArray(field.Values.middleRows(first, count), field.Name));
+        const Eigen::MatrixXd own = field.Values.middleRows(first, count);
+        if (!field.AreIds)
+        {
+          to->GetPointData()->AddArray(ToArray(own, field.Name));
+          continue;
+        }
+        vtkNew<vtkIdTypeArray> ids;
+        ids->SetName(field.Name.c_str());
+        ids->SetNumberOfTuples(count);
+        std::transform(own.col(0).begin(), own.col(0).end(), ids->GetPointer(0),
+          [](double id) { return static_cast<vtkIdType>(id); });
+        to->GetPointData()->AddArray(ids);
       }
       first += count;
     });

@@ -93,6 +93,7 @@ struct PointField
 {
   std::string Name;
   Eigen::MatrixXd Values;
+  bool AreIds = false; ///< whole numbers, for an array of vtkIdType; n x 1
 };
 
 /// Makes `output` like `input` with these fields of the points of its blocks, one after the other.

@@ -2,29 +2,59 @@
 #include "BenchmarkData.h"
 #include "Cost.h"
 
-#include "Correspondence/FunctionalMap.h"
+#include "Correspondence/Correspondence.h"
 #include "Correspondence/LandmarkCells.h"
-#include "Correspondence/ReversibleHarmonic.h"
+#include "Mapping/MapErrorCurve.h"
 
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace
 {
 
-constexpr const char* Usage = R"(correspondence_case A B LANDMARKS METHOD FOLDER
+constexpr const char* Usage = R"(correspondence_case PAIR LANDMARKS METHOD FILE
 
-A, B       OFF files of the two surfaces
-LANDMARKS  a file of lines that start with a point of A and one of B, from 0; may be empty
-METHOD     FunctionalMap, LandmarkCells, ReversibleHarmonic (from LandmarkCells), ReversibleHarmonicFromFunctionalMap
-FOLDER     is written: AToB.txt and BToA.txt, a line for each point: the corners of the triangle
-           that it goes to, and their weights
+PAIR       a folder of CorrespondencePairs.py
+LANDMARKS  which of its files of landmarks, such as landmarks5.txt; none: without
+METHOD     FunctionalMap, ReversibleHarmonic, ReversibleHarmonicFromCells, GromovWasserstein,
+           HeatKernel, BlendedIntrinsic, CommonSphere, CommonOrbifold, LandmarkCells; or Given: FILE is read, a position on B for
+           each point of A, and measured
+FILE       else it is written: where each point of A goes; none: nothing is
 
-Prints one line: the seconds of a CPU and of the clock and the peak of memory above the start.)";
+Prints one line: the seconds of a CPU and of the clock, the peak of memory above the start,
+shape::CorrespondenceResult's facts, and errors along B over the root of its area, times 1000, from
+the truth, at 6000 points at most, and the mean of those from its mirror image, where it is known, else -1.)";
+
+/// The last three columns of a file of numbers, one row each line.
+Eigen::MatrixXd ReadPositions(const std::string& path)
+{
+  std::ifstream file(path);
+  std::vector<Eigen::RowVector3d> rows;
+  for (std::string line; std::getline(file, line);)
+  {
+    std::istringstream words(line);
+    std::vector<double> numbers{ std::istream_iterator<double>(words), {} };
+    if (numbers.size() < 3)
+    {
+      throw std::runtime_error(path + " has a line without a position");
+    }
+    rows.emplace_back(Eigen::Map<Eigen::RowVector3d>(numbers.data() + numbers.size() - 3));
+  }
+  Eigen::MatrixXd positions(rows.size(), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    positions.row(static_cast<Eigen::Index>(i)) = rows[i];
+  }
+  return positions;
+}
 
 shape::Landmarks ReadLandmarks(const std::string& path)
 {
@@ -41,65 +71,117 @@ shape::Landmarks ReadLandmarks(const std::string& path)
   return landmarks;
 }
 
-void Write(
-  const std::string& path, const shape::PreciseMap& map, const Eigen::MatrixXi& triangles)
+void Write(const std::string& path, const Eigen::MatrixXd& positions)
 {
-  std::FILE* file = std::fopen(path.c_str(), "w");
-  if (file == nullptr)
+  std::ofstream file(path);
+  file << positions.format(Eigen::IOFormat(Eigen::FullPrecision, Eigen::DontAlignCols)) << '\n';
+  if (!file)
   {
     throw std::runtime_error(path + " cannot be written");
   }
-  for (Eigen::Index i = 0; i < map.Triangles.size(); ++i)
-  {
-    const Eigen::RowVector3i corners = triangles.row(map.Triangles(i));
-    const Eigen::RowVector3d weights = map.Barycentrics.row(i);
-    std::fprintf(file, "%d %d %d %.17g %.17g %.17g\n", corners(0), corners(1), corners(2),
-      weights(0), weights(1), weights(2));
-  }
-  std::fclose(file);
 }
 
-shape::SurfaceMaps Find(const std::string& method, const shape::Mesh& a, const shape::Mesh& b,
-  const shape::Landmarks& landmarks)
+/// What a map is, and what the filter would say of it.
+shape::CorrespondenceResult Find(const std::string& method, const shape::Mesh& a,
+  const shape::Mesh& b, const shape::Landmarks& landmarks)
 {
-  if (method == "FunctionalMap")
-  {
-    return shape::FunctionalMap(a, b, landmarks);
-  }
+  using Options = shape::CorrespondenceOptions;
+  const std::map<std::string, Options> known = {
+    { "ReversibleHarmonic", {} },
+    { "ReversibleHarmonicFromCells",
+      { Options::MethodType::ReversibleHarmonic, Options::StartType::LandmarkCells } },
+    { "FunctionalMap", { Options::MethodType::FunctionalMap } },
+    { "GromovWasserstein", { Options::MethodType::GromovWasserstein } },
+    { "HeatKernel", { Options::MethodType::HeatKernel } },
+    { "BlendedIntrinsic", { Options::MethodType::BlendedIntrinsic } },
+    { "CommonSphere", { Options::MethodType::CommonSphere } },
+    { "CommonOrbifold", { Options::MethodType::CommonOrbifold } },
+  };
   if (method == "LandmarkCells")
   {
-    return shape::LandmarkCells(a, b, landmarks);
+    shape::CorrespondenceResult result;
+    result.Maps = shape::LandmarkCells(a, b, landmarks);
+    result.Facts = shape::DescribeMaps(a, b, result.Maps);
+    return result;
   }
-  if (method == "ReversibleHarmonic")
+  return shape::Correspondence(a, b, landmarks, known.at(method));
+}
+
+/// The map is measured as the files' coordinates are, without ReadOff's change of size.
+shape::Mesh ReadSurface(const std::string& path)
+{
+  shape::Mesh mesh = benchmark::ReadOff(path, false);
+  std::ifstream file(path);
+  std::string word;
+  int points = 0, triangles = 0, edges = 0;
+  file >> word >> points >> triangles >> edges;
+  for (double& value : mesh.Points.reshaped<Eigen::RowMajor>())
   {
-    return shape::ReversibleHarmonic(a, b, shape::LandmarkCells(a, b, landmarks), landmarks).Maps;
+    file >> value;
   }
-  if (method == "ReversibleHarmonicFromFunctionalMap")
-  {
-    return shape::ReversibleHarmonic(a, b, shape::FunctionalMap(a, b, landmarks), landmarks).Maps;
-  }
-  throw std::invalid_argument("there is no method " + method);
+  return mesh;
+}
+
+/// Errors at every point of A, or of many points at some of them.
+double MeanError(const shape::Mesh& a, const Eigen::MatrixXd& positions, const shape::Mesh& b,
+  const Eigen::MatrixXd& truth, shape::MapErrorCurveResult& errors)
+{
+  constexpr Eigen::Index most = 6000;
+  const Eigen::Index stride = (a.Points.rows() + most - 1) / most;
+  const auto chosen = Eigen::seq(0, a.Points.rows() - 1, stride);
+  errors = shape::MapErrorCurve(
+    a, positions, b, { a.Points(chosen, Eigen::all), truth(chosen, Eigen::all), {} });
+  return errors.Mean;
+}
+
+void PrintErrors(const std::string& pair, const shape::Mesh& a, const shape::Mesh& b,
+  const Eigen::MatrixXd& positions)
+{
+  constexpr double thousand = 1000.0;
+  shape::MapErrorCurveResult errors, others;
+  MeanError(a, positions, b, ReadPositions(pair + "/truth.txt"), errors);
+  const bool hasMirrored = static_cast<bool>(std::ifstream(pair + "/mirrored.txt"));
+  const double mirrored = hasMirrored
+    ? thousand * MeanError(a, positions, b, ReadPositions(pair + "/mirrored.txt"), others)
+    : -1.0;
+  std::printf(" mean=%.3f median=%.3f p95=%.3f max=%.2f mirroredmean=%.3f\n",
+    thousand * errors.Mean, thousand * errors.Median, thousand * errors.Percentile95,
+    thousand * errors.Maximum, mirrored);
 }
 
 void Run(char** arguments)
 {
-  const shape::Mesh a = benchmark::ReadOff(arguments[1], false),
-                    b = benchmark::ReadOff(arguments[2], false);
-  const shape::Landmarks landmarks = ReadLandmarks(arguments[3]);
-  const std::string method = arguments[4], folder = arguments[5];
-  shape::SurfaceMaps maps;
-  const benchmark::Cost cost = benchmark::Measure([&] { maps = Find(method, a, b, landmarks); });
-  Write(folder + "/AToB.txt", maps.AToB, b.Triangles);
-  Write(folder + "/BToA.txt", maps.BToA, a.Triangles);
-  std::printf("points=%td,%td cpu=%.2f wall=%.2f mib=%.0f\n", a.Points.rows(), b.Points.rows(),
-    cost.Cpu, cost.Wall, cost.MiB);
+  const std::string pair = arguments[1], marks = arguments[2], method = arguments[3],
+                    path = arguments[4];
+  const shape::Mesh a = ReadSurface(pair + "/A.off"), b = ReadSurface(pair + "/B.off");
+  if (method == "Given")
+  {
+    PrintErrors(pair, a, b, ReadPositions(path));
+    return;
+  }
+  const shape::Landmarks landmarks =
+    marks == "none" ? shape::Landmarks() : ReadLandmarks(pair + "/" + marks);
+  shape::CorrespondenceResult result;
+  const benchmark::Cost cost = benchmark::Measure([&] { result = Find(method, a, b, landmarks); });
+  const Eigen::MatrixXd positions = shape::Pulled(result.Maps.AToB, b.Triangles, b.Points);
+  if (path != "none")
+  {
+    Write(path, positions);
+  }
+  std::printf("points=%td,%td cpu=%.2f wall=%.2f mib=%.0f dirichlet=%.4f trip=%.5f reversed=%.3f "
+              "found=%d distortion=%.4f mirrored=%.4f confidence=%.3f iterations=%d",
+    a.Points.rows(), b.Points.rows(), cost.Cpu, cost.Wall, cost.MiB, result.Facts.DirichletEnergy,
+    result.Facts.RoundTrip, result.Facts.ReversedArea, result.Found ? 1 : 0,
+    result.Start.Distortion, result.Start.MirroredDistortion, result.Start.Confidence,
+    result.Iterations);
+  PrintErrors(pair, a, b, positions);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  if (argc != 6)
+  if (argc != 5)
   {
     std::fputs(Usage, stderr);
     return 1;
@@ -110,7 +192,7 @@ int main(int argc, char** argv)
   }
   catch (const std::exception& problem)
   {
-    std::fprintf(stderr, "%s, %s: %s\n", argv[1], argv[2], problem.what());
+    std::fprintf(stderr, "%s, %s: %s\n", argv[1], argv[3], problem.what());
     return 1;
   }
   return 0;

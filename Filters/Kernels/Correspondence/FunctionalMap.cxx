@@ -40,14 +40,16 @@ Side Prepare(const Mesh& mesh, int pairs, const Landmarks& landmarks, int which,
   side.Surface.Points /= std::sqrt(PointAreas(mesh).sum());
   side.Spectrum = FindLaplaceSpectrum(side.Surface, pairs, progress.Part(0.0, 0.7));
   const int count = options.Descriptors;
-  const auto each = static_cast<Eigen::Index>(landmarks.size());
+  // Curves are many landmarks: a few of them tell as much, by their order.
+  constexpr std::size_t most = 12;
+  const std::size_t each = std::min(landmarks.size(), most);
   side.Descriptors.resize(mesh.Points.rows(), count * (2 + each));
   side.Descriptors.leftCols(count) = WaveKernelSignature(side.Spectrum, count);
   side.Descriptors.middleCols(count, count) = HeatKernelSignature(side.Spectrum, count);
-  for (Eigen::Index i = 0; i < each; ++i)
+  for (std::size_t i = 0; i < each; ++i)
   {
     side.Descriptors.middleCols(count * (2 + i), count) =
-      WaveKernelFrom(side.Spectrum, landmarks[i][which], count);
+      WaveKernelFrom(side.Spectrum, landmarks[i * landmarks.size() / each][which], count);
   }
   side.Samples = FarthestPoints(side.Surface, options.Samples, progress.Part(0.8, 1.0));
   return side;

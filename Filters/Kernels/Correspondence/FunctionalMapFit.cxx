@@ -22,54 +22,65 @@ struct Operators
   Matrices Products, Turns;     ///< q each, k x k
 };
 
-/// The vector field n x grad(f) of a function linear in each triangle (m x 3), times twice its
-/// area.
-Eigen::MatrixXd TurnedGradients(const Mesh& mesh, const Eigen::VectorXd& function)
+/// Each triangle laid in its plane, with the first side along x: what makes gradients of functions
+/// that are linear in it.
+class Gradients
 {
-  Eigen::MatrixXd turned(mesh.Triangles.rows(), 3);
-  for (Eigen::Index t = 0; t < turned.rows(); ++t)
+public:
+  explicit Gradients(const Mesh& mesh)
+    : Triangles(mesh.Triangles)
+    , Places(mesh.Triangles.rows(), 3)
+    , Areas(mesh.Triangles.rows())
   {
-    const Eigen::Matrix3d corners = Corners(mesh, t);
-    const auto points = mesh.Triangles.row(t);
-    turned.row(t) = function(points(0)) * (corners.row(1) - corners.row(2)) +
-      function(points(1)) * (corners.row(2) - corners.row(0)) +
-      function(points(2)) * (corners.row(0) - corners.row(1));
+    for (Eigen::Index t = 0; t < this->Places.rows(); ++t)
+    {
+      const Eigen::Matrix3d corners = Corners(mesh, t);
+      const Eigen::RowVector3d side = corners.row(1) - corners.row(0),
+                               other = corners.row(2) - corners.row(0);
+      const double length = side.norm(), twice = side.cross(other).norm();
+      const bool isFlat = twice <= std::numeric_limits<double>::min();
+      // A triangle without area has no gradient and no share of any integral.
+      this->Places.row(t) << (isFlat ? 1.0 : length), (isFlat ? 0.0 : side.dot(other) / length),
+        (isFlat ? 1.0 : twice / length);
+      this->Areas(t) = isFlat ? 0.0 : 0.5 * twice;
+    }
   }
-  return turned;
-}
 
-/// The integrals of eigenfunction i times the derivative of eigenfunction j along n x grad(f).
-Eigen::MatrixXd Turn(const Mesh& mesh, const Eigen::MatrixXd& functions, const Eigen::VectorXd& f)
-{
-  // <n x grad f, grad g> is a third of what each corner gets; with w the edge opposite corner c,
-  // turned, grad g = sum g_c (n x w_c) / 2A, and <n x grad f, n x w_c> = <grad f, w_c>, whose
-  // integral needs differences of f alone.
-  const Eigen::MatrixXd along = TurnedGradients(mesh, f);
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(mesh.Points.rows(), functions.cols());
-  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  struct Components
   {
-    const Eigen::Matrix3d corners = Corners(mesh, t);
-    const Eigen::RowVector3d normal =
-      (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0));
-    const double area = normal.norm(); // twice
-    if (area <= std::numeric_limits<double>::min())
+    Eigen::MatrixXd X, Y; ///< m x k
+  };
+
+  /// functions: n x k, of the points.
+  Components Of(const Eigen::MatrixXd& functions) const
+  {
+    Components gradients{ Eigen::MatrixXd(this->Places.rows(), functions.cols()), {} };
+    gradients.Y.resizeLike(gradients.X);
+    for (Eigen::Index k = 0; k < functions.cols(); ++k)
     {
-      continue;
+      for (Eigen::Index t = 0; t < this->Places.rows(); ++t)
+      {
+        const double first = functions(this->Triangles(t, 0), k);
+        const double x = (functions(this->Triangles(t, 1), k) - first) / this->Places(t, 0);
+        gradients.X(t, k) = x;
+        gradients.Y(t, k) = (functions(this->Triangles(t, 2), k) - first - x * this->Places(t, 1)) /
+          this->Places(t, 2);
+      }
     }
-    const auto points = mesh.Triangles.row(t);
-    Eigen::RowVectorXd derivative = Eigen::RowVectorXd::Zero(functions.cols());
-    for (int k = 0; k < 3; ++k)
-    {
-      const Eigen::RowVector3d edge = corners.row((k + 2) % 3) - corners.row((k + 1) % 3);
-      derivative += normal.cross(edge).dot(along.row(t)) / (area * area) * functions.row(points(k));
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      result.row(points(k)) += derivative / 6.0;
-    }
+    return gradients;
   }
-  return functions.transpose() * result;
-}
+
+  /// The functions' integrals over the triangles (m x k).
+  Eigen::MatrixXd Integrals(const Eigen::MatrixXd& functions) const
+  {
+    return this->Areas.asDiagonal() * CornerMeans(this->Triangles, functions);
+  }
+
+private:
+  const Eigen::MatrixXi& Triangles;
+  Eigen::MatrixXd Places; ///< m x 3: x of the second corner, x and y of the third
+  Eigen::VectorXd Areas;
+};
 
 Operators OperatorsOf(
   const DescribedSurface& given, const FunctionalMapFitOptions& options, const Progress& progress)
@@ -83,7 +94,11 @@ Operators OperatorsOf(
     const double norm = std::sqrt(spectrum.Masses.dot(descriptors.col(i).cwiseAbs2()));
     descriptors.col(i) /= norm > 0.0 ? norm : 1.0;
   }
-  const int count = static_cast<int>(descriptors.cols());
+  const Gradients gradients(given.Surface);
+  const Gradients::Components ofFunctions = gradients.Of(functions);
+  const Eigen::MatrixXd integrals = gradients.Integrals(functions);
+  const int stride = options.OperatorStride;
+  const int count = (static_cast<int>(descriptors.cols()) + stride - 1) / stride;
   Operators result{ weighted.transpose() * descriptors, Matrices(count), Matrices(count) };
   ParallelFor(
     count, 1,
@@ -91,13 +106,17 @@ Operators OperatorsOf(
     {
       for (int i = begin; i < end; ++i)
       {
+        const Eigen::VectorXd descriptor = descriptors.col(static_cast<Eigen::Index>(i) * stride);
         if (options.DescriptorWeight > 0.0)
         {
-          result.Products[i] = weighted.transpose() * descriptors.col(i).asDiagonal() * functions;
+          result.Products[i] = weighted.transpose() * descriptor.asDiagonal() * functions;
         }
         if (options.OrientationWeight > 0.0)
         {
-          result.Turns[i] = Turn(given.Surface, functions, descriptors.col(i));
+          // n x grad(f) is (-y, x) of grad(f).
+          const Gradients::Components own = gradients.Of(descriptor);
+          result.Turns[i] = integrals.transpose() *
+            (own.X.col(0).asDiagonal() * ofFunctions.Y - own.Y.col(0).asDiagonal() * ofFunctions.X);
         }
       }
     },

@@ -15,6 +15,8 @@ struct FunctionalMapFitOptions
   double LaplacianWeight = 1e-2;   ///< of commutativity with the Laplacians; >= 0
   double DescriptorWeight = 1e-1;  ///< of commutativity with products with descriptors; >= 0
   double OrientationWeight = 1e-2; ///< of commutativity with turned gradients of theirs; >= 0
+  int OperatorStride =
+    5; ///< operators are those of every so many descriptors: neighbours are alike
 };
 
 /// A surface's spectrum and functions of its points that do not change where it is bent.

@@ -10,7 +10,8 @@ namespace shape
 
 /**
  * For each row of `queries` (q x d) a place of the surface whose points are the rows of `points` (n
- * x d) that is near to it in all d dimensions: around the point nearest of all (NearestRows), the
+ * x d) that is near to it in all d dimensions: around the point nearest of all, or of 8000 of them
+ * where there are more (NearestRows), the
  * nearest place in the triangles there, and on from triangle to triangle that share a corner while
  * they lead nearer. In many dimensions a quick stand-in for the nearest place of all, which is
  * hardly ever elsewhere.

@@ -17,7 +17,7 @@ struct ReversibleHarmonicOptions
   int AlphaSteps = 20;          ///< in so many iterations; >= 0
   double BetaStep = 5e-3;       ///< by which the penalty's weight grows in each iteration; > 0
   int BetaSteps = 100;          ///< after so many it stays; >= 1
-  int MaximumIterations = 40;   ///< >= 1
+  int MaximumIterations = 100;  ///< >= 1
   double Tolerance = 1e-4;      ///< relative change of the energy at which it ends; >= 0
   bool PinLandmarks = true;     ///< keeps each landmark's image at its partner
   StressScalingOptions Scaling; ///< the embedding in which straight distances are geodesic ones
@@ -42,7 +42,7 @@ struct ReversibleHarmonicResult
  * P21, X21, P12 and X12 (half-quadratic splitting, section 5 there): the maps P by exact projection
  * on triangles in twice as many dimensions (TriangleTree), the X by one linear system. Negative
  * cotangent weights are raised to 0. Alpha is larger at first: smoother maps move farther in an
- * iteration, and 40 of them end as near to the least as 100 without.
+ * iteration.
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus. start:
  * maps to begin at, such as LandmarkCells or a FunctionalMap; a mirrored start stays mirrored.

@@ -1,0 +1,165 @@
+#include "Correspondence/Correspondence.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Correspondence/BlendedIntrinsic.h"
+#include "Correspondence/FunctionalMap.h"
+#include "Correspondence/GromovWasserstein.h"
+#include "Correspondence/HeatKernelMap.h"
+#include "Correspondence/LandmarkCells.h"
+#include "Correspondence/MatchingInput.h"
+#include "Correspondence/OrbifoldMap.h"
+#include "Correspondence/ReversibleHarmonic.h"
+#include "Correspondence/SphereCommonDomain.h"
+#include "Geometry/ClosestPoint.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+using Options = CorrespondenceOptions;
+
+/// A surface without the points that no triangle uses.
+struct Compact
+{
+  Mesh Surface;
+  std::vector<int> Points; ///< of the surface given
+  Eigen::VectorXi PlaceOf; ///< n: in Points; -1
+};
+
+Compact Compacted(const Mesh& mesh, const std::string& name)
+{
+  const Topology topology = RequireManifold(mesh, name);
+  Compact compact{ mesh, {}, Eigen::VectorXi::Constant(mesh.Points.rows(), -1) };
+  for (int i = 0; i < static_cast<int>(mesh.Points.rows()); ++i)
+  {
+    if (topology.ComponentId(i) >= 0)
+    {
+      compact.PlaceOf(i) = static_cast<int>(compact.Points.size());
+      compact.Points.push_back(i);
+    }
+  }
+  compact.Surface.Points = mesh.Points(compact.Points, Eigen::all);
+  compact.Surface.Triangles =
+    mesh.Triangles.unaryExpr([&](int point) { return compact.PlaceOf(point); });
+  return compact;
+}
+
+/// The map of all points of the surface given: the others go with the closest of the surface.
+PreciseMap Expanded(const PreciseMap& map, const Compact& from, const Mesh& given)
+{
+  PreciseMap all{ Eigen::VectorXi(given.Points.rows()), Eigen::MatrixXd(given.Points.rows(), 3) };
+  const SurfaceLocator locator(from.Surface);
+  for (Eigen::Index i = 0; i < given.Points.rows(); ++i)
+  {
+    int place = from.PlaceOf(i);
+    if (place < 0)
+    {
+      const ClosestPlace closest = locator.FindOne(given.Points.row(i));
+      Eigen::Index corner = 0;
+      closest.Barycentric.maxCoeff(&corner);
+      place = from.Surface.Triangles(closest.Triangle, corner);
+    }
+    all.Triangles(i) = map.Triangles(place);
+    all.Barycentrics.row(i) = map.Barycentrics.row(place);
+  }
+  return all;
+}
+
+/// Landmarks that were found are more than the four that an orbifold can have.
+SurfaceMaps ThroughOrbifold(
+  const Mesh& a, const Mesh& b, Landmarks landmarks, bool found, const Progress& progress)
+{
+  constexpr std::size_t most = 4;
+  if (found && landmarks.size() > most)
+  {
+    landmarks.resize(most);
+  }
+  const OrbifoldType type =
+    landmarks.size() == most ? OrbifoldType::Rectangle : OrbifoldType::Rhombus;
+  OrbifoldMap map =
+    MapThroughOrbifold(a, PointsOf(landmarks, 0), b, PointsOf(landmarks, 1), type, progress);
+  return { std::move(map.AToB), std::move(map.BToA) };
+}
+
+SurfaceMaps Find(const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Options& options,
+  CorrespondenceResult& result, const Progress& progress)
+{
+  FunctionalMapOptions functional;
+  functional.Refinement.Last = options.NumberOfEigenpairs;
+  switch (options.Method)
+  {
+    case Options::MethodType::FunctionalMap:
+      return FunctionalMap(a, b, landmarks, functional, progress);
+    case Options::MethodType::GromovWasserstein:
+    {
+      GromovWassersteinOptions own;
+      own.Samples = options.Samples;
+      return GromovWasserstein(a, b, landmarks, own, progress);
+    }
+    case Options::MethodType::HeatKernel:
+      return HeatKernelMap(a, b, landmarks, {}, progress);
+    case Options::MethodType::BlendedIntrinsic:
+      return BlendedIntrinsic(a, b, landmarks, {}, progress);
+    case Options::MethodType::CommonSphere:
+    {
+      SphereCommonDomainResult common =
+        MapThroughSphere(a, PointsOf(landmarks, 0), b, PointsOf(landmarks, 1), {}, progress);
+      return { std::move(common.AToB), std::move(common.BToA) };
+    }
+    case Options::MethodType::CommonOrbifold:
+      return ThroughOrbifold(a, b, landmarks, result.Found, progress);
+    case Options::MethodType::ReversibleHarmonic:
+      break;
+  }
+  const SurfaceMaps start = options.Start == Options::StartType::FunctionalMap
+    ? FunctionalMap(a, b, landmarks, functional, progress.Part(0.0, 0.4))
+    : LandmarkCells(a, b, landmarks, progress.Part(0.0, 0.1));
+  ReversibleHarmonicOptions own;
+  own.MaximumIterations = options.MaximumIterations;
+  own.PinLandmarks = options.PinLandmarks && !result.Found;
+  ReversibleHarmonicResult harmonic =
+    ReversibleHarmonic(a, b, start, landmarks, own, progress.Part(0.4, 1.0));
+  result.Iterations = static_cast<int>(harmonic.Energies.size());
+  return std::move(harmonic.Maps);
+}
+
+} // namespace
+
+CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const CorrespondenceOptions& options, const Progress& progress)
+{
+  RequireOption(options.NumberOfEigenpairs >= 10, "NumberOfEigenpairs", options.NumberOfEigenpairs,
+    "at least 10");
+  RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
+  const Compact one = Compacted(a, "SurfaceA"), two = Compacted(b, "SurfaceB");
+  CorrespondenceResult result;
+  Landmarks own;
+  for (const auto& [pointA, pointB] : landmarks)
+  {
+    own.push_back({ one.PlaceOf(pointA), two.PlaceOf(pointB) });
+  }
+  if (own.empty())
+  {
+    result.Start = AutomaticLandmarks(one.Surface, two.Surface, {}, progress.Part(0.0, 0.3));
+    result.Found = true;
+    own = result.Start.Pairs;
+  }
+  const SurfaceMaps maps =
+    Find(one.Surface, two.Surface, own, options, result, progress.Part(0.3, 0.95));
+  for (const auto& [pointA, pointB] : own)
+  {
+    result.Used.push_back({ one.Points[pointA], two.Points[pointB] });
+  }
+  result.Facts = DescribeMaps(one.Surface, two.Surface, maps);
+  result.Maps = { Expanded(maps.AToB, one, a), Expanded(maps.BToA, two, b) };
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

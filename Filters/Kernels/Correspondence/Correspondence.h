@@ -1,0 +1,60 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+#include "Correspondence/AutomaticLandmarks.h"
+#include "Correspondence/SurfaceMapFacts.h"
+#include "Correspondence/SurfaceMaps.h"
+
+namespace shape
+{
+
+struct CorrespondenceOptions
+{
+  enum class MethodType
+  {
+    ReversibleHarmonic = 0, ///< shape::ReversibleHarmonic: for different shapes
+    FunctionalMap = 1,      ///< shape::FunctionalMap: for one shape that is bent
+    GromovWasserstein = 2,  ///< shape::GromovWasserstein: by distances between samples
+    HeatKernel = 3,         ///< shape::HeatKernelMap: from one landmark
+    BlendedIntrinsic = 4,   ///< shape::BlendedIntrinsic: genus 0
+    CommonSphere = 5,       ///< shape::MapThroughSphere: closed, genus 0, exactly one to one
+    CommonOrbifold = 6      ///< shape::MapThroughOrbifold: the same, three or four landmarks
+  };
+  MethodType Method = MethodType::ReversibleHarmonic;
+  /// What ReversibleHarmonic starts from.
+  enum class StartType
+  {
+    FunctionalMap = 0, ///< of these landmarks
+    LandmarkCells = 1  ///< each point at the partner of its nearest landmark
+  };
+  StartType Start = StartType::FunctionalMap;
+  bool PinLandmarks = true;    ///< ReversibleHarmonic: given landmarks go to their partners exactly
+  int MaximumIterations = 100; ///< of ReversibleHarmonic; >= 1
+  int NumberOfEigenpairs = 120; ///< FunctionalMap, at most: of each surface; >= 10
+  int Samples = 500;            ///< of each surface, GromovWasserstein compares; >= 10
+};
+
+struct CorrespondenceResult
+{
+  SurfaceMaps Maps; ///< a row for each point, one that no triangle uses goes with the nearest used
+  Landmarks Used;   ///< points of A and B: those given, or found
+  bool Found = false;             ///< whether landmarks were found, not given
+  AutomaticLandmarksResult Start; ///< where they were
+  int Iterations = 0;             ///< of ReversibleHarmonic
+  SurfaceMapFacts Facts;
+};
+
+/**
+ * Which point of one surface corresponds to which point of another one, both ways, by one of
+ * seven methods; each says in its header what surfaces it is for. Without landmarks those of
+ * AutomaticLandmarks are used, on surfaces of one component; they are not pinned. CommonOrbifold
+ * takes the first four of these.
+ *
+ * a, b: consistently oriented 2-manifolds, facing outwards where they are closed; points that no
+ * triangle uses are left aside. Throws InvalidInput, SolveFailure, Aborted.
+ */
+CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const CorrespondenceOptions& options = {}, const Progress& progress = {});
+
+} // namespace shape

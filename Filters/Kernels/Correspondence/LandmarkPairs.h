@@ -1,0 +1,18 @@
+#pragma once
+
+#include "Core/Mesh.h"
+#include "Core/Progress.h"
+#include "Correspondence/SurfaceMaps.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/// The points of two surfaces next to places that correspond (k x 3 each), in their order: of the
+/// triangle closest to a place the corner that it is nearest to. A pair is left out where one of
+/// its points is in a pair already. Throws InvalidInput where a coordinate is not finite, Aborted.
+Landmarks LandmarkPairs(const Mesh& a, const Eigen::MatrixXd& placesA, const Mesh& b,
+  const Eigen::MatrixXd& placesB, const Progress& progress = {});
+
+} // namespace shape

@@ -1,0 +1,99 @@
+/**
+ * @class   vtkShapeCorrespondence
+ * @brief   which point of one surface corresponds to which point of another one, both ways
+ *
+ * Inputs
+ * - SurfaceA, SurfaceB: oriented 2-manifolds (polygons are triangulated inside), facing outwards.
+ *   Blocks and distributed pieces are joined first; each process gets its own back.
+ * - Landmarks (optional): points and polylines on SurfaceA with the point array `TargetPosition` on
+ *   SurfaceB. Each stands for the nearest point of its surface; along lines more are put in, a mean
+ *   edge of SurfaceA apart. Without them the filter finds its own (shape::AutomaticLandmarks), on
+ *   surfaces of one component.
+ *
+ * Outputs: SurfaceA and SurfaceB with the precise map onto the other one, the point arrays
+ * - `TargetPosition` (double, 3),
+ * - `TargetCell` (vtkIdType): the triangle that it lies in, a cell of the other surface where that
+ *   has no strips and no polygons of more corners; else counted after its vertices and lines with
+ *   polygons and strips cut into triangles in order,
+ * - `TargetBarycentric` (double, 3): the place in it, by the order of its corners.
+ *
+ * Field data of both
+ * - Correspondence.Landmarks: how many were used; Correspondence.LandmarksFound: 1 where the filter
+ *   found them,
+ * - Correspondence.Distortion, .MirroredDistortion, .Confidence, where it found them, else -1: how
+ *   well samples keep their distances, how well they would in the mirror image, and how clear the
+ *   choice was; see shape::AutomaticLandmarksResult,
+ * - Correspondence.DirichletEnergy, .RoundTrip, .ReversedArea: shape::SurfaceMapFacts,
+ * - Correspondence.Mirrored: 1 where more than half of SurfaceA is turned over, else 0,
+ * - Correspondence.Iterations: of ReversibleHarmonic, else 0.
+ *
+ * Sparse factorisations are one library call each: an abort takes effect at the end of one.
+ *
+ * The mathematics: shape::Correspondence.
+ */
+#ifndef vtkShapeCorrespondence_h
+#define vtkShapeCorrespondence_h
+
+#include "vtkShapeAlgorithm.h"
+
+#include "Correspondence/Correspondence.h" // for the options
+
+class VTKSHAPEFILTERS_EXPORT vtkShapeCorrespondence : public vtkShapeAlgorithm
+{
+public:
+  static vtkShapeCorrespondence* New();
+  vtkTypeMacro(vtkShapeCorrespondence, vtkShapeAlgorithm);
+
+  ///@{
+  /// 0 = ReversibleHarmonic, 1 = FunctionalMap, 2 = GromovWasserstein, 3 = HeatKernel, 4 =
+  /// BlendedIntrinsic, 5 = CommonSphere, 6 = CommonOrbifold. Default: ReversibleHarmonic.
+  vtkShapeEnumOption(Method, shape::CorrespondenceOptions::MethodType,
+    shape::CorrespondenceOptions::MethodType::ReversibleHarmonic,
+    shape::CorrespondenceOptions::MethodType::CommonOrbifold);
+  ///@}
+
+  ///@{
+  /// What ReversibleHarmonic starts from: 0 = FunctionalMap, 1 = LandmarkCells. Default:
+  /// FunctionalMap.
+  vtkShapeEnumOption(Start, shape::CorrespondenceOptions::StartType,
+    shape::CorrespondenceOptions::StartType::FunctionalMap,
+    shape::CorrespondenceOptions::StartType::LandmarkCells);
+  ///@}
+
+  ///@{
+  /// ReversibleHarmonic: whether given landmarks go to their partners exactly. Default: on.
+  vtkShapeOption(PinLandmarks, bool);
+  ///@}
+
+  ///@{
+  /// ReversibleHarmonic: iterations at most; at least 1. Default: 100.
+  vtkShapeOption(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /// FunctionalMap, and the start of ReversibleHarmonic: eigenfunctions of each surface at most; at
+  /// least 10. Default: 120.
+  vtkShapeOption(NumberOfEigenpairs, int);
+  ///@}
+
+  ///@{
+  /// GromovWasserstein: points of each surface that are compared; at least 10. Default: 500.
+  vtkShapeOption(Samples, int);
+  ///@}
+
+protected:
+  vtkShapeCorrespondence();
+  ~vtkShapeCorrespondence() override = default;
+  void Execute(const shape::Progress& progress) override;
+
+private:
+  vtkShapeCorrespondence(const vtkShapeCorrespondence&) = delete;
+  void operator=(const vtkShapeCorrespondence&) = delete;
+
+  /// Fills output `port` with its surface and the map onto the other one.
+  void WriteMap(int port, const shape::PreciseMap& map, const shape::Mesh& other, int otherPort);
+
+  shape::CorrespondenceOptions Options;
+};
+
+#endif
