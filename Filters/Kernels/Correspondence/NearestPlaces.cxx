@@ -70,7 +70,7 @@ public:
       // Rounding must not make it negative: the walk would never end.
       const double squared = std::max(
         0.0, w.squaredNorm() + x * (x * a + 2.0 * y * b - 2.0 * u) + y * (y * c - 2.0 * v));
-      if (squared < this->Squared * (1.0 - rounding))
+      if (squared < this->Squared * (1.0 - Rounding))
       {
         this->Squared = squared;
         this->Triangle = t;
@@ -85,7 +85,7 @@ public:
   Eigen::RowVector3d Barycentric;
 
 private:
-  static constexpr double rounding = 1e-12; // else a walk could go around places equally near
+  static constexpr double Rounding = 1e-12; // else a walk could go around places equally near
   const Eigen::MatrixXi& Triangles;
   const Eigen::MatrixXd& Points; ///< d x n
   const Fans& Around;
