@@ -1,9 +1,11 @@
 #include "Correspondence/TriangleTree.h"
 
+#include "Core/Errors.h"
 #include "Correspondence/PlaceInTriangle.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -12,8 +14,20 @@ namespace shape
 namespace
 {
 
-constexpr int Leaf = 4;     // triangles
+constexpr int Leaf = 2;     // triangles
 constexpr int Multiple = 4; // numbers that one instruction may take
+constexpr int MostDimensions = 64;
+using Four = Eigen::Array<double, Multiple, 1>;
+
+double SquaredDistance(const double* a, const double* b, int dimension)
+{
+  Four sum = Four::Zero();
+  for (int k = 0; k < dimension; k += Multiple)
+  {
+    sum += (Eigen::Map<const Four>(a + k) - Eigen::Map<const Four>(b + k)).square();
+  }
+  return sum.sum();
+}
 
 } // namespace
 
@@ -24,12 +38,13 @@ TriangleTree::TriangleTree(const Eigen::MatrixXi& triangles, const Eigen::Matrix
   , Coordinates(points.rows() * this->Dimension, 0.0)
   , Products(triangles.rows(), 3)
 {
+  RequireOption(this->Dimension <= MostDimensions, "the dimension", this->Dimension, "at most 64");
   std::iota(this->Order.begin(), this->Order.end(), 0);
   const Eigen::MatrixXd centres = points(triangles.col(0), Eigen::all) +
     points(triangles.col(1), Eigen::all) + points(triangles.col(2), Eigen::all);
   this->Split(0, static_cast<int>(triangles.rows()), centres);
-  this->Lower.resize(this->Nodes.size() * this->Dimension);
-  this->Upper.resize(this->Nodes.size() * this->Dimension);
+  this->Centres.resize(this->Nodes.size() * this->Dimension);
+  this->Radii.resize(this->Nodes.size());
   this->Move(points);
 }
 
@@ -79,38 +94,33 @@ void TriangleTree::Move(const Eigen::MatrixXd& points)
     }
     this->Products.row(t) << a, b, c;
   }
-  // Children come after their parents.
-  for (int node = static_cast<int>(this->Nodes.size()) - 1; node >= 0; --node)
+  for (std::size_t node = 0; node < this->Nodes.size(); ++node)
   {
-    double *lower = this->Lower.data() + static_cast<std::ptrdiff_t>(node) * d,
-           *upper = this->Upper.data() + static_cast<std::ptrdiff_t>(node) * d;
-    std::fill_n(lower, d, std::numeric_limits<double>::infinity());
-    std::fill_n(upper, d, -std::numeric_limits<double>::infinity());
-    const auto include = [&](const double* low, const double* high)
-    {
-      for (int k = 0; k < d; ++k)
-      {
-        lower[k] = std::min(lower[k], low[k]);
-        upper[k] = std::max(upper[k], high[k]);
-      }
-    };
     const Node& own = this->Nodes[node];
-    if (own.Right < 0)
+    double* centre = this->Centres.data() + node * d;
+    std::fill_n(centre, d, 0.0);
+    const auto forCorners = [&](const auto& visit)
     {
       for (int i = own.First; i < own.First + own.Count; ++i)
       {
-        for (int k = 0; k < 3; ++k)
+        for (int c = 0; c < 3; ++c)
         {
-          include(corner(this->Order[i], k), corner(this->Order[i], k));
+          visit(corner(this->Order[i], c));
         }
       }
-      continue;
-    }
-    for (const int child : { node + 1, own.Right })
-    {
-      include(this->Lower.data() + static_cast<std::ptrdiff_t>(child) * d,
-        this->Upper.data() + static_cast<std::ptrdiff_t>(child) * d);
-    }
+    };
+    forCorners(
+      [&](const double* place)
+      {
+        for (int k = 0; k < d; ++k)
+        {
+          centre[k] += place[k] / (3.0 * own.Count);
+        }
+      });
+    double farthest = 0.0;
+    forCorners([&](const double* place)
+      { farthest = std::max(farthest, SquaredDistance(place, centre, d)); });
+    this->Radii[node] = std::sqrt(farthest);
   }
 }
 
@@ -122,14 +132,16 @@ void TriangleTree::Test(const double* point, int triangle, NearestTriangle& best
     return this->Coordinates.data() + static_cast<std::ptrdiff_t>(this->Triangles(triangle, k)) * d;
   };
   const double *p = corner(0), *q = corner(1), *r = corner(2);
-  double u = 0.0, v = 0.0, square = 0.0;
-  for (int k = 0; k < d; ++k)
+  Four us = Four::Zero(), vs = Four::Zero(), squares = Four::Zero();
+  for (int k = 0; k < d; k += Multiple)
   {
-    const double w = point[k] - p[k];
-    u += w * (q[k] - p[k]);
-    v += w * (r[k] - p[k]);
-    square += w * w;
+    const Eigen::Map<const Four> at(p + k);
+    const Four w = Eigen::Map<const Four>(point + k) - at;
+    us += w * (Eigen::Map<const Four>(q + k) - at);
+    vs += w * (Eigen::Map<const Four>(r + k) - at);
+    squares += w * w;
   }
+  const double u = us.sum(), v = vs.sum(), square = squares.sum();
   const double a = this->Products(triangle, 0), b = this->Products(triangle, 1),
                c = this->Products(triangle, 2);
   const auto [s, t] = PlaceInTriangle(a, b, c, u, v);
@@ -143,41 +155,34 @@ void TriangleTree::Test(const double* point, int triangle, NearestTriangle& best
   }
 }
 
-double TriangleTree::SquaredDistance(const double* point, int node) const
+double TriangleTree::Gap(const double* point, int node) const
 {
-  const int d = this->Dimension;
-  const double *lower = this->Lower.data() + static_cast<std::ptrdiff_t>(node) * d,
-               *upper = this->Upper.data() + static_cast<std::ptrdiff_t>(node) * d;
-  double sum = 0.0;
-  for (int k = 0; k < d; ++k)
-  {
-    const double outside = std::max(std::max(lower[k] - point[k], point[k] - upper[k]), 0.0);
-    sum += outside * outside;
-  }
-  return sum;
+  const double* centre = this->Centres.data() + static_cast<std::ptrdiff_t>(node) * this->Dimension;
+  return std::sqrt(SquaredDistance(point, centre, this->Dimension)) - this->Radii[node];
 }
 
 NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) const
 {
-  std::vector<double> padded(this->Dimension, 0.0);
+  std::array<double, MostDimensions> padded{};
   std::copy(point.begin(), point.end(), padded.begin());
   const double* from = padded.data();
   NearestTriangle best;
   best.SquaredDistance = std::numeric_limits<double>::infinity();
   this->Test(from, std::max(guess, 0), best);
+  double bound = std::sqrt(best.SquaredDistance);
   struct Waiting
   {
     int Node;
-    double SquaredDistance;
+    double Gap;
   };
   constexpr int deepest = 64; // halves of any number of triangles
   std::array<Waiting, deepest> stack;
   int height = 0;
-  stack[height++] = { 0, this->SquaredDistance(from, 0) };
+  stack[height++] = { 0, this->Gap(from, 0) };
   while (height > 0)
   {
     const Waiting next = stack[--height];
-    if (next.SquaredDistance >= best.SquaredDistance)
+    if (next.Gap >= bound)
     {
       continue;
     }
@@ -188,11 +193,12 @@ NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) c
       {
         this->Test(from, this->Order[i], best);
       }
+      bound = std::sqrt(best.SquaredDistance);
       continue;
     }
-    Waiting near{ next.Node + 1, this->SquaredDistance(from, next.Node + 1) };
-    Waiting far{ node.Right, this->SquaredDistance(from, node.Right) };
-    if (far.SquaredDistance < near.SquaredDistance)
+    Waiting near{ next.Node + 1, this->Gap(from, next.Node + 1) };
+    Waiting far{ node.Right, this->Gap(from, node.Right) };
+    if (far.Gap < near.Gap)
     {
       std::swap(near, far);
     }

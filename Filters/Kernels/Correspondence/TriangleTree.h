@@ -16,14 +16,15 @@ struct NearestTriangle
 };
 
 /**
- * Finds the nearest places of triangles between points of any dimension: a tree of boxes around
- * triangles that are near each other. Where points are moved a little, as an iteration does, the
- * tree stays and its boxes follow.
+ * Finds the nearest places of triangles between points of any dimension: a tree of balls around
+ * triangles that are near each other, which fit a surface askew in many dimensions better than
+ * boxes do. Where points are moved a little, as an iteration does, the tree stays and its balls
+ * follow.
  */
 class TriangleTree
 {
 public:
-  /// triangles: m x 3, at least one; points: n x d, where the tree is made.
+  /// triangles: m x 3, at least one; points: n x d, d <= 64, where the tree is made.
   TriangleTree(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points);
 
   /// points: n x d. The result of Find is as exact however far they move, but takes longer.
@@ -42,15 +43,16 @@ private:
 
   void Split(int first, int count, const Eigen::MatrixXd& centres);
   void Test(const double* point, int triangle, NearestTriangle& best) const;
-  double SquaredDistance(const double* point, int node) const;
+  double Gap(const double* point, int node) const;
 
   const Eigen::MatrixXi& Triangles;
   int Dimension; ///< d, raised to a multiple of 4 by zeros
   std::vector<Node> Nodes;
   std::vector<int> Order;
-  std::vector<double> Coordinates;  ///< n x Dimension
-  std::vector<double> Lower, Upper; ///< of the nodes' boxes, x Dimension
-  Eigen::MatrixXd Products;         ///< m x 3: of each triangle's edges from its first corner
+  std::vector<double> Coordinates; ///< n x Dimension
+  std::vector<double> Centres;     ///< of the nodes' balls, x Dimension
+  std::vector<double> Radii;
+  Eigen::MatrixXd Products; ///< m x 3: of each triangle's edges from its first corner
 };
 
 } // namespace shape

@@ -7,7 +7,6 @@
 #include "Surface/EdgeGeodesics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -76,6 +75,13 @@ HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
   , ComponentId(SurfaceTopology(mesh).ComponentId)
   , Inside(InsideOf(mesh))
 {
+  this->Corners.resize(this->Flat.Sides.rows(), 3);
+  for (Eigen::Index t = 0; t < this->Corners.rows(); ++t)
+  {
+    const double a = this->Flat.Sides(t, 0), b = this->Flat.Sides(t, 1), c = this->Flat.Sides(t, 2);
+    const double x = (c * c + (b - a) * (b + a)) / (2.0 * c);
+    this->Corners.row(t) << c, x, std::sqrt(std::max(b * b - x * x, 0.0));
+  }
   progress(0.2);
   constexpr double share = 1.0 / 300.0, rest = 1e-9;
   const Eigen::Index points = mesh.Points.rows();
@@ -108,25 +114,22 @@ Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
   Eigen::VectorXd divergence = Eigen::VectorXd::Zero(heat.size());
   for (Eigen::Index t = 0; t < this->Flat.Triangles.rows(); ++t)
   {
-    const auto corners = this->Flat.Triangles.row(t);
-    const double a = this->Flat.Sides(t, 0), b = this->Flat.Sides(t, 1), c = this->Flat.Sides(t, 2);
-    const double x = (c * c + (b - a) * (b + a)) / (2.0 * c);
-    const double y = std::sqrt(std::max(b * b - x * x, 0.0));
-    // Twice-area gradients of the hat functions: the opposite sides, turned inwards.
-    const std::array<Eigen::Vector2d, 3> hats = { Eigen::Vector2d(-y, x - c),
-      Eigen::Vector2d(y, -x), Eigen::Vector2d(0.0, c) };
-    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-    for (int k = 0; k < 3; ++k)
+    const int p = this->Flat.Triangles(t, 0), q = this->Flat.Triangles(t, 1),
+              r = this->Flat.Triangles(t, 2);
+    // The third corner is at (x, y), the second at (c, 0). Twice-area gradients of the hat
+    // functions are the opposite sides, turned inwards.
+    const double c = this->Corners(t, 0), x = this->Corners(t, 1), y = this->Corners(t, 2);
+    const double across = y * (heat(q) - heat(p));
+    const double along = c * (heat(r) - heat(p)) - x * (heat(q) - heat(p));
+    const double largest = std::max(std::abs(across), std::abs(along));
+    if (largest > 0.0)
     {
-      gradient += heat(corners(k)) * hats[k];
-    }
-    const double norm = gradient.stableNorm();
-    if (norm > 0.0)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        divergence(corners(k)) -= 0.5 * hats[k].dot(gradient / norm);
-      }
+      // Far from the seeds the squares of what is left of the heat would be 0.
+      const double u = across / largest, v = along / largest;
+      const double half = 0.5 / std::sqrt(u * u + v * v);
+      divergence(p) += half * (y * u + (c - x) * v);
+      divergence(q) -= half * (y * u - x * v);
+      divergence(r) -= half * (c * v);
     }
   }
   return divergence;

@@ -47,6 +47,8 @@ private:
 
   const Eigen::MatrixXi Given; ///< the mesh's triangles
   IntrinsicTriangles Flat;
+  Eigen::MatrixXd
+    Corners; ///< m x 3, of the triangles laid flat: x of the second, x and y of the third
   Eigen::VectorXi ComponentId;
   Eigen::VectorXd Inside; ///< 1; 0 on the border
   SparseCholesky Heat, Poisson;
