@@ -106,14 +106,6 @@ PreciseMap NearestPlaces(const Eigen::MatrixXd& queries, const Eigen::MatrixXi& 
       used.push_back(i);
     }
   }
-  // Of very many points some will do: a walk goes on from the nearest of them.
-  constexpr std::size_t most = 8000;
-  const std::size_t stride = std::max<std::size_t>(1, (used.size() + most - 1) / most);
-  for (std::size_t i = 0; i * stride < used.size(); ++i)
-  {
-    used[i] = used[i * stride];
-  }
-  used.resize((used.size() + stride - 1) / stride);
   const Eigen::MatrixXd targets = points(used, Eigen::all);
   const Eigen::VectorXi nearest = NearestRows(queries, targets, progress.Part(0.0, 0.7));
   const Eigen::MatrixXd columns = points.transpose();

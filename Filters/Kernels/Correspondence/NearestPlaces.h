@@ -10,11 +10,10 @@ namespace shape
 
 /**
  * For each row of `queries` (q x d) a place of the surface whose points are the rows of `points` (n
- * x d) that is near to it in all d dimensions: around the point nearest of all, or of 8000 of them
- * where there are more (NearestRows), the
+ * x d) that is near to it in all d dimensions: around the point nearest of all (NearestRows), the
  * nearest place in the triangles there, and on from triangle to triangle that share a corner while
- * they lead nearer. In many dimensions a quick stand-in for the nearest place of all, which is
- * hardly ever elsewhere.
+ * they lead nearer. In many dimensions a quick stand-in for the nearest place of all. From the
+ * nearest of fewer points walks end elsewhere on thin limbs, and maps go wrong there.
  *
  * triangles: m x 3; points without one are no targets. Throws Aborted.
  */
