@@ -37,6 +37,18 @@ inline shape::Mesh BumpySphere(int level, const Eigen::Matrix3d& turn)
   return mesh;
 }
 
+/// A smooth shape of no symmetry, from a mesh of the unit sphere.
+inline shape::Mesh Pebble(shape::Mesh mesh)
+{
+  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
+  {
+    const double x = mesh.Points(i, 0), y = mesh.Points(i, 1), z = mesh.Points(i, 2);
+    mesh.Points.row(i) *= 1.0 + 0.2 * std::sin(3.0 * x + y) - 0.15 * std::cos(2.0 * z - x);
+    mesh.Points(i, 0) *= 1.4;
+  }
+  return mesh;
+}
+
 inline Eigen::Matrix3d Rotation(double angle, const Eigen::Vector3d& axis)
 {
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();

@@ -1,6 +1,6 @@
 #include "Core/Errors.h"
 #include "Correspondence/OrbifoldMap.h"
-#include "TestShapes.h"
+#include "MatchingShapes.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -22,18 +22,6 @@ std::vector<int> Cones(OrbifoldType type)
   return shape::ConeCount(type) == 3 ? std::vector<int>{ 0, 4, 8 } : std::vector<int>{ 0, 4, 8, 2 };
 }
 
-/// A smooth shape of no symmetry, as a function on the unit sphere.
-shape::Mesh Pebble(shape::Mesh mesh)
-{
-  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
-  {
-    const double x = mesh.Points(i, 0), y = mesh.Points(i, 1), z = mesh.Points(i, 2);
-    mesh.Points.row(i) *= 1.0 + 0.2 * std::sin(3.0 * x + y) - 0.15 * std::cos(2.0 * z - x);
-    mesh.Points(i, 0) *= 1.4;
-  }
-  return mesh;
-}
-
 /// Places on a surface where a map sends points.
 Eigen::MatrixXd Places(const shape::PreciseMap& map, const shape::Mesh& target)
 {
@@ -44,7 +32,7 @@ Eigen::MatrixXd Places(const shape::PreciseMap& map, const shape::Mesh& target)
 
 TEST(OrbifoldMap, ASurfaceAndItsRotatedCopyGiveTheIdentity)
 {
-  const shape::Mesh a = Pebble(shapetest::Icosphere(3));
+  const shape::Mesh a = shapetest::Pebble(shapetest::Icosphere(3));
   shape::Mesh b = a;
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(2.0, Eigen::Vector3d(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
@@ -67,8 +55,8 @@ TEST(OrbifoldMap, AnotherMeshOfTheSameShapeGivesNearlyTheIdentity)
     double before = 1.0;
     for (const int level : { 2, 3, 4 })
     {
-      const shape::Mesh a = Pebble(shapetest::Icosphere(level));
-      const shape::Mesh b = Pebble(shapetest::Icosphere(level + 1));
+      const shape::Mesh a = shapetest::Pebble(shapetest::Icosphere(level));
+      const shape::Mesh b = shapetest::Pebble(shapetest::Icosphere(level + 1));
       const shape::OrbifoldMap map =
         shape::MapThroughOrbifold(a, Cones(type), b, Cones(type), type);
       // The first points of the finer mesh are those of the coarser one.
@@ -83,7 +71,7 @@ TEST(OrbifoldMap, AnotherMeshOfTheSameShapeGivesNearlyTheIdentity)
 
 TEST(OrbifoldMap, IsOneToOneKeepsOrientationAndMeetsTheCones)
 {
-  const shape::Mesh a = Pebble(shapetest::Icosphere(3));
+  const shape::Mesh a = shapetest::Pebble(shapetest::Icosphere(3));
   shape::Mesh b = shapetest::Icosphere(3);
   b.Points.col(2) *= 2.0;
   const std::vector<std::vector<int>> conesOfB = { { 3, 9, 5 }, { 5, 7, 2, 10 } };
@@ -115,7 +103,7 @@ TEST(OrbifoldMap, IsOneToOneKeepsOrientationAndMeetsTheCones)
 
 TEST(OrbifoldMap, APlaceIsFoundWhereverItsImageUnderTheGroupLies)
 {
-  const shape::Mesh mesh = Pebble(shapetest::Icosphere(2));
+  const shape::Mesh mesh = shapetest::Pebble(shapetest::Icosphere(2));
   for (const OrbifoldType type : AllTypes)
   {
     const auto image = shape::OrbifoldTutte(mesh, Cones(type), type);

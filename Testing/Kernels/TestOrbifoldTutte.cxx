@@ -1,8 +1,8 @@
 #include "Core/Errors.h"
 #include "Core/Orientation.h"
+#include "MatchingShapes.h"
 #include "Quality/ConformalDistortion.h"
 #include "Surface/OrbifoldTutte.h"
-#include "TestShapes.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -19,19 +19,6 @@ namespace
 
 constexpr OrbifoldType AllTypes[] = { OrbifoldType::Square, OrbifoldType::Rhombus,
   OrbifoldType::Triangle, OrbifoldType::Rectangle };
-
-/// An ellipsoid with a dent, of no symmetry.
-shape::Mesh Pebble(int level)
-{
-  shape::Mesh mesh = shapetest::Icosphere(level);
-  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
-  {
-    const double x = mesh.Points(i, 0), y = mesh.Points(i, 1), z = mesh.Points(i, 2);
-    mesh.Points.row(i) *= 1.0 + 0.2 * std::sin(3.0 * x + y) - 0.15 * std::cos(2.0 * z - x);
-    mesh.Points(i, 0) *= 1.4;
-  }
-  return mesh;
-}
 
 std::vector<int> Cones(OrbifoldType type)
 {
@@ -78,7 +65,7 @@ TEST(OrbifoldTutte, CoversTheTileOnceWithoutAFlip)
   const double areas[] = { 1.0, std::sqrt(0.75), std::sqrt(3.0) / 4.0, 1.0 };
   for (const OrbifoldType type : AllTypes)
   {
-    const shape::Mesh mesh = Pebble(3);
+    const shape::Mesh mesh = shapetest::Pebble(shapetest::Icosphere(3));
     const auto image = shape::OrbifoldTutte(mesh, Cones(type), type);
     EXPECT_EQ(Flips(image), 0);
     // The cut is curved, but what it takes on one side it gives on the other.
@@ -94,7 +81,8 @@ TEST(OrbifoldTutte, TheAnglesAroundConesAddUpToTheirOrders)
   const double orders[][4] = { { 4, 2, 4, 0 }, { 3, 3, 3, 0 }, { 6, 3, 2, 0 }, { 2, 2, 2, 2 } };
   for (const OrbifoldType type : AllTypes)
   {
-    const auto image = shape::OrbifoldTutte(Pebble(3), Cones(type), type);
+    const auto image =
+      shape::OrbifoldTutte(shapetest::Pebble(shapetest::Icosphere(3)), Cones(type), type);
     Eigen::VectorXd angles = Eigen::VectorXd::Zero(642);
     for (const auto& corners : image.Cut.Surface.Triangles.rowwise())
     {
@@ -144,7 +132,8 @@ TEST(OrbifoldTutte, BecomesConformalWithTheMeshAwayFromTheCones)
     double before = 10.0;
     for (const int level : { 2, 3, 4 })
     {
-      const auto image = shape::OrbifoldTutte(Pebble(level), Cones(type), type);
+      const auto image =
+        shape::OrbifoldTutte(shapetest::Pebble(shapetest::Icosphere(level)), Cones(type), type);
       const Eigen::MatrixXd places =
         type == OrbifoldType::Rectangle ? shape::OnBestParallelogram(image) : image.Points;
       const double above = MeanDistortion(image.Cut.Surface, places) - 1.0;
@@ -157,7 +146,8 @@ TEST(OrbifoldTutte, BecomesConformalWithTheMeshAwayFromTheCones)
 
 TEST(OrbifoldTutte, TheBestParallelogramKeepsTheAreaAndLowersTheDistortion)
 {
-  const auto image = shape::OrbifoldTutte(Pebble(3), { 0, 4, 8, 2 }, OrbifoldType::Rectangle);
+  const auto image = shape::OrbifoldTutte(
+    shapetest::Pebble(shapetest::Icosphere(3)), { 0, 4, 8, 2 }, OrbifoldType::Rectangle);
   const Eigen::MatrixXd best = shape::OnBestParallelogram(image);
   EXPECT_NEAR(ImageArea(image.Cut.Surface, best), 1.0, 1e-12);
   EXPECT_LT(
@@ -208,7 +198,7 @@ TEST(OrbifoldTutte, WhatItCannotMapIsRefusedWithTheFact)
     }
     return std::string();
   };
-  const shape::Mesh mesh = Pebble(2);
+  const shape::Mesh mesh = shapetest::Pebble(shapetest::Icosphere(2));
   EXPECT_NE(refusal(mesh, { 0, 1 }, OrbifoldType::Square).find("has 3 cones, but 2 are given"),
     std::string::npos);
   EXPECT_NE(

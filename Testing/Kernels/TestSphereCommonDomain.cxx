@@ -1,7 +1,7 @@
 #include "Core/Errors.h"
 #include "Correspondence/SphereCommonDomain.h"
+#include "MatchingShapes.h"
 #include "Surface/SphericalTriangles.h"
-#include "TestShapes.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -12,19 +12,6 @@
 
 namespace
 {
-
-/// A smooth shape of no symmetry, as a function on the unit sphere.
-shape::Mesh Pebble(int level)
-{
-  shape::Mesh mesh = shapetest::Icosphere(level);
-  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
-  {
-    const double x = mesh.Points(i, 0), y = mesh.Points(i, 1), z = mesh.Points(i, 2);
-    mesh.Points.row(i) *= 1.0 + 0.2 * std::sin(3.0 * x + y) - 0.15 * std::cos(2.0 * z - x);
-    mesh.Points(i, 0) *= 1.4;
-  }
-  return mesh;
-}
 
 Eigen::MatrixXd Places(const shape::PreciseMap& map, const shape::Mesh& target)
 {
@@ -37,7 +24,7 @@ const std::vector<int> Landmarks = { 0, 3, 4, 7, 8, 10, 25 };
 
 TEST(SphereCommonDomain, ASurfaceAndItsRotatedCopyGiveTheIdentity)
 {
-  const shape::Mesh a = Pebble(3);
+  const shape::Mesh a = shapetest::Pebble(shapetest::Icosphere(3));
   shape::Mesh b = a;
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(2.0, Eigen::Vector3d(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
@@ -51,7 +38,7 @@ TEST(SphereCommonDomain, ASurfaceAndItsRotatedCopyGiveTheIdentity)
 
 TEST(SphereCommonDomain, MeetsManyLandmarksWithoutAFlip)
 {
-  const shape::Mesh a = Pebble(3);
+  const shape::Mesh a = shapetest::Pebble(shapetest::Icosphere(3));
   shape::Mesh b = shapetest::Icosphere(4);
   b.Points.col(2) *= 1.8;
   // The same corners of the icosahedron, and others near them, so that all have to move.
@@ -88,7 +75,7 @@ TEST(SphereCommonDomain, DirectionsAreFoundWhereTheyPass)
 
 TEST(SphereCommonDomain, WhatCannotBeMetIsRefusedWithTheFact)
 {
-  const shape::Mesh a = Pebble(2);
+  const shape::Mesh a = shapetest::Pebble(shapetest::Icosphere(2));
   const auto refusal = [&](const std::vector<int>& one, const std::vector<int>& other)
   {
     try

@@ -53,6 +53,10 @@ Compact Compacted(const Mesh& mesh, const std::string& name)
 /// The map of all points of the surface given: the others go with the closest of the surface.
 PreciseMap Expanded(const PreciseMap& map, const Compact& from, const Mesh& given)
 {
+  if (from.Surface.Points.rows() == given.Points.rows())
+  {
+    return map;
+  }
   PreciseMap all{ Eigen::VectorXi(given.Points.rows()), Eigen::MatrixXd(given.Points.rows(), 3) };
   const SurfaceLocator locator(from.Surface);
   for (Eigen::Index i = 0; i < given.Points.rows(); ++i)
