@@ -125,6 +125,11 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("RoundTrip", result.Facts.RoundTrip);
     add("ReversedArea", result.Facts.ReversedArea);
     add("Mirrored", result.Facts.ReversedArea > 0.5 ? 1.0 : 0.0);
+    add("Part", static_cast<double>(result.Part.Which));
+    add("Scale", result.Part.Scale);
+    add("PartShare", result.Part.Share);
+    add("CoverageOfA", result.Facts.CoverageOfA);
+    add("CoverageOfB", result.Facts.CoverageOfB);
     add("Iterations", result.Iterations);
   }
 }

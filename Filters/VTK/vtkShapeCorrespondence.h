@@ -24,6 +24,10 @@
  *   well samples keep their distances, how well they would in the mirror image, and how clear the
  *   choice was; see shape::AutomaticLandmarksResult,
  * - Correspondence.DirichletEnergy, .RoundTrip, .ReversedArea: shape::SurfaceMapFacts,
+ * - Correspondence.Part: 1 where SurfaceA is taken for a part of SurfaceB, 2 where SurfaceB is for
+ *   one of SurfaceA, else 0; .Scale: lengths on SurfaceB over those on SurfaceA; .PartShare: of the
+ *   whole's area; see shape::SurfacePart,
+ * - Correspondence.CoverageOfA, .CoverageOfB: shares of area that come back: what has a partner,
  * - Correspondence.Mirrored: 1 where more than half of SurfaceA is turned over, else 0,
  * - Correspondence.Iterations: of ReversibleHarmonic, else 0.
  *
@@ -58,6 +62,15 @@ public:
   vtkShapeEnumOption(Start, shape::CorrespondenceOptions::StartType,
     shape::CorrespondenceOptions::StartType::FunctionalMap,
     shape::CorrespondenceOptions::StartType::LandmarkCells);
+  ///@}
+
+  ///@{
+  /// Which surface is a part of the other one, for FunctionalMap and the start of
+  /// ReversibleHarmonic: 0 = Automatic, by the landmarks' distances, 1 = None, 2 = SurfaceA, 3 =
+  /// SurfaceB. Default: Automatic.
+  vtkShapeEnumOption(Part, shape::CorrespondenceOptions::PartType,
+    shape::CorrespondenceOptions::PartType::Automatic,
+    shape::CorrespondenceOptions::PartType::SurfaceB);
   ///@}
 
   ///@{

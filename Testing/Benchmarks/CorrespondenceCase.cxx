@@ -169,11 +169,13 @@ void Run(char** arguments)
     Write(path, positions);
   }
   std::printf("points=%td,%td cpu=%.2f wall=%.2f mib=%.0f dirichlet=%.4f trip=%.5f reversed=%.3f "
-              "found=%d distortion=%.4f mirrored=%.4f confidence=%.3f iterations=%d",
+              "found=%d distortion=%.4f mirrored=%.4f confidence=%.3f iterations=%d part=%d "
+              "scale=%.4f share=%.4f covered=%.3f",
     a.Points.rows(), b.Points.rows(), cost.Cpu, cost.Wall, cost.MiB, result.Facts.DirichletEnergy,
     result.Facts.RoundTrip, result.Facts.ReversedArea, result.Found ? 1 : 0,
     result.Start.Distortion, result.Start.MirroredDistortion, result.Start.Confidence,
-    result.Iterations);
+    result.Iterations, static_cast<int>(result.Part.Which), result.Part.Scale, result.Part.Share,
+    result.Facts.CoverageOfB);
   PrintErrors(pair, a, b, positions);
 }
 

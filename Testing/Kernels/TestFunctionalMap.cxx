@@ -1,5 +1,8 @@
 #include "Core/Errors.h"
 #include "Correspondence/FunctionalMap.h"
+#include "Correspondence/PartialFunctionalMap.h"
+#include "Correspondence/SurfaceMapFacts.h"
+#include "Correspondence/SurfacePart.h"
 #include "MatchingShapes.h"
 #include "Surface/SpectralSignatures.h"
 
@@ -97,6 +100,120 @@ TEST(FitFunctionalMap, OfTheSameDescriptorsIsTheIdentityAndOrientationTellsTheMi
                         mirrored = shape::FitFunctionalMap(surface, turned, options);
   EXPECT_LT((kept - Eigen::MatrixXd::Identity(20, 20)).norm(), 0.05);
   EXPECT_GT((mirrored - Eigen::MatrixXd::Identity(20, 20)).norm(), 0.5);
+}
+
+/// What lies above a height, and where its points are in the mesh given.
+struct Cut
+{
+  shape::Mesh Surface;
+  std::vector<int> Points;
+};
+
+Cut Above(const shape::Mesh& mesh, double height)
+{
+  Cut cut;
+  std::vector<int> kept, place(mesh.Points.rows(), -1);
+  for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
+  {
+    if (shape::Corners(mesh, t).col(2).mean() > height)
+    {
+      kept.push_back(t);
+    }
+  }
+  cut.Surface.Triangles = mesh.Triangles(kept, Eigen::all);
+  for (int& point : cut.Surface.Triangles.reshaped())
+  {
+    if (place[point] < 0)
+    {
+      place[point] = static_cast<int>(cut.Points.size());
+      cut.Points.push_back(point);
+    }
+    point = place[point];
+  }
+  cut.Surface.Points = mesh.Points(cut.Points, Eigen::all);
+  return cut;
+}
+
+/// A part of a bumpy sphere, and all of it three times as large, in other triangles.
+struct PartAndWhole
+{
+  Cut Part = Above(shapetest::BumpySphere(4, Eigen::Matrix3d::Identity()), -0.2);
+  shape::Mesh Whole = shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3.0, -1.0, 1.0 }));
+  Eigen::Matrix3d Pose = 3.0 * shapetest::Rotation(1.1, { 1.0, 2.0, -0.5 });
+  shape::Landmarks Pairs;
+
+  PartAndWhole()
+  {
+    this->Whole.Points = this->Whole.Points * this->Pose.transpose();
+    const Eigen::MatrixXd wanted = this->Wanted();
+    for (Eigen::Index i = 0; i < wanted.rows(); i += wanted.rows() / 6)
+    {
+      Eigen::Index nearest = 0;
+      (this->Whole.Points.rowwise() - wanted.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
+      this->Pairs.push_back({ static_cast<int>(i), static_cast<int>(nearest) });
+    }
+  }
+
+  Eigen::MatrixXd Wanted() const { return this->Part.Surface.Points * this->Pose.transpose(); }
+  double Share() const
+  {
+    return 9.0 * shape::PointAreas(this->Part.Surface).sum() / shape::PointAreas(this->Whole).sum();
+  }
+};
+
+TEST(SurfacePart, IsFoundWithItsScaleByTheLandmarksWhicheverSurfaceItIs)
+{
+  using Which = shape::SurfacePart::WhichType;
+  const PartAndWhole pair;
+  ASSERT_LT(pair.Share(), 0.8);
+  const shape::SurfacePart found = shape::FindPart(pair.Part.Surface, pair.Whole, pair.Pairs);
+  EXPECT_EQ(found.Which, Which::SurfaceA);
+  EXPECT_NEAR(found.Scale, 3.0, 0.1);
+  EXPECT_NEAR(found.Share, pair.Share(), 0.07 * pair.Share());
+
+  shape::Landmarks turned;
+  for (const auto& [a, b] : pair.Pairs)
+  {
+    turned.push_back({ b, a });
+  }
+  const shape::SurfacePart other = shape::FindPart(pair.Whole, pair.Part.Surface, turned);
+  EXPECT_EQ(other.Which, Which::SurfaceB);
+  EXPECT_NEAR(other.Scale * found.Scale, 1.0, 1e-12);
+  EXPECT_NEAR(other.Share, found.Share, 1e-12);
+
+  // A surface with a border is no part of itself, however large its copy is.
+  shape::Mesh copy = pair.Part.Surface;
+  copy.Points *= 5.0;
+  const shape::SurfacePart same =
+    shape::FindPart(pair.Part.Surface, copy, { { 0, 0 }, { 90, 90 }, { 400, 400 }, { 900, 900 } });
+  EXPECT_EQ(same.Which, Which::None);
+  EXPECT_NEAR(same.Scale, 5.0, 1e-9);
+  EXPECT_THROW(shape::MeasurePart(pair.Part.Surface, pair.Whole, pair.Pairs, Which::SurfaceB),
+    shape::InvalidInput);
+}
+
+TEST(PartialFunctionalMap, FindsAPartInTheWholeAndWhatOfThatHasAPartner)
+{
+  const PartAndWhole pair;
+  const shape::SurfaceMaps maps =
+    shape::PartialFunctionalMap(pair.Part.Surface, pair.Whole, pair.Pairs, 3.0);
+  const double length = std::sqrt(shape::PointAreas(pair.Whole).sum());
+  const Eigen::VectorXd errors = shapetest::MapErrors(maps.AToB, pair.Whole, pair.Wanted());
+  EXPECT_LT(errors.mean() / length, 0.01);
+  // Each of both taken with its own area as 1 the part is spread over the whole.
+  const shape::SurfaceMaps spread = shape::FunctionalMap(pair.Part.Surface, pair.Whole, pair.Pairs);
+  EXPECT_GT(
+    shapetest::MapErrors(spread.AToB, pair.Whole, pair.Wanted()).mean(), 5.0 * errors.mean());
+
+  const shape::SurfaceMapFacts facts = shape::DescribeMaps(pair.Part.Surface, pair.Whole, maps);
+  EXPECT_GT(facts.CoverageOfA, 0.95);
+  EXPECT_NEAR(facts.CoverageOfB, pair.Share(), 0.04);
+  EXPECT_NEAR(facts.DirichletEnergy, pair.Share(), 0.1);
+  EXPECT_LT(facts.ReversedArea, 0.05);
+
+  EXPECT_THROW(shape::PartialFunctionalMap(
+                 pair.Part.Surface, pair.Whole, { pair.Pairs[0], pair.Pairs[1] }, 3.0),
+    shape::InvalidInput);
 }
 
 TEST(FunctionalMap, RefusesSurfacesThatAreNoManifolds)

@@ -9,6 +9,7 @@
 #include "Correspondence/LandmarkCells.h"
 #include "Correspondence/MatchingInput.h"
 #include "Correspondence/OrbifoldMap.h"
+#include "Correspondence/PartialFunctionalMap.h"
 #include "Correspondence/ReversibleHarmonic.h"
 #include "Correspondence/SphereCommonDomain.h"
 #include "Geometry/ClosestPoint.h"
@@ -91,15 +92,58 @@ SurfaceMaps ThroughOrbifold(
   return { std::move(map.AToB), std::move(map.BToA) };
 }
 
+SurfacePart PartOf(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  Options::PartType wanted, const Progress& progress)
+{
+  switch (wanted)
+  {
+    case Options::PartType::SurfaceA:
+      return MeasurePart(a, b, landmarks, SurfacePart::WhichType::SurfaceA, progress);
+    case Options::PartType::SurfaceB:
+      return MeasurePart(a, b, landmarks, SurfacePart::WhichType::SurfaceB, progress);
+    case Options::PartType::None:
+      return FindPart(a, b, {}, progress);
+    case Options::PartType::Automatic:
+      break;
+  }
+  return FindPart(a, b, landmarks, progress);
+}
+
+/// Of surfaces of which one may be a part of the other one.
+SurfaceMaps Functional(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const Options& options, const SurfacePart& part, const Progress& progress)
+{
+  PartialFunctionalMapOptions partial;
+  partial.Eigenpairs = options.NumberOfEigenpairs;
+  switch (part.Which)
+  {
+    case SurfacePart::WhichType::SurfaceA:
+      return PartialFunctionalMap(a, b, landmarks, part.Scale, partial, progress);
+    case SurfacePart::WhichType::SurfaceB:
+    {
+      Landmarks turned;
+      for (const auto& [pointA, pointB] : landmarks)
+      {
+        turned.push_back({ pointB, pointA });
+      }
+      SurfaceMaps maps = PartialFunctionalMap(b, a, turned, 1.0 / part.Scale, partial, progress);
+      return { std::move(maps.BToA), std::move(maps.AToB) };
+    }
+    case SurfacePart::WhichType::None:
+      break;
+  }
+  FunctionalMapOptions whole;
+  whole.Refinement.Last = options.NumberOfEigenpairs;
+  return FunctionalMap(a, b, landmarks, whole, progress);
+}
+
 SurfaceMaps Find(const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Options& options,
   CorrespondenceResult& result, const Progress& progress)
 {
-  FunctionalMapOptions functional;
-  functional.Refinement.Last = options.NumberOfEigenpairs;
   switch (options.Method)
   {
     case Options::MethodType::FunctionalMap:
-      return FunctionalMap(a, b, landmarks, functional, progress);
+      return Functional(a, b, landmarks, options, result.Part, progress);
     case Options::MethodType::GromovWasserstein:
     {
       GromovWassersteinOptions own;
@@ -122,7 +166,7 @@ SurfaceMaps Find(const Mesh& a, const Mesh& b, const Landmarks& landmarks, const
       break;
   }
   const SurfaceMaps start = options.Start == Options::StartType::FunctionalMap
-    ? FunctionalMap(a, b, landmarks, functional, progress.Part(0.0, 0.4))
+    ? Functional(a, b, landmarks, options, result.Part, progress.Part(0.0, 0.4))
     : LandmarkCells(a, b, landmarks, progress.Part(0.0, 0.1));
   ReversibleHarmonicOptions own;
   own.MaximumIterations = options.MaximumIterations;
@@ -154,8 +198,9 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
     result.Found = true;
     own = result.Start.Pairs;
   }
+  result.Part = PartOf(one.Surface, two.Surface, own, options.Part, progress.Part(0.3, 0.35));
   const SurfaceMaps maps =
-    Find(one.Surface, two.Surface, own, options, result, progress.Part(0.3, 0.95));
+    Find(one.Surface, two.Surface, own, options, result, progress.Part(0.35, 0.95));
   for (const auto& [pointA, pointB] : own)
   {
     result.Used.push_back({ one.Points[pointA], two.Points[pointB] });

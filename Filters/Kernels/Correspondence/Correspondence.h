@@ -5,6 +5,7 @@
 #include "Correspondence/AutomaticLandmarks.h"
 #include "Correspondence/SurfaceMapFacts.h"
 #include "Correspondence/SurfaceMaps.h"
+#include "Correspondence/SurfacePart.h"
 
 namespace shape
 {
@@ -33,6 +34,16 @@ struct CorrespondenceOptions
   int MaximumIterations = 100; ///< of ReversibleHarmonic; >= 1
   int NumberOfEigenpairs = 120; ///< FunctionalMap, at most: of each surface; >= 10
   int Samples = 500;            ///< of each surface, GromovWasserstein compares; >= 10
+  /// Which surface is a part of the other one. FunctionalMap, also as the start of
+  /// ReversibleHarmonic, maps a part into the whole; the other methods take both for whole.
+  enum class PartType
+  {
+    Automatic = 0, ///< what FindPart says of the landmarks
+    None = 1,
+    SurfaceA = 2,
+    SurfaceB = 3
+  };
+  PartType Part = PartType::Automatic;
 };
 
 struct CorrespondenceResult
@@ -41,6 +52,7 @@ struct CorrespondenceResult
   Landmarks Used;   ///< points of A and B: those given, or found
   bool Found = false;             ///< whether landmarks were found, not given
   AutomaticLandmarksResult Start; ///< where they were
+  SurfacePart Part;               ///< what is a part, and at what scale
   int Iterations = 0;             ///< of ReversibleHarmonic
   SurfaceMapFacts Facts;
 };

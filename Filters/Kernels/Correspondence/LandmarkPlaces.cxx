@@ -114,8 +114,13 @@ Eigen::MatrixXd PlacesAmong(const Eigen::MatrixXd& distances, const Eigen::Matri
 Eigen::MatrixXd LandmarkPlaces(
   const Mesh& mesh, const std::vector<int>& landmarks, const Progress& progress)
 {
-  const Eigen::MatrixXd distances =
-    HeatDistances(mesh, landmarks, progress) / std::sqrt(PointAreas(mesh).sum());
+  return LandmarkPlaces(mesh, landmarks, std::sqrt(PointAreas(mesh).sum()), progress);
+}
+
+Eigen::MatrixXd LandmarkPlaces(
+  const Mesh& mesh, const std::vector<int>& landmarks, double length, const Progress& progress)
+{
+  const Eigen::MatrixXd distances = HeatDistances(mesh, landmarks, progress) / length;
   std::vector<int> all(mesh.Points.rows()), chosen(landmarks.size());
   std::iota(all.begin(), all.end(), 0);
   std::iota(chosen.begin(), chosen.end(), 0);

@@ -32,6 +32,10 @@ Eigen::MatrixXd DirectionTurns(
 Eigen::MatrixXd LandmarkPlaces(
   const Mesh& mesh, const std::vector<int>& landmarks, const Progress& progress = {});
 
+/// The same with distances over a length that is given, for surfaces of unlike extent.
+Eigen::MatrixXd LandmarkPlaces(const Mesh& mesh, const std::vector<int>& landmarks, double length,
+  const Progress& progress = {});
+
 /// The same numbers of distances (s x k) and the DirectionTurns of all or the first of them, for
 /// some of the landmarks. turnSign: 1, or -1 for the mirror image.
 Eigen::MatrixXd PlacesAmong(const Eigen::MatrixXd& distances, const Eigen::MatrixXd& turns,
