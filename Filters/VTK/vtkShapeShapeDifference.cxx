@@ -1,6 +1,7 @@
 #include "vtkShapeShapeDifference.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapePreciseMap.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -44,8 +45,17 @@ void vtkShapeShapeDifference::Execute(const shape::Progress& progress)
     vtkShapeConvert::ToPointArray(whole.Data, this->MapArray, 3, "SurfaceA");
   shape::RequireFinite(images, "the map array '" + this->MapArray + "' of SurfaceA");
   shape::RequireManifold(second, "SurfaceB");
-  const shape::ClosestPoints map =
-    shape::SurfaceLocator(second).Find(images, progress.Part(0.0, 0.05));
+  const bool precise = vtkShapePreciseMap::Has(whole.Data, this->MapArray);
+  shape::PreciseMap map;
+  if (precise)
+  {
+    map = vtkShapePreciseMap::Read(whole.Data, "SurfaceA",
+      vtkShapePreciseMap::ToSurface(this->GetWhole(1).Data, "SurfaceB"), "SurfaceB");
+  }
+  else
+  {
+    map = shape::SurfaceLocator(second).Find(images, progress.Part(0.0, 0.05));
+  }
   const shape::ShapeDifferenceResult result =
     shape::ShapeDifference(first, second, map, this->Options, progress.Part(0.05, 1.0));
 
@@ -63,6 +73,7 @@ void vtkShapeShapeDifference::Execute(const shape::Progress& progress)
   facts->AddArray(
     vtkShapeConvert::ToArray(result.Conformal.Eigenvalues, "ShapeDifference.ConformalEigenvalues"));
   vtkShapeConvert::AddFact(output, "ShapeDifference.UndeterminedFunctions", result.Undetermined);
+  vtkShapeConvert::AddFact(output, "ShapeDifference.PreciseMap", precise ? 1.0 : 0.0);
   // Every process has the same operators: one of them hands them on.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {

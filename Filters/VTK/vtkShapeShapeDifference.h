@@ -3,8 +3,9 @@
  * @brief   where two surfaces differ in area and in angles, by a map between them
  *
  * SurfaceA: an oriented 2-manifold, open or closed, with the map array (double, 3): where on
- * SurfaceB its points go; they are taken to the closest places. SurfaceB: another such surface.
- * Blocks and distributed pieces of each are joined first; each process gets its own back.
+ * SurfaceB its points go: by TargetCell and TargetBarycentric, where they are there beside
+ * TargetPosition, else to the closest places. SurfaceB: another such surface. Blocks and
+ * distributed pieces of each are joined first; each process gets its own back.
  *
  * Output 0: SurfaceA with the point arrays
  * - `AreaDifference`: the ratio of areas around the point, B's over A's;
@@ -15,7 +16,7 @@
  *   eigenvalues farthest from 1 first): large where the surfaces differ as much as that.
  * The first two are means over as much as NumberOfEigenpairs functions can tell apart. Field data:
  * ShapeDifference.AreaEigenvalues, .ConformalEigenvalues; .UndeterminedFunctions: of SurfaceB,
- * because too little of it is reached.
+ * because too little of it is reached; .PreciseMap: 1 where TargetCell was used, else 0.
  *
  * Output 1: a table, on one process: the operators as matrices in the eigenbasis of SurfaceA's
  * Laplacian, a row for each function; columns Area0, Area1, ..., Conformal0, ...

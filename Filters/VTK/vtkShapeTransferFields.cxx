@@ -1,6 +1,7 @@
 #include "vtkShapeTransferFields.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapePreciseMap.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -16,6 +17,7 @@
 #include "Core/Topology.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -44,8 +46,9 @@ std::string NameOf(vtkAbstractArray* array)
   return array->GetName() ? array->GetName() : "";
 }
 
-/// The arrays to carry, all but `left`. taken: names that are not free.
-std::vector<Field> FieldsOf(vtkDataSet* giver, const std::string& left, std::set<std::string> taken)
+/// The arrays to carry, all but those of points called `left`. taken: names that are not free.
+std::vector<Field> FieldsOf(
+  vtkDataSet* giver, const std::set<std::string>& left, std::set<std::string> taken)
 {
   std::vector<Field> fields;
   for (const bool ofCells : { false, true })
@@ -57,7 +60,7 @@ std::vector<Field> FieldsOf(vtkDataSet* giver, const std::string& left, std::set
     {
       vtkAbstractArray* values = attributes->GetAbstractArray(i);
       std::string name = NameOf(values);
-      if (values == attributes->GetNormals() || name == "Normals" || (!ofCells && name == left))
+      if (values == attributes->GetNormals() || name == "Normals" || (!ofCells && left.count(name)))
       {
         continue;
       }
@@ -72,13 +75,13 @@ std::vector<Field> FieldsOf(vtkDataSet* giver, const std::string& left, std::set
   return fields;
 }
 
-/// Adds an array that this filter makes; the receiver's of that name gets another one.
-void Replace(vtkDataSet* receiver, vtkDataArray* made)
+/// Gives an array of the receiver whose name another one takes a new one.
+void SetAside(vtkDataSet* receiver, const std::string& array)
 {
   vtkPointData* attributes = receiver->GetPointData();
-  if (vtkAbstractArray* own = attributes->GetAbstractArray(made->GetName()))
+  if (vtkAbstractArray* own = attributes->GetAbstractArray(array.c_str()))
   {
-    std::string name = NameOf(own);
+    std::string name = array;
     while (attributes->HasArray(name.c_str()))
     {
       name.insert(0, "Receiver");
@@ -87,10 +90,16 @@ void Replace(vtkDataSet* receiver, vtkDataArray* made)
     kept.TakeReference(own->NewInstance());
     kept->DeepCopy(own);
     kept->SetName(name.c_str());
-    attributes->RemoveArray(made->GetName());
+    attributes->RemoveArray(array.c_str());
     attributes->AddArray(kept);
   }
-  attributes->AddArray(made);
+}
+
+/// Adds an array that this filter makes.
+void Replace(vtkDataSet* receiver, vtkDataArray* made)
+{
+  SetAside(receiver, made->GetName());
+  receiver->GetPointData()->AddArray(made);
 }
 
 void Carry(const std::vector<Field>& fields, const shape::TransferredPlaces& places,
@@ -144,15 +153,15 @@ void Carry(const std::vector<Field>& fields, const shape::TransferredPlaces& pla
   }
 }
 
-/// How many points lie outside, those left out that another process has, too.
-int CountOutside(const Eigen::VectorXi& outside, vtkUnsignedCharArray* ghosts)
+/// How many points are marked, those left out that another process has, too.
+int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
 {
   int count = 0;
-  for (Eigen::Index i = 0; i < outside.size(); ++i)
+  for (Eigen::Index i = 0; i < marks.size(); ++i)
   {
     const bool isGhost =
       ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
-    count += isGhost ? 0 : outside(i);
+    count += isGhost ? 0 : marks(i);
   }
   return count;
 }
@@ -183,7 +192,18 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
     this->Options, progress.Part(0.05, 0.2));
 
   vtkDataObject* input = this->GetInputDataObject(0, 0);
-  std::set<std::string> taken = { "OutsideDomain", this->MapArray };
+  // The map array that is made here takes the place of the receiver's; a precise map belongs to it.
+  std::set<std::string> replaced;
+  if (newMap.size() > 0)
+  {
+    replaced.insert(this->MapArray);
+    if (this->MapArray == vtkShapePreciseMap::Position)
+    {
+      replaced.insert({ vtkShapePreciseMap::Cell, vtkShapePreciseMap::Barycentric });
+    }
+  }
+  std::set<std::string> taken = replaced;
+  taken.insert({ "OutsideDomain", this->MapArray });
   for (vtkDataSet* leaf : vtkShapeConvert::Leaves(input))
   {
     for (int i = 0; i < leaf->GetPointData()->GetNumberOfArrays(); ++i)
@@ -191,10 +211,10 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       taken.insert(NameOf(leaf->GetPointData()->GetAbstractArray(i)));
     }
   }
-  const std::vector<Field> fields =
-    FieldsOf(giver, newMap.size() > 0 ? this->MapArray : "", std::move(taken));
+  const std::vector<Field> fields = FieldsOf(giver, replaced, std::move(taken));
 
-  vtkIdType outsidePoints = 0;
+  std::optional<shape::NumberedSurface> numbered; // where a block has a precise map
+  vtkIdType outsidePoints = 0, precisePoints = 0;
   double done = 0.2;
   const double share =
     0.8 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
@@ -210,16 +230,33 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       {
         places = vtkShapeConvert::ToPointArray(from, this->MapArray, 3, "the Input");
       }
-      const shape::TransferredPlaces found = transfer.Find(places, progress.Part(done, middle));
+      const bool precise = !push && vtkShapePreciseMap::Has(from, this->MapArray);
+      if (precise && !numbered)
+      {
+        numbered = vtkShapePreciseMap::ToSurface(giver, "the Source");
+      }
+      const shape::TransferredPlaces found = precise
+        ? shape::PlacesOnTriangles(vtkShapePreciseMap::Read(from, "the Input", *numbered,
+                                     "the Source", this->Options.Tolerance),
+            *numbered)
+        : transfer.Find(places, progress.Part(done, middle));
       to->ShallowCopy(from);
       Carry(fields, found, to, progress.Part(middle, next));
+      for (const std::string& name : replaced)
+      {
+        SetAside(to, name);
+      }
       if (newMap.size() > 0)
       {
         Replace(to, vtkShapeConvert::ToArray(found.Weights * newMap, this->MapArray));
       }
       Replace(to, vtkShapeConvert::ToIntegers(found.Outside, "OutsideDomain"));
-      outsidePoints += CountOutside(found.Outside, from->GetPointGhostArray());
+      vtkUnsignedCharArray* ghosts = from->GetPointGhostArray();
+      outsidePoints += CountOwn(found.Outside, ghosts);
+      precisePoints +=
+        precise ? CountOwn(Eigen::VectorXi::Ones(from->GetNumberOfPoints()), ghosts) : 0;
       done = next;
     });
   this->AddCount(0, "TransferFields.OutsidePoints", static_cast<double>(outsidePoints));
+  this->AddCount(0, "TransferFields.PrecisePoints", static_cast<double>(precisePoints));
 }

@@ -43,11 +43,18 @@ surface = read('DentedSphere600.vtp')
 larger = copy(surface)
 set_points(larger, 2.0 * points(surface))
 add_array(surface, 2.0 * points(surface), 'TargetPosition')
-algorithm = shapemap.vtkShapeShapeDifference()
-algorithm.SetInputDataObject(0, surface)
-algorithm.SetInputDataObject(1, larger)
-algorithm.SetNumberOfEigenpairs(20)
-assert not shapetesting.run(algorithm)
+
+
+def differences(first, second):
+    algorithm = shapemap.vtkShapeShapeDifference()
+    algorithm.SetInputDataObject(0, first)
+    algorithm.SetInputDataObject(1, second)
+    algorithm.SetNumberOfEigenpairs(20)
+    assert not shapetesting.run(algorithm)
+    return algorithm
+
+
+algorithm = differences(surface, larger)
 table = algorithm.GetOutputDataObject(1)
 assert table.GetNumberOfRows() == 20 and table.GetNumberOfColumns() == 40
 identity = numpy.eye(20)
@@ -58,11 +65,32 @@ output = algorithm.GetOutputDataObject(0)
 assert abs(array(output, 'AreaDifference') - 4).max() < 1e-6
 assert fact(output, 'ShapeDifference.UndeterminedFunctions') == 0
 
+# The precise map, where it is there, says where points go, not the positions that are near it.
+corners = shapetesting.triangles(surface)
+first_cell, first_corner = numpy.zeros(642, int), numpy.zeros((642, 3))
+for cell, row in enumerate(corners):
+    for corner, point in enumerate(row):
+        first_cell[point], first_corner[point] = cell, numpy.eye(3)[corner]
+precise = copy(surface)
+shift = 0.004 * numpy.random.default_rng(2).normal(size=(642, 3))
+add_array(precise, 2.0 * points(surface) + shift, 'TargetPosition')
+close = differences(precise, larger).GetOutputDataObject(0)
+add_array(precise, first_cell, 'TargetCell')
+add_array(precise, first_corner, 'TargetBarycentric')
+exact = differences(precise, larger).GetOutputDataObject(0)
+assert abs(array(exact, 'AreaDifference') - 4).max() < 1e-6
+assert abs(array(close, 'AreaDifference') - 4).max() > 1e-3
+assert fact(exact, 'ShapeDifference.PreciseMap') == 1
+assert fact(close, 'ShapeDifference.PreciseMap') == 0
+misfit = copy(precise)
+add_array(misfit, first_cell[::-1], 'TargetCell')
+
 # What has no operators is refused with the fact.
 bare = copy(surface)
 bare.GetPointData().RemoveArray('TargetPosition')
 for first, change, words in (
         (bare, lambda a: None, "SurfaceA has no point array 'TargetPosition'"),
+        (misfit, lambda a: None, 'SurfaceA has a TargetCell that lies elsewhere on SurfaceB'),
         (surface, lambda a: a.SetNumberOfEigenpairs(1), 'NumberOfEigenpairs is 1'),
         (surface, lambda a: a.SetNumberOfEigenpairs(5000), 'NumberOfEigenpairs is 5000')):
     algorithm = shapemap.vtkShapeShapeDifference()

@@ -6,8 +6,8 @@ import numpy
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkExtractCells
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkExtractCells, vtkTriangleFilter
 from vtkmodules.util.numpy_support import numpy_to_vtk
 import shapemap
 
@@ -230,6 +230,115 @@ add_array(image, points(surface), 'SourcePosition')
 round_trip = result(surface, image)
 assert abs(array(round_trip, 'SourcePosition') - points(surface)).max() < 1e-12
 assert fact(round_trip, 'TransferFields.OutsidePoints') == 0
+
+# Two sheets, nearer to each other than single precision tells TargetPosition apart: the closest place
+# is on either of them; the precise map, TargetCell and TargetBarycentric, knows which one is meant.
+def sheets(gap, quads=False):
+    """Squares of a lattice, the lower ones first, around (3000, 3000, 3000); points know their sheet."""
+    side = numpy.arange(9.0)
+    flat = numpy.stack(numpy.meshgrid(side, side, indexing='ij'), axis=-1).reshape(-1, 2)
+    places = numpy.vstack([numpy.column_stack([flat, numpy.full(81, height)])
+                           for height in (-gap / 2, gap / 2)]) + 3000.0
+    corner = (9 * numpy.arange(8)[:, None] + numpy.arange(8)).ravel()
+    squares = corner[:, None] + [0, 9, 10, 1]
+    cells = squares if quads else numpy.vstack([squares[:, :3], squares[:, [0, 2, 3]]])
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetDataTypeToDouble()
+    shapetesting.set_points(data, places)
+    data.SetPolys(vtkCellArray())
+    for square in numpy.vstack([cells, cells[:, ::-1] + 81]):
+        data.GetPolys().InsertNextCell(len(square), square)
+    add_array(data, numpy.repeat([0, 1], 81), 'Sheet')
+    add_array(data, numpy.repeat([0.0, 1.0], 81), 'SheetReal')
+    add_cells(data, numpy.repeat([0, 1], len(cells)), 'SheetOfCell')
+    add_array(data, places - 3000.0, 'Here')
+    return data
+
+
+def precise(data, cells, weights, positions):
+    mapped = copy(data)
+    add_array(mapped, cells, 'TargetCell')
+    add_array(mapped, weights, 'TargetBarycentric')
+    add_array(mapped, positions, 'TargetPosition')
+    return mapped
+
+
+thin = sheets(1e-4)
+corners = shapetesting.triangles(thin)
+random = numpy.random.default_rng(3)
+chosen = random.permutation(len(corners))[:200]
+weights = random.dirichlet([1.0, 1.0, 1.0], 200)
+where = numpy.einsum('ik,ikc->ic', weights, array(thin, 'Here')[corners[chosen]])
+dots = vtkPolyData()
+dots.SetPoints(vtkPoints())
+shapetesting.set_points(dots, random.normal(size=(200, 3)))
+single = (where + 3000.0).astype(numpy.float32)
+mapped_dots = precise(dots, chosen, weights, single)
+exact = result(mapped_dots, thin)
+upper = chosen >= 128
+for name in ('Sheet', 'SheetReal', 'SheetOfCell'):
+    assert (abs(array(exact, name) - upper) < 1e-12).all(), name
+assert abs(array(exact, 'Here') - where).max() < 1e-12
+assert fact(exact, 'TransferFields.PrecisePoints') == 200
+assert fact(exact, 'TransferFields.OutsidePoints') == 0
+# A whole number is that of the corner that weighs most.
+add_array(thin, numpy.arange(162), 'Id')
+assert (array(result(mapped_dots, thin), 'Id') == corners[chosen, weights.argmax(axis=1)]).all()
+closest = result(with_map(dots, single), thin)
+assert 0.2 < (array(closest, 'SheetOfCell') != upper).mean() < 0.8, 'the sheets are too far apart'
+assert fact(closest, 'TransferFields.PrecisePoints') == 0
+
+# Squares count as the triangles that they are cut into, behind vertices and lines, also in blocks.
+square = sheets(1e-4, quads=True)
+lines = vtkCellArray()
+lines.InsertNextCell(2, [0, 1])
+square.SetLines(lines)
+add_cells(square, numpy.append(-1, numpy.repeat([0, 1], 64)), 'SheetOfCell')
+add_cells(square, numpy.arange(129), 'Cell')
+split = vtkTriangleFilter()
+split.SetInputData(square)
+split.PassLinesOff()
+split.Update()
+pieces = shapetesting.triangles(split.GetOutput())
+where = numpy.einsum('ik,ikc->ic', weights, array(square, 'Here')[pieces[chosen]])
+squared = precise(dots, chosen + 1, weights, where + 3000.0)
+blocks = vtkMultiBlockDataSet()
+blocks.SetBlock(1, square)
+for source in (square, blocks):
+    found = result(squared, source)
+    assert abs(array(found, 'Here') - where).max() < 1e-12
+    assert (array(found, 'Cell') == 1 + chosen // 2).all()
+    assert (array(found, 'SheetOfCell') == upper).all()
+
+# A composed map is no precise one: what belonged to the first map goes aside with it.
+onward = precise(thin, numpy.zeros(162, int), numpy.full((162, 3), 1 / 3), -array(thin, 'Here'))
+composed = result(mapped_dots, onward)
+assert abs(array(composed, 'TargetPosition') + array(exact, 'Here')).max() < 1e-12
+assert (array(composed, 'ReceiverTargetCell') == chosen).all()
+for name in ('TargetCell', 'TargetBarycentric', 'GiverTargetCell'):
+    assert not composed.GetPointData().HasArray(name), name
+# Under another name, or towards the Input, it is not asked for.
+other = copy(mapped_dots)
+add_array(other, where + 3000.0, 'Other')
+by_name = new(other, thin)
+by_name.SetMapArray('Other')
+assert not shapetesting.run(by_name)
+assert fact(by_name.GetOutputDataObject(0), 'TransferFields.PrecisePoints') == 0
+assert fact(result(thin, precise(thin, chosen[:162], weights[:162], points(thin)), 'Push'),
+            'TransferFields.PrecisePoints') == 0
+
+# One that does not fit the Source is refused.
+message = error_of(mapped_dots, square)
+assert 'a TargetCell that is no triangle of the Source' in message, message
+message = error_of(precise(dots, chosen, 1.1 * weights, single), thin)
+assert 'does not sum to 1 at 200 points (first at point 0)' in message, message
+message = error_of(precise(dots, chosen[::-1], weights, single), thin)
+assert 'lies elsewhere on the Source' in message, message
+message = error_of(mapped_dots, ball)
+assert 'the Source has cells of other kinds (first cell 0)' in message, message
+message = error_of(precise(dots, weights, weights, single), thin)
+assert "'TargetCell' of the Input has 3 components, not 1" in message, message
 
 # What cannot be done is named.
 message = error_of(receiver, giver)
