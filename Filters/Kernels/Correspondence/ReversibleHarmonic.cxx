@@ -31,19 +31,17 @@ struct Weights
 class Side
 {
 public:
-  Side(const Mesh& surface, const StressScalingOptions& scaling, PreciseMap start,
-    const Progress& progress)
-    : Triangles(surface.Triangles)
+  Side(const EmbeddedSurface& given, PreciseMap start)
+    : Triangles(given.Surface.Triangles)
+    , Embedding(given.Embedding)
     , Map(std::move(start))
   {
-    const Eigen::Index points = surface.Points.rows();
-    const TriangleAngles angles = AnglesOfTriangles(surface);
+    const Eigen::Index points = given.Surface.Points.rows();
+    const TriangleAngles angles = AnglesOfTriangles(given.Surface);
     this->Stiffness =
       PositiveStiffness(CotangentStiffness(this->Triangles, angles.Cotangents, points), 0.0);
     this->Masses = LumpedMasses(this->Triangles, angles.Areas, points);
-    const double area = this->Masses.sum();
-    this->Masses /= area;
-    this->Embedding = StressScaling(surface, scaling, progress) / std::sqrt(area);
+    this->Masses /= this->Masses.sum();
   }
 
   void Begin(const Side& other)
@@ -142,9 +140,9 @@ public:
   }
 
   const Eigen::MatrixXi& Triangles;
+  const Eigen::MatrixXd& Embedding;
   Eigen::SparseMatrix<double> Stiffness;
   Eigen::VectorXd Masses;
-  Eigen::MatrixXd Embedding;
   PreciseMap Map;        ///< onto the other surface
   Eigen::MatrixXd Image; ///< n x d: near to where the map takes points in the other's embedding
 
@@ -190,27 +188,41 @@ SurfaceMaps Partners(const Mesh& a, const Mesh& b, const Landmarks& landmarks)
 ReversibleHarmonicResult ReversibleHarmonic(const Mesh& a, const Mesh& b, const SurfaceMaps& start,
   const Landmarks& landmarks, const ReversibleHarmonicOptions& options, const Progress& progress)
 {
+  const auto embedded = [&](const Mesh& surface, const Progress& part)
+  {
+    return EmbeddedSurface{ surface,
+      StressScaling(surface, options.Scaling, part) / std::sqrt(PointAreas(surface).sum()) };
+  };
+  return ReversibleHarmonic(embedded(a, progress.Part(0.0, 0.15)),
+    embedded(b, progress.Part(0.15, 0.3)), start, landmarks, options, progress.Part(0.3, 1.0));
+}
+
+ReversibleHarmonicResult ReversibleHarmonic(const EmbeddedSurface& a, const EmbeddedSurface& b,
+  const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
+  const Progress& progress)
+{
   RequireOption(
     options.Alpha > 0.0 && options.Alpha < 1.0, "Alpha", options.Alpha, "between 0 and 1");
   RequireOption(options.FirstAlpha > 0.0 && options.FirstAlpha < 1.0, "FirstAlpha",
     options.FirstAlpha, "between 0 and 1");
   RequireOption(options.BetaStep > 0.0, "BetaStep", options.BetaStep, "positive");
   RequireOption(
+    options.FirstIteration >= 1, "FirstIteration", options.FirstIteration, "at least 1");
+  RequireOption(
     options.MaximumIterations >= 1, "MaximumIterations", options.MaximumIterations, "at least 1");
-  Side one(a, options.Scaling, start.AToB, progress.Part(0.0, 0.15)),
-    two(b, options.Scaling, start.BToA, progress.Part(0.15, 0.3));
+  Side one(a, start.AToB), two(b, start.BToA);
   if (options.PinLandmarks)
   {
-    Pin(one, two, Partners(a, b, landmarks), landmarks);
+    Pin(one, two, Partners(a.Surface, b.Surface, landmarks), landmarks);
   }
   one.Begin(two);
   two.Begin(one);
   ReversibleHarmonicResult result;
-  const Progress iterations = progress.Part(0.3, 1.0);
-  for (int k = 1; k <= options.MaximumIterations; ++k)
+  for (int i = 0; i < options.MaximumIterations; ++i)
   {
-    const Progress part = iterations.Part(
-      (k - 1.0) / options.MaximumIterations, static_cast<double>(k) / options.MaximumIterations);
+    const int k = options.FirstIteration + i;
+    const Progress part = progress.Part(
+      static_cast<double>(i) / options.MaximumIterations, (i + 1.0) / options.MaximumIterations);
     const double rest = std::max(0.0, 1.0 - (k - 1.0) / std::max(1, options.AlphaSteps));
     const Weights weights{ options.Alpha * std::pow(options.FirstAlpha / options.Alpha, rest),
       options.BetaStep * std::min(k, options.BetaSteps) };
@@ -221,7 +233,8 @@ ReversibleHarmonicResult ReversibleHarmonic(const Mesh& a, const Mesh& b, const 
     const double energy = one.Energy(two, weights) + two.Energy(one, weights);
     const double before = result.Energies.empty() ? 0.0 : result.Energies.back();
     result.Energies.push_back(energy);
-    if (k > options.AlphaSteps + 1 && std::abs(before - energy) <= options.Tolerance * energy)
+    if (i > 0 && k > options.AlphaSteps + 1 &&
+      std::abs(before - energy) <= options.Tolerance * energy)
     {
       break;
     }

@@ -60,9 +60,25 @@ Eigen::MatrixXd Majorised(
   return positions;
 }
 
-/// The least of tr X' L M^-1 L X with rows `points` of X given (s x d).
-Eigen::MatrixXd Extended(
-  const Mesh& mesh, const std::vector<int>& points, const Eigen::MatrixXd& positions)
+} // namespace
+
+ScaledSamples ScaleSamples(
+  const Mesh& mesh, const StressScalingOptions& options, const Progress& progress)
+{
+  const Topology topology = RequireManifold(mesh, "the surface");
+  if (topology.Components > 1)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
+      " components, between which there are no distances; give one of them");
+  }
+  const std::vector<int> points = FarthestPoints(mesh, options.Samples, progress.Part(0.0, 0.2));
+  const Eigen::MatrixXd all = HeatDistances(mesh, points, progress.Part(0.2, 0.7));
+  const Eigen::MatrixXd between = all(points, Eigen::all);
+  return { points,
+    Majorised(0.5 * (between + between.transpose()), options, progress.Part(0.7, 1.0)) };
+}
+
+Eigen::MatrixXd BiharmonicExtension(const Mesh& mesh, const ScaledSamples& samples)
 {
   const Eigen::Index n = mesh.Points.rows();
   const IntrinsicTriangles flat = IntrinsicDelaunay(mesh);
@@ -73,10 +89,10 @@ Eigen::MatrixXd Extended(
   const Eigen::VectorXd inverse = (masses.array() > 0.0).select(1.0 / masses.array(), 0.0);
   const Eigen::SparseMatrix<double> energy = stiffness * inverse.asDiagonal() * stiffness;
 
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, positions.cols());
-  result(points, Eigen::all) = positions;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, samples.Positions.cols());
+  result(samples.Points, Eigen::all) = samples.Positions;
   std::vector<char> free(n, 1);
-  for (const int point : points)
+  for (const int point : samples.Points)
   {
     free[point] = 0;
   }
@@ -116,23 +132,11 @@ Eigen::MatrixXd Extended(
   return result;
 }
 
-} // namespace
-
 Eigen::MatrixXd StressScaling(
   const Mesh& mesh, const StressScalingOptions& options, const Progress& progress)
 {
-  const Topology topology = RequireManifold(mesh, "the surface");
-  if (topology.Components > 1)
-  {
-    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components, between which there are no distances; give one of them");
-  }
-  const std::vector<int> points = FarthestPoints(mesh, options.Samples, progress.Part(0.0, 0.2));
-  const Eigen::MatrixXd all = HeatDistances(mesh, points, progress.Part(0.2, 0.7));
-  const Eigen::MatrixXd between = all(points, Eigen::all);
-  const Eigen::MatrixXd positions =
-    Majorised(0.5 * (between + between.transpose()), options, progress.Part(0.7, 0.9));
-  const Eigen::MatrixXd result = Extended(mesh, points, positions);
+  const ScaledSamples samples = ScaleSamples(mesh, options, progress.Part(0.0, 0.9));
+  Eigen::MatrixXd result = BiharmonicExtension(mesh, samples);
   progress(1.0);
   return result;
 }
