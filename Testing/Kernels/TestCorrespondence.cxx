@@ -73,6 +73,37 @@ TEST(Correspondence, WithoutLandmarksItFindsThem)
   EXPECT_LT(pair.MeanError(result), 0.03);
 }
 
+TEST(Correspondence, FindsAPartWithLandmarksAndWithout)
+{
+  using Which = shape::SurfacePart::WhichType;
+  Pair pair;
+  pair.A = shapetest::Above(pair.A, -0.45).Surface;
+  const double share = 4.0 * shape::PointAreas(pair.A).sum() / shape::PointAreas(pair.B).sum();
+  Options options;
+  options.Method = Method::FunctionalMap;
+  for (const shape::Landmarks& landmarks : { pair.SomeLandmarks(), shape::Landmarks() })
+  {
+    const shape::CorrespondenceResult result =
+      shape::Correspondence(pair.A, pair.B, landmarks, options);
+    EXPECT_EQ(result.Part.Which, Which::SurfaceA);
+    EXPECT_NEAR(result.Part.Scale, 2.0, 0.12); // B is twice as large
+    EXPECT_NEAR(result.Part.Share, share, 0.1);
+    EXPECT_LT(pair.MeanError(result), 0.04);
+    const shape::CorrespondenceResult turned = shape::Correspondence(pair.B, pair.A, {}, options);
+    EXPECT_EQ(turned.Part.Which, Which::SurfaceB);
+    EXPECT_NEAR(turned.Part.Scale, 0.5, 0.03);
+    EXPECT_GT(turned.Facts.CoverageOfB, 0.9);
+  }
+  options.Part = Options::PartType::None;
+  const shape::CorrespondenceResult whole =
+    shape::Correspondence(pair.A, pair.B, pair.SomeLandmarks(), options);
+  EXPECT_EQ(whole.Part.Which, Which::None);
+  EXPECT_GT(pair.MeanError(whole), 0.08);
+  options.Part = Options::PartType::SurfaceB; // is larger than A
+  EXPECT_THROW(
+    shape::Correspondence(pair.A, pair.B, pair.SomeLandmarks(), options), shape::InvalidInput);
+}
+
 TEST(Correspondence, AnIdentityIsHarmonicComesBackAndTurnsNothingOver)
 {
   const shape::Mesh mesh = shapetest::BumpySphere(3, Eigen::Matrix3d::Identity());
@@ -116,8 +147,11 @@ TEST(LandmarkPairs, AreTheNearestPointsAndNoneTwice)
   const shape::Landmarks pairs = shape::LandmarkPairs(
     sphere, places, sphere, sphere.Points(std::vector<int>{ 8, 3, 2 }, Eigen::all));
   EXPECT_EQ(pairs, (shape::Landmarks{ { 4, 8 }, { 9, 3 } }));
-  places(0, 1) = std::nan("");
-  EXPECT_THROW(shape::LandmarkPairs(sphere, places, sphere, places), shape::InvalidInput);
+  Eigen::MatrixXd bad = places;
+  bad(0, 1) = std::nan("");
+  EXPECT_THROW(shape::LandmarkPairs(sphere, bad, sphere, places), shape::InvalidInput);
+  // In millimetres beside a surface in metres.
+  EXPECT_THROW(shape::LandmarkPairs(sphere, places, sphere, 1000.0 * places), shape::InvalidInput);
 }
 
 TEST(Correspondence, RefusesWhatAMethodCannotDo)

@@ -167,6 +167,18 @@ TEST(OrbifoldTutte, CanBeCutBetweenNeighbours)
   EXPECT_EQ(Flips(shape::OrbifoldTutte(octahedron, { 0, 2, 1, 5 }, OrbifoldType::Rectangle)), 0);
 }
 
+TEST(OrbifoldTutte, ATetrahedronOfConesHasNothingLeftToFind)
+{
+  const shape::Mesh tetrahedron{
+    (Eigen::MatrixXd(4, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1).finished(),
+    (Eigen::MatrixXi(4, 3) << 0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2).finished()
+  };
+  const shape::OrbifoldImage image =
+    shape::OrbifoldTutte(tetrahedron, { 0, 1, 2, 3 }, OrbifoldType::Rectangle);
+  EXPECT_EQ(Flips(image), 0);
+  EXPECT_NEAR(ImageArea(image.Cut.Surface, image.Points), 1.0, 1e-12);
+}
+
 TEST(OrbifoldTutte, FindsAPathWhereTheShortestWouldWallAConeIn)
 {
   // Every four corners of an icosahedron, in every order.

@@ -114,6 +114,43 @@ TEST(Topology, AFlippedTriangleIsRefused)
   EXPECT_NE(Refusal(mesh).find("opposite orientation"), std::string::npos) << Refusal(mesh);
 }
 
+TEST(Topology, AOneSidedSurfaceIsToldFromOneWithATriangleTurnedOver)
+{
+  // A strip of triangles around the axis, its ends joined after half a turn.
+  constexpr int around = 9;
+  shape::Mesh strip{ Eigen::MatrixXd(2 * around, 3), Eigen::MatrixXi(2 * around, 3) };
+  for (int i = 0; i < around; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / around, across = 0.3 * std::cos(0.5 * angle);
+    const Eigen::RowVector3d outwards(std::cos(angle), std::sin(angle), 0.0),
+      up(0.0, 0.0, 0.3 * std::sin(0.5 * angle));
+    strip.Points.row(2 * i) = (1.0 + across) * outwards + up;
+    strip.Points.row(2 * i + 1) = (1.0 - across) * outwards - up;
+    const int last = i + 1 == around;
+    const int next = last != 0 ? 1 : 2 * i + 2, beyond = last != 0 ? 0 : 2 * i + 3;
+    strip.Triangles.row(2 * i) << 2 * i, 2 * i + 1, next;
+    strip.Triangles.row(2 * i + 1) << 2 * i + 1, beyond, next;
+  }
+  const auto refusal = [](const shape::Mesh& mesh)
+  {
+    try
+    {
+      shape::RequireManifold(mesh, "the surface");
+    }
+    catch (const shape::InvalidInput& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal(strip).find("the surface is one-sided"), std::string::npos) << refusal(strip);
+  shape::Mesh cut = strip;
+  cut.Triangles.conservativeResize(2 * around - 2, 3);
+  EXPECT_EQ(refusal(cut), "");
+  cut.Triangles.row(3).reverseInPlace();
+  EXPECT_NE(refusal(cut).find("opposite orientation"), std::string::npos) << refusal(cut);
+}
+
 TEST(Topology, AnEdgeOfThreeTrianglesIsRefused)
 {
   shape::Mesh mesh = shapetest::Icosphere(0);

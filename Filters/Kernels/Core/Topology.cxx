@@ -120,7 +120,35 @@ Topology TopologyOfSound(const Mesh& mesh, const std::string& name, const std::s
   return SurfaceTopology(mesh);
 }
 
-void CheckManifold(const Topology& topology, const std::string& name)
+/// Whether no choice of sides for the triangles agrees across all edges, as on a Moebius strip.
+bool IsOneSided(const Mesh& mesh)
+{
+  // Twice as many as triangles: those as they are, then those turned over, joined where they agree.
+  const auto m = static_cast<int>(mesh.Triangles.rows());
+  DisjointSets sheets(2 * m);
+  const std::vector<HalfEdge> sides = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+  {
+    const HalfEdge& p = sides[i];
+    const HalfEdge& q = sides[i + 1];
+    if (p.Low() == q.Low() && p.High() == q.High())
+    {
+      const int turned = p.Begin == q.Begin ? m : 0;
+      sheets.Merge(p.Triangle, q.Triangle + turned);
+      sheets.Merge(p.Triangle + m, q.Triangle + m - turned);
+    }
+  }
+  for (int t = 0; t < m; ++t)
+  {
+    if (sheets.Find(t) == sheets.Find(t + m))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void CheckManifold(const Mesh& mesh, const Topology& topology, const std::string& name)
 {
   if (topology.NonManifoldEdges > 0)
   {
@@ -133,6 +161,13 @@ void CheckManifold(const Topology& topology, const std::string& name)
     throw InvalidInput(Found(name, topology.NonManifoldPoints, "point where two sheets touch",
                          "points where two sheets touch", topology.FirstPinchedPoint) +
       "duplicate them, one for each sheet");
+  }
+  if (topology.MisorientedEdges > 0 && IsOneSided(mesh))
+  {
+    throw InvalidInput(name +
+      " is one-sided, as a Moebius strip is: its triangles cannot all face " +
+      "the same way (they do not at point " + std::to_string(topology.FirstMisoriented) +
+      "); cut it open across the strip");
   }
   if (topology.MisorientedEdges > 0)
   {
@@ -225,7 +260,7 @@ std::vector<Mesh> SplitComponents(const Mesh& mesh)
 Topology RequireManifold(const Mesh& mesh, const std::string& name)
 {
   Topology topology = TopologyOfSound(mesh, name, "a surface");
-  CheckManifold(topology, name);
+  CheckManifold(mesh, topology, name);
   return topology;
 }
 
@@ -238,7 +273,7 @@ Topology RequireClosedSurface(const Mesh& mesh, const std::string& name)
       Found(name, topology.OpenLoops, "open loop", "open loops", topology.FirstOpenPoint) +
       "close it with Fill Holes, or merge its duplicate points with Clean");
   }
-  CheckManifold(topology, name);
+  CheckManifold(mesh, topology, name);
   return topology;
 }
 

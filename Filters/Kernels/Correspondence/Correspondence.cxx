@@ -8,6 +8,7 @@
 #include "Correspondence/HeatKernelMap.h"
 #include "Correspondence/LandmarkCells.h"
 #include "Correspondence/MatchingInput.h"
+#include "Correspondence/MethodInput.h"
 #include "Correspondence/OrbifoldMap.h"
 #include "Correspondence/PartialFunctionalMap.h"
 #include "Correspondence/ReversibleHarmonic.h"
@@ -185,6 +186,7 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
   RequireOption(options.NumberOfEigenpairs >= 10, "NumberOfEigenpairs", options.NumberOfEigenpairs,
     "at least 10");
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
+  RequireMethodInput(a, b, landmarks, options);
   const Compact one = Compacted(a, "SurfaceA"), two = Compacted(b, "SurfaceB");
   CorrespondenceResult result;
   Landmarks own;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace shape
@@ -68,8 +69,11 @@ PreciseMap Spread(const LaplaceSpectrum& from, const std::vector<int>& samples, 
   const Progress& progress)
 {
   const Eigen::VectorXd weights = masses.rowwise().sum(), roots = weights.cwiseSqrt();
+  // Where all samples of the other side are landmarks nothing is left for those that are none.
+  const Eigen::VectorXd inverses =
+    (weights.array() > std::numeric_limits<double>::min()).select(weights.cwiseInverse(), 0.0);
   const Eigen::MatrixXd images =
-    weights.cwiseInverse().asDiagonal() * masses * to.Eigenfunctions(targetSamples, Eigen::all);
+    inverses.asDiagonal() * masses * to.Eigenfunctions(targetSamples, Eigen::all);
   const Eigen::MatrixXd map = (roots.asDiagonal() * from.Eigenfunctions(samples, Eigen::all))
                                 .eval()
                                 .colPivHouseholderQr()

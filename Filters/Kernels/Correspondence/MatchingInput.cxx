@@ -4,9 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace shape
 {
+
+void RequireArea(const Mesh& mesh, const std::string& name)
+{
+  const double area = PointAreas(mesh).sum();
+  if (!(area > 0.0 && std::isfinite(area)))
+  {
+    std::ostringstream side;
+    side << LongestSide(mesh.Points);
+    throw InvalidInput(name + " has no area that double precision can hold (its longest side is " +
+      side.str() + "); scale it or check its coordinates");
+  }
+}
 
 Topology RequireWhole(const Mesh& mesh, const std::string& name)
 {
@@ -20,12 +33,7 @@ Topology RequireWhole(const Mesh& mesh, const std::string& name)
       " points that no triangle uses (first at point " + std::to_string(first) +
       "); remove them with Clean");
   }
-  const double area = PointAreas(mesh).sum();
-  if (!(area > 0.0 && std::isfinite(area)))
-  {
-    throw InvalidInput(name + " has no area that double precision can hold (its longest side is " +
-      std::to_string(LongestSide(mesh.Points)) + "); scale it or check its coordinates");
-  }
+  RequireArea(mesh, name);
   return topology;
 }
 

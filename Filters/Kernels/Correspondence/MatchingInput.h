@@ -11,6 +11,9 @@ namespace shape
 
 // What methods that match two surfaces ask of them. `name` is what messages call one: "surface A".
 
+/// Throws InvalidInput unless the mesh has an area.
+void RequireArea(const Mesh& mesh, const std::string& name);
+
 /// Throws InvalidInput unless the mesh is a consistently oriented 2-manifold with an area, open or
 /// closed, and a triangle at each point.
 Topology RequireWhole(const Mesh& mesh, const std::string& name);

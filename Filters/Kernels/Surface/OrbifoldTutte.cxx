@@ -141,6 +141,10 @@ public:
   /// The places of the unknowns.
   std::vector<Complex> Solve()
   {
+    if (this->Right.size() == 0)
+    {
+      return {}; // a tetrahedron whose points are all cones
+    }
     Eigen::SparseMatrix<double> matrix(this->Right.size(), this->Right.size());
     matrix.setFromTriplets(this->Entries.begin(), this->Entries.end());
     SparseCholesky solver;
