@@ -66,7 +66,7 @@ public:
 
   ///@{
   /// Which surface is a part of the other one, for FunctionalMap and the start of
-  /// ReversibleHarmonic: 0 = Automatic, by the landmarks' distances, 1 = None, 2 = SurfaceA, 3 =
+  /// ReversibleHarmonic: 0 = Automatic, by distances along them, 1 = None, 2 = SurfaceA, 3 =
   /// SurfaceB. Default: Automatic.
   vtkShapeEnumOption(Part, shape::CorrespondenceOptions::PartType,
     shape::CorrespondenceOptions::PartType::Automatic,

@@ -100,4 +100,36 @@ inline Eigen::VectorXd MapErrors(
     shape::LongestSide(other.Points);
 }
 
+/// What lies above a height, and where its points are in the mesh given.
+struct Cut
+{
+  shape::Mesh Surface;
+  std::vector<int> Points;
+};
+
+inline Cut Above(const shape::Mesh& mesh, double height)
+{
+  Cut cut;
+  std::vector<int> kept, place(mesh.Points.rows(), -1);
+  for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
+  {
+    if (shape::Corners(mesh, t).col(2).mean() > height)
+    {
+      kept.push_back(t);
+    }
+  }
+  cut.Surface.Triangles = mesh.Triangles(kept, Eigen::all);
+  for (int& point : cut.Surface.Triangles.reshaped())
+  {
+    if (place[point] < 0)
+    {
+      place[point] = static_cast<int>(cut.Points.size());
+      cut.Points.push_back(point);
+    }
+    point = place[point];
+  }
+  cut.Surface.Points = mesh.Points(cut.Points, Eigen::all);
+  return cut;
+}
+
 } // namespace shapetest

@@ -136,6 +136,34 @@ TEST(AutomaticLandmarks, WorksOnAnyTopology)
   }
 }
 
+TEST(AutomaticLandmarks, FindsAPartInTheWholeAndHowLargeItIs)
+{
+  using Which = shape::SurfacePart::WhichType;
+  const Eigen::Matrix3d turn = shapetest::Rotation(2.0, { 1, 2, 3 });
+  const shapetest::Cut cut =
+    shapetest::Above(shapetest::BumpySphere(4, Eigen::Matrix3d::Identity()), -0.45);
+  shape::Mesh whole = shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3, -1, 1 }));
+  whole.Points = whole.Points * turn.transpose();
+  const double share = shape::PointAreas(cut.Surface).sum() / shape::PointAreas(whole).sum();
+  ASSERT_LT(share, 0.82);
+  const auto found = shape::AutomaticLandmarks(cut.Surface, whole);
+  EXPECT_EQ(found.Part, Which::SurfaceA);
+  EXPECT_NEAR(found.Share, share, 0.1 * share);
+  EXPECT_LT(found.Distortion, 0.05);
+  EXPECT_LT(WorstError(cut.Surface, whole, turn, found.Pairs), 0.08);
+  const auto other = shape::AutomaticLandmarks(whole, cut.Surface);
+  EXPECT_EQ(other.Part, Which::SurfaceB);
+  EXPECT_NEAR(other.Share, share, 0.1 * share);
+
+  // A surface with a border is whole beside another one that is cut as it is, or if told so.
+  EXPECT_EQ(shape::AutomaticLandmarks(cut.Surface, cut.Surface).Part, Which::None);
+  shape::AutomaticLandmarksOptions options;
+  options.PartA = false;
+  const auto told = shape::AutomaticLandmarks(cut.Surface, whole, options);
+  EXPECT_EQ(told.Part, Which::None);
+  EXPECT_GT(told.Distortion, found.Distortion);
+}
+
 TEST(AutomaticLandmarks, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
@@ -149,7 +177,8 @@ TEST(AutomaticLandmarks, NamesWhatIsWrong)
   loose.Points.conservativeResize(n + 1, 3);
   loose.Points.row(n).setZero();
   EXPECT_THROW(shape::AutomaticLandmarks(sphere, loose), shape::InvalidInput);
-  EXPECT_THROW(shape::AutomaticLandmarks(sphere, sphere, { 3, 12, 10 }), shape::InvalidInput);
+  EXPECT_THROW(shape::AutomaticLandmarks(sphere, sphere, { 3, 12, 10, true, true, true }),
+    shape::InvalidInput);
 }
 
 TEST(AutomaticLandmarks, OfAnOctahedronAreAGuess)

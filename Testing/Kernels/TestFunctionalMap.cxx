@@ -102,42 +102,11 @@ TEST(FitFunctionalMap, OfTheSameDescriptorsIsTheIdentityAndOrientationTellsTheMi
   EXPECT_GT((mirrored - Eigen::MatrixXd::Identity(20, 20)).norm(), 0.5);
 }
 
-/// What lies above a height, and where its points are in the mesh given.
-struct Cut
-{
-  shape::Mesh Surface;
-  std::vector<int> Points;
-};
-
-Cut Above(const shape::Mesh& mesh, double height)
-{
-  Cut cut;
-  std::vector<int> kept, place(mesh.Points.rows(), -1);
-  for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
-  {
-    if (shape::Corners(mesh, t).col(2).mean() > height)
-    {
-      kept.push_back(t);
-    }
-  }
-  cut.Surface.Triangles = mesh.Triangles(kept, Eigen::all);
-  for (int& point : cut.Surface.Triangles.reshaped())
-  {
-    if (place[point] < 0)
-    {
-      place[point] = static_cast<int>(cut.Points.size());
-      cut.Points.push_back(point);
-    }
-    point = place[point];
-  }
-  cut.Surface.Points = mesh.Points(cut.Points, Eigen::all);
-  return cut;
-}
-
 /// A part of a bumpy sphere, and all of it three times as large, in other triangles.
 struct PartAndWhole
 {
-  Cut Part = Above(shapetest::BumpySphere(4, Eigen::Matrix3d::Identity()), -0.2);
+  shapetest::Cut Part =
+    shapetest::Above(shapetest::BumpySphere(4, Eigen::Matrix3d::Identity()), -0.2);
   shape::Mesh Whole = shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3.0, -1.0, 1.0 }));
   Eigen::Matrix3d Pose = 3.0 * shapetest::Rotation(1.1, { 1.0, 2.0, -0.5 });
   shape::Landmarks Pairs;

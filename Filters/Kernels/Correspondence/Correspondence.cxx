@@ -15,6 +15,7 @@
 #include "Correspondence/SphereCommonDomain.h"
 #include "Geometry/ClosestPoint.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,21 +94,30 @@ SurfaceMaps ThroughOrbifold(
   return { std::move(map.AToB), std::move(map.BToA) };
 }
 
-SurfacePart PartOf(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
-  Options::PartType wanted, const Progress& progress)
+/// Finds landmarks where none are given, and which surface is a part of the other one.
+void Begin(const Mesh& a, const Mesh& b, Landmarks& landmarks, Options::PartType part,
+  CorrespondenceResult& result, const Progress& progress)
 {
-  switch (wanted)
+  using Part = Options::PartType;
+  using Which = SurfacePart::WhichType;
+  const bool isA = part == Part::SurfaceA, isB = part == Part::SurfaceB;
+  result.Found = landmarks.empty();
+  if (!result.Found)
   {
-    case Options::PartType::SurfaceA:
-      return MeasurePart(a, b, landmarks, SurfacePart::WhichType::SurfaceA, progress);
-    case Options::PartType::SurfaceB:
-      return MeasurePart(a, b, landmarks, SurfacePart::WhichType::SurfaceB, progress);
-    case Options::PartType::None:
-      return FindPart(a, b, {}, progress);
-    case Options::PartType::Automatic:
-      break;
+    result.Part = isA || isB
+      ? MeasurePart(a, b, landmarks, isA ? Which::SurfaceA : Which::SurfaceB, progress)
+      : FindPart(a, b, part == Part::None ? Landmarks() : landmarks, progress);
+    return;
   }
-  return FindPart(a, b, landmarks, progress);
+  AutomaticLandmarksOptions options;
+  options.BothWhole = !isA && !isB;
+  options.PartA = isA || part == Part::Automatic;
+  options.PartB = isB || part == Part::Automatic;
+  result.Start = AutomaticLandmarks(a, b, options, progress);
+  landmarks = result.Start.Pairs;
+  const double share = result.Start.Share, ratio = PointAreas(b).sum() / PointAreas(a).sum();
+  result.Part = { result.Start.Part,
+    std::sqrt(result.Start.Part == Which::SurfaceB ? ratio / share : ratio * share), share };
 }
 
 /// Of surfaces of which one may be a part of the other one.
@@ -194,13 +204,7 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
   {
     own.push_back({ one.PlaceOf(pointA), two.PlaceOf(pointB) });
   }
-  if (own.empty())
-  {
-    result.Start = AutomaticLandmarks(one.Surface, two.Surface, {}, progress.Part(0.0, 0.3));
-    result.Found = true;
-    own = result.Start.Pairs;
-  }
-  result.Part = PartOf(one.Surface, two.Surface, own, options.Part, progress.Part(0.3, 0.35));
+  Begin(one.Surface, two.Surface, own, options.Part, result, progress.Part(0.0, 0.35));
   const SurfaceMaps maps =
     Find(one.Surface, two.Surface, own, options, result, progress.Part(0.35, 0.95));
   for (const auto& [pointA, pointB] : own)

@@ -38,7 +38,8 @@ struct CorrespondenceOptions
   /// ReversibleHarmonic, maps a part into the whole; the other methods take both for whole.
   enum class PartType
   {
-    Automatic = 0, ///< what FindPart says of the landmarks
+    Automatic =
+      0, ///< what FindPart says of the landmarks, or AutomaticLandmarks where it finds them
     None = 1,
     SurfaceA = 2,
     SurfaceB = 3

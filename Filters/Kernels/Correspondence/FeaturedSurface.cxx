@@ -1,11 +1,13 @@
 #include "Correspondence/FeaturedSurface.h"
 
+#include "Core/HalfEdges.h"
 #include "Correspondence/LandmarkPlaces.h"
 #include "Correspondence/PersistentMaxima.h"
 #include "Surface/EdgeGeodesics.h"
 #include "Surface/HeatGeodesics.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shape
 {
@@ -28,6 +30,22 @@ void AddFarthest(const Mesh& mesh, std::vector<int>& points, int count, const Pr
   }
 }
 
+/// How far points are from the border along edges (n), infinite without one.
+Eigen::VectorXd BorderDistances(const Mesh& mesh, const Progress& progress)
+{
+  const std::vector<int> twins = SideTwins(mesh.Triangles, mesh.Points.rows());
+  std::vector<int> border;
+  for (int side = 0; side < static_cast<int>(twins.size()); ++side)
+  {
+    if (twins[side] < 0)
+    {
+      border.push_back(mesh.Triangles(side / 3, side % 3)); // the other end begins the next side
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(border.size());
+  return EdgeGeodesics(mesh, { border, Eigen::VectorXd::Zero(size) }, progress);
+}
+
 } // namespace
 
 FeaturedSurface FindFeatures(const Mesh& mesh, int samples, int features, const Progress& progress)
@@ -43,12 +61,44 @@ FeaturedSurface FindFeatures(const Mesh& mesh, int samples, int features, const 
     HeatDistances(mesh, surface.Features, progress.Part(0.9, 1.0)) / sampled.Length;
   const Eigen::MatrixXd apart = distances(surface.Features, Eigen::all);
   surface.Remoteness = remoteness(surface.Features);
+  surface.FromBorder =
+    BorderDistances(mesh, progress.Part(1.0, 1.0))(surface.Features) / sampled.Length;
   surface.Apart = 0.5 * (apart + apart.transpose());
   surface.Weights = sampled.Weights;
   surface.Between = sampled.Between();
   surface.ToFeatures = distances(sampled.Points, Eigen::all);
   surface.Turns = DirectionTurns(mesh, distances, sampled.Points);
   return surface;
+}
+
+FeaturedSurface AsPart(const FeaturedSurface& surface, double share)
+{
+  constexpr double least = 0.1; // from the border, over the root of the area
+  const Eigen::Index all = surface.FromBorder.size();
+  const double scale = std::sqrt(share);
+  std::vector<int> kept, columns;
+  for (int i = 0; i < static_cast<int>(all); ++i)
+  {
+    if (surface.FromBorder(i) >= least)
+    {
+      kept.push_back(i);
+    }
+  }
+  for (const int i : kept)
+  {
+    for (const int j : kept)
+    {
+      columns.push_back(i * static_cast<int>(all) + j);
+    }
+  }
+  FeaturedSurface part{ {}, scale * surface.Remoteness(kept), scale * surface.FromBorder(kept),
+    scale * surface.Apart(kept, kept), surface.Weights, scale * surface.Between,
+    scale * surface.ToFeatures(Eigen::all, kept), surface.Turns(Eigen::all, columns) };
+  for (const int i : kept)
+  {
+    part.Features.push_back(surface.Features[i]);
+  }
+  return part;
 }
 
 } // namespace shape

@@ -16,6 +16,7 @@ struct FeaturedSurface
 {
   std::vector<int> Features;  ///< k points, the most outstanding first
   Eigen::VectorXd Remoteness; ///< k: mean distance of each from the whole surface
+  Eigen::VectorXd FromBorder; ///< k: how far each is from the border; infinite without one
   Eigen::MatrixXd Apart;      ///< k x k: distances between them
   Eigen::VectorXd Weights;    ///< s: of the samples; the sum is 1
   Eigen::MatrixXd Between;    ///< s x s: distances between the samples
@@ -35,5 +36,10 @@ struct FeaturedSurface
  */
 FeaturedSurface FindFeatures(
   const Mesh& mesh, int samples, int features, const Progress& progress = {});
+
+/// The surface as a part of a larger one that has `share` as its area over its own: distances are
+/// those times the root of it, and features near the border, where a limb may have been cut, are
+/// left out.
+FeaturedSurface AsPart(const FeaturedSurface& surface, double share);
 
 } // namespace shape
