@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string>
 #include <vector>
 
 namespace shape
@@ -69,11 +69,8 @@ PreciseMap Spread(const LaplaceSpectrum& from, const std::vector<int>& samples, 
   const Progress& progress)
 {
   const Eigen::VectorXd weights = masses.rowwise().sum(), roots = weights.cwiseSqrt();
-  // Where all samples of the other side are landmarks nothing is left for those that are none.
-  const Eigen::VectorXd inverses =
-    (weights.array() > std::numeric_limits<double>::min()).select(weights.cwiseInverse(), 0.0);
   const Eigen::MatrixXd images =
-    inverses.asDiagonal() * masses * to.Eigenfunctions(targetSamples, Eigen::all);
+    weights.cwiseInverse().asDiagonal() * masses * to.Eigenfunctions(targetSamples, Eigen::all);
   const Eigen::MatrixXd map = (roots.asDiagonal() * from.Eigenfunctions(samples, Eigen::all))
                                 .eval()
                                 .colPivHouseholderQr()
@@ -104,6 +101,14 @@ SurfaceMaps GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& lan
                          a, options.Samples, progress.Part(0.2, 0.35), PointsOf(distinct, 0)),
                        onB = SampleSurface(
                          b, options.Samples, progress.Part(0.35, 0.5), PointsOf(distinct, 1));
+  const bool isFullA = fixed == static_cast<int>(onA.Points.size()),
+             isFullB = fixed == static_cast<int>(onB.Points.size());
+  if (isFullA != isFullB)
+  {
+    throw InvalidInput(std::string("all ") + std::to_string(fixed) + " points of surface " +
+      (isFullA ? "A" : "B") + " are landmarks, which leaves none for the other points of surface " +
+      (isFullA ? "B" : "A") + "; give fewer, or refine the former");
+  }
   const int few = fixed + std::max(options.Samples / 4, 10);
   const SampledSurface fewA = FirstSamples(onA, few, PointAreas(a)),
                        fewB = FirstSamples(onB, few, PointAreas(b));
