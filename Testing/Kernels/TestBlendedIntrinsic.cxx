@@ -160,6 +160,27 @@ TEST(BlendedIntrinsic, FindsTheSameSurfaceInOtherTrianglesAlsoWithHoles)
   }
 }
 
+TEST(BlendedIntrinsic, TheOrderOfPointsDoesNotChangeTheMapOfASheet)
+{
+  shape::Mesh sheet = shapetest::FlatDisk(8);
+  for (Eigen::Index i = 0; i < sheet.Points.rows(); ++i)
+  {
+    const double x = sheet.Points(i, 0), y = sheet.Points(i, 1);
+    sheet.Points.row(i) << 1.4 * x, y, 0.3 * x * x + 0.2 * x * y + 0.1 * y;
+  }
+  for (unsigned int seed = 0; seed < 6; ++seed)
+  {
+    const shapetest::Renumbered copy = shapetest::Renumber(sheet, seed);
+    shape::Landmarks landmarks;
+    for (int i = 0; i < static_cast<int>(sheet.Points.rows()); i += 37)
+    {
+      landmarks.push_back({ i, copy.NewOf(i) });
+    }
+    const shape::SurfaceMaps maps = shape::BlendedIntrinsic(sheet, copy.Mesh, landmarks);
+    EXPECT_LT(shapetest::MapErrors(maps.AToB, copy.Mesh, sheet.Points).mean(), 1e-6) << seed;
+  }
+}
+
 TEST(BlendedIntrinsic, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(3);

@@ -106,6 +106,19 @@ TEST(Topology, AnOpenLoopIsRefusedWithItsFirstPoint)
     << Refusal(open);
 }
 
+TEST(Topology, ASizeWhosePowersAreNoNumbersIsRefused)
+{
+  for (const double scale : { 0.0, 1e-60, 1e60 })
+  {
+    shape::Mesh mesh = shapetest::Icosphere(1);
+    mesh.Points *= scale;
+    EXPECT_NE(Refusal(mesh).find("has a longest side of"), std::string::npos) << Refusal(mesh);
+  }
+  shape::Mesh small = shapetest::Icosphere(1);
+  small.Points *= 1e-40;
+  EXPECT_EQ(Refusal(small), "");
+}
+
 TEST(Topology, AFlippedTriangleIsRefused)
 {
   shape::Mesh mesh = shapetest::Icosphere(1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -36,7 +37,9 @@ inline void RequireOption(
 {
   if (!holds)
   {
-    throw InvalidInput(name + " is " + std::to_string(value) + "; it must be " + range);
+    std::ostringstream words;
+    words << name << " is " << value << "; it must be " << range;
+    throw InvalidInput(words.str());
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Core/Errors.h"
 #include "Core/HalfEdges.h"
 
+#include <sstream>
 #include <vector>
 
 namespace shape
@@ -109,6 +110,20 @@ std::string Found(const std::string& name, int count, const std::string& singula
     " (first at point " + std::to_string(first) + "); ";
 }
 
+/// Sixth powers of lengths must neither over- nor underflow.
+void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
+{
+  constexpr double least = 1e-50, most = 1e50;
+  const double side = LongestSide(points);
+  if (side < least || side > most)
+  {
+    std::ostringstream words;
+    words << name << " has a longest side of " << side << ", and lengths from " << least << " to "
+          << most << " can be computed with; scale it with Transform, or check its coordinates";
+    throw InvalidInput(words.str());
+  }
+}
+
 /// The topology of a surface that has triangles and finite coordinates.
 Topology TopologyOfSound(const Mesh& mesh, const std::string& name, const std::string& needed)
 {
@@ -117,6 +132,7 @@ Topology TopologyOfSound(const Mesh& mesh, const std::string& name, const std::s
     throw InvalidInput(name + " has no triangles; give " + needed);
   }
   RequireFinite(mesh.Points, name);
+  RequireSize(mesh.Points, name);
   return SurfaceTopology(mesh);
 }
 

@@ -32,13 +32,13 @@ Topology SurfaceTopology(const Mesh& mesh);
 /// The components of a surface in the order of ComponentId, each with the points it uses, in order.
 std::vector<Mesh> SplitComponents(const Mesh& mesh);
 
-/// Throws InvalidInput unless `mesh` has triangles, every coordinate is finite and it is a
-/// consistently oriented 2-manifold, open or closed. `name` is what the message calls it.
+/// Throws InvalidInput unless `mesh` has triangles, every coordinate is finite, its longest side is
+/// between 1e-50 and 1e50 and it is a consistently oriented 2-manifold, open or closed. `name` is
+/// what the message calls it.
 Topology RequireManifold(const Mesh& mesh, const std::string& name);
 
 /**
- * Throws InvalidInput unless every coordinate is finite and `mesh` is a closed, consistently
- * oriented 2-manifold. `name` is what the message calls it: "the boundary", "the surface".
+ * The same, and closed: `name` is what the message calls it: "the boundary", "the surface".
  */
 Topology RequireClosedSurface(const Mesh& mesh, const std::string& name);
 

@@ -31,13 +31,15 @@ namespace
 struct RoundSurface
 {
   Mesh Sphere;               ///< with fans in the holes
+  SphereMapMethod Method;    ///< that gave it
   ComplexPoints Points;      ///< of the sphere
   Eigen::VectorXd LogScales; ///< logarithms of the surface's area over the sphere's, around each
   Eigen::MatrixXd Embedding; ///< n x d: straight distances are those along it, of area 1
   Eigen::VectorXd Areas;     ///< of all points but the fans': the sum is 1
 };
 
-void RequireGenusZero(const Mesh& mesh, const std::string& name)
+/// Returns whether the surface has a border.
+bool RequireGenusZero(const Mesh& mesh, const std::string& name)
 {
   const Topology topology = RequireConnected(mesh, name);
   const int genus = (2 - topology.EulerNumber - topology.OpenLoops) / 2;
@@ -47,9 +49,11 @@ void RequireGenusZero(const Mesh& mesh, const std::string& name)
       "; maps through the sphere need genus 0: cut the handles and fill the holes, or take another "
       "method");
   }
+  return topology.OpenLoops > 0;
 }
 
-RoundSurface MakeRound(const Mesh& mesh, const Progress& progress)
+/// first: the method that is tried first.
+RoundSurface MakeRound(const Mesh& mesh, SphereMapMethod first, const Progress& progress)
 {
   RoundSurface round;
   Mesh unit = mesh;
@@ -58,7 +62,11 @@ RoundSurface MakeRound(const Mesh& mesh, const Progress& progress)
   round.Areas = areas / areas.sum();
   const std::vector<std::vector<int>> loops = OpenLoops(unit);
   const Mesh closed = FilledWithFans(unit, loops);
-  round.Sphere = { SphereMap(closed, {}, progress.Part(0.0, 0.6)).Points, closed.Triangles };
+  SphereMapOptions options;
+  options.First = first;
+  const SphereMapResult map = SphereMap(closed, options, progress.Part(0.0, 0.6));
+  round.Sphere = { map.Points, closed.Triangles };
+  round.Method = map.Method;
   round.Points = ToComplexPoints(round.Sphere.Points);
   const Eigen::VectorXd angles = SolidAngles(closed.Triangles, round.Sphere.Points);
   Eigen::VectorXd onSphere = Eigen::VectorXd::Zero(closed.Points.rows());
@@ -227,8 +235,7 @@ SurfaceMaps BlendedIntrinsic(const Mesh& a, const Mesh& b, const Landmarks& land
   RequireOption(options.Candidates >= 1, "Candidates", options.Candidates, "at least 1");
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
   RequireOption(options.Agreement > 0.0, "Agreement", options.Agreement, "positive");
-  RequireGenusZero(a, "surface A");
-  RequireGenusZero(b, "surface B");
+  const bool isOpenA = RequireGenusZero(a, "surface A"), isOpenB = RequireGenusZero(b, "surface B");
   RequireLandmarks(landmarks, a, b);
   if (!landmarks.empty() && landmarks.size() < 3)
   {
@@ -237,8 +244,20 @@ SurfaceMaps BlendedIntrinsic(const Mesh& a, const Mesh& b, const Landmarks& land
   }
   const Landmarks used =
     landmarks.empty() ? AutomaticLandmarks(a, b, {}, progress.Part(0.0, 0.2)).Pairs : landmarks;
-  const RoundSurface onA = MakeRound(a, progress.Part(0.2, 0.45)),
-                     onB = MakeRound(b, progress.Part(0.45, 0.7));
+  // One method for both: the more conformal one fails on one of them by rounding alone where a fan
+  // lies close to what it closes, as on a sheet, and then the two would not agree.
+  const SphereMapMethod first =
+    isOpenA || isOpenB ? SphereMapMethod::PositiveFlow : SphereMapMethod::ConformalFlow;
+  RoundSurface onA = MakeRound(a, first, progress.Part(0.2, 0.4)),
+               onB = MakeRound(b, first, progress.Part(0.4, 0.6));
+  if (onA.Method < onB.Method)
+  {
+    onA = MakeRound(a, onB.Method, progress.Part(0.6, 0.7));
+  }
+  else if (onB.Method < onA.Method)
+  {
+    onB = MakeRound(b, onA.Method, progress.Part(0.6, 0.7));
+  }
   const SurfaceLocator locatorA(onA.Sphere), locatorB(onB.Sphere);
   const std::vector<Eigen::Matrix2cd> maps = MapsOfTriples(onA, onB, used);
   if (maps.empty())

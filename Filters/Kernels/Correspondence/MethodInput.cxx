@@ -106,6 +106,12 @@ void RequireEnoughLandmarks(const Landmarks& landmarks, Method method)
   const auto count = static_cast<int>(landmarks.size());
   const std::string fact = "there " + std::string(count == 1 ? "is " : "are ") +
     Counted(count, "landmark") + " on points of their own, and " + NameOf(method);
+  if (method == Method::CommonSphere && count < 2)
+  {
+    throw InvalidInput(fact +
+      " needs two, since spheres turn around one; give two or more, or none to have them found, or "
+      "take FunctionalMap or HeatKernel");
+  }
   if (method == Method::BlendedIntrinsic && count < 3)
   {
     throw InvalidInput(fact +

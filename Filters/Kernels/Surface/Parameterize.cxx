@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace shape
@@ -172,10 +173,6 @@ ParameterizeResult OntoOrbifold(const Mesh& surface, const Eigen::MatrixXd& land
     throw InvalidInput("the Orbifold has 3 or 4 cones, but there are " +
       std::to_string(landmarks.rows()) + " Landmarks; give 3 or 4 points near the surface");
   }
-  if (surface.Triangles.rows() == 0)
-  {
-    throw InvalidInput("the surface has no triangles");
-  }
   const OrbifoldType type = landmarks.rows() == 4 ? OrbifoldType::Rectangle : options.Tile;
   OrbifoldImage image = OrbifoldTutte(surface, NearestPoints(surface, landmarks), type, progress);
   if (type == OrbifoldType::Rectangle)
@@ -192,6 +189,27 @@ ParameterizeResult OntoOrbifold(const Mesh& surface, const Eigen::MatrixXd& land
   return result;
 }
 
+/// Where the domain does not fit the surface, one that does is named.
+void RequireDomain(const Mesh& surface, ParameterizeOptions::DomainType domain)
+{
+  using Domain = ParameterizeOptions::DomainType;
+  const Topology topology = RequireManifold(surface, "the surface");
+  const bool isForClosed = domain == Domain::Sphere || domain == Domain::Orbifold;
+  if (!isForClosed && topology.OpenLoops == 0)
+  {
+    throw InvalidInput("the surface is closed; take the Domain Sphere or Orbifold, or cut it open "
+                       "first, as with Clip");
+  }
+  if (topology.OpenLoops > (isForClosed ? 0 : 1) && domain != Domain::FreeBoundary)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.OpenLoops) +
+      (topology.OpenLoops == 1 ? " open loop" : " open loops") + " (first at point " +
+      std::to_string(topology.FirstOpenPoint) + "), and the Domain has " +
+      (isForClosed ? "none" : "one") + "; take FreeBoundary, close it with Fill Holes" +
+      (isForClosed ? ", or merge its duplicate points with Clean" : " but for the outer one"));
+  }
+}
+
 ParameterizeResult Onto(const Mesh& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options, const Progress& progress)
 {
@@ -201,6 +219,7 @@ ParameterizeResult Onto(const Mesh& surface, const Eigen::MatrixXd& landmarks,
     throw InvalidInput(
       "Landmarks are the cones of the Orbifold; choose that Domain, or leave Landmarks empty");
   }
+  RequireDomain(surface, options.Domain);
   switch (options.Domain)
   {
     case Domain::Disk:

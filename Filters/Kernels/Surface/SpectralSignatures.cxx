@@ -20,8 +20,9 @@ Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
   {
     throw InvalidInput("NumberOfEigenpairs is " + std::to_string(spectrum.Eigenvalues.size()) +
       ", of which " + std::to_string(zeros) +
-      " are the constants, one on each component; it must be at least " +
-      std::to_string(zeros + others));
+      " are constants, one for each component; it must be at least " +
+      std::to_string(zeros + others) +
+      ": raise it, refine a surface of fewer points, or merge points at the same place with Clean");
   }
   return zeros;
 }
