@@ -130,6 +130,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("PartShare", result.Part.Share);
     add("CoverageOfA", result.Facts.CoverageOfA);
     add("CoverageOfB", result.Facts.CoverageOfB);
+    add("CouplingDistortion", result.CouplingDistortion);
+    add("CouplingError", result.CouplingError);
     add("Iterations", result.Iterations);
   }
 }

@@ -29,6 +29,8 @@
  *   whole's area; see shape::SurfacePart,
  * - Correspondence.CoverageOfA, .CoverageOfB: shares of area that come back: what has a partner,
  * - Correspondence.Mirrored: 1 where more than half of SurfaceA is turned over, else 0,
+ * - Correspondence.CouplingDistortion, .CouplingError: of GromovWasserstein, else -1: how well
+ *   samples keep their distances, and how far masses are from the weights that they should have,
  * - Correspondence.Iterations: of ReversibleHarmonic, else 0.
  *
  * Sparse factorisations are one library call each: an abort takes effect at the end of one.

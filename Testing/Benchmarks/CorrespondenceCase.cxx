@@ -25,7 +25,7 @@ constexpr const char* Usage = R"(correspondence_case PAIR LANDMARKS METHOD FILE
 PAIR       a folder of CorrespondencePairs.py
 LANDMARKS  which of its files of landmarks, such as landmarks5.txt; none: without
 METHOD     FunctionalMap, ReversibleHarmonic, ReversibleHarmonicFromCells, GromovWasserstein,
-           HeatKernel, BlendedIntrinsic, CommonSphere, CommonOrbifold, LandmarkCells; or Given: FILE is read, a position on B for
+           GromovWasserstein1000 (of so many samples), HeatKernel, BlendedIntrinsic, CommonSphere, CommonOrbifold, LandmarkCells; or Given: FILE is read, a position on B for
            each point of A, and measured
 FILE       else it is written: where each point of A goes; none: nothing is
 
@@ -86,12 +86,15 @@ shape::CorrespondenceResult Find(const std::string& method, const shape::Mesh& a
   const shape::Mesh& b, const shape::Landmarks& landmarks)
 {
   using Options = shape::CorrespondenceOptions;
+  Options manySamples{ Options::MethodType::GromovWasserstein };
+  manySamples.Samples = 1000;
   const std::map<std::string, Options> known = {
     { "ReversibleHarmonic", {} },
     { "ReversibleHarmonicFromCells",
       { Options::MethodType::ReversibleHarmonic, Options::StartType::LandmarkCells } },
     { "FunctionalMap", { Options::MethodType::FunctionalMap } },
     { "GromovWasserstein", { Options::MethodType::GromovWasserstein } },
+    { "GromovWasserstein1000", manySamples },
     { "HeatKernel", { Options::MethodType::HeatKernel } },
     { "BlendedIntrinsic", { Options::MethodType::BlendedIntrinsic } },
     { "CommonSphere", { Options::MethodType::CommonSphere } },

@@ -1,5 +1,6 @@
 #include "Core/Errors.h"
 #include "Correspondence/GromovWasserstein.h"
+#include "Correspondence/Sinkhorn.h"
 #include "MatchingShapes.h"
 
 #include <Eigen/Core>
@@ -53,17 +54,35 @@ TEST(GromovWasserstein, SinkhornFitsRowsAndColumns)
   likeness(3, 4) = -std::numeric_limits<double>::infinity();
   const Eigen::VectorXd rows = Eigen::VectorXd::Constant(30, 1.0 / 30.0);
   const Eigen::VectorXd columns = Eigen::VectorXd::LinSpaced(20, 1.0, 3.0) / 40.0;
-  const Eigen::MatrixXd far = shape::SinkhornMasses(likeness, rows, columns, 500, 1e-9);
+  const Eigen::MatrixXd far = shape::Sinkhorn(rows, columns).Masses(likeness, 500, 1e-9);
   EXPECT_TRUE(far.allFinite());
   EXPECT_GE(far.minCoeff(), 0.0);
   EXPECT_LT(far(3, 4), 1e-300);
   EXPECT_LT((far.colwise().sum().transpose() - columns).cwiseAbs().maxCoeff(), 1e-12);
-  const Eigen::MatrixXd near = shape::SinkhornMasses(1e-3 * likeness, rows, columns, 5000, 1e-9);
+  shape::Sinkhorn scaling(rows, columns);
+  const Eigen::MatrixXd near = scaling.Masses(1e-3 * likeness, 5000, 1e-9);
   EXPECT_LT((near.colwise().sum().transpose() - columns).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LT((near.rowwise().sum() - rows).cwiseAbs().sum(), 1e-8);
   // What is left is a function of the row plus one of the column.
   const Eigen::MatrixXd rest = near.array().log().matrix() - 1e-3 * likeness;
   EXPECT_NEAR(rest(5, 6) - rest(5, 7), rest(8, 6) - rest(8, 7), 1e-9);
+}
+
+TEST(GromovWasserstein, SinkhornBeginsWhereItEnded)
+{
+  const Eigen::MatrixXd likeness = 20.0 * Eigen::MatrixXd::Random(30, 30);
+  const Eigen::VectorXd weights = Eigen::VectorXd::LinSpaced(30, 1.0, 3.0) / 60.0;
+  shape::Sinkhorn scaling(weights, weights.reverse());
+  const Eigen::MatrixXd masses = scaling.Masses(likeness, 10000, 1e-10);
+  EXPECT_LT(scaling.Error(), 1e-9);
+  EXPECT_LT((scaling.Masses(likeness, 0, 1e-10) - masses).cwiseAbs().maxCoeff(), 1e-9);
+  // Of twice the likeness twice the potentials are no solution, but nearer to it than none.
+  scaling.Scale(2.0);
+  scaling.Masses(2.0 * likeness, 3, 0.0);
+  const double warm = scaling.Error();
+  shape::Sinkhorn cold(weights, weights.reverse());
+  cold.Masses(2.0 * likeness, 3, 0.0);
+  EXPECT_LT(warm, 0.5 * cold.Error());
 }
 
 TEST(GromovWasserstein, CouplingIsTheShuffleAndItsObjectiveFalls)
@@ -100,6 +119,8 @@ TEST(GromovWasserstein, CouplingIsTheShuffleAndItsObjectiveFalls)
     EXPECT_GT(most, 0.9 * spaces.WeightsA(i));
   }
   EXPECT_LT((found.Masses.rowwise().sum() - spaces.WeightsA).cwiseAbs().sum(), 1e-3);
+  EXPECT_NEAR((found.Masses.rowwise().sum() - spaces.WeightsA).cwiseAbs().sum(), found.Error, 1e-9);
+  EXPECT_LT(found.Distortion, 0.02); // of what goes astray
   EXPECT_LT(
     (found.Masses.colwise().sum().transpose() - spaces.WeightsB).cwiseAbs().maxCoeff(), 1e-9);
   ASSERT_EQ(found.Objectives.size(), found.Entropies.size());
@@ -142,10 +163,31 @@ TEST(GromovWasserstein, FindsTheSameSurfaceInOtherTriangles)
     { shape::Landmarks{ { int(tip), int(tipB) }, { int(other), int(otherB) } },
       shape::Landmarks{} })
   {
-    const shape::SurfaceMaps maps = shape::GromovWasserstein(a, b, landmarks);
+    const shape::SurfaceMaps maps = shape::GromovWasserstein(a, b, landmarks).Maps;
     EXPECT_LT(shapetest::MapErrors(maps.AToB, b, onB).mean(), 0.03); // entropy blurs
     EXPECT_LT(shapetest::MapErrors(maps.BToA, a, onA).mean(), 0.03);
   }
+}
+
+TEST(GromovWasserstein, OfSeveralStartsTheOneThatKeepsDistancesIsTaken)
+{
+  const shape::Mesh mesh = shapetest::BumpySphere(4, Eigen::Matrix3d::Identity());
+  const shapetest::Renumbered copy = shapetest::Renumber(mesh, 5);
+  const auto image = [&](int point) { return copy.NewOf(point); };
+  shape::GromovWassersteinOptions options;
+  options.Samples = 200;
+  const shape::Landmarks right{ { 0, image(0) }, { 700, image(700) }, { 1500, image(1500) } },
+    wrong{ { 0, image(1500) }, { 700, image(0) }, { 1500, image(700) } };
+  for (const auto& starts : { std::vector{ right, wrong }, std::vector{ wrong, right } })
+  {
+    options.Starts = starts;
+    const auto found = shape::GromovWasserstein(mesh, copy.Mesh, {}, options);
+    EXPECT_EQ(found.Start, right);
+    EXPECT_LT(found.Distortion, 0.04); // the samples differ
+    EXPECT_LT(found.Error, 0.01);
+  }
+  options.Starts = { wrong };
+  EXPECT_GT(shape::GromovWasserstein(mesh, copy.Mesh, {}, options).Distortion, 0.06);
 }
 
 TEST(GromovWasserstein, WorksWithBordersAndHandles)
@@ -157,11 +199,11 @@ TEST(GromovWasserstein, WorksWithBordersAndHandles)
   {
     landmarks.push_back({ corner, copy.NewOf(corner) });
   }
-  const shape::SurfaceMaps maps = shape::GromovWasserstein(plate, copy.Mesh, landmarks);
+  const shape::SurfaceMaps maps = shape::GromovWasserstein(plate, copy.Mesh, landmarks).Maps;
   EXPECT_LT(shapetest::MapErrors(maps.AToB, copy.Mesh, plate.Points).mean(), 0.1);
   const shape::Mesh torus = shapetest::Torus(2.0, 0.7, 40, 20);
   const shape::SurfaceMaps round =
-    shape::GromovWasserstein(torus, torus, { { 0, 0 }, { 105, 105 }, { 450, 450 } });
+    shape::GromovWasserstein(torus, torus, { { 0, 0 }, { 105, 105 }, { 450, 450 } }).Maps;
   EXPECT_LT(shapetest::MapErrors(round.AToB, torus, torus.Points).mean(), 0.11);
 }
 
@@ -182,6 +224,6 @@ TEST(GromovWasserstein, NamesWhatIsWrong)
   EXPECT_THROW(shape::GromovWasserstein(sphere, sphere, {}, options), shape::InvalidInput);
   // Fewer points than samples, and a landmark twice.
   const shape::SurfaceMaps maps =
-    shape::GromovWasserstein(sphere, sphere, { { 0, 0 }, { 0, 5 }, { 40, 40 }, { 100, 100 } });
+    shape::GromovWasserstein(sphere, sphere, { { 0, 0 }, { 0, 5 }, { 40, 40 }, { 100, 100 } }).Maps;
   EXPECT_TRUE(maps.AToB.Barycentrics.allFinite());
 }

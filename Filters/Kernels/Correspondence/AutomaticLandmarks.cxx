@@ -120,7 +120,9 @@ AutomaticLandmarksResult Best(
 {
   const std::vector<Landmarks> candidates = Candidates(pair, options, progress.Part(0.0, 0.5));
   std::vector<double> distortions;
-  AutomaticLandmarksResult result{ {}, Infinity, Infinity, Infinity, 0.0, pair.Part };
+  AutomaticLandmarksResult result;
+  result.Distortion = result.MirroredDistortion = result.RivalDistortion = Infinity;
+  result.Part = pair.Part;
   std::size_t best = 0;
   for (std::size_t c = 0; c < candidates.size(); ++c)
   {
@@ -135,20 +137,29 @@ AutomaticLandmarksResult Best(
     return result;
   }
   result.Distortion = distortions[best];
+  std::size_t rival = best;
   for (std::size_t c = 0; c < candidates.size(); ++c)
   {
-    if (Contradicts(candidates[c], candidates[best]))
+    if (distortions[c] < result.RivalDistortion && Contradicts(candidates[c], candidates[best]))
     {
-      result.RivalDistortion = std::min(result.RivalDistortion, distortions[c]);
+      result.RivalDistortion = distortions[c];
+      rival = c;
     }
   }
   constexpr double rounding = 1e-9;
   result.Confidence =
     std::max(0.0, 1.0 - (result.Distortion + rounding) / (result.RivalDistortion + rounding));
-  for (const auto& [i, j] : candidates[best])
+  const auto points = [&](const Landmarks& features)
   {
-    result.Pairs.push_back({ pair.A.Features[i], pair.B.Features[j] });
-  }
+    Landmarks pairs;
+    for (const auto& [i, j] : features)
+    {
+      pairs.push_back({ pair.A.Features[i], pair.B.Features[j] });
+    }
+    return pairs;
+  };
+  result.Pairs = points(candidates[best]);
+  result.Rival = rival == best ? Landmarks() : points(candidates[rival]);
   return result;
 }
 

@@ -35,6 +35,7 @@ struct AutomaticLandmarksResult
   /// The same of the best map that keeps orientation and takes half or more of the features of
   /// Pairs that it knows elsewhere; infinite where there is none.
   double RivalDistortion = 0.0;
+  Landmarks Rival; ///< the pairs of that map
   /// In [0, 1]: 1 - Distortion / RivalDistortion, 0 where the pairs are a guess.
   double Confidence = 0.0;
   SurfacePart::WhichType Part = SurfacePart::WhichType::None; ///< which one is taken for a part

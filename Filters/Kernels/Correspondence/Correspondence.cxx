@@ -148,7 +148,8 @@ SurfaceMaps Functional(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   return FunctionalMap(a, b, landmarks, whole, progress);
 }
 
-SurfaceMaps Find(const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Options& options,
+/// landmarks: those used at the end.
+SurfaceMaps Find(const Mesh& a, const Mesh& b, Landmarks& landmarks, const Options& options,
   CorrespondenceResult& result, const Progress& progress)
 {
   switch (options.Method)
@@ -159,7 +160,23 @@ SurfaceMaps Find(const Mesh& a, const Mesh& b, const Landmarks& landmarks, const
     {
       GromovWassersteinOptions own;
       own.Samples = options.Samples;
-      return GromovWasserstein(a, b, landmarks, own, progress);
+      if (result.Found)
+      {
+        own.Starts = { landmarks };
+        if (!result.Start.Rival.empty())
+        {
+          own.Starts.push_back(result.Start.Rival);
+        }
+      }
+      GromovWassersteinResult coupled =
+        GromovWasserstein(a, b, result.Found ? Landmarks() : landmarks, own, progress);
+      result.CouplingDistortion = coupled.Distortion;
+      result.CouplingError = coupled.Error;
+      if (result.Found)
+      {
+        landmarks = coupled.Start;
+      }
+      return std::move(coupled.Maps);
     }
     case Options::MethodType::HeatKernel:
       return HeatKernelMap(a, b, landmarks, {}, progress);

@@ -51,10 +51,12 @@ struct CorrespondenceResult
 {
   SurfaceMaps Maps; ///< a row for each point, one that no triangle uses goes with the nearest used
   Landmarks Used;   ///< points of A and B: those given, or found
-  bool Found = false;             ///< whether landmarks were found, not given
-  AutomaticLandmarksResult Start; ///< where they were
-  SurfacePart Part;               ///< what is a part, and at what scale
-  int Iterations = 0;             ///< of ReversibleHarmonic
+  bool Found = false;               ///< whether landmarks were found, not given
+  AutomaticLandmarksResult Start;   ///< where they were
+  SurfacePart Part;                 ///< what is a part, and at what scale
+  int Iterations = 0;               ///< of ReversibleHarmonic
+  double CouplingDistortion = -1.0; ///< of GromovWasserstein: GromovWassersteinResult's Distortion
+  double CouplingError = -1.0;      ///< and its Error
   SurfaceMapFacts Facts;
 };
 

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -35,12 +37,18 @@ Landmarks Distinct(const Landmarks& landmarks)
   return distinct;
 }
 
-/// Distances in parts of the longest, and weights that are equal for what is fixed: the first
+/// The longest distance of both.
+double Longest(const SampledSurface& a, const SampledSurface& b)
+{
+  return std::max(a.Between().maxCoeff(), b.Between().maxCoeff());
+}
+
+/// Distances in parts of that, and weights that are equal for what is fixed: the first
 /// `fixed` samples of both.
 MetricSpaces Spaces(const SampledSurface& a, const SampledSurface& b, int fixed)
 {
   MetricSpaces spaces{ a.Between(), b.Between(), a.Weights, b.Weights };
-  const double longest = std::max(spaces.DistancesA.maxCoeff(), spaces.DistancesB.maxCoeff());
+  const double longest = Longest(a, b);
   spaces.DistancesA /= longest;
   spaces.DistancesB /= longest;
   const Eigen::VectorXd means = 0.5 * (a.Weights.head(fixed) + b.Weights.head(fixed));
@@ -78,9 +86,26 @@ PreciseMap Spread(const LaplaceSpectrum& from, const std::vector<int>& samples, 
   return NearestPlaces(from.Eigenfunctions * map, target.Triangles, to.Eigenfunctions, progress);
 }
 
+/// What couplings begin with.
+std::vector<Landmarks> Starts(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const GromovWassersteinOptions& options, const Progress& progress)
+{
+  if (!landmarks.empty())
+  {
+    return { landmarks };
+  }
+  if (!options.Starts.empty())
+  {
+    return options.Starts;
+  }
+  const AutomaticLandmarksResult found = AutomaticLandmarks(a, b, {}, progress);
+  return found.Rival.empty() ? std::vector<Landmarks>{ found.Pairs }
+                             : std::vector<Landmarks>{ found.Pairs, found.Rival };
+}
+
 } // namespace
 
-SurfaceMaps GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   const GromovWassersteinOptions& options, const Progress& progress)
 {
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
@@ -89,8 +114,6 @@ SurfaceMaps GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& lan
   RequireConnected(b, "surface B");
   RequireLandmarks(landmarks, a, b);
   const Landmarks distinct = Distinct(landmarks);
-  const Landmarks leading =
-    landmarks.empty() ? AutomaticLandmarks(a, b, {}, progress.Part(0.0, 0.2)).Pairs : distinct;
   const auto fixed = static_cast<int>(distinct.size());
   Landmarks pinned;
   for (int k = 0; k < fixed; ++k)
@@ -112,28 +135,46 @@ SurfaceMaps GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& lan
   const int few = fixed + std::max(options.Samples / 4, 10);
   const SampledSurface fewA = FirstSamples(onA, few, PointAreas(a)),
                        fewB = FirstSamples(onB, few, PointAreas(b));
-  const Eigen::MatrixXd placesA = LandmarkPlaces(a, PointsOf(leading, 0)),
-                        placesB = LandmarkPlaces(b, PointsOf(leading, 1));
-  EntropicCoupling coupling = FindCoupling(Spaces(fewA, fewB, fixed),
-    Likeness(placesA(fewA.Points, Eigen::all), placesB(fewB.Points, Eigen::all)), pinned,
-    options.Coupling, progress.Part(0.5, 0.7));
+  GromovWassersteinResult result;
+  EntropicCoupling coupling;
+  coupling.Distortion = std::numeric_limits<double>::infinity();
+  for (const Landmarks& leading : Starts(a, b, distinct, options, progress.Part(0.0, 0.2)))
+  {
+    const Eigen::MatrixXd placesA = LandmarkPlaces(a, PointsOf(leading, 0)),
+                          placesB = LandmarkPlaces(b, PointsOf(leading, 1));
+    EntropicCoupling own = FindCoupling(Spaces(fewA, fewB, fixed),
+      Likeness(placesA(fewA.Points, Eigen::all), placesB(fewB.Points, Eigen::all)), pinned,
+      options.Coupling, progress.Part(0.5, 0.7));
+    if (own.Distortion < coupling.Distortion)
+    {
+      coupling = std::move(own);
+      result.Start = leading;
+    }
+  }
   if (onA.Points.size() > fewA.Points.size() || onB.Points.size() > fewB.Points.size())
   {
     const MetricSpaces spaces = Spaces(onA, onB, fixed);
     const Eigen::MatrixXd gains = spaces.DistancesA.leftCols(coupling.Masses.rows()) *
       coupling.Masses * spaces.DistancesB.topRows(coupling.Masses.cols());
+    constexpr double more = 8.0; // times the last entropy
+    constexpr int fewer = 3;
     EntropicCouplingOptions last = options.Coupling;
-    last.FirstEntropy = last.Entropy;
-    coupling = FindCoupling(spaces, gains / last.Entropy, pinned, last, progress.Part(0.7, 0.9));
+    last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);
+    last.Iterations = std::min(last.Iterations, fewer);
+    coupling =
+      FindCoupling(spaces, gains / last.FirstEntropy, pinned, last, progress.Part(0.7, 0.9));
   }
+  result.Distortion = coupling.Distortion * Longest(onA, onB);
+  result.Error = coupling.Error;
   const LaplaceSpectrum spectrumA = FindLaplaceSpectrum(
                           a, std::min<int>(options.Eigenpairs, onA.Points.size())),
                         spectrumB = FindLaplaceSpectrum(
                           b, std::min<int>(options.Eigenpairs, onB.Points.size()));
-  return { Spread(spectrumA, onA.Points, b, spectrumB, onB.Points, coupling.Masses,
-             progress.Part(0.94, 0.97)),
+  result.Maps = { Spread(spectrumA, onA.Points, b, spectrumB, onB.Points, coupling.Masses,
+                    progress.Part(0.94, 0.97)),
     Spread(spectrumB, onB.Points, a, spectrumA, onA.Points, coupling.Masses.transpose(),
       progress.Part(0.97, 1.0)) };
+  return result;
 }
 
 } // namespace shape

@@ -2,35 +2,18 @@
 
 #include "Core/Errors.h"
 #include "Core/Parallel.h"
+#include "Correspondence/Sinkhorn.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace shape
 {
 namespace
 {
-
-/// Adds to each column what makes its exponentials add up to the column's weight.
-void FitColumns(Eigen::MatrixXd& likeness, const Eigen::VectorXd& weights)
-{
-  for (Eigen::Index j = 0; j < likeness.cols(); ++j)
-  {
-    const double largest = likeness.col(j).maxCoeff();
-    const double sum = (likeness.col(j).array() - largest).exp().sum();
-    likeness.col(j).array() += std::log(weights(j)) - largest - std::log(sum);
-  }
-}
-
-/// The same of rows.
-void FitRows(Eigen::MatrixXd& likeness, const Eigen::VectorXd& weights)
-{
-  const Eigen::VectorXd largest = likeness.rowwise().maxCoeff();
-  likeness.colwise() -= largest;
-  const Eigen::ArrayXd sums = likeness.array().exp().rowwise().sum();
-  likeness.colwise() += (weights.array().log() - sums.log()).matrix();
-}
 
 double RelativeEntropy(
   const Eigen::MatrixXd& masses, const Eigen::VectorXd& rows, const Eigen::VectorXd& columns)
@@ -80,41 +63,14 @@ void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
   }
 }
 
-} // namespace
-
-Eigen::MatrixXd SinkhornMasses(const Eigen::MatrixXd& likeness, const Eigen::VectorXd& rows,
-  const Eigen::VectorXd& columns, int iterations, double tolerance)
+/// Masses and what they come of.
+struct State
 {
-  // Logarithms are shifted into the range of numbers now and then; between, factors do.
-  constexpr int span = 25;
-  constexpr double tiny = 1e-100;
-  Eigen::MatrixXd shifted = likeness, masses;
-  for (int done = 0;;)
-  {
-    FitRows(shifted, rows);
-    FitColumns(shifted, columns);
-    masses = shifted.array().exp();
-    Eigen::VectorXd ofRows = Eigen::VectorXd::Ones(rows.size()),
-                    ofColumns = Eigen::VectorXd::Ones(columns.size());
-    for (int k = 0; k < span && done < iterations; ++k, ++done)
-    {
-      const Eigen::VectorXd sums = masses * ofColumns;
-      if ((sums.cwiseProduct(ofRows) - rows).cwiseAbs().sum() < tolerance)
-      {
-        done = iterations;
-        break;
-      }
-      ofRows = rows.cwiseQuotient(sums.cwiseMax(tiny));
-      ofColumns = columns.cwiseQuotient((masses.transpose() * ofRows).cwiseMax(tiny));
-    }
-    if (done >= iterations)
-    {
-      return ofRows.asDiagonal() * masses * ofColumns.asDiagonal();
-    }
-    shifted.colwise() += ofRows.array().log().matrix();
-    shifted.rowwise() += ofColumns.array().log().matrix().transpose();
-  }
-}
+  Eigen::MatrixXd Likeness, Masses, Gains;
+  Sinkhorn Scaling;
+};
+
+} // namespace
 
 EntropicCoupling FindCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed, const EntropicCouplingOptions& options, const Progress& progress)
@@ -125,38 +81,69 @@ EntropicCoupling FindCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd&
     BlasThreads::WorthSharing(static_cast<int>(std::min(rows.size(), columns.size()))));
   const double own = rows.dot(spaces.DistancesA.cwiseAbs2() * rows) +
     columns.dot(spaces.DistancesB.cwiseAbs2() * columns);
+  const auto follow = [&](const State& from, Eigen::MatrixXd likeness)
+  {
+    State next{ std::move(likeness), {}, {}, from.Scaling };
+    Fix(fixed, next.Likeness);
+    next.Masses = next.Scaling.Masses(next.Likeness, options.SinkhornIterations, options.Tolerance);
+    next.Gains = spaces.DistancesA * next.Masses * spaces.DistancesB;
+    return next;
+  };
   EntropicCoupling coupling;
-  Eigen::MatrixXd& masses = coupling.Masses;
-  Eigen::MatrixXd likeness = start;
-  Fix(fixed, likeness);
-  masses = SinkhornMasses(likeness, rows, columns, options.SinkhornIterations, options.Tolerance);
-  Eigen::MatrixXd gains = spaces.DistancesA * masses * spaces.DistancesB;
+  State state = follow({ {}, {}, {}, Sinkhorn(rows, columns) }, start);
   const double span = std::log(options.Entropy / options.FirstEntropy) / std::log(options.Factor);
   const int levels = 1 + static_cast<int>(std::ceil(span - 1e-9));
+  double last = options.FirstEntropy;
   for (int level = 0; level < levels; ++level)
   {
     const double entropy =
       std::max(options.Entropy, options.FirstEntropy * std::pow(options.Factor, level));
-    double before = std::numeric_limits<double>::infinity();
+    state.Likeness *= last / entropy;
+    state.Scaling.Scale(last / entropy);
+    last = entropy;
+    double before = std::numeric_limits<double>::infinity(), power = 1.0;
     for (int iteration = 0; iteration < options.Iterations; ++iteration)
     {
       progress((level + static_cast<double>(iteration) / options.Iterations) / levels);
-      likeness = gains / entropy;
-      Fix(fixed, likeness);
-      masses =
-        SinkhornMasses(likeness, rows, columns, options.SinkhornIterations, options.Tolerance);
-      gains = spaces.DistancesA * masses * spaces.DistancesB;
-      const double objective = 0.25 * own - 0.5 * masses.cwiseProduct(gains).sum() +
-        entropy * RelativeEntropy(masses, rows, columns);
+      State next = power < 1.0
+        ? follow(state, power / entropy * state.Gains + (1.0 - power) * state.Likeness)
+        : follow(state, state.Gains / entropy);
+      const double objective = 0.25 * own - 0.5 * next.Masses.cwiseProduct(next.Gains).sum() +
+        entropy * RelativeEntropy(next.Masses, rows, columns);
+      constexpr double enough = 1e-5, little = 1e-3; // of the objective
+      if (objective > before)
+      {
+        // A rise as little as what Sinkhorn's tolerance leaves open is the end.
+        if (objective < before + little * std::abs(before) || power < 0.2)
+        {
+          break;
+        }
+        power *= 0.5;
+        continue;
+      }
+      state = std::move(next);
       coupling.Objectives.push_back(objective);
       coupling.Entropies.push_back(entropy);
-      constexpr double enough = 1e-5; // of the objective, that an iteration gains
       if (before - objective < enough * std::abs(objective))
       {
         break;
       }
       before = objective;
     }
+  }
+  coupling.Error = state.Scaling.Error();
+  const Eigen::VectorXd ofA = state.Masses.rowwise().sum(), ofB = state.Masses.colwise().sum();
+  const double squares = ofA.dot(spaces.DistancesA.cwiseAbs2() * ofA) +
+    ofB.dot(spaces.DistancesB.cwiseAbs2() * ofB) -
+    2.0 * state.Masses.cwiseProduct(state.Gains).sum();
+  coupling.Distortion = std::sqrt(std::max(0.0, squares));
+  coupling.Masses = std::move(state.Masses);
+  constexpr double most = 0.05;
+  if (coupling.Error > most)
+  {
+    throw SolveFailure("the masses of " + std::to_string(rows.size()) + " samples are " +
+      std::to_string(coupling.Error) +
+      " of the whole away from their weights; give more landmarks or fewer samples");
   }
   progress(1.0);
   return coupling;

@@ -21,18 +21,22 @@ struct MetricSpaces
 struct EntropicCouplingOptions
 {
   double FirstEntropy = 0.001;  ///< where it begins; > 0
-  double Entropy = 2e-4;        ///< where it ends; in (0, FirstEntropy]
+  double Entropy = 5e-5;        ///< where it ends; in (0, FirstEntropy]
   double Factor = 0.5;          ///< from one to the next; in (0, 1)
   int Iterations = 10;          ///< at most, at each; >= 1
-  int SinkhornIterations = 500; ///< at most, in each iteration; >= 1
+  int SinkhornIterations = 100; ///< at most, in each iteration; >= 1
   double Tolerance = 1e-4;      ///< of the weights at which these end; > 0
 };
 
 struct EntropicCoupling
 {
   Eigen::MatrixXd Masses;         ///< sA x sB: how much of A's place i goes to B's place j
-  std::vector<double> Objectives; ///< after each iteration
-  std::vector<double> Entropies;  ///< that each iteration had
+  std::vector<double> Objectives; ///< after each iteration that was kept
+  std::vector<double> Entropies;  ///< that each of them had
+  /// The root of the mean square of the differences of distances, weighted with the masses of both
+  /// ends, in the unit that the longest distance is.
+  double Distortion = 0.0;
+  double Error = 0.0; ///< how far the masses of A's places are from their weights, summed up
 };
 
 /**
@@ -44,20 +48,16 @@ struct EntropicCoupling
  * by Sinkhorn's iteration on exp(DistancesA P DistancesB / e) for the last P, in logarithms
  * (Solomon, Peyre, Kim and Sra, "Entropic metric alignment for correspondence problems", 2016,
  * algorithm 1), from much entropy e to little. It is no convex problem: `start` decides which
- * minimum is reached. For distances of negative type each iteration lowers the objective.
+ * minimum is reached. For distances of negative type each iteration lowers the objective; where one
+ * raises it, it is taken back and damped: done with masses between the last and the new ones, as
+ * powers (the paper's eta).
  *
  * start: sA x sB, how much a place of A is like one of B, in logarithms; the first masses are in
  * proportion to its exponentials. fixed: places that go to each other, of equal weight, none twice.
- * Throws InvalidInput, Aborted.
+ * Throws InvalidInput, SolveFailure where the masses stay far from the weights, Aborted.
  */
 EntropicCoupling FindCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed = {}, const EntropicCouplingOptions& options = {},
   const Progress& progress = {});
-
-/// Masses in proportion to exp(likeness + f + g') for an f and a g for which rows and columns add
-/// up to the weights, by Sinkhorn's iteration: the columns exactly, the rows within `tolerance` of
-/// the whole or as far as `iterations` lead. likeness: finite, or -infinity where nothing may go.
-Eigen::MatrixXd SinkhornMasses(const Eigen::MatrixXd& likeness, const Eigen::VectorXd& rows,
-  const Eigen::VectorXd& columns, int iterations, double tolerance);
 
 } // namespace shape
