@@ -1,4 +1,5 @@
 #include "Core/Errors.h"
+#include "Correspondence/HarmonicLevels.h"
 #include "Correspondence/LandmarkCells.h"
 #include "Correspondence/ReversibleHarmonic.h"
 #include "MatchingShapes.h"
@@ -116,6 +117,27 @@ TEST(ReversibleHarmonic, OfASurfaceWithBorder)
                                     .Maps;
   const Eigen::MatrixXd wanted = copy.Mesh.Points(copy.NewOf, Eigen::all);
   EXPECT_LT(shapetest::MapErrors(maps.AToB, copy.Mesh, wanted).mean(), 0.02);
+}
+
+TEST(ReversibleHarmonic, OfLevelsIsAsNearAndKeepsLandmarks)
+{
+  const shape::Mesh mesh = shapetest::BumpySphere(5, Eigen::Matrix3d::Identity());
+  shapetest::Renumbered copy = shapetest::Renumber(mesh, 7);
+  copy.Mesh.Points = copy.Mesh.Points * shapetest::Rotation(0.7, { 1.0, 1.0, 0.2 });
+  const shape::Landmarks landmarks = BumpLandmarks(copy, mesh);
+  const shape::CoarsePair pair(mesh, copy.Mesh, landmarks, 2000);
+  const shape::Landmarks coarse = pair.OnCoarse(landmarks);
+  const shape::ReversibleHarmonicResult result = shape::ReversibleHarmonicOfLevels(
+    pair, shape::LandmarkCells(pair.A(), pair.B(), coarse), coarse);
+  ASSERT_EQ(result.Maps.AToB.Triangles.size(), mesh.Points.rows());
+  const Eigen::MatrixXd wanted = copy.Mesh.Points(copy.NewOf, Eigen::all);
+  EXPECT_LT(shapetest::MapErrors(result.Maps.AToB, copy.Mesh, wanted).mean(), 0.02);
+  const Eigen::MatrixXd there =
+    shape::Pulled(result.Maps.AToB, copy.Mesh.Triangles, copy.Mesh.Points);
+  for (const auto& [a, b] : landmarks)
+  {
+    EXPECT_LT((there.row(a) - copy.Mesh.Points.row(b)).norm(), 1e-12);
+  }
 }
 
 TEST(ReversibleHarmonic, RefusesOptionsOutOfRange)

@@ -2,15 +2,16 @@
 
 #include "Core/Errors.h"
 #include "Core/Parallel.h"
+#include "Core/SymmetricEigen.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace shape
 {
@@ -18,7 +19,6 @@ namespace
 {
 
 constexpr int Block = 16; // columns that the operator is applied to at a time
-constexpr double Tolerance = 1e-9;
 constexpr int Restarts = 100;
 /// Blocks between two looks at whether all pairs are found: one costs as much as a few blocks.
 constexpr int Patience = 4;
@@ -26,9 +26,11 @@ constexpr int Patience = 4;
 class Iteration
 {
 public:
-  Iteration(const SymmetricOperator& apply, const Eigen::MatrixXd& known, int wanted)
+  Iteration(
+    const SymmetricOperator& apply, const Eigen::MatrixXd& known, int wanted, double tolerance)
     : Apply(apply)
     , Known(known)
+    , Tolerance(tolerance)
     , Wanted(wanted)
     , Kept(wanted + Block)
     , Most(std::max(2 * this->Kept, this->Kept + 8 * Block))
@@ -78,10 +80,15 @@ private:
     image -= this->Known * (this->Known.transpose() * image).eval();
     const int first = this->Size;
     this->Size += Block;
+    // But for the first blocks after a start, an image has hardly more of the basis than the last
+    // two blocks; the second pass finds the rest and what rounding left.
+    const int near = first < this->Recurrent ? this->Size : 2 * Block;
+    Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(this->Size, Block);
+    const auto last = this->Basis.middleCols(this->Size - near, near);
+    coefficients.bottomRows(near).noalias() = last.transpose() * image;
+    image.noalias() -= last * coefficients.bottomRows(near);
     const auto before = this->Basis.leftCols(this->Size);
-    Eigen::MatrixXd coefficients = before.transpose() * image;
-    image.noalias() -= before * coefficients;
-    const Eigen::MatrixXd again = before.transpose() * image; // what rounding left
+    const Eigen::MatrixXd again = before.transpose() * image;
     image.noalias() -= before * again;
     coefficients += again;
     this->Projected.block(0, first, this->Size, Block) = coefficients;
@@ -131,21 +138,21 @@ private:
     return result;
   }
 
-  /// Ritz values and vectors, the largest first.
+  /// The Ritz values and vectors that would stay, the largest first.
   void Diagonalise()
   {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
-      this->Projected.topLeftCorner(this->Size, this->Size));
-    this->Values = ritz.eigenvalues().reverse();
-    this->Vectors = ritz.eigenvectors().rowwise().reverse();
+    Eigenpairs ritz =
+      LargestEigenpairs(this->Projected.topLeftCorner(this->Size, this->Size), this->Kept);
+    this->Values = std::move(ritz.Values);
+    this->Vectors = std::move(ritz.Vectors);
   }
 
   bool IsFound() const
   {
     const Eigen::VectorXd residuals =
       (this->Last * this->Vectors.bottomRows(Block)).colwise().norm().transpose();
-    return (
-      residuals.head(this->Wanted).array() <= Tolerance * this->Values.head(this->Wanted).array())
+    return (residuals.head(this->Wanted).array() <=
+      this->Tolerance * this->Values.head(this->Wanted).array())
       .all();
   }
 
@@ -160,28 +167,31 @@ private:
     this->Projected.setZero();
     this->Projected.diagonal().head(this->Kept) = this->Values.head(this->Kept);
     this->Size = this->Kept;
+    this->Recurrent = this->Kept + Block;
   }
 
   const SymmetricOperator& Apply;
   const Eigen::MatrixXd& Known;
+  const double Tolerance;
   const int Wanted, Kept, Most; // pairs; that stay at a restart; in the basis
   Eigen::MatrixXd Basis;        ///< orthonormal; its last block has not been applied to yet
   Eigen::MatrixXd Projected;    ///< the operator on the basis
   Eigen::MatrixXd Last;         ///< how much of the last image is in the block after the basis
   Eigen::VectorXd Values;
   Eigen::MatrixXd Vectors;
-  int Size = 0; ///< columns of the basis that the operator was applied to
+  int Size = 0;          ///< columns of the basis that the operator was applied to
+  int Recurrent = Block; ///< the first from which images have three terms
   std::mt19937 Generator;
 };
 
 } // namespace
 
 Eigenpairs BlockLanczos(const SymmetricOperator& apply, const Eigen::MatrixXd& known, int wanted,
-  const Progress& progress)
+  const Progress& progress, double tolerance)
 {
   constexpr Eigen::Index many = 4096; // rows from which threads gain more than they wait
   const BlasThreads threads(known.rows() >= many);
-  return Iteration(apply, known, wanted).Find(progress);
+  return Iteration(apply, known, wanted, tolerance).Find(progress);
 }
 
 } // namespace shape

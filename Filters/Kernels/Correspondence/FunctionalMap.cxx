@@ -38,7 +38,8 @@ Side Prepare(const Mesh& mesh, int pairs, const Landmarks& landmarks, int which,
 {
   Side side{ mesh, {}, {}, {} };
   side.Surface.Points /= std::sqrt(PointAreas(mesh).sum());
-  side.Spectrum = FindLaplaceSpectrum(side.Surface, pairs, progress.Part(0.0, 0.7));
+  constexpr double tolerance = 1e-6; // as good for maps as smaller ones, and found sooner
+  side.Spectrum = FindLaplaceSpectrum(side.Surface, pairs, progress.Part(0.0, 0.7), tolerance);
   const int count = options.Descriptors;
   // Curves are many landmarks: a few of them tell as much, by their order.
   constexpr std::size_t most = 12;

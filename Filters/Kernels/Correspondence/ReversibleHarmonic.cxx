@@ -42,6 +42,7 @@ public:
       PositiveStiffness(CotangentStiffness(this->Triangles, angles.Cotangents, points), 0.0);
     this->Masses = LumpedMasses(this->Triangles, angles.Areas, points);
     this->Masses /= this->Masses.sum();
+    this->FindEntries();
   }
 
   void Begin(const Side& other)
@@ -97,17 +98,17 @@ public:
   /// X: the least of the energy, which is quadratic in it.
   void Solve(const Side& other, const Weights& weights)
   {
-    // P' M P of the other's map has entries between corners of triangles: the stiffness has them.
     Eigen::SparseMatrix<double> matrix = weights.Alpha * this->Stiffness;
+    double* values = matrix.valuePtr();
     for (Eigen::Index i = 0; i < other.Masses.size(); ++i)
     {
-      const auto corners = this->Triangles.row(other.Map.Triangles(i));
+      const int* entries = this->Entries.col(other.Map.Triangles(i)).data();
       const double weight = (1.0 - weights.Alpha) * other.Masses(i);
       for (int j = 0; j < 3; ++j)
       {
         for (int k = 0; k < 3; ++k)
         {
-          matrix.coeffRef(corners(j), corners(k)) +=
+          values[entries[3 * j + k]] +=
             weight * other.Map.Barycentrics(i, j) * other.Map.Barycentrics(i, k);
         }
       }
@@ -147,7 +148,29 @@ public:
   Eigen::MatrixXd Image; ///< n x d: near to where the map takes points in the other's embedding
 
 private:
+  /// P' M P of the other's map has entries between corners of triangles: the stiffness has them.
+  void FindEntries()
+  {
+    this->Entries.resize(9, this->Triangles.rows());
+    const int *first = this->Stiffness.outerIndexPtr(), *inner = this->Stiffness.innerIndexPtr();
+    for (Eigen::Index t = 0; t < this->Triangles.rows(); ++t)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        const int column = this->Triangles(t, j);
+        for (int k = 0; k < 3; ++k)
+        {
+          this->Entries(3 * j + k, t) =
+            static_cast<int>(std::lower_bound(inner + first[column], inner + first[column + 1],
+                               this->Triangles(t, k)) -
+              inner);
+        }
+      }
+    }
+  }
+
   static constexpr double PinWeight = 1.0; ///< as much as the whole surface
+  Eigen::MatrixXi Entries; ///< 9 x m: between each triangle's corners, in the stiffness
   std::vector<char> Pinned;
   SparseCholesky Factor;
   std::optional<TriangleTree> Tree; ///< of the other surface

@@ -1,11 +1,10 @@
 #include "Surface/ClassicalScaling.h"
 
 #include "Core/Errors.h"
+#include "Core/SymmetricEigen.h"
 #include "Core/Topology.h"
 #include "Surface/FarthestPoints.h"
 #include "Surface/HeatGeodesics.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +19,16 @@ Eigen::MatrixXd ScalingAxes(const Eigen::MatrixXd& squares, int dimensions)
   const Eigen::VectorXd means = squares.rowwise().mean();
   const Eigen::MatrixXd products =
     -0.5 * ((squares.colwise() - means).rowwise() - means.transpose()).array() - 0.5 * means.mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(products);
+  const Eigenpairs largest =
+    LargestEigenpairs(products, std::min<int>(dimensions, static_cast<int>(products.rows())));
   Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(squares.rows(), dimensions);
-  const int count = std::min<int>(dimensions, static_cast<int>(squares.rows()));
-  for (int k = 0; k < count; ++k)
+  for (Eigen::Index k = 0; k < largest.Values.size(); ++k)
   {
-    const Eigen::Index last = products.cols() - 1 - k;
     constexpr double least = 1e-9; // of the largest; others are of rounding, or there are none
-    const double value = solver.eigenvalues()(last);
-    if (value > least * solver.eigenvalues().maxCoeff())
+    const double value = largest.Values(k);
+    if (value > least * largest.Values(0))
     {
-      axes.col(k) = solver.eigenvectors().col(last) / std::sqrt(value);
+      axes.col(k) = largest.Vectors.col(k) / std::sqrt(value);
     }
   }
   return axes;

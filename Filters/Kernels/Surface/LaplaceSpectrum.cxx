@@ -36,7 +36,7 @@ public:
   }
 
   /// pairs: at least 1, at most as many as there are points.
-  void Find(int pairs, const Progress& progress)
+  void Find(int pairs, double tolerance, const Progress& progress)
   {
     progress(0.0);
     constexpr int few = 600; // points: all eigenpairs of so many are found as quickly
@@ -49,7 +49,7 @@ public:
     }
     else if (pairs > 1)
     {
-      this->FindByLanczos(pairs, progress);
+      this->FindByLanczos(pairs, tolerance, progress);
     }
     progress(1.0);
   }
@@ -75,7 +75,7 @@ private:
       all.eigenvalues().segment(1, pairs - 1), all.eigenvectors().middleCols(1, pairs - 1));
   }
 
-  void FindByLanczos(int pairs, const Progress& progress)
+  void FindByLanczos(int pairs, double tolerance, const Progress& progress)
   {
     constexpr double shift = 1.0; // less than the first eigenvalue of a surface without a neck
     Eigen::SparseMatrix<double> shifted = this->Stiffness;
@@ -85,7 +85,7 @@ private:
     const Eigen::VectorXd roots = this->Shares.cwiseSqrt();
     const Eigenpairs found = BlockLanczos([&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd
       { return roots.asDiagonal() * factor.Solve(roots.asDiagonal() * columns); },
-      this->Vectors, pairs - 1, progress.Part(0.1, 1.0));
+      this->Vectors, pairs - 1, progress.Part(0.1, 1.0), tolerance);
     this->Append(found.Values.cwiseInverse().array() - shift, found.Vectors);
   }
 
@@ -130,7 +130,7 @@ std::vector<Place> InOrder(const std::vector<ComponentSpectrum>& parts)
 
 /// So many of each component that the least of all are among them.
 std::vector<ComponentSpectrum> FindEnough(
-  const std::vector<Mesh>& components, int pairs, const Progress& progress)
+  const std::vector<Mesh>& components, int pairs, double tolerance, const Progress& progress)
 {
   std::vector<ComponentSpectrum> parts(components.begin(), components.end());
   double area = 0.0;
@@ -153,7 +153,7 @@ std::vector<ComponentSpectrum> FindEnough(
       wanted[c] = std::min({ wanted[c], pairs, static_cast<int>(parts[c].Masses.size()) });
       if (found[c] < wanted[c])
       {
-        parts[c].Find(wanted[c], progress.Part(begin, begin + step));
+        parts[c].Find(wanted[c], tolerance, progress.Part(begin, begin + step));
         found[c] = wanted[c];
       }
     }
@@ -189,7 +189,8 @@ std::vector<std::vector<int>> PointsOfComponents(const Topology& topology)
 
 } // namespace
 
-LaplaceSpectrum FindLaplaceSpectrum(const Mesh& mesh, int pairs, const Progress& progress)
+LaplaceSpectrum FindLaplaceSpectrum(
+  const Mesh& mesh, int pairs, const Progress& progress, double tolerance)
 {
   progress(0.0);
   const Topology topology = RequireManifold(mesh, "the surface");
@@ -201,7 +202,7 @@ LaplaceSpectrum FindLaplaceSpectrum(const Mesh& mesh, int pairs, const Progress&
       std::to_string(used));
   }
   const std::vector<ComponentSpectrum> parts =
-    FindEnough(SplitComponents(mesh), pairs, progress.Part(0.0, 0.95));
+    FindEnough(SplitComponents(mesh), pairs, tolerance, progress.Part(0.0, 0.95));
   const std::vector<std::vector<int>> pointsOf = PointsOfComponents(topology);
   LaplaceSpectrum spectrum;
   spectrum.Eigenvalues.resize(pairs);

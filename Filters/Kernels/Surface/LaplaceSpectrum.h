@@ -27,9 +27,10 @@ struct LaplaceSpectrum
  * the largest size is positive. The number of threads changes it by rounding only.
  *
  * mesh: a consistently oriented 2-manifold, open or closed. pairs: in [1, the number of points that
- * triangles use]. Throws InvalidInput where not, SolveFailure where an iteration does not end,
- * Aborted.
+ * triangles use]. tolerance: of the residuals, over the eigenvalues of (L + s M)^-1. Throws
+ * InvalidInput where not, SolveFailure where an iteration does not end, Aborted.
  */
-LaplaceSpectrum FindLaplaceSpectrum(const Mesh& mesh, int pairs, const Progress& progress = {});
+LaplaceSpectrum FindLaplaceSpectrum(
+  const Mesh& mesh, int pairs, const Progress& progress = {}, double tolerance = 1e-9);
 
 } // namespace shape

@@ -19,16 +19,43 @@ namespace shape
 namespace
 {
 
-/// The distances between the rows of positions.
-Eigen::MatrixXd Between(const Eigen::MatrixXd& positions)
+/// Scales positions (s x d) to the least stress, which it returns, and finds their Guttman
+/// transform: where majorisation sends them.
+double Transform(
+  const Eigen::MatrixXd& distances, Eigen::MatrixXd& positions, Eigen::MatrixXd& transformed)
 {
-  const Eigen::VectorXd squares = positions.rowwise().squaredNorm();
-  return ((-2.0 * positions * positions.transpose()).colwise() + squares)
-    .rowwise()
-    .
-    operator+(squares.transpose())
-    .cwiseMax(0.0)
-    .cwiseSqrt();
+  const Eigen::Index count = positions.rows(), dimensions = positions.cols();
+  transformed.setZero(count, dimensions);
+  double products = 0.0, lengths = 0.0; // of distances wanted and now, and of those now
+  Eigen::ArrayXd squares(count), now(count), ratios(count), ways(count);
+  for (Eigen::Index j = 1; j < count; ++j)
+  {
+    // Each pair once: those before j.
+    squares.head(j).setZero();
+    for (Eigen::Index k = 0; k < dimensions; ++k)
+    {
+      squares.head(j) += (positions.col(k).head(j).array() - positions(j, k)).square();
+    }
+    now.head(j) = squares.head(j).sqrt();
+    const auto wanted = distances.col(j).head(j).array();
+    products += 2.0 * (wanted * now.head(j)).sum();
+    lengths += 2.0 * squares.head(j).sum();
+    // Points at the same place pull in no direction.
+    ratios.head(j) = (now.head(j) > 0.0).select(wanted / now.head(j), 0.0);
+    for (Eigen::Index k = 0; k < dimensions; ++k)
+    {
+      ways.head(j) = ratios.head(j) * (positions(j, k) - positions.col(k).head(j).array());
+      transformed(j, k) += ways.head(j).sum();
+      transformed.col(k).head(j).array() -= ways.head(j);
+    }
+  }
+  transformed /= static_cast<double>(count);
+  if (lengths <= 0.0)
+  {
+    return distances.squaredNorm();
+  }
+  positions *= products / lengths;
+  return distances.squaredNorm() - products * products / lengths;
 }
 
 /// Positions of s samples with these distances (s x s).
@@ -39,23 +66,19 @@ Eigen::MatrixXd Majorised(
   const Eigen::RowVectorXd means = squares.colwise().mean();
   Eigen::MatrixXd positions =
     -0.5 * ((squares.rowwise() - means) * ScalingAxes(squares, options.Dimensions));
-  const auto count = static_cast<double>(distances.rows());
+  Eigen::MatrixXd transformed;
   double before = 0.0;
   for (int k = 0; k < options.Iterations; ++k)
   {
     progress(static_cast<double>(k) / options.Iterations);
-    const Eigen::MatrixXd now = Between(positions);
-    const double stress = (distances - now).squaredNorm();
+    const double stress = Transform(distances, positions, transformed);
     if (k > 0 && before - stress <= options.Tolerance * stress)
     {
       break;
     }
     before = stress;
-    // The Guttman transform; points at the same place pull in no direction.
-    const Eigen::MatrixXd ratios =
-      (now.array() > 0.0).select(distances.array() / now.array(), 0.0).matrix();
-    const Eigen::VectorXd sums = ratios.rowwise().sum();
-    positions = (sums.asDiagonal() * positions - ratios * positions).eval() / count;
+    // Twice the step is still downhill and needs half as many (de Leeuw and Heiser 1980).
+    positions = 2.0 * transformed - positions;
   }
   return positions;
 }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "Core/BlockLanczos.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/// The `count` largest eigenvalues of a dense symmetric matrix, of which the lower half is read,
+/// descending, with their eigenvectors (LAPACK's syevd). count: in [1, the size]. One library call
+/// that cannot be interrupted. Throws std::bad_alloc, SolveFailure where it does not converge.
+Eigenpairs LargestEigenpairs(Eigen::MatrixXd matrix, int count);
+
+} // namespace shape
