@@ -132,6 +132,7 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("CoverageOfB", result.Facts.CoverageOfB);
     add("CouplingDistortion", result.CouplingDistortion);
     add("CouplingError", result.CouplingError);
+    add("CoarsePoints", result.CoarsePoints);
     add("Iterations", result.Iterations);
   }
 }

@@ -31,6 +31,7 @@
  * - Correspondence.Mirrored: 1 where more than half of SurfaceA is turned over, else 0,
  * - Correspondence.CouplingDistortion, .CouplingError: of GromovWasserstein, else -1: how well
  *   samples keep their distances, and how far masses are from the weights that they should have,
+ * - Correspondence.CoarsePoints: of the larger surface that the method worked on,
  * - Correspondence.Iterations: of ReversibleHarmonic, else 0.
  *
  * Sparse factorisations are one library call each: an abort takes effect at the end of one.
@@ -94,6 +95,14 @@ public:
   ///@{
   /// GromovWasserstein: points of each surface that are compared; at least 10. Default: 500.
   vtkShapeOption(Samples, int);
+  ///@}
+
+  ///@{
+  /// Surfaces of more points are mapped on coarse ones of about so many, and the maps carried over;
+  /// ReversibleHarmonic of two fifths as many as there are, where that is less but at least 2000,
+  /// and refined. CommonSphere and CommonOrbifold take all points. 0: never; else at least 100.
+  /// Default: 8000.
+  vtkShapeOption(CoarsePoints, int);
   ///@}
 
 protected:

@@ -3,15 +3,16 @@
 #include "Core/Errors.h"
 #include "Core/Topology.h"
 #include "Correspondence/BlendedIntrinsic.h"
+#include "Correspondence/CoarsePair.h"
 #include "Correspondence/FunctionalMap.h"
 #include "Correspondence/GromovWasserstein.h"
+#include "Correspondence/HarmonicLevels.h"
 #include "Correspondence/HeatKernelMap.h"
 #include "Correspondence/LandmarkCells.h"
 #include "Correspondence/MatchingInput.h"
 #include "Correspondence/MethodInput.h"
 #include "Correspondence/OrbifoldMap.h"
 #include "Correspondence/PartialFunctionalMap.h"
-#include "Correspondence/ReversibleHarmonic.h"
 #include "Correspondence/SphereCommonDomain.h"
 #include "Geometry/ClosestPoint.h"
 
@@ -51,6 +52,11 @@ Compact Compacted(const Mesh& mesh, const std::string& name)
   compact.Surface.Triangles =
     mesh.Triangles.unaryExpr([&](int point) { return compact.PlaceOf(point); });
   return compact;
+}
+
+bool HasFewer(const Compact& one, const Compact& other)
+{
+  return one.Surface.Points.rows() < other.Surface.Points.rows();
 }
 
 /// The map of all points of the surface given: the others go with the closest of the surface.
@@ -148,14 +154,36 @@ SurfaceMaps Functional(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   return FunctionalMap(a, b, landmarks, whole, progress);
 }
 
-/// landmarks: those used at the end.
-SurfaceMaps Find(const Mesh& a, const Mesh& b, Landmarks& landmarks, const Options& options,
-  CorrespondenceResult& result, const Progress& progress)
+/// How many points of a surface the method needs; 0: all.
+int EnoughPoints(const Mesh& surface, const Options& options)
 {
   switch (options.Method)
   {
+    case Options::MethodType::CommonSphere:
+    case Options::MethodType::CommonOrbifold:
+      return 0; // one to one, which only maps of the whole surfaces are
+    case Options::MethodType::ReversibleHarmonic:
+    {
+      // Coarse maps are refined: two fifths of the points are as good and half the time.
+      constexpr int least = 2000;
+      const auto points = static_cast<int>(surface.Points.rows());
+      return std::min(options.CoarsePoints, std::max(least, points / 5 * 2));
+    }
+    default:
+      return options.CoarsePoints;
+  }
+}
+
+/// Maps of the fine surfaces. landmarks: of the coarse ones, those used at the end.
+SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& options,
+  CorrespondenceResult& result, const Progress& whole)
+{
+  const Mesh &a = pair.A(), &b = pair.B();
+  const Progress progress = whole.Part(0.0, 0.9), lift = whole.Part(0.9, 1.0);
+  switch (options.Method)
+  {
     case Options::MethodType::FunctionalMap:
-      return Functional(a, b, landmarks, options, result.Part, progress);
+      return pair.OnFine(Functional(a, b, landmarks, options, result.Part, progress), lift);
     case Options::MethodType::GromovWasserstein:
     {
       GromovWassersteinOptions own;
@@ -176,12 +204,12 @@ SurfaceMaps Find(const Mesh& a, const Mesh& b, Landmarks& landmarks, const Optio
       {
         landmarks = coupled.Start;
       }
-      return std::move(coupled.Maps);
+      return pair.OnFine(coupled.Maps, lift);
     }
     case Options::MethodType::HeatKernel:
-      return HeatKernelMap(a, b, landmarks, {}, progress);
+      return pair.OnFine(HeatKernelMap(a, b, landmarks, {}, progress), lift);
     case Options::MethodType::BlendedIntrinsic:
-      return BlendedIntrinsic(a, b, landmarks, {}, progress);
+      return pair.OnFine(BlendedIntrinsic(a, b, landmarks, {}, progress), lift);
     case Options::MethodType::CommonSphere:
     {
       SphereCommonDomainResult common =
@@ -200,7 +228,7 @@ SurfaceMaps Find(const Mesh& a, const Mesh& b, Landmarks& landmarks, const Optio
   own.MaximumIterations = options.MaximumIterations;
   own.PinLandmarks = options.PinLandmarks && !result.Found;
   ReversibleHarmonicResult harmonic =
-    ReversibleHarmonic(a, b, start, landmarks, own, progress.Part(0.4, 1.0));
+    ReversibleHarmonicOfLevels(pair, start, landmarks, own, whole.Part(0.4, 1.0));
   result.Iterations = static_cast<int>(harmonic.Energies.size());
   return std::move(harmonic.Maps);
 }
@@ -212,6 +240,8 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
 {
   RequireOption(options.NumberOfEigenpairs >= 10, "NumberOfEigenpairs", options.NumberOfEigenpairs,
     "at least 10");
+  RequireOption(options.CoarsePoints == 0 || options.CoarsePoints >= 100, "CoarsePoints",
+    options.CoarsePoints, "0 or at least 100");
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
   RequireMethodInput(a, b, landmarks, options);
   const Compact one = Compacted(a, "SurfaceA"), two = Compacted(b, "SurfaceB");
@@ -221,9 +251,30 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
   {
     own.push_back({ one.PlaceOf(pointA), two.PlaceOf(pointB) });
   }
-  Begin(one.Surface, two.Surface, own, options.Part, result, progress.Part(0.0, 0.35));
-  const SurfaceMaps maps =
-    Find(one.Surface, two.Surface, own, options, result, progress.Part(0.35, 0.95));
+  const bool find = own.empty();
+  if (find)
+  {
+    const CoarsePair pair(
+      one.Surface, two.Surface, {}, options.CoarsePoints, progress.Part(0.0, 0.05));
+    Begin(pair.A(), pair.B(), own, options.Part, result, progress.Part(0.05, 0.35));
+    own = pair.OnFine(own);
+    result.Start.Pairs = pair.OnFine(result.Start.Pairs);
+    result.Start.Rival = pair.OnFine(result.Start.Rival);
+  }
+  Landmarks kept = own;
+  kept.insert(kept.end(), result.Start.Rival.begin(), result.Start.Rival.end());
+  const CoarsePair pair(one.Surface, two.Surface, kept,
+    EnoughPoints(std::max(one, two, HasFewer).Surface, options), progress.Part(0.35, 0.4));
+  result.CoarsePoints = static_cast<int>(std::max(pair.A().Points.rows(), pair.B().Points.rows()));
+  own = pair.OnCoarse(own);
+  result.Start.Rival = pair.OnCoarse(result.Start.Rival);
+  if (!find)
+  {
+    Begin(pair.A(), pair.B(), own, options.Part, result, progress.Part(0.4, 0.45));
+  }
+  const SurfaceMaps maps = Find(pair, own, options, result, progress.Part(0.45, 0.95));
+  own = pair.OnFine(own);
+  result.Start.Rival = pair.OnFine(result.Start.Rival);
   for (const auto& [pointA, pointB] : own)
   {
     result.Used.push_back({ one.Points[pointA], two.Points[pointB] });

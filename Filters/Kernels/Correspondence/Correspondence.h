@@ -45,6 +45,10 @@ struct CorrespondenceOptions
     SurfaceB = 3
   };
   PartType Part = PartType::Automatic;
+  /// Surfaces of more points are mapped on coarse ones (CoarsePair) of about so many, and the maps
+  /// carried over; ReversibleHarmonic of two fifths as many as there are, where that is less but at
+  /// least 2000, and refined; not CommonSphere and CommonOrbifold. 0: never; else >= 100.
+  int CoarsePoints = 8000;
 };
 
 struct CorrespondenceResult
@@ -54,7 +58,8 @@ struct CorrespondenceResult
   bool Found = false;               ///< whether landmarks were found, not given
   AutomaticLandmarksResult Start;   ///< where they were
   SurfacePart Part;                 ///< what is a part, and at what scale
-  int Iterations = 0;               ///< of ReversibleHarmonic
+  int CoarsePoints = 0;             ///< of the larger surface that the method worked on
+  int Iterations = 0;               ///< of ReversibleHarmonic, on these
   double CouplingDistortion = -1.0; ///< of GromovWasserstein: GromovWassersteinResult's Distortion
   double CouplingError = -1.0;      ///< and its Error
   SurfaceMapFacts Facts;
