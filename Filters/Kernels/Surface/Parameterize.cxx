@@ -195,6 +195,13 @@ void RequireDomain(const Mesh& surface, ParameterizeOptions::DomainType domain)
   using Domain = ParameterizeOptions::DomainType;
   const Topology topology = RequireManifold(surface, "the surface");
   const bool isForClosed = domain == Domain::Sphere || domain == Domain::Orbifold;
+  if (topology.Components > 1)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
+      " components; keep one with Connectivity / Extract Largest, or merge points at the same "
+      "place "
+      "with Clean");
+  }
   if (!isForClosed && topology.OpenLoops == 0)
   {
     throw InvalidInput("the surface is closed; take the Domain Sphere or Orbifold, or cut it open "
@@ -205,8 +212,10 @@ void RequireDomain(const Mesh& surface, ParameterizeOptions::DomainType domain)
     throw InvalidInput("the surface has " + std::to_string(topology.OpenLoops) +
       (topology.OpenLoops == 1 ? " open loop" : " open loops") + " (first at point " +
       std::to_string(topology.FirstOpenPoint) + "), and the Domain has " +
-      (isForClosed ? "none" : "one") + "; take FreeBoundary, close it with Fill Holes" +
-      (isForClosed ? ", or merge its duplicate points with Clean" : " but for the outer one"));
+      (isForClosed
+          ? "none; take FreeBoundary, close it with Fill Holes, or merge its duplicate points with "
+            "Clean"
+          : "one; take FreeBoundary, or close all but the outer one with Fill Holes"));
   }
 }
 
