@@ -3,12 +3,13 @@
  * @brief   which point of one surface corresponds to which point of another one, both ways
  *
  * Inputs
- * - SurfaceA, SurfaceB: oriented 2-manifolds (polygons are triangulated inside), facing outwards.
+ * - SurfaceA, SurfaceB: oriented 2-manifolds (polygons are triangulated inside), facing outwards;
+ *   which methods take borders, handles or several components: shape::RequireMethodInput.
  *   Blocks and distributed pieces are joined first; each process gets its own back.
  * - Landmarks (optional): points and polylines on SurfaceA with the point array `TargetPosition` on
- *   SurfaceB. Each stands for the nearest point of its surface; along lines more are put in, a mean
- *   edge of SurfaceA apart. Without them the filter finds its own (shape::AutomaticLandmarks), on
- *   surfaces of one component.
+ *   SurfaceB. Each stands for the nearest point of its surface, of two that stand for one the
+ * first; along lines more are put in, a mean edge of SurfaceA apart. Without them the filter finds
+ * its own (shape::AutomaticLandmarks), on surfaces of one component.
  *
  * Outputs: SurfaceA and SurfaceB with the precise map onto the other one, the point arrays
  * - `TargetPosition` (double, 3),
