@@ -1,5 +1,6 @@
-"""What the filters' results look like: a surface and its sphere coloured by the same positions, and a
-hexahedral ball carried into a dented sphere, cut open. Each picture is compared pixel by pixel."""
+"""What the filters' results look like: a surface and its sphere coloured by the same positions, a
+hexahedral ball carried into a dented sphere, cut open, and the errors of two maps in a line chart. Each
+picture is compared pixel by pixel."""
 import os
 
 from paraview.simple import *
@@ -48,3 +49,23 @@ half = Clip(Input=solid, ClipType='Plane', Crinkleclip=1)
 half.ClipType.Origin, half.ClipType.Normal = [0, 0, 0], [0.5, 0.2, 1]
 show(half, 'SourcePosition', 'X', 'Surface With Edges')
 compare([1.5, 1, 5], 'ShapeHarmonicVolumeMap.png')
+
+# The share of places below each error, for two maps of a sphere to itself: turned a little, and more.
+chart = CreateView('XYChartView')
+chart.ViewSize, chart.LegendLocation = [400, 300], 'BottomRight'
+chart.LeftAxisTitle, chart.BottomAxisTitle = 'share of places', 'error over the root of the area'
+chart.LeftAxisUseCustomRange, chart.LeftAxisRangeMinimum, chart.LeftAxisRangeMaximum = 1, 0.0, 1.0
+ball = Sphere(Radius=1.0, ThetaResolution=24, PhiResolution=24)
+truth = Calculator(Input=ball, ResultArrayName='TargetPosition', Function='coords')
+turn = 'iHat*(coordsX*cos({0})-coordsY*sin({0}))+jHat*(coordsX*sin({0})+coordsY*cos({0}))+kHat*coordsZ'
+for angle, colour in ((0.1, ['0.1', '0.4', '0.8']), (0.3, ['0.9', '0.5', '0.1'])):
+    turned = Calculator(Input=ball, ResultArrayName='TargetPosition', Function=turn.format(angle))
+    curve = ShapeMapErrorCurve(Input=turned, Target=ball, Truth=truth)
+    shown = Show(curve, chart)
+    shown.UseIndexForXAxis, shown.XArrayName, shown.SeriesVisibility = 0, 'Error', ['Share']
+    shown.SeriesLabel = ['Share', 'turned by %g' % angle]
+    shown.SeriesColor = ['Share'] + colour
+Render(chart)
+picture = os.path.join(FOLDER, 'ShapeMapErrorCurve.png')
+SaveScreenshot(picture, chart, ImageResolution=[400, 300])
+shapetesting.compare_picture(picture, 'ShapeMapErrorCurve.png')
