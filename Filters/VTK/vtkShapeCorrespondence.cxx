@@ -120,11 +120,12 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("LandmarksFound", result.Found ? 1.0 : 0.0);
     add("Distortion", result.Found ? result.Start.Distortion : -1.0);
     add("MirroredDistortion", result.Found ? result.Start.MirroredDistortion : -1.0);
+    add("MirrorImage", !result.Found ? -1.0 : result.Start.MirrorImage ? 1.0 : 0.0);
     add("Confidence", result.Found ? result.Start.Confidence : -1.0);
     add("DirichletEnergy", result.Facts.DirichletEnergy);
     add("RoundTrip", result.Facts.RoundTrip);
     add("ReversedArea", result.Facts.ReversedArea);
-    add("Mirrored", result.Facts.ReversedArea > 0.5 ? 1.0 : 0.0);
+    add("Mirrored", result.Facts.Mirrored ? 1.0 : 0.0);
     add("Part", static_cast<double>(result.Part.Which));
     add("Scale", result.Part.Scale);
     add("PartShare", result.Part.Share);

@@ -21,15 +21,16 @@
  * Field data of both
  * - Correspondence.Landmarks: how many were used; Correspondence.LandmarksFound: 1 where the filter
  *   found them,
- * - Correspondence.Distortion, .MirroredDistortion, .Confidence, where it found them, else -1: how
- *   well samples keep their distances, how well they would in the mirror image, and how clear the
- *   choice was; see shape::AutomaticLandmarksResult,
+ * - Correspondence.Distortion, .MirroredDistortion, .MirrorImage, .Confidence, where it found them,
+ *   else -1: how well samples keep their distances, how well they would in the mirror image, whether
+ *   SurfaceB is rather one, and how clear the choice was; see shape::AutomaticLandmarksResult,
  * - Correspondence.DirichletEnergy, .RoundTrip, .ReversedArea: shape::SurfaceMapFacts,
  * - Correspondence.Part: 1 where SurfaceA is taken for a part of SurfaceB, 2 where SurfaceB is for
  *   one of SurfaceA, else 0; .Scale: lengths on SurfaceB over those on SurfaceA; .PartShare: of the
  *   whole's area; see shape::SurfacePart,
  * - Correspondence.CoverageOfA, .CoverageOfB: shares of area that come back: what has a partner,
- * - Correspondence.Mirrored: 1 where more than half of SurfaceA is turned over, else 0,
+ * - Correspondence.Mirrored: 1 where the map exchanges sides, of all or of limbs, else 0: where
+ *   ReversedArea is more than 0.3,
  * - Correspondence.CouplingDistortion, .CouplingError: of GromovWasserstein, else -1: how well
  *   samples keep their distances, and how far masses are from the weights that they should have,
  * - Correspondence.CoarsePoints: of the larger surface that the method worked on,

@@ -14,11 +14,16 @@ import sys
 
 from CorrespondencePairs import ROOT, pairs
 
-# With how many landmarks each method runs, and on which groups of pairs.
+# With how many landmarks each method runs, and on which groups of pairs; -12: twelve, and B mirrored,
+# so that they are on the wrong sides.
+WHOLE = ('isometric', 'stretched', 'noisy')
 RUNS = (
     ('FunctionalMap', 0, ('isometric', 'stretched', 'noisy')),
     ('FunctionalMap', 5, ('isometric', 'stretched', 'noisy')),
-    ('FunctionalMap', 12, ('stretched',)),
+    ('FunctionalMap', 12, WHOLE),
+    ('FunctionalMap', -12, WHOLE),
+    ('FunctionalMap', 0, ('partial',)),
+    ('FunctionalMap', 5, ('partial',)),
     ('ReversibleHarmonic', 0, ('stretched',)),
     ('ReversibleHarmonic', 12, ('isometric', 'stretched', 'noisy')),
     ('ReversibleHarmonicFromCells', 12, ('stretched',)),
@@ -32,7 +37,8 @@ RUNS = (
 
 def measured(build, folder, landmarks, method):
     """The numbers that correspondence_case prints, or what it refuses the pair for."""
-    marks = 'landmarks%d.txt' % landmarks if landmarks else 'none'
+    marks = 'landmarks%d.txt' % abs(landmarks) if landmarks else 'none'
+    marks = 'mirrored:' + marks if landmarks < 0 else marks
     environment = dict(os.environ, VTK_SMP_MAX_THREADS='1', OPENBLAS_NUM_THREADS='1')
     done = subprocess.run(
         [os.path.join(build, 'bin', 'correspondence_case'), folder, marks, method, 'none'],
@@ -60,6 +66,20 @@ def claims(rows):
     right = [row for row in told if row['mean'] < row['mirroredmean']]
     yield ('without landmarks: %d of %d pairs with a mirror image are not mirrored' % (
         len(right), len(told)), len(told) >= 12 and 12 * len(right) >= 9 * len(told))
+    for landmarks, most in ((5, 20.0), (0, 60.0)):
+        parts = [row for name, count, kind, row in rows
+                 if name == 'FunctionalMap' and count == landmarks and kind == 'partial']
+        yield ('functional map, %d landmarks, parts: %s <= %g, and are known as parts' % (
+            landmarks, ', '.join('%.1f' % row['mean'] for row in parts), most),
+               len(parts) == 2 and all(row['mean'] <= most and row['part'] == 1 for row in parts))
+    wrong = [row for name, count, _, row in rows if name == 'FunctionalMap' and count < 0]
+    others = [row for name, count, kind, row in rows
+              if name == 'FunctionalMap' and count >= 0 and kind in WHOLE]
+    yield ('functional map: of %d from landmarks on the wrong sides %d are called mirrored, of %d '
+           'others %d' % (len(wrong), sum(row['turned'] for row in wrong), len(others),
+                          sum(row['turned'] for row in others)),
+           len(wrong) == 18 and all(row['turned'] for row in wrong)
+           and not any(row['turned'] for row in others))
     for number, what in (('trip', 'round trip'), ('dirichlet', 'Dirichlet energy')):
         own = mean(rows, 'ReversibleHarmonic', 12, 'stretched', number)
         others = {name: mean(rows, name, 12, 'stretched', number) for name in

@@ -87,6 +87,7 @@ TEST(AutomaticLandmarks, FindsTheTipsOfAShapeInOtherTriangles)
   EXPECT_LT(WorstError(a, b, turn, found.Pairs), 0.06); // a bump is 0.3 wide
   EXPECT_LT(found.Distortion, 0.04);
   EXPECT_LT(found.Distortion, 0.8 * found.MirroredDistortion);
+  EXPECT_FALSE(found.MirrorImage);
   EXPECT_GT(found.Confidence, 0.2);
 }
 
@@ -98,6 +99,7 @@ TEST(AutomaticLandmarks, TellsAMirrorImage)
   const auto found = shape::AutomaticLandmarks(a, b);
   EXPECT_LT(found.MirroredDistortion, 0.04);
   EXPECT_LT(found.MirroredDistortion, 0.8 * found.Distortion);
+  EXPECT_TRUE(found.MirrorImage);
 }
 
 TEST(AutomaticLandmarks, OrientationTellsTheSidesOfASymmetricAnimal)

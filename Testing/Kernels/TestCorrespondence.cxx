@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace
@@ -124,6 +125,26 @@ TEST(Correspondence, AnIdentityIsHarmonicComesBackAndTurnsNothingOver)
   const shape::SurfaceMapFacts mirrored =
     shape::DescribeMaps(shapetest::Mirrored(mesh), mesh, { identity, identity });
   EXPECT_GT(mirrored.ReversedArea, 0.99);
+  EXPECT_TRUE(mirrored.Mirrored);
+  EXPECT_FALSE(same.Mirrored);
+}
+
+TEST(Correspondence, AMapFromLandmarksOnTheWrongSidesIsCalledMirrored)
+{
+  const shape::Mesh bull = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/bull.off");
+  const shape::Mesh other = shapetest::Mirrored(bull);
+  Options options;
+  options.Method = Method::FunctionalMap;
+  shape::Landmarks landmarks;
+  for (int i = 0; i < bull.Points.rows(); i += static_cast<int>(bull.Points.rows()) / 12)
+  {
+    landmarks.push_back({ i, i });
+  }
+  // Left goes to left, which is right in a mirror.
+  EXPECT_TRUE(shape::Correspondence(bull, other, landmarks, options).Facts.Mirrored);
+  EXPECT_FALSE(shape::Correspondence(bull, bull, landmarks, options).Facts.Mirrored);
+  // Without landmarks orientation decides.
+  EXPECT_FALSE(shape::Correspondence(bull, other, {}, options).Facts.Mirrored);
 }
 
 TEST(Correspondence, PointsWithoutATriangleGoWithTheNearest)

@@ -146,6 +146,8 @@ AutomaticLandmarksResult Best(
       rival = c;
     }
   }
+  constexpr double clear = 0.85;
+  result.MirrorImage = result.MirroredDistortion < clear * result.Distortion;
   constexpr double rounding = 1e-9;
   result.Confidence =
     std::max(0.0, 1.0 - (result.Distortion + rounding) / (result.RivalDistortion + rounding));

@@ -28,10 +28,13 @@ struct AutomaticLandmarksResult
   /// the root of the area, or of the part's: 0 for the same surface, about 0.03 for a bent one with
   /// new triangles, 0.06 for a stretched one. More than 0.07: nothing was found that looks alike.
   double Distortion = 0.0;
-  /// The same of the best map that turns the surface over. Less than Distortion: B is rather a
-  /// mirror image of A. About as much: the shape is symmetric, and orientation alone tells its
-  /// sides.
+  /// The same of the best map that turns the surface over. About as much as Distortion: the shape
+  /// is symmetric, and orientation alone tells its sides.
   double MirroredDistortion = 0.0;
+  /// Whether that is less than 0.85 times Distortion, so that B is rather a mirror image of A. (Of
+  /// 18 pairs of real shapes none is called so; with B mirrored, the three that have no mirror
+  /// symmetry themselves.)
+  bool MirrorImage = false;
   /// The same of the best map that keeps orientation and takes half or more of the features of
   /// Pairs that it knows elsewhere; infinite where there is none.
   double RivalDistortion = 0.0;

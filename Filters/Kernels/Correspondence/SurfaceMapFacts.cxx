@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shape
@@ -46,13 +47,21 @@ SurfaceMapFacts DescribeMaps(const Mesh& a, const Mesh& b, const SurfaceMaps& ma
   facts.CoverageOfA = Coverage(masses, returns);
   facts.CoverageOfB = Coverage(massesB, ReturnDistances(b, maps.BToA, a, maps.AToB));
   const Eigen::MatrixXd image = AreaVectors({ images, a.Triangles }), normals = AreaVectors(b);
-  double reversed = 0.0;
+  double reversed = 0.0, all = 0.0;
   for (Eigen::Index t = 0; t < a.Triangles.rows(); ++t)
   {
-    const int place = maps.AToB.Triangles(a.Triangles(t, 0));
-    reversed += image.row(t).dot(normals.row(place)) < 0.0 ? angles.Areas(t) : 0.0;
+    const Eigen::RowVector3d there = image.row(t),
+                             normal = normals.row(maps.AToB.Triangles(a.Triangles(t, 0)));
+    const double size = there.norm() * normal.norm();
+    const double cosine = size > 0.0 ? there.dot(normal) / size : 0.0;
+    const double weight =
+      std::min(angles.Areas(t) / areaA, 0.5 * there.norm() / areaB) * std::abs(cosine);
+    reversed += cosine < 0.0 ? weight : 0.0;
+    all += weight;
   }
-  facts.ReversedArea = reversed / areaA;
+  facts.ReversedArea = all > 0.0 ? reversed / all : 0.0;
+  constexpr double most = 0.3;
+  facts.Mirrored = facts.ReversedArea > most;
   return facts;
 }
 

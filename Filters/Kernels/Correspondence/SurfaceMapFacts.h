@@ -16,8 +16,13 @@ struct SurfaceMapFacts
   double DirichletEnergy = 0.0;
   /// The mean over A's area of how far, straight, a point is from where it comes back to.
   double RoundTrip = 0.0;
-  /// The share of A's area that the map turns over: more than half where it mirrors A.
+  /// The share of A that the map turns over, each triangle counting by the lesser of its area and
+  /// its image's, times the cosine between the image's normal and B's, which leaves out noise.
   double ReversedArea = 0.0;
+  /// Whether that is more than 0.3: sides are exchanged, of all of A or of limbs. (Of 18 pairs of
+  /// real shapes, functional and heat kernel maps near the true one have at most 0.2, and
+  /// functional maps from landmarks on the wrong sides at least 0.37.)
+  bool Mirrored = false;
   /// The shares of A's and of B's area that come back within a 50th of the root of its area,
   /// straight: what has a partner. Where A is a part of B, the share of B that A is.
   double CoverageOfA = 0.0, CoverageOfB = 0.0;
