@@ -114,6 +114,7 @@ GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const La
   RequireConnected(b, "surface B");
   RequireLandmarks(landmarks, a, b);
   const Landmarks distinct = Distinct(landmarks);
+  const std::vector<Landmarks> starts = Starts(a, b, distinct, options, progress.Part(0.0, 0.2));
   const auto fixed = static_cast<int>(distinct.size());
   Landmarks pinned;
   for (int k = 0; k < fixed; ++k)
@@ -138,17 +139,19 @@ GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const La
   GromovWassersteinResult result;
   EntropicCoupling coupling;
   coupling.Distortion = std::numeric_limits<double>::infinity();
-  for (const Landmarks& leading : Starts(a, b, distinct, options, progress.Part(0.0, 0.2)))
+  for (std::size_t k = 0; k < starts.size(); ++k)
   {
-    const Eigen::MatrixXd placesA = LandmarkPlaces(a, PointsOf(leading, 0)),
-                          placesB = LandmarkPlaces(b, PointsOf(leading, 1));
+    const double share = 0.2 / static_cast<double>(starts.size()),
+                 begin = 0.5 + share * static_cast<double>(k);
+    const Eigen::MatrixXd placesA = LandmarkPlaces(a, PointsOf(starts[k], 0)),
+                          placesB = LandmarkPlaces(b, PointsOf(starts[k], 1));
     EntropicCoupling own = FindCoupling(Spaces(fewA, fewB, fixed),
       Likeness(placesA(fewA.Points, Eigen::all), placesB(fewB.Points, Eigen::all)), pinned,
-      options.Coupling, progress.Part(0.5, 0.7));
+      options.Coupling, progress.Part(begin, begin + share));
     if (own.Distortion < coupling.Distortion)
     {
       coupling = std::move(own);
-      result.Start = leading;
+      result.Start = starts[k];
     }
   }
   if (onA.Points.size() > fewA.Points.size() || onB.Points.size() > fewB.Points.size())
