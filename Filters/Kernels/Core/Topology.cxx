@@ -115,6 +115,11 @@ void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
 {
   constexpr double least = 1e-50, most = 1e50;
   const double side = LongestSide(points);
+  if (side == 0.0)
+  {
+    throw InvalidInput(
+      name + " has no area: its points are all at one place; check its coordinates");
+  }
   if (side < least || side > most)
   {
     std::ostringstream words;
