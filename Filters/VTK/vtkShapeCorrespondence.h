@@ -23,8 +23,8 @@
  *   found them,
  * - Correspondence.Distortion, .MirroredDistortion, .MirrorImage, .Confidence, where it found them,
  *   else -1: how well samples keep their distances, how well they would in the mirror image,
- * whether SurfaceB is rather one, and how clear the choice was; see
- * shape::AutomaticLandmarksResult,
+ *   whether SurfaceB is rather one, and how clear the choice was; see
+ *   shape::AutomaticLandmarksResult,
  * - Correspondence.DirichletEnergy, .RoundTrip, .ReversedArea: shape::SurfaceMapFacts,
  * - Correspondence.Part: 1 where SurfaceA is taken for a part of SurfaceB, 2 where SurfaceB is for
  *   one of SurfaceA, else 0; .Scale: lengths on SurfaceB over those on SurfaceA; .PartShare: of the
