@@ -6,6 +6,7 @@
 #include "Correspondence/LandmarkCells.h"
 #include "Mapping/MapErrorCurve.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
@@ -26,13 +27,15 @@ PAIR       a folder of CorrespondencePairs.py
 LANDMARKS  which of its files of landmarks, such as landmarks5.txt; none: without; mirrored: before it, such
            as mirrored:landmarks12.txt: B is mirrored, so that landmarks are on the wrong sides
 METHOD     FunctionalMap, ReversibleHarmonic, ReversibleHarmonicFromCells, GromovWasserstein,
-           GromovWasserstein1000 (of so many samples), HeatKernel, BlendedIntrinsic, CommonSphere, CommonOrbifold, LandmarkCells; or Given: FILE is read, a position on B for
-           each point of A, and measured
+           GromovWasserstein1000 (of so many samples), HeatKernel, BlendedIntrinsic, CommonSphere,
+           CommonOrbifold, LandmarkCells; or Given: FILE is read, a position on B for each point of A,
+           and measured
 FILE       else it is written: where each point of A goes; none: nothing is
 
 Prints one line: the seconds of a CPU and of the clock, the peak of memory above the start,
 shape::CorrespondenceResult's facts, and errors along B over the root of its area, times 1000, from
-the truth, at all points of A or, of more than 6000, at a thousand, and the mean of those from its mirror image, where it is known, else -1.)";
+the truth, at all points of A or, of more than 6000, at 400, and the mean of those from its mirror
+image, at 400, where it is known, else -1.)";
 
 /// The last three columns of a file of numbers, one row each line.
 Eigen::MatrixXd ReadPositions(const std::string& path)
@@ -126,28 +129,28 @@ shape::Mesh ReadSurface(const std::string& path)
   return mesh;
 }
 
-/// Errors at every point of A, or of many points at some of them.
-double MeanError(const shape::Mesh& a, const Eigen::MatrixXd& positions, const shape::Mesh& b,
-  const Eigen::MatrixXd& truth, shape::MapErrorCurveResult& errors)
+/// Errors at every stride-th point of A.
+shape::MapErrorCurveResult Errors(const shape::Mesh& a, const Eigen::MatrixXd& positions,
+  const shape::Mesh& b, const Eigen::MatrixXd& truth, Eigen::Index stride)
 {
-  // Exact geodesics of fine meshes take long: a thousand tell the mean within a few hundredths.
-  constexpr Eigen::Index most = 6000, some = 1000;
-  const Eigen::Index stride = a.Points.rows() > most ? a.Points.rows() / some : 1;
   const auto chosen = Eigen::seq(0, a.Points.rows() - 1, stride);
-  errors = shape::MapErrorCurve(
+  return shape::MapErrorCurve(
     a, positions, b, { a.Points(chosen, Eigen::all), truth(chosen, Eigen::all), {} });
-  return errors.Mean;
 }
 
 void PrintErrors(const std::string& pair, const shape::Mesh& a, const shape::Mesh& b,
   const Eigen::MatrixXd& positions)
 {
+  std::fflush(stdout); // they may take longer than the map
   constexpr double thousand = 1000.0;
-  shape::MapErrorCurveResult errors, others;
-  MeanError(a, positions, b, ReadPositions(pair + "/truth.txt"), errors);
+  // Exact geodesics of fine meshes, or to far places, take long: a few hundred tell the mean.
+  constexpr Eigen::Index most = 6000, some = 400;
+  const Eigen::Index points = a.Points.rows(), few = std::max<Eigen::Index>(1, points / some);
+  const shape::MapErrorCurveResult errors =
+    Errors(a, positions, b, ReadPositions(pair + "/truth.txt"), points > most ? few : 1);
   const bool hasMirrored = static_cast<bool>(std::ifstream(pair + "/mirrored.txt"));
   const double mirrored = hasMirrored
-    ? thousand * MeanError(a, positions, b, ReadPositions(pair + "/mirrored.txt"), others)
+    ? thousand * Errors(a, positions, b, ReadPositions(pair + "/mirrored.txt"), few).Mean
     : -1.0;
   std::printf(" mean=%.3f median=%.3f p95=%.3f max=%.2f mirroredmean=%.3f\n",
     thousand * errors.Mean, thousand * errors.Median, thousand * errors.Percentile95,

@@ -32,8 +32,8 @@ struct AutomaticLandmarksResult
   /// is symmetric, and orientation alone tells its sides.
   double MirroredDistortion = 0.0;
   /// Whether that is less than 0.85 times Distortion, so that B is rather a mirror image of A. (Of
-  /// 18 pairs of real shapes none is called so; with B mirrored, the three that have no mirror
-  /// symmetry themselves.)
+  /// 18 pairs of real shapes none is called so; with B mirrored three are, two of them shapes
+  /// without a mirror symmetry of their own.)
   bool MirrorImage = false;
   /// The same of the best map that keeps orientation and takes half or more of the features of
   /// Pairs that it knows elsewhere; infinite where there is none.

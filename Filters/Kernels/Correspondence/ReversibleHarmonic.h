@@ -13,7 +13,7 @@ namespace shape
 struct ReversibleHarmonicOptions
 {
   double Alpha = 2e-5;          ///< the share of the Dirichlet energy; in (0, 1)
-  double FirstAlpha = 1e-2;     ///< where that begins, from which it falls geometrically; < 1
+  double FirstAlpha = 3e-2;     ///< where that begins, from which it falls geometrically; < 1
   int AlphaSteps = 40;          ///< in so many iterations; >= 0
   double BetaStep = 5e-3;       ///< by which the penalty's weight grows in each iteration; > 0
   int BetaSteps = 100;          ///< after so many it stays; >= 1
