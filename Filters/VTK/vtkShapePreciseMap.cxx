@@ -57,7 +57,7 @@ shape::NumberedSurface vtkShapePreciseMap::ToSurface(
                isPolygon = type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON;
     if (!isVertex && !isLine && !isPolygon && type != VTK_TRIANGLE_STRIP)
     {
-      throw shape::InvalidInput("TargetCell names triangles of a surface, and " + name +
+      throw shape::MapOfAnotherSurface("TargetCell names triangles of a surface, and " + name +
         " has cells of other kinds (first cell " + std::to_string(cell) +
         "); give the surface that the map was made for as " + name +
         ", or leave TargetCell out with Pass Arrays and take the closest places");

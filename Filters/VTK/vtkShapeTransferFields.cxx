@@ -153,6 +153,25 @@ void Carry(const std::vector<Field>& fields, const shape::TransferredPlaces& pla
   }
 }
 
+/// The precise map that the points carry; none where it was made for another surface. numbered: the
+/// giver's, which is made where it is not there yet.
+std::optional<shape::PreciseMap> FittingMap(vtkDataSet* from, vtkUnstructuredGrid* giver,
+  double tolerance, std::optional<shape::NumberedSurface>& numbered)
+{
+  try
+  {
+    if (!numbered)
+    {
+      numbered = vtkShapePreciseMap::ToSurface(giver, "the Source");
+    }
+    return vtkShapePreciseMap::Read(from, "the Input", *numbered, "the Source", tolerance);
+  }
+  catch (const shape::MapOfAnotherSurface&)
+  {
+    return {};
+  }
+}
+
 /// How many points are marked, those left out that another process has, too.
 int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
 {
@@ -230,15 +249,13 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       {
         places = vtkShapeConvert::ToPointArray(from, this->MapArray, 3, "the Input");
       }
-      const bool precise = !push && vtkShapePreciseMap::Has(from, this->MapArray);
-      if (precise && !numbered)
+      std::optional<shape::PreciseMap> precise;
+      if (!push && vtkShapePreciseMap::Has(from, this->MapArray))
       {
-        numbered = vtkShapePreciseMap::ToSurface(giver, "the Source");
+        precise = FittingMap(from, giver, this->Options.Tolerance, numbered);
       }
       const shape::TransferredPlaces found = precise
-        ? shape::PlacesOnTriangles(vtkShapePreciseMap::Read(from, "the Input", *numbered,
-                                     "the Source", this->Options.Tolerance),
-            *numbered)
+        ? shape::PlacesOnTriangles(*precise, *numbered)
         : transfer.Find(places, progress.Part(done, middle));
       to->ShallowCopy(from);
       Carry(fields, found, to, progress.Part(middle, next));

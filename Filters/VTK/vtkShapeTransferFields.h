@@ -7,8 +7,9 @@
  *   takes the giver's value at its target f(x). Maps compose: where the giver has a map array t of
  *   the same name, the receiver's becomes t(f(x)). Where the Input has the precise map of Shape
  *   Correspondence, TargetCell and TargetBarycentric, and MapArray is TargetPosition, values are
- *   taken there: on thin parts the place closest to TargetPosition may lie on the other side. The
- *   Source must then be the surface that the map was made for.
+ *   taken there: on thin parts the place closest to TargetPosition may lie on the other side. Where
+ *   it was made for another surface than the Source, the closest places are taken, and
+ *   PrecisePoints says so.
  * - Push: the Source has it, and it leads into the Input: the giver's value at z is handed to the
  *   place h(z). The receiver gets the inverse as its map array: at x the z with h(z) = x. Where h
  *   folds the giver, one of the places z is taken.
@@ -68,7 +69,7 @@ public:
   ///@{
   /// How far beyond the giver's cells a place may lie before it counts as outside, as a share of
   /// the longest side of the giver's box; and how far TargetPosition may be from the place in
-  /// TargetCell before that is refused. Default: 0.01.
+  /// TargetCell before that counts as made for another surface. Default: 0.01.
   vtkShapeOption(Tolerance, double);
   ///@}
 

@@ -1,6 +1,5 @@
 #include "Mapping/PreciseArrays.h"
 
-#include "Core/Errors.h"
 #include "Core/Topology.h"
 
 #include <cmath>
@@ -17,6 +16,7 @@ constexpr double SingleRounding = 1e-6; ///< the arrays may have been stored in 
 
 /// Throws where a point is at fault: "the Input has `what` at 3 points (first at point 7); give
 /// ...".
+template <typename Error>
 void RequireAll(Eigen::Index points, const std::function<bool(Eigen::Index)>& isSound,
   const std::string& pointsName, const std::string& what, const std::string& targetName)
 {
@@ -31,7 +31,7 @@ void RequireAll(Eigen::Index points, const std::function<bool(Eigen::Index)>& is
   }
   if (count > 0)
   {
-    throw InvalidInput(pointsName + " has " + what + " at " + std::to_string(count) +
+    throw Error(pointsName + " has " + what + " at " + std::to_string(count) +
       (count == 1 ? " point" : " points") + " (first at point " + std::to_string(first) +
       "); give the surface that the map was made for as " + targetName +
       ", or leave TargetCell out with Pass Arrays and take the closest places");
@@ -49,26 +49,26 @@ PreciseMap RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface&
   RequireFinite(arrays.TargetPosition, "the map array of " + pointsName);
   const double begin = target.First;
   const double end = begin + static_cast<double>(target.Surface.Triangles.rows());
-  const auto require = [&](
-                         const std::function<bool(Eigen::Index)>& isSound, const std::string& what)
-  { RequireAll(n, isSound, pointsName, what, targetName); };
-  require(
-    [&](Eigen::Index i)
-    {
-      const double cell = arrays.TargetCell(i);
-      return cell >= begin && cell < end && cell == std::floor(cell);
-    },
-    "a TargetCell that is no triangle of " + targetName + ", whose triangles are numbered " +
-      std::to_string(target.First) + " to " + std::to_string(static_cast<long long>(end) - 1) +
-      ",");
-  require(
+  RequireAll<InvalidInput>(
+    n,
     [&](Eigen::Index i)
     {
       const auto weights = arrays.TargetBarycentric.row(i);
       return weights.minCoeff() >= -SingleRounding &&
         std::abs(weights.sum() - 1.0) < SingleRounding;
     },
-    "a TargetBarycentric that is negative or does not sum to 1");
+    pointsName, "a TargetBarycentric that is negative or does not sum to 1", targetName);
+  RequireAll<MapOfAnotherSurface>(
+    n,
+    [&](Eigen::Index i)
+    {
+      const double cell = arrays.TargetCell(i);
+      return cell >= begin && cell < end && cell == std::floor(cell);
+    },
+    pointsName,
+    "a TargetCell that is no triangle of " + targetName + ", whose triangles are numbered " +
+      std::to_string(target.First) + " to " + std::to_string(static_cast<long long>(end) - 1) + ",",
+    targetName);
   PreciseMap map{ (arrays.TargetCell.array() - begin).cast<int>(), arrays.TargetBarycentric };
   const Eigen::VectorXd apart =
     (Pulled(map, target.Surface.Triangles, target.Surface.Points) - arrays.TargetPosition)
@@ -76,8 +76,10 @@ PreciseMap RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface&
       .norm();
   const double farthest = tolerance * LongestSide(target.Surface.Points) +
     SingleRounding * target.Surface.Points.cwiseAbs().maxCoeff();
-  require([&](Eigen::Index i) { return apart(i) <= farthest; },
-    "a TargetCell that lies elsewhere on " + targetName + " than its TargetPosition says,");
+  RequireAll<MapOfAnotherSurface>(
+    n, [&](Eigen::Index i) { return apart(i) <= farthest; }, pointsName,
+    "a TargetCell that lies elsewhere on " + targetName + " than its TargetPosition says,",
+    targetName);
   return map;
 }
 

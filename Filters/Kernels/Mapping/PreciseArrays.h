@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Core/Errors.h"
 #include "Core/Mesh.h"
 #include "Core/PreciseMap.h"
 #include "Mapping/TransferFields.h"
@@ -17,6 +18,13 @@ struct PreciseArrays
   Eigen::MatrixXd TargetPosition;    ///< n x 3
 };
 
+/// The arrays are sound, but were made for another target.
+class MapOfAnotherSurface : public InvalidInput
+{
+public:
+  using InvalidInput::InvalidInput;
+};
+
 /// A surface as TargetCell numbers it.
 struct NumberedSurface
 {
@@ -31,9 +39,9 @@ struct NumberedSurface
  *
  * tolerance: how far that place and TargetPosition may be apart, as a share of the longest side of
  * the target's box. names: what messages call the points and the target, "the Input". Throws
- * InvalidInput where a number is no triangle of the target, a barycentric coordinate is negative,
- * three do not sum to 1 (by more than single precision loses), or the places are farther apart:
- * then the map was made for another surface.
+ * InvalidInput where a number is not finite, a barycentric coordinate is negative or three do not
+ * sum to 1 (by more than single precision loses); MapOfAnotherSurface where a cell is no triangle
+ * of the target, or the places are farther apart.
  */
 PreciseMap RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
   double tolerance, const std::string& pointsName, const std::string& targetName);
