@@ -31,11 +31,11 @@ Eigen::VectorXi NearestRows(
         products.colwise() -= halves.segment(first, count);
         for (int i = 0; i < end - begin; ++i)
         {
-          Eigen::Index at = 0;
-          const float value = products.col(i).maxCoeff(&at);
-          if (value > best(i))
+          // Where it is is asked for only where it counts: finding that takes longer.
+          if (products.col(i).maxCoeff() > best(i))
           {
-            best(i) = value;
+            Eigen::Index at = 0;
+            best(i) = products.col(i).maxCoeff(&at);
             nearest(begin + i) = static_cast<int>(first + at);
           }
         }

@@ -54,8 +54,10 @@ bool TriangleWalk::Look(int point, const Eigen::VectorXd& towards)
   {
     const int t = this->Fans.Triangles[i];
     const auto p = this->Points.col(this->Triangles(t, 0));
-    const Eigen::VectorXd e = this->Points.col(this->Triangles(t, 1)) - p,
-                          f = this->Points.col(this->Triangles(t, 2)) - p, w = towards - p;
+    Eigen::VectorXd &e = this->First, &f = this->Second, &w = this->Way;
+    e = this->Points.col(this->Triangles(t, 1)) - p;
+    f = this->Points.col(this->Triangles(t, 2)) - p;
+    w = towards - p;
     const double a = e.squaredNorm(), b = e.dot(f), c = f.squaredNorm(), u = w.dot(e), v = w.dot(f);
     const auto [x, y] = PlaceInTriangle(a, b, c, u, v);
     // Rounding must not make it negative: the walk would never end.

@@ -41,7 +41,8 @@ private:
   const Eigen::MatrixXi& Triangles;
   const Eigen::MatrixXd& Points;
   const TriangleFans& Fans;
-  double Squared = 0.0; ///< the distance that is left
+  double Squared = 0.0;               ///< the distance that is left
+  Eigen::VectorXd First, Second, Way; ///< kept to spare allocations
 };
 
 } // namespace shape
