@@ -35,7 +35,8 @@ struct CorrespondenceOptions
   int NumberOfEigenpairs = 120; ///< FunctionalMap, at most: of each surface; >= 10
   int Samples = 500;            ///< of each surface, GromovWasserstein compares; >= 10
   /// Which surface is a part of the other one. FunctionalMap, also as the start of
-  /// ReversibleHarmonic, maps a part into the whole; the other methods take both for whole.
+  /// ReversibleHarmonic, maps a part into the whole; its iterations and the other methods take both
+  /// for whole.
   enum class PartType
   {
     Automatic =
