@@ -95,6 +95,12 @@ TEST(Correspondence, FindsAPartWithLandmarksAndWithout)
     EXPECT_NEAR(turned.Part.Scale, 0.5, 0.03);
     EXPECT_GT(turned.Facts.CoverageOfB, 0.9);
   }
+  options.Method = Method::ReversibleHarmonic;
+  const shape::CorrespondenceResult kept =
+    shape::Correspondence(pair.A, pair.B, pair.SomeLandmarks(), options);
+  EXPECT_EQ(kept.Iterations, 0);
+  EXPECT_LT(pair.MeanError(kept), 0.04);
+  options.Method = Method::FunctionalMap;
   options.Part = Options::PartType::None;
   const shape::CorrespondenceResult whole =
     shape::Correspondence(pair.A, pair.B, pair.SomeLandmarks(), options);

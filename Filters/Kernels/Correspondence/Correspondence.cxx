@@ -224,6 +224,11 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   const SurfaceMaps start = options.Start == Options::StartType::FunctionalMap
     ? Functional(a, b, landmarks, options, result.Part, progress.Part(0.0, 0.4))
     : LandmarkCells(a, b, landmarks, progress.Part(0.0, 0.1));
+  if (options.Start == Options::StartType::FunctionalMap &&
+    result.Part.Which != SurfacePart::WhichType::None)
+  {
+    return pair.OnFine(start, lift); // iterations would spread the part over the whole
+  }
   ReversibleHarmonicOptions own;
   own.MaximumIterations = options.MaximumIterations;
   own.PinLandmarks = options.PinLandmarks && !result.Found;

@@ -34,9 +34,9 @@ struct CorrespondenceOptions
   int MaximumIterations = 100; ///< of ReversibleHarmonic; >= 1
   int NumberOfEigenpairs = 120; ///< FunctionalMap, at most: of each surface; >= 10
   int Samples = 500;            ///< of each surface, GromovWasserstein compares; >= 10
-  /// Which surface is a part of the other one. FunctionalMap, also as the start of
-  /// ReversibleHarmonic, maps a part into the whole; its iterations and the other methods take both
-  /// for whole.
+  /// Which surface is a part of the other one. FunctionalMap maps a part into the whole, and
+  /// ReversibleHarmonic from there ends at that: its iterations would spread the part. The other
+  /// methods take both for whole.
   enum class PartType
   {
     Automatic =
@@ -56,11 +56,11 @@ struct CorrespondenceResult
 {
   SurfaceMaps Maps; ///< a row for each point, one that no triangle uses goes with the nearest used
   Landmarks Used;   ///< points of A and B: those given, or found
-  bool Found = false;               ///< whether landmarks were found, not given
-  AutomaticLandmarksResult Start;   ///< where they were
-  SurfacePart Part;                 ///< what is a part, and at what scale
-  int CoarsePoints = 0;             ///< of the larger surface that the method worked on
-  int Iterations = 0;               ///< of ReversibleHarmonic, on these
+  bool Found = false;             ///< whether landmarks were found, not given
+  AutomaticLandmarksResult Start; ///< where they were
+  SurfacePart Part;               ///< what is a part, and at what scale
+  int CoarsePoints = 0;           ///< of the larger surface that the method worked on
+  int Iterations = 0; ///< of ReversibleHarmonic, on these; 0 where it ended at its start
   double CouplingDistortion = -1.0; ///< of GromovWasserstein: GromovWassersteinResult's Distortion
   double CouplingError = -1.0;      ///< and its Error
   SurfaceMapFacts Facts;
