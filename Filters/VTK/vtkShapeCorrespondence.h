@@ -35,8 +35,8 @@
  * - Correspondence.CouplingDistortion, .CouplingError: of GromovWasserstein, else -1: how well
  *   samples keep their distances, and how far masses are from the weights that they should have,
  * - Correspondence.CoarsePoints: of the larger surface that the method worked on,
- * - Correspondence.Iterations: of ReversibleHarmonic, else 0; 0 also where a part is mapped into the
- *   whole by the functional map that it starts from, which iterations would spread.
+ * - Correspondence.Iterations: of ReversibleHarmonic, else 0; 0 also where a part is mapped into
+ * the whole by the functional map that it starts from, which iterations would spread.
  *
  * Sparse factorisations are one library call each: an abort takes effect at the end of one.
  *

@@ -71,6 +71,24 @@ TEST(Coarsened, EndsAtATetrahedronAtLeast)
   EXPECT_THROW(shape::Coarsened(shapetest::Icosphere(1), 3), shape::InvalidInput);
 }
 
+TEST(Coarsened, LargeFansShrinkFromTheirRims)
+{
+  constexpr int rim = 5000;
+  shape::Mesh fan{ Eigen::MatrixXd::Zero(rim + 1, 3), Eigen::MatrixXi(rim, 3) };
+  for (int i = 0; i < rim; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / rim;
+    fan.Points.row(i) << std::cos(angle), std::sin(angle), 0.0;
+    fan.Triangles.row(i) << i, (i + 1) % rim, rim;
+  }
+  // Its triangles are slim, those of a coarser one less so.
+  const shape::CoarseSurface coarse = shape::Coarsened(fan, 60);
+  EXPECT_EQ(coarse.Surface.Points.rows(), 60);
+  EXPECT_EQ(shape::RequireManifold(coarse.Surface, "the fan").OpenLoops, 1);
+  EXPECT_GT(shape::AreaVectors(coarse.Surface).col(2).minCoeff(), 0.0);
+  EXPECT_GT(shape::PointAreas(coarse.Surface).sum(), 0.9 * M_PI);
+}
+
 TEST(Coarsened, RefusesPointsWithoutATriangle)
 {
   shape::Mesh sphere = shapetest::Icosphere(2);

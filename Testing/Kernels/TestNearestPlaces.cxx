@@ -48,6 +48,30 @@ TEST(NearestRows, OfEqualOnesTheFirst)
   EXPECT_EQ(shape::NearestRows(rows.row(7), rows)(0), 2);
 }
 
+TEST(TriangleTree, FindsPlacesOnTheSurfaceFromTheTriangleNextDoor)
+{
+  // Of a triangle and the one across an edge near a place, the distances are all but equal: what
+  // single precision loses must not count. (Twice that loses 1e-17.)
+  const shape::Mesh torus = shapetest::Torus(2.0, 0.7, 90, 40);
+  const Eigen::MatrixXd points = InSix(torus);
+  const shape::TriangleTree tree(torus.Triangles, points);
+  for (int t = 0; t + 1 < torus.Triangles.rows(); t += 2)
+  {
+    // The two triangles of a square share an edge.
+    for (const double inside : { 1e-2, 1e-3, 1e-4 })
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        Eigen::RowVector3d weights = Eigen::RowVector3d::Constant(0.5 * (1.0 - inside));
+        weights(corner) = inside;
+        const Eigen::RowVectorXd place =
+          weights * points(torus.Triangles.row(t).eval(), Eigen::all);
+        ASSERT_LT(tree.Find(place, t + 1).SquaredDistance, 1e-15) << t;
+      }
+    }
+  }
+}
+
 TEST(TriangleTree, FindsTheNearestOfAllTrianglesAlsoAfterAMove)
 {
   const shape::Mesh torus = shapetest::Torus(2.0, 0.7, 40, 20);

@@ -123,7 +123,7 @@ private:
     constexpr double least = 1e-13; // of the whole
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> ranked(columns);
     const Eigen::VectorXd pivots = ranked.matrixQR().diagonal().cwiseAbs();
-    const Eigen::Index rank = (pivots.array() > least).count();
+    const Eigen::Index rank = (pivots.array() > least * pivots.maxCoeff()).count();
     Eigen::MatrixXd result =
       ranked.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), Block);
     result.rightCols(Block - rank) = this->Random(Block - rank);

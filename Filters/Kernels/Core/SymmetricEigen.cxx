@@ -15,11 +15,11 @@ Eigenpairs LargestEigenpairs(Eigen::MatrixXd matrix, int count)
   Eigen::VectorXd values(size);
   const lapack_int status =
     LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', size, matrix.data(), size, values.data());
-  if (status < 0)
+  if (status == LAPACK_WORK_MEMORY_ERROR || status == LAPACK_TRANSPOSE_MEMORY_ERROR)
   {
-    throw std::bad_alloc(); // the arguments are right, so LAPACKE had no memory for its own room
+    throw std::bad_alloc();
   }
-  if (status > 0)
+  if (status != 0)
   {
     throw SolveFailure("the eigenvalues of a symmetric matrix of size " + std::to_string(size) +
       " were not found; look for values that are not finite");

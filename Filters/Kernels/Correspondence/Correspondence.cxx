@@ -254,6 +254,11 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
   Landmarks own;
   for (const auto& [pointA, pointB] : landmarks)
   {
+    if (one.PlaceOf(pointA) < 0 || two.PlaceOf(pointB) < 0)
+    {
+      throw InvalidInput("landmark " + std::to_string(own.size()) +
+        " is at a point that no triangle uses; put it on the surface");
+    }
     own.push_back({ one.PlaceOf(pointA), two.PlaceOf(pointB) });
   }
   const bool find = own.empty();
@@ -278,12 +283,19 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
     Begin(pair.A(), pair.B(), own, options.Part, result, progress.Part(0.4, 0.45));
   }
   const SurfaceMaps maps = Find(pair, own, options, result, progress.Part(0.45, 0.95));
-  own = pair.OnFine(own);
   result.Start.Rival = pair.OnFine(result.Start.Rival);
-  for (const auto& [pointA, pointB] : own)
+  const auto asGiven = [&](Landmarks found)
   {
-    result.Used.push_back({ one.Points[pointA], two.Points[pointB] });
-  }
+    for (auto& [pointA, pointB] : found)
+    {
+      pointA = one.Points[pointA];
+      pointB = two.Points[pointB];
+    }
+    return found;
+  };
+  result.Used = asGiven(pair.OnFine(own));
+  result.Start.Pairs = asGiven(result.Start.Pairs);
+  result.Start.Rival = asGiven(result.Start.Rival);
   result.Facts = DescribeMaps(one.Surface, two.Surface, maps);
   result.Maps = { Expanded(maps.AToB, one, a), Expanded(maps.BToA, two, b) };
   progress(1.0);

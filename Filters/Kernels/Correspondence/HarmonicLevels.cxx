@@ -40,8 +40,9 @@ ReversibleHarmonicResult ReversibleHarmonicOfLevels(const CoarsePair& pair,
   }
   // The last quarter of the steps in which alpha falls: smooth first, then each other's inverse.
   ReversibleHarmonicOptions fine = options;
-  fine.FirstIteration = 3 * options.AlphaSteps / 4 + 1;
-  fine.MaximumIterations = std::min(std::max(1, options.AlphaSteps / 4), options.MaximumIterations);
+  const int quarter = std::max(1, options.AlphaSteps / 4);
+  fine.FirstIteration = std::max(options.FirstIteration, options.AlphaSteps - quarter + 2);
+  fine.MaximumIterations = std::min(quarter, options.MaximumIterations);
   const EmbeddedSurface fineA = Embedded(pair.FineA(), ofA);
   progress(0.45);
   const EmbeddedSurface fineB = Embedded(pair.FineB(), ofB);

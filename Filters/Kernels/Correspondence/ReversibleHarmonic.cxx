@@ -228,6 +228,9 @@ ReversibleHarmonicResult ReversibleHarmonic(const EmbeddedSurface& a, const Embe
     options.Alpha > 0.0 && options.Alpha < 1.0, "Alpha", options.Alpha, "between 0 and 1");
   RequireOption(options.FirstAlpha > 0.0 && options.FirstAlpha < 1.0, "FirstAlpha",
     options.FirstAlpha, "between 0 and 1");
+  RequireOption(options.AlphaSteps >= 0, "AlphaSteps", options.AlphaSteps, "at least 0");
+  RequireOption(options.BetaSteps >= 1, "BetaSteps", options.BetaSteps, "at least 1");
+  RequireOption(options.Tolerance >= 0.0, "Tolerance", options.Tolerance, "at least 0");
   RequireOption(options.BetaStep > 0.0, "BetaStep", options.BetaStep, "positive");
   RequireOption(
     options.FirstIteration >= 1, "FirstIteration", options.FirstIteration, "at least 1");
@@ -246,7 +249,8 @@ ReversibleHarmonicResult ReversibleHarmonic(const EmbeddedSurface& a, const Embe
     const int k = options.FirstIteration + i;
     const Progress part = progress.Part(
       static_cast<double>(i) / options.MaximumIterations, (i + 1.0) / options.MaximumIterations);
-    const double rest = std::max(0.0, 1.0 - (k - 1.0) / std::max(1, options.AlphaSteps));
+    const double rest =
+      options.AlphaSteps > 0 ? std::max(0.0, 1.0 - (k - 1.0) / options.AlphaSteps) : 0.0;
     const Weights weights{ options.Alpha * std::pow(options.FirstAlpha / options.Alpha, rest),
       options.BetaStep * std::min(k, options.BetaSteps) };
     two.Project(one, weights, part.Part(0.0, 0.5));

@@ -43,15 +43,16 @@ struct ReversibleHarmonicResult
  * least of
  *
  *   alpha (tr X12' W1 X12 + tr X21' W2 X21)
- *   + (1 - alpha) (|P21 X12 - X2|^2 + |P12 X21 - X1|^2) + beta (|P12 X2 - X12|^2 + |P21 X1 -
- * X21|^2)
+ *   + (1 - alpha) (|P21 X12 - X2|^2 + |P12 X21 - X1|^2)
+ *   + beta (|P12 X2 - X12|^2 + |P21 X1 - X21|^2)
  *
  * with the masses' norms, areas made 1 and X1, X2 the surfaces' own StressScaling, by turns over
  * P21, X21, P12 and X12 (half-quadratic splitting, section 5 there): the maps P by exact projection
  * on triangles in twice as many dimensions (TriangleTree), the X by one linear system. Negative
  * cotangent weights are raised to 0. Alpha is larger at first: smoother maps move farther in an
  * iteration. The less it ends at, the nearer the maps are to each other's inverse: at 2e-5 round
- * trips on the benchmark's pairs are a fifth as long as at 5e-4, and the maps no less smooth.
+ * trips on the pairs of CorrespondencePairs.py are a fifth as long as at 5e-4, and the maps no less
+ * smooth.
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus. start:
  * maps to begin at, such as LandmarkCells or a FunctionalMap; a mirrored start stays mirrored.

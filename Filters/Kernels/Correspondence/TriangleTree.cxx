@@ -17,6 +17,8 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+constexpr float SquareRounding = 1e-6F; // eight times that of one operation
+
 /// How far a point is from 16 balls; negative inside.
 void GapsFor(
   const float* point, int dimension, const float* centres, const float* radii, float* gaps)
@@ -35,8 +37,9 @@ void GapsFor(
   }
 }
 
-/// The squares of how far a point is from the triangles of a block: the least of the place in the
-/// plane, where that is inside, and the nearest places of the three sides.
+/// The squares of how far a point is from the triangles of a block, less what rounding may add: the
+/// least of the place in the plane, where that is inside, and the nearest places of the three
+/// sides.
 void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, float* squares)
 {
   constexpr int size = TriangleBlocks::Size;
@@ -81,7 +84,10 @@ void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, flo
     const auto inside =
       hn::And(hn::And(hn::Ge(s, zero), hn::Ge(t, zero)), hn::Le(hn::Add(s, t), one));
     least = hn::IfThenElse(inside, hn::Min(least, farther(s, t)), least);
-    hn::StoreU(hn::Max(zero, hn::Add(square, least)), d, squares + i);
+    // What rounding may have added: next to a triangle the sum is a difference of larger numbers.
+    const Vector large = hn::Add(square, hn::Add(a, c));
+    const Vector sum = hn::NegMulAdd(hn::Set(d, SquareRounding), large, hn::Add(square, least));
+    hn::StoreU(hn::Max(zero, sum), d, squares + i);
   }
 }
 
@@ -113,6 +119,14 @@ constexpr int Block = TriangleBlocks::Size;
 constexpr int Multiple = 4; // numbers that one instruction may take
 constexpr int MostDimensions = 64;
 using Four = Eigen::Array<double, Multiple, 1>;
+
+/// By how much a distance in single precision may be wrong where no coordinate is larger.
+float RoundingOf(double largest, int dimension)
+{
+  constexpr double roundings = 8.0; // of differences, a sum of squares and a root
+  return static_cast<float>(roundings * std::sqrt(static_cast<double>(dimension)) *
+    static_cast<double>(std::numeric_limits<float>::epsilon()) * largest);
+}
 
 int BlocksOf(int count)
 {
@@ -186,9 +200,7 @@ void TriangleTree::Move(const Eigen::MatrixXd& points)
       this->Coordinates[i * d + k] = points(i, k);
     }
   }
-  constexpr double roundings = 8.0; // of a difference, a sum of squares and a root
-  this->Blocks.Rounding = static_cast<float>(roundings * std::sqrt(static_cast<double>(d)) *
-    static_cast<double>(std::numeric_limits<float>::epsilon()) * points.cwiseAbs().maxCoeff());
+  this->Blocks.Rounding = RoundingOf(points.cwiseAbs().maxCoeff(), d);
   this->MoveBlocks();
   this->MoveBalls();
 }
@@ -323,8 +335,10 @@ NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) c
   NearestTriangle best;
   best.SquaredDistance = std::numeric_limits<double>::infinity();
   this->Test(padded.data(), std::max(guess, 0), best);
+  const float rounding =
+    this->Blocks.Rounding + RoundingOf(point.cwiseAbs().maxCoeff(), this->Dimension);
   const auto within = [&]
-  { return static_cast<float>(std::sqrt(best.SquaredDistance)) + this->Blocks.Rounding; };
+  { return static_cast<float>(std::sqrt(best.SquaredDistance)) + rounding; };
   float bound = within();
   struct Waiting
   {

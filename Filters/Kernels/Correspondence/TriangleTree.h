@@ -45,7 +45,7 @@ struct TriangleBlocks
 class TriangleTree
 {
 public:
-  /// triangles: m x 3, at least one; points: n x d, d <= 64, where the tree is made.
+  /// triangles: m x 3, at least one, kept by reference; points: n x d, d <= 64, as they are now.
   TriangleTree(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points);
 
   /// points: n x d. The result of Find is as exact however far they move, but takes longer.

@@ -22,9 +22,10 @@ namespace shape
 namespace
 {
 
-constexpr double LeastCosine = 0.5; // of what a triangle may turn by
-constexpr double Slim = 0.02;       // twice a triangle's area over its longest side's square
-constexpr double Steepness = 30.0;  // what being off the planes around costs against length
+constexpr double LeastCosine = 0.5;    // of what a triangle may turn by
+constexpr double Slim = 0.02;          // twice a triangle's area over its longest side's square
+constexpr std::size_t MostAround = 64; // triangles at a point that is merged, or merged into
+constexpr double Steepness = 30.0;     // what being off the planes around costs against length
 
 /// A surface that loses points.
 class Shrinking
@@ -35,6 +36,7 @@ public:
     , Triangles(mesh.Triangles.rows())
     , Around(mesh.Points.rows())
     , IsKept(mesh.Points.rows(), 0)
+    , OnBorder(mesh.Points.rows(), 0)
     , Tried(mesh.Points.rows(), 0)
     , Carried(mesh.Triangles.rows())
     , Places{ Eigen::VectorXi::Constant(mesh.Points.rows(), -1),
@@ -55,13 +57,24 @@ public:
     }
     for (int i = 0; i < this->Left; ++i)
     {
-      this->Queue(i);
+      this->FindNeighbours(i, this->Ring);
+      this->OnBorder[i] = this->Ring.size() > this->Around[i].size() ? 1 : 0;
     }
   }
 
   void ShrinkTo(int points, const Progress& progress)
   {
+    constexpr int often = 1024;
+    const Progress fill = progress.Part(0.0, 0.3), merge = progress.Part(0.3, 1.0);
     const int all = this->Left;
+    for (int i = 0; i < all; ++i)
+    {
+      this->Queue(i);
+      if (i % often == 0)
+      {
+        fill(static_cast<double>(i) / all);
+      }
+    }
     while (this->Left > points && !this->Waiting.empty())
     {
       const Merge next = this->Waiting.top();
@@ -71,10 +84,9 @@ public:
         continue;
       }
       this->Apply(next.Point, next.Into);
-      constexpr int often = 1024;
       if (this->Left % often == 0)
       {
-        progress(static_cast<double>(all - this->Left) / (all - points));
+        merge(static_cast<double>(all - this->Left) / (all - points));
       }
     }
   }
@@ -173,6 +185,13 @@ private:
     return (this->Points.col(a) - this->Points.col(b)).squaredNorm();
   }
 
+  bool ShareATriangle(int point, int second, int third) const
+  {
+    const std::vector<int>& around = this->Around[point];
+    return std::any_of(around.begin(), around.end(),
+      [&](int t) { return Has(this->Triangles[t], second) && Has(this->Triangles[t], third); });
+  }
+
   /// The mean square of how far a point's neighbour is off the planes of the triangles around it,
   /// as their areas weigh (Garland and Heckbert's quadric): tips and ridges stay longer.
   double Steep(int point, int neighbour) const
@@ -196,7 +215,8 @@ private:
   void Queue(int point)
   {
     ++this->Tried[point];
-    if (this->IsKept[point] != 0)
+    // The middle of a large fan waits until its rim has fewer points.
+    if (this->IsKept[point] != 0 || this->Around[point].size() > MostAround)
     {
       return;
     }
@@ -205,10 +225,17 @@ private:
     std::vector<std::pair<double, int>> choices;
     for (const int into : ring)
     {
+      if (this->Around[into].size() > MostAround)
+      {
+        continue;
+      }
       double longest = 0.0;
       for (const int other : ring)
       {
-        longest = std::max(longest, this->SquaredLength(into, other));
+        if (!this->ShareATriangle(point, into, other))
+        {
+          longest = std::max(longest, this->SquaredLength(into, other));
+        }
       }
       choices.emplace_back(longest + Steepness * this->Steep(point, into), into);
     }
@@ -235,19 +262,16 @@ private:
       }
       ++shared;
       const int opposite = corners[0] + corners[1] + corners[2] - point - into;
-      this->FindNeighbours(opposite, this->Others);
-      const bool onBorder = this->Others.size() > this->Around[opposite].size();
-      if (this->Around[opposite].size() <= (onBorder ? 1U : 3U))
+      if (this->Around[opposite].size() <= (this->OnBorder[opposite] != 0 ? 1U : 3U))
       {
         return false;
       }
     }
-    const bool onBorder = ring.size() > this->Around[point].size();
     this->FindNeighbours(into, this->Others);
     // The link condition: no neighbours in common but those of the edge's triangles.
     const auto common = std::count_if(ring.begin(), ring.end(),
       [&](int i) { return std::binary_search(this->Others.begin(), this->Others.end(), i); });
-    if (common != shared || (onBorder && shared == 2) ||
+    if (common != shared || (this->OnBorder[point] != 0 && shared == 2) ||
       this->Around[point].size() == static_cast<std::size_t>(shared))
     {
       return false;
@@ -271,10 +295,12 @@ private:
       return std::max({ this->SquaredLength(t[0], t[1]), this->SquaredLength(t[1], t[2]),
         this->SquaredLength(t[2], t[0]) });
     };
+    const double sizeBefore = longest(corners), sizeAfter = longest(moved);
     // The side that a slim triangle faces says nothing.
-    const bool turns = before.norm() > Slim * longest(corners) &&
+    const bool turns = before.norm() > Slim * sizeBefore &&
       before.dot(after) < LeastCosine * before.norm() * after.norm();
-    return turns || after.norm() < Slim * longest(moved);
+    return turns ||
+      (after.norm() < Slim * sizeAfter && after.norm() * sizeBefore < before.norm() * sizeAfter);
   }
 
   void Apply(int point, int into)
@@ -347,7 +373,7 @@ private:
   const Eigen::Matrix3Xd Points;
   std::vector<Triangle> Triangles;
   std::vector<std::vector<int>> Around; ///< the triangles of each point; none: merged
-  std::vector<char> IsKept;
+  std::vector<char> IsKept, OnBorder;
   std::vector<int> Tried; ///< how often a point was queued: an older entry is void
   std::priority_queue<Merge, std::vector<Merge>, std::greater<>> Waiting;
   std::vector<std::vector<int>> Carried; ///< merged points on each triangle
@@ -368,6 +394,11 @@ CoarseSurface Coarsened(
   {
     throw InvalidInput("the surface has " + std::to_string(loose) +
       " points that no triangle uses; remove them first");
+  }
+  for (const int point : kept)
+  {
+    RequireOption(point >= 0 && point < mesh.Points.rows(), "a point to keep", point,
+      "one of the surface's points");
   }
   Shrinking surface(mesh, kept);
   surface.ShrinkTo(points, progress);

@@ -24,8 +24,9 @@ struct CoarseSurface
  * adaptive parameterization of surfaces", 1998), each at the closest place of these few, so that
  * none lands on another sheet.
  *
- * Topology and open loops stay, and so do the points of `kept`; no triangle turns by more than 60
- * degrees or becomes slim. Where that leaves no point to merge, more than `points` are left.
+ * Topology and open loops stay, and so do the points of `kept`; no merge turns a triangle that is
+ * not slim by more than 60 degrees, or makes one slim and slimmer than it was. Where that leaves no
+ * point to merge, more than `points` are left.
  *
  * mesh: a consistently oriented 2-manifold, open or closed, with no point that no triangle uses.
  * points >= 4. Throws InvalidInput, Aborted.
@@ -33,8 +34,8 @@ struct CoarseSurface
 CoarseSurface Coarsened(
   const Mesh& mesh, int points, const std::vector<int>& kept = {}, const Progress& progress = {});
 
-/// Where places of the coarse surface are on the finer one: from the finer point that is nearest,
-/// of those around, walking nearer. Throws Aborted.
+/// Where places of the coarse surface are on the finer one: the nearest that a walk (TriangleWalk)
+/// finds from the nearest of the finer points on the same triangle. Throws Aborted.
 PreciseMap PlacesOnFiner(const CoarseSurface& coarse, const Mesh& finer, const PreciseMap& places,
   const Progress& progress = {});
 

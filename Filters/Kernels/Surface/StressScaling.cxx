@@ -68,19 +68,18 @@ Eigen::MatrixXd Majorised(
     -0.5 * ((squares.rowwise() - means) * ScalingAxes(squares, options.Dimensions));
   Eigen::MatrixXd transformed;
   double before = 0.0;
-  for (int k = 0; k < options.Iterations; ++k)
+  for (int k = 0;; ++k)
   {
-    progress(static_cast<double>(k) / options.Iterations);
+    progress(static_cast<double>(k) / (options.Iterations + 1));
     const double stress = Transform(distances, positions, transformed);
-    if (k > 0 && before - stress <= options.Tolerance * stress)
+    if (k >= options.Iterations || (k > 0 && before - stress <= options.Tolerance * stress))
     {
-      break;
+      return positions;
     }
     before = stress;
     // Twice the step is still downhill and needs half as many (de Leeuw and Heiser 1980).
     positions = 2.0 * transformed - positions;
   }
-  return positions;
 }
 
 } // namespace
