@@ -21,8 +21,8 @@ from CorrespondencePairs import ROOT, pairs
 
 EIGENPAIRS = 120
 # Points, method, and at most so many times scipy's CPU seconds.
-CLAIMS = ((5000, 'FunctionalMap', 1.0), (5000, 'ReversibleHarmonic', 1.5),
-          (50000, 'FunctionalMap', 0.5), (50000, 'ReversibleHarmonic', 1.0))
+CLAIMS = ((5000, 'FunctionalMap', 2.0), (5000, 'ReversibleHarmonic', 3.75),
+          (50000, 'FunctionalMap', 0.4), (50000, 'ReversibleHarmonic', 1.25))
 MOST_MIB = 2048
 
 
