@@ -14,7 +14,7 @@ namespace shape
 struct ZoomOutOptions
 {
   int Last = 120; ///< eigenfunctions of each surface at the end, at most as many as spectra have
-  int Step = 8;   ///< by which they become more; >= 1
+  int Step = 6;   ///< by which they become more; >= 1
 };
 
 /// Samples of a surface and its spectrum.
