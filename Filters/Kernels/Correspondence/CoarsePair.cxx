@@ -1,6 +1,5 @@
 #include "Correspondence/CoarsePair.h"
 
-#include "Core/Parallel.h"
 #include "Surface/TriangleWalk.h"
 
 #include <algorithm>
@@ -35,23 +34,9 @@ PreciseMap Interpolated(
     Pulled(from.Places, from.Surface.Triangles, Pulled(map, to.Triangles, to.Points));
   const Eigen::VectorXi nearest = MainCorners(from.Places, from.Surface.Triangles),
                         begins = MainCorners(map, to.Triangles);
-  const Eigen::MatrixXd columns = to.Points.transpose();
-  const TriangleFans fans(to.Triangles, to.Points.rows());
-  PreciseMap result{ Eigen::VectorXi(towards.rows()), Eigen::MatrixXd(towards.rows(), 3) };
-  ParallelFor(
-    static_cast<int>(towards.rows()), 256,
-    [&](int begin, int end)
-    {
-      TriangleWalk walk(to.Triangles, columns, fans);
-      for (int i = begin; i < end; ++i)
-      {
-        walk.Go(begins(nearest(i)), towards.row(i).transpose());
-        result.Triangles(i) = walk.Triangle;
-        result.Barycentrics.row(i) = walk.Barycentric;
-      }
-    },
-    progress);
-  return result;
+  return WalkToPlaces(
+    towards, to.Triangles, to.Points, TriangleFans(to.Triangles, to.Points.rows()),
+    [&](int i) { return begins(nearest(i)); }, progress);
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "Correspondence/NearestPlaces.h"
 
-#include "Core/Parallel.h"
 #include "Correspondence/NearestRows.h"
 #include "Surface/TriangleWalk.h"
 
@@ -23,22 +22,9 @@ PreciseMap NearestPlaces(const Eigen::MatrixXd& queries, const Eigen::MatrixXi& 
   }
   const Eigen::MatrixXd targets = points(used, Eigen::all);
   const Eigen::VectorXi nearest = NearestRows(queries, targets, progress.Part(0.0, 0.7));
-  const Eigen::MatrixXd columns = points.transpose();
-  PreciseMap map{ Eigen::VectorXi(queries.rows()), Eigen::MatrixXd(queries.rows(), 3) };
-  ParallelFor(
-    static_cast<int>(queries.rows()), 256,
-    [&](int begin, int end)
-    {
-      TriangleWalk walk(triangles, columns, fans);
-      for (int i = begin; i < end; ++i)
-      {
-        walk.Go(used[nearest(i)], queries.row(i));
-        map.Triangles(i) = walk.Triangle;
-        map.Barycentrics.row(i) = walk.Barycentric;
-      }
-    },
+  return WalkToPlaces(
+    queries, triangles, points, fans, [&](int i) { return used[nearest(i)]; },
     progress.Part(0.7, 1.0));
-  return map;
 }
 
 } // namespace shape

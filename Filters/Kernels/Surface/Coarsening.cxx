@@ -1,7 +1,6 @@
 #include "Surface/Coarsening.h"
 
 #include "Core/Errors.h"
-#include "Core/Parallel.h"
 #include "Core/Topology.h"
 #include "Geometry/ClosestPoint.h"
 #include "Surface/TriangleWalk.h"
@@ -422,29 +421,17 @@ PreciseMap PlacesOnFiner(const CoarseSurface& coarse, const Mesh& finer, const P
       near[t].push_back(coarse.Points[triangles(t, k)]);
     }
   }
-  const Eigen::MatrixXd towards = Pulled(places, triangles, coarse.Surface.Points),
-                        columns = finer.Points.transpose();
-  const TriangleFans fans(finer.Triangles, finer.Points.rows());
-  PreciseMap map{ Eigen::VectorXi(towards.rows()), Eigen::MatrixXd(towards.rows(), 3) };
-  ParallelFor(
-    static_cast<int>(towards.rows()), 256,
-    [&](int begin, int end)
-    {
-      TriangleWalk walk(finer.Triangles, columns, fans);
-      for (int i = begin; i < end; ++i)
-      {
-        const Eigen::Vector3d place = towards.row(i).transpose();
-        const auto distance = [&](int point) { return (columns.col(point) - place).squaredNorm(); };
-        const std::vector<int>& choices = near[places.Triangles(i)];
-        walk.Go(*std::min_element(choices.begin(), choices.end(),
-                  [&](int one, int other) { return distance(one) < distance(other); }),
-          place);
-        map.Triangles(i) = walk.Triangle;
-        map.Barycentrics.row(i) = walk.Barycentric;
-      }
-    },
-    progress);
-  return map;
+  const Eigen::MatrixXd towards = Pulled(places, triangles, coarse.Surface.Points);
+  const auto nearest = [&](int i)
+  {
+    const auto distance = [&](int point)
+    { return (finer.Points.row(point) - towards.row(i)).squaredNorm(); };
+    const std::vector<int>& choices = near[places.Triangles(i)];
+    return *std::min_element(choices.begin(), choices.end(),
+      [&](int one, int other) { return distance(one) < distance(other); });
+  };
+  return WalkToPlaces(towards, finer.Triangles, finer.Points,
+    TriangleFans(finer.Triangles, finer.Points.rows()), nearest, progress);
 }
 
 } // namespace shape

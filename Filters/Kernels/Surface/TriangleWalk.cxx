@@ -1,5 +1,6 @@
 #include "Surface/TriangleWalk.h"
 
+#include "Core/Parallel.h"
 #include "Geometry/PlaceInTriangle.h"
 
 #include <algorithm>
@@ -72,6 +73,29 @@ bool TriangleWalk::Look(int point, const Eigen::VectorXd& towards)
     }
   }
   return nearer;
+}
+
+PreciseMap WalkToPlaces(const Eigen::MatrixXd& places, const Eigen::MatrixXi& triangles,
+  const Eigen::MatrixXd& points, const TriangleFans& fans, const std::function<int(int)>& begin,
+  const Progress& progress)
+{
+  constexpr int grain = 256;
+  const Eigen::MatrixXd columns = points.transpose();
+  PreciseMap map{ Eigen::VectorXi(places.rows()), Eigen::MatrixXd(places.rows(), 3) };
+  ParallelFor(
+    static_cast<int>(places.rows()), grain,
+    [&](int first, int last)
+    {
+      TriangleWalk walk(triangles, columns, fans);
+      for (int i = first; i < last; ++i)
+      {
+        walk.Go(begin(i), places.row(i).transpose());
+        map.Triangles(i) = walk.Triangle;
+        map.Barycentrics.row(i) = walk.Barycentric;
+      }
+    },
+    progress);
+  return map;
 }
 
 } // namespace shape

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "Core/PreciseMap.h"
+#include "Core/Progress.h"
+
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 namespace shape
@@ -44,5 +48,11 @@ private:
   double Squared = 0.0;               ///< the distance that is left
   Eigen::VectorXd First, Second, Way; ///< kept to spare allocations
 };
+
+/// Where walks to places (q x d, one a row) end on the surface of points (n x d, one a row). begin:
+/// of each place the point to walk from, asked for from any thread. Throws Aborted.
+PreciseMap WalkToPlaces(const Eigen::MatrixXd& places, const Eigen::MatrixXi& triangles,
+  const Eigen::MatrixXd& points, const TriangleFans& fans, const std::function<int(int)>& begin,
+  const Progress& progress = {});
 
 } // namespace shape
