@@ -37,6 +37,10 @@ double BoxDiagonal(const Eigen::MatrixXd& points);
 /// Twice-area vectors of the triangles (m x 3): the cross product of two edges, pointing outwards.
 Eigen::MatrixXd AreaVectors(const Mesh& mesh);
 
+/// Unit normals at the points (n x 3): those of the triangles around each, weighted by their angles
+/// there; 0 where no triangle with an area is.
+Eigen::MatrixXd PointNormals(const Mesh& mesh);
+
 /// A third of the area of the triangles around each point (n).
 Eigen::VectorXd PointAreas(const Mesh& mesh);
 

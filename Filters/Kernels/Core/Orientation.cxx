@@ -176,4 +176,53 @@ int Orientation(
     .Sign();
 }
 
+int InCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c,
+  const Eigen::RowVector2d& d)
+{
+  const Eigen::RowVector2d u = a - d, v = b - d, w = c - d;
+  const double uv = u(0) * v(1), vu = u(1) * v(0);
+  const double vw = v(0) * w(1), wv = v(1) * w(0);
+  const double wu = w(0) * u(1), uw = w(1) * u(0);
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = w.squaredNorm();
+  const double value = uu * (vw - wv) + vv * (wu - uw) + ww * (uv - vu);
+  const double size = uu * (std::abs(vw) + std::abs(wv)) + vv * (std::abs(wu) + std::abs(uw)) +
+    ww * (std::abs(uv) + std::abs(vu));
+  // Shewchuk's bound for this expression, 1.11e-15, rounded up.
+  if (std::abs(value) > 1.2e-15 * size)
+  {
+    return SignOf(value);
+  }
+  std::array<Expansion<2>, 2> p, q, r;
+  for (int k = 0; k < 2; ++k)
+  {
+    p[k] = Difference(a(k), d(k));
+    q[k] = Difference(b(k), d(k));
+    r[k] = Difference(c(k), d(k));
+  }
+  const auto squared = [](const std::array<Expansion<2>, 2>& x)
+  { return Sum(Product(x[0], x[0]), Product(x[1], x[1])); };
+  const auto x = Product(Minor(q[0], q[1], r[0], r[1]), squared(p));
+  const auto y = Product(Minor(r[0], r[1], p[0], p[1]), squared(q));
+  const auto z = Product(Minor(p[0], p[1], q[0], q[1]), squared(r));
+  return Sum(Sum(x, y), z).Sign();
+}
+
+bool MeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
+  const Eigen::Matrix<double, 3, 2>& triangle)
+{
+  bool left = false, right = false;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Eigen::RowVector2d p = triangle.row(k), q = triangle.row((k + 1) % 3);
+    if (Orientation(p, q, a) <= 0 && Orientation(p, q, b) <= 0)
+    {
+      return false;
+    }
+    const int side = Orientation(a, b, p);
+    left = left || side > 0;
+    right = right || side < 0;
+  }
+  return left && right;
+}
+
 } // namespace shape

@@ -22,4 +22,14 @@ int Orientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
 int Orientation(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c);
 
+/// 1 where d lies inside the circle through a, b, c, which run counter-clockwise; 0 on it. Exact as
+/// above; the fourth power of the differences must neither over- nor underflow.
+int InCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c,
+  const Eigen::RowVector2d& d);
+
+/// Whether the segment from a to b runs through the inside of a triangle whose corners run
+/// counter-clockwise: no line along a side of either has them on different sides. Exact as above.
+bool MeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
+  const Eigen::Matrix<double, 3, 2>& triangle);
+
 } // namespace shape

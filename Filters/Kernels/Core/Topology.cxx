@@ -2,9 +2,9 @@
 
 #include "Core/DisjointSets.h"
 #include "Core/Errors.h"
+#include "Core/Extent.h"
 #include "Core/HalfEdges.h"
 
-#include <sstream>
 #include <vector>
 
 namespace shape
@@ -110,23 +110,14 @@ std::string Found(const std::string& name, int count, const std::string& singula
     " (first at point " + std::to_string(first) + "); ";
 }
 
-/// Sixth powers of lengths must neither over- nor underflow.
 void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
 {
-  constexpr double least = 1e-50, most = 1e50;
-  const double side = LongestSide(points);
-  if (side == 0.0)
+  if (LongestSide(points) == 0.0)
   {
     throw InvalidInput(
       name + " has no area: its points are all at one place; check its coordinates");
   }
-  if (side < least || side > most)
-  {
-    std::ostringstream words;
-    words << name << " has a longest side of " << side << ", and lengths from " << least << " to "
-          << most << " can be computed with; scale it with Transform, or check its coordinates";
-    throw InvalidInput(words.str());
-  }
+  RequireExtent(points, name);
 }
 
 /// The topology of a surface that has triangles and finite coordinates.

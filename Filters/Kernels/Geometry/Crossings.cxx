@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 namespace shape
@@ -129,12 +130,12 @@ Eigen::AlignedBox3d BoxOf(const Mesh& mesh, int triangle)
 }
 
 /// What Eigen's search calls for each box and triangle: collects the crossings of one triangle with
-/// later ones.
+/// later ones, and with those before `From`.
 struct Search
 {
   const Mesh& Surface;
   const std::vector<Eigen::AlignedBox3d>& Boxes;
-  int Number;
+  int Number, From;
   std::vector<Crossing>& Found;
 
   // Eigen calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
@@ -145,10 +146,11 @@ struct Search
   bool intersectObject(int other) const
   {
     const Eigen::AlignedBox3d &mine = this->Boxes[this->Number], &its = this->Boxes[other];
-    if (other > this->Number && mine.intersects(its) &&
+    if ((other > this->Number || other < this->From) && mine.intersects(its) &&
       TrianglesMeet(this->Surface, this->Number, other))
     {
-      this->Found.push_back({ this->Number, other, mine.intersection(its).center().transpose() });
+      this->Found.push_back({ std::min(this->Number, other), std::max(this->Number, other),
+        mine.intersection(its).center().transpose() });
     }
     return false; // go on
   }
@@ -226,6 +228,12 @@ std::vector<int> FlatTriangles(const Mesh& mesh)
 
 std::vector<Crossing> FindCrossings(const Mesh& mesh, const Progress& progress)
 {
+  return FindCrossingsFrom(mesh, 0, std::numeric_limits<int>::max(), progress);
+}
+
+std::vector<Crossing> FindCrossingsFrom(
+  const Mesh& mesh, int first, int most, const Progress& progress)
+{
   const int count = static_cast<int>(mesh.Triangles.rows());
   std::vector<int> triangles(count);
   std::iota(triangles.begin(), triangles.end(), 0);
@@ -237,23 +245,28 @@ std::vector<Crossing> FindCrossings(const Mesh& mesh, const Progress& progress)
   Eigen::KdBVH<double, 3, int> tree;
   tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
 
-  constexpr int grain = 256;
-  std::vector<std::vector<Crossing>> found((count + grain - 1) / grain);
-  ParallelFor(
-    count, grain,
-    [&](int begin, int end)
-    {
-      for (int t = begin; t < end; ++t)
-      {
-        Search search{ mesh, boxes, t, found[begin / grain] };
-        Eigen::BVIntersect(tree, search);
-      }
-    },
-    progress);
+  constexpr int grain = 256, batch = 64 * grain;
   std::vector<Crossing> crossings;
-  for (const std::vector<Crossing>& some : found)
+  for (int from = first; from < count && static_cast<int>(crossings.size()) < most; from += batch)
   {
-    crossings.insert(crossings.end(), some.begin(), some.end());
+    const int size = std::min(batch, count - from);
+    std::vector<std::vector<Crossing>> found((size + grain - 1) / grain);
+    ParallelFor(
+      size, grain,
+      [&](int begin, int end)
+      {
+        for (int t = begin; t < end; ++t)
+        {
+          Search search{ mesh, boxes, from + t, first, found[begin / grain] };
+          Eigen::BVIntersect(tree, search);
+        }
+      },
+      progress.Part(static_cast<double>(from - first) / (count - first),
+        static_cast<double>(from - first + size) / (count - first)));
+    for (const std::vector<Crossing>& some : found)
+    {
+      crossings.insert(crossings.end(), some.begin(), some.end());
+    }
   }
   std::sort(crossings.begin(), crossings.end(),
     [](const Crossing& a, const Crossing& b)

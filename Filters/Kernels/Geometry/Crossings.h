@@ -36,4 +36,9 @@ std::vector<int> FlatTriangles(const Mesh& mesh);
  */
 std::vector<Crossing> FindCrossings(const Mesh& mesh, const Progress& progress = {});
 
+/// The same of pairs whose second triangle is `first` or a later one. It stops soon after it has
+/// found `most` of them.
+std::vector<Crossing> FindCrossingsFrom(
+  const Mesh& mesh, int first, int most, const Progress& progress = {});
+
 } // namespace shape

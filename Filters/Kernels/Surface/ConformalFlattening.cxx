@@ -1,7 +1,7 @@
 #include "Surface/ConformalFlattening.h"
 
-#include "Core/SparseSolve.h"
 #include "Surface/CotangentWeights.h"
+#include "Surface/DirichletProblem.h"
 #include "Surface/IntrinsicDelaunay.h"
 #include "Surface/OpenLoops.h"
 
@@ -14,65 +14,6 @@ namespace shape
 {
 namespace
 {
-
-/// The Dirichlet problem of a stiffness matrix, factorised once.
-class DirichletProblem
-{
-public:
-  /// fixed: points whose values are given.
-  DirichletProblem(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& fixed)
-    : Stiffness(stiffness)
-    , Row(stiffness.rows(), 0)
-  {
-    for (const int point : fixed)
-    {
-      this->Row[point] = -1;
-    }
-    for (int point = 0; point < static_cast<int>(this->Row.size()); ++point)
-    {
-      if (this->Row[point] == 0)
-      {
-        this->Row[point] = static_cast<int>(this->Inner.size());
-        this->Inner.push_back(point);
-      }
-    }
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int column = 0; column < stiffness.outerSize(); ++column)
-    {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(stiffness, column); entry; ++entry)
-      {
-        if (this->Row[entry.row()] >= 0 && this->Row[column] >= 0)
-        {
-          entries.emplace_back(this->Row[entry.row()], this->Row[column], entry.value());
-        }
-      }
-    }
-    const auto count = static_cast<Eigen::Index>(this->Inner.size());
-    Eigen::SparseMatrix<double> inner(count, count);
-    inner.setFromTriplets(entries.begin(), entries.end());
-    if (count > 0)
-    {
-      this->Solver.Factorize(inner);
-    }
-  }
-
-  /// Completes `values` (n x d), given at the fixed points and 0 elsewhere, so that inside
-  /// stiffness values = right.
-  void Solve(Eigen::MatrixXd& values, const Eigen::MatrixXd& right) const
-  {
-    if (!this->Inner.empty())
-    {
-      const Eigen::MatrixXd rest = right - this->Stiffness * values;
-      values(this->Inner, Eigen::all) = this->Solver.Solve(rest(this->Inner, Eigen::all));
-    }
-  }
-
-private:
-  const Eigen::SparseMatrix<double>& Stiffness;
-  std::vector<int> Row;   ///< of each point among the inner ones, or -1
-  std::vector<int> Inner; ///< points
-  SparseCholesky Solver;
-};
 
 /// 2 pi less the angles around each point, for points of the loop pi less them.
 Eigen::VectorXd Curvatures(const IntrinsicTriangles& flat, const Eigen::MatrixXd& cotangents,

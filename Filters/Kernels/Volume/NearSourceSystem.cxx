@@ -24,7 +24,7 @@ constexpr double NearOffsetOfSpacing = 0.9;
 constexpr double CoarseOffset = 0.5;
 
 /// The area-weighted normals at the points (n x 3, unit), zero where there is none.
-Eigen::MatrixXd PointNormals(const Mesh& surface)
+Eigen::MatrixXd AreaNormals(const Mesh& surface)
 {
   const Eigen::MatrixXd vectors = AreaVectors(surface);
   Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(surface.Points.rows(), 3);
@@ -132,7 +132,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
 NearSourceSystem::NearSourceSystem(
   const SignedDistance& boundary, const Mesh& surface, Effort effort, const Progress& progress)
 {
-  const Eigen::MatrixXd normals = PointNormals(surface);
+  const Eigen::MatrixXd normals = AreaNormals(surface);
   const Eigen::VectorXd areas = PointAreas(surface);
   const NearSources near = PlaceNearSources(boundary, surface.Points, normals,
     NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(), progress.Part(0.0, 0.3));

@@ -1,0 +1,335 @@
+#include "Deform/BoundaryHandle.h"
+
+#include "Core/Errors.h"
+#include "Core/Mesh.h"
+#include "Core/Topology.h"
+#include "Surface/PointTree.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+/// Who is before and after each sample on its curves, and around it on the surface.
+class Neighbourhood
+{
+public:
+  explicit Neighbourhood(const BoundaryHandle& handle)
+    : First(FirstSamples(handle))
+    , Before(handle.Places.rows())
+    , After(handle.Places.rows())
+    , Around(handle.Places.rows())
+  {
+    for (const auto& segment : handle.Segments.rowwise())
+    {
+      const int a = this->First[segment(0)], b = this->First[segment(1)];
+      if (a != b)
+      {
+        this->After[a].push_back(b);
+        this->Before[b].push_back(a);
+      }
+    }
+    for (const auto& triangle : handle.Triangles.rowwise())
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int a = this->First[triangle(k)], b = this->First[triangle((k + 1) % 3)];
+        this->Around[a].push_back(b);
+        this->Around[b].push_back(a);
+      }
+    }
+  }
+
+  bool OnSurface(int sample) const { return !this->Around[this->First[sample]].empty(); }
+
+  /// From the sample before to the sample after; 0 where there is no one such.
+  Eigen::Vector3d Tangent(int sample, const Eigen::MatrixXd& places) const
+  {
+    const int own = this->First[sample];
+    const std::vector<int>&before = this->Before[own], &after = this->After[own];
+    if (before.size() + after.size() == 0 || before.size() + after.size() > 2)
+    {
+      return Eigen::Vector3d::Zero();
+    }
+    // Where both segments lead away, or both arrive, the curve is run through in their order.
+    const int from = !before.empty() ? before.front() : after.size() == 2 ? after.front() : own;
+    const int to = !after.empty() ? after.back() : before.size() == 2 ? before.back() : own;
+    return (places.row(to) - places.row(from)).transpose();
+  }
+
+  /// All neighbours, some perhaps twice.
+  std::vector<int> All(int sample) const
+  {
+    const int own = this->First[sample];
+    std::vector<int> all = this->Around[own];
+    all.insert(all.end(), this->Before[own].begin(), this->Before[own].end());
+    all.insert(all.end(), this->After[own].begin(), this->After[own].end());
+    return all;
+  }
+
+  std::vector<int> First;
+
+private:
+  std::vector<std::vector<int>> Before, After, Around;
+};
+
+Eigen::Matrix3d LeastRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+{
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
+/// The rotation R that brings sum_j of R from_j nearest to to_j, where `products` is the sum of
+/// to_j from_j^T; `before` followed by the least rotation where the vectors have one direction
+/// only, `before` where they have none.
+Eigen::Matrix3d FittedRotation(const Eigen::Matrix3d& products, const Eigen::Matrix3d& before)
+{
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector3d values = svd.singularValues();
+  if (!(values(0) > 0.0))
+  {
+    return before;
+  }
+  if (values(1) <= 1e-9 * values(0))
+  {
+    return LeastRotation(before * svd.matrixV().col(0), svd.matrixU().col(0)) * before;
+  }
+  Eigen::Matrix3d u = svd.matrixU();
+  if (u.determinant() * svd.matrixV().determinant() < 0.0)
+  {
+    u.col(2) = -u.col(2);
+  }
+  return u * svd.matrixV().transpose();
+}
+
+/// How much of the handle each sample stands for, so that dense samples count no more.
+Eigen::VectorXd Shares(const BoundaryHandle& handle)
+{
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(handle.Places.rows());
+  const double size = BoxDiagonal(handle.Places);
+  for (const auto& segment : handle.Segments.rowwise())
+  {
+    const double length =
+      (handle.Places.row(segment(0)) - handle.Places.row(segment(1))).norm() * size;
+    shares(segment(0)) += length;
+    shares(segment(1)) += length;
+  }
+  const Mesh surface{ handle.Places, handle.Triangles };
+  shares += handle.Triangles.rows() > 0 ? PointAreas(surface) : Eigen::VectorXd(0.0 * shares);
+  if (!(shares.sum() > 0.0))
+  {
+    shares.setOnes();
+  }
+  return shares;
+}
+
+/// The rotation of the handle as a whole.
+Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& places)
+{
+  const Eigen::VectorXd shares = Shares(handle);
+  const auto centred = [&](const Eigen::MatrixXd& rows) -> Eigen::MatrixXd
+  {
+    const Eigen::RowVector3d centre = shares.transpose() * rows / shares.sum();
+    return rows.rowwise() - centre;
+  };
+  const Eigen::Matrix3d products =
+    centred(places).transpose() * shares.asDiagonal() * centred(handle.Places);
+  return FittedRotation(products, Eigen::Matrix3d::Identity());
+}
+
+/// Columns: along the tangent, beside the normal, nearest to the normal; false where they are
+/// parallel, or one is 0.
+bool MakeFrame(
+  const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal, Eigen::Matrix3d& frame)
+{
+  const Eigen::Vector3d side = normal.normalized().cross(tangent.normalized());
+  if (!(side.norm() > 1e-6))
+  {
+    return false;
+  }
+  frame.col(0) = tangent.normalized();
+  frame.col(1) = side.normalized();
+  frame.col(2) = frame.col(0).cross(frame.col(1));
+  return true;
+}
+
+/// The rotation of one sample; normals of length 0 where none are known.
+class SampleRotation
+{
+public:
+  SampleRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& places)
+    : Handle(handle)
+    , Places(places)
+    , Near(handle)
+    , Whole(WholeRotation(handle, places))
+  {
+  }
+
+  Eigen::Matrix3d Of(int sample, const Eigen::Vector3d& normal, const Eigen::Vector3d& moved) const
+  {
+    const Eigen::Vector3d tangent = this->Near.Tangent(sample, this->Handle.Places);
+    const Eigen::Vector3d along = this->Near.Tangent(sample, this->Places);
+    if (!this->Near.OnSurface(sample) && tangent.norm() > 0.0 && along.norm() > 0.0)
+    {
+      Eigen::Matrix3d from, to;
+      if (MakeFrame(tangent, normal, from) && MakeFrame(along, moved, to))
+      {
+        return to * from.transpose();
+      }
+      return LeastRotation(this->Whole * tangent, along) * this->Whole;
+    }
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    double size = 0.0;
+    for (const int j : this->Near.All(sample))
+    {
+      const Eigen::RowVector3d from = this->Handle.Places.row(j) - this->Handle.Places.row(sample);
+      products += (this->Places.row(j) - this->Places.row(sample)).transpose() * from;
+      size += from.squaredNorm();
+    }
+    products += (size > 0.0 ? size : 1.0) * moved * normal.transpose();
+    return FittedRotation(products, this->Whole);
+  }
+
+private:
+  const BoundaryHandle& Handle;
+  const Eigen::MatrixXd& Places;
+  Neighbourhood Near;
+  Eigen::Matrix3d Whole;
+};
+
+Eigen::MatrixXd UnitRows(Eigen::MatrixXd rows)
+{
+  for (auto row : rows.rowwise())
+  {
+    const double norm = row.norm();
+    row /= norm > 0.0 ? norm : 1.0;
+  }
+  return rows;
+}
+
+/// The normals of the handle's own surface, 0 elsewhere.
+Eigen::MatrixXd SurfaceNormals(const BoundaryHandle& handle, const Eigen::MatrixXd& places)
+{
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(places.rows(), 3);
+  const Eigen::MatrixXd vectors = AreaVectors(Mesh{ places, handle.Triangles });
+  for (Eigen::Index t = 0; t < handle.Triangles.rows(); ++t)
+  {
+    for (const int sample : handle.Triangles.row(t))
+    {
+      normals.row(sample) += vectors.row(t);
+    }
+  }
+  return normals;
+}
+
+void RequireSize(const Eigen::MatrixXd& rows, Eigen::Index samples, const std::string& name)
+{
+  if (rows.rows() != samples || rows.cols() != 3)
+  {
+    throw InvalidInput("the handle has " + std::to_string(samples) + " points, but its " + name +
+      " are " + std::to_string(rows.rows()) + " x " + std::to_string(rows.cols()) +
+      "; give one of three numbers for each");
+  }
+  RequireFinite(rows, "the handle's " + name);
+}
+
+} // namespace
+
+BoundaryHandle CurveHandle(
+  const Eigen::MatrixXd& places, bool closed, const Eigen::MatrixXd& normals)
+{
+  const auto samples = static_cast<int>(places.rows());
+  BoundaryHandle handle{ places, {}, {}, normals };
+  handle.Segments.resize(std::max(0, closed ? samples : samples - 1), 2);
+  for (int i = 0; i < handle.Segments.rows(); ++i)
+  {
+    handle.Segments.row(i) << i, (i + 1) % samples;
+  }
+  return handle;
+}
+
+std::vector<int> FirstSamples(const BoundaryHandle& handle)
+{
+  const PointTree tree(handle.Places);
+  const double tolerance = 1e-9 * BoxDiagonal(handle.Places);
+  std::vector<int> first;
+  for (Eigen::Index i = 0; i < handle.Places.rows(); ++i)
+  {
+    first.push_back(tree.Within(handle.Places.row(i), tolerance).front());
+  }
+  return first;
+}
+
+Eigen::MatrixXd HandleTangents(const BoundaryHandle& handle, const Eigen::MatrixXd& places)
+{
+  const Neighbourhood near(handle);
+  Eigen::MatrixXd tangents(places.rows(), 3);
+  for (int i = 0; i < static_cast<int>(places.rows()); ++i)
+  {
+    tangents.row(i) = near.Tangent(i, places).transpose();
+  }
+  return tangents;
+}
+
+HandlePose PoseHandle(
+  const BoundaryHandle& handle, const Eigen::MatrixXd& places, const Eigen::MatrixXd& normals)
+{
+  const Eigen::Index samples = handle.Places.rows();
+  RequireSize(handle.Places, samples, "places");
+  RequireSize(places, samples, "target places");
+  const bool before = handle.Normals.size() > 0, after = normals.size() > 0;
+  if (before != after)
+  {
+    throw InvalidInput(std::string("the handle has normals at its ") +
+      (before ? "source, but not at its target" : "target, but not at its source") +
+      "; give both SourceNormal and TargetNormal, or neither");
+  }
+  if (before)
+  {
+    RequireSize(handle.Normals, samples, "source normals");
+    RequireSize(normals, samples, "target normals");
+  }
+  if (places == handle.Places && (!before || normals == handle.Normals))
+  {
+    return RestPose(handle); // to the last bit
+  }
+  const Eigen::MatrixXd from =
+    UnitRows(before ? handle.Normals : SurfaceNormals(handle, handle.Places));
+  const Eigen::MatrixXd to = UnitRows(before ? normals : SurfaceNormals(handle, places));
+  const SampleRotation rotation(handle, places);
+  HandlePose pose{ places, {} };
+  for (int i = 0; i < static_cast<int>(samples); ++i)
+  {
+    pose.Rotations.push_back(rotation.Of(i, from.row(i).transpose(), to.row(i).transpose()));
+  }
+  return pose;
+}
+
+HandlePose RestPose(const BoundaryHandle& handle)
+{
+  return { handle.Places,
+    std::vector<Eigen::Matrix3d>(handle.Places.rows(), Eigen::Matrix3d::Identity()) };
+}
+
+void TurnAboutTangents(
+  const BoundaryHandle& handle, const Eigen::VectorXd& angles, HandlePose& pose)
+{
+  const Eigen::MatrixXd tangents = HandleTangents(handle, pose.Places);
+  for (Eigen::Index i = 0; i < tangents.rows(); ++i)
+  {
+    const Eigen::Vector3d axis = tangents.row(i).transpose();
+    if (axis.norm() > 0.0)
+    {
+      pose.Rotations[i] =
+        Eigen::AngleAxisd(angles(i), axis.normalized()).toRotationMatrix() * pose.Rotations[i];
+    }
+  }
+}
+
+} // namespace shape

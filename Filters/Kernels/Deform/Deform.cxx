@@ -1,0 +1,150 @@
+#include "Deform/Deform.h"
+
+#include "Core/Topology.h"
+#include "Deform/PointParameters.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+template <typename Matrix>
+bool AreSame(const Matrix& a, const Matrix& b)
+{
+  return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+}
+
+std::vector<int> OrderByPlace(const Eigen::MatrixXd& points)
+{
+  std::vector<int> order(points.rows());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int i)
+  { return std::make_tuple(points(i, 0), points(i, 1), points(i, 2), i); };
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
+  return order;
+}
+
+/// The elements over renumbered points, in order. Corners out of range stay so.
+Eigen::MatrixXi Sorted(const Eigen::MatrixXi& elements, const std::vector<int>& number)
+{
+  std::vector<std::vector<int>> rows;
+  for (const auto& element : elements.rowwise())
+  {
+    rows.emplace_back();
+    for (const int point : element)
+    {
+      const bool known = point >= 0 && point < static_cast<int>(number.size());
+      rows.back().push_back(known ? number[point] : point);
+    }
+  }
+  std::sort(rows.begin(), rows.end());
+  Eigen::MatrixXi sorted(elements.rows(), elements.cols());
+  for (Eigen::Index i = 0; i < sorted.rows(); ++i)
+  {
+    sorted.row(i) = Eigen::Map<const Eigen::RowVectorXi>(rows[i].data(), sorted.cols());
+  }
+  return sorted;
+}
+
+ShapeElements Sorted(const ShapeElements& shape, const std::vector<int>& order)
+{
+  std::vector<int> number(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    number[order[i]] = static_cast<int>(i);
+  }
+  return { shape.Points(order, Eigen::all), Sorted(shape.Lines, number),
+    Sorted(shape.Triangles, number), Sorted(shape.Tetrahedra, number) };
+}
+
+/// A field whose size is wrong stays, for the one who tells.
+template <typename Field>
+Field Sorted(const Field& field, const std::vector<int>& order)
+{
+  return field.size() == static_cast<Eigen::Index>(order.size()) ? Field(field(order)) : field;
+}
+
+} // namespace
+
+HandlePose PoseAt(const BoundaryHandle& handle, const HandleTarget& target,
+  const PoseOptions& options, const PointGraph& graph)
+{
+  HandlePose pose = PoseHandle(handle, target.Places, target.Normals);
+  if (target.Turns.Turns.rows() > 0)
+  {
+    AddSetTurns(handle, target.Turns, pose);
+  }
+  if (options.BiasWeight != 0.0)
+  {
+    BiasFrames(handle, HandleNormals(handle, graph), options, pose);
+  }
+  return pose;
+}
+
+bool Deformer::HasShape(const ShapeElements& shape) const
+{
+  const ShapeElements& own = this->Problem.Shape;
+  return this->Graph.Size() > 0 && AreSame(shape.Points, own.Points) &&
+    AreSame(shape.Lines, own.Lines) && AreSame(shape.Triangles, own.Triangles) &&
+    AreSame(shape.Tetrahedra, own.Tetrahedra);
+}
+
+bool Deformer::Fits(const DeformProblem& problem) const
+{
+  const DeformProblem& own = this->Problem;
+  return this->Deformation && problem.Options == own.Options &&
+    AreSame(problem.Handle.Places, own.Handle.Places) &&
+    AreSame(problem.Handle.Segments, own.Handle.Segments) &&
+    AreSame(problem.Handle.Triangles, own.Handle.Triangles) &&
+    AreSame(problem.Fields.Rigidity, own.Fields.Rigidity) &&
+    AreSame(problem.Fields.Scale, own.Fields.Scale) &&
+    AreSame(problem.Fields.Segments, own.Fields.Segments);
+}
+
+DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget& target,
+  const PoseOptions& options, const Progress& progress)
+{
+  const bool hasShape = this->HasShape(problem.Shape);
+  this->Fresh = !hasShape || !this->Fits(problem);
+  if (this->Fresh)
+  {
+    // Where this fails, or is stopped, nothing fits afterwards.
+    this->Deformation.reset();
+    if (!hasShape)
+    {
+      this->Graph = {};
+    }
+    this->Problem = problem;
+    RequireFields(problem.Fields, problem.Shape.Points.rows());
+    if (!hasShape)
+    {
+      RequireFinite(problem.Shape.Points, "the shape");
+      this->Order = OrderByPlace(problem.Shape.Points);
+      this->Graph = MakePointGraph(Sorted(problem.Shape, this->Order), {}, progress.Part(0.0, 0.2));
+    }
+    const DeformFields& fields = problem.Fields;
+    this->Deformation = PrepareDeformation(this->Graph, problem.Handle, problem.Options,
+      { Sorted(fields.Rigidity, this->Order), Sorted(fields.Scale, this->Order),
+        Sorted(fields.Segments, this->Order) },
+      progress.Part(0.2, 0.8));
+  }
+  const DeformedShape sorted =
+    this->Deformation->Deform(PoseAt(problem.Handle, target, options, this->Graph),
+      std::numeric_limits<double>::infinity(), progress.Part(0.8, 1.0));
+  DeformedShape deformed{ Eigen::MatrixXd(sorted.Points.rows(), 3),
+    std::vector<Eigen::Matrix3d>(sorted.Rotations.size()) };
+  for (std::size_t i = 0; i < this->Order.size(); ++i)
+  {
+    deformed.Points.row(this->Order[i]) = sorted.Points.row(static_cast<Eigen::Index>(i));
+    deformed.Rotations[this->Order[i]] = sorted.Rotations[i];
+  }
+  return deformed;
+}
+
+} // namespace shape

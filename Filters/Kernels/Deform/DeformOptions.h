@@ -1,0 +1,55 @@
+#pragma once
+
+#include "Surface/UpwindFront.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/// How a shape is deformed: sections and equations of Schmidt and Singh, "Drag-and-drop surface
+/// composition" (Graphics Interface 2010).
+struct DeformOptions
+{
+  enum class MethodType
+  {
+    UpwindFront,     ///< each point relative to those just upwind of it (section 2.1)
+    BoundaryRelative ///< each point relative to the handle alone (equation 5)
+  };
+  MethodType Method = MethodType::UpwindFront;
+  /// How rigid the shape is: the power k of equation 4 is 2 / Rigidity, at most 32. > 0.
+  double Rigidity = 1.0;
+  enum class RigidityByType
+  {
+    Uniform,
+    Distance, ///< the farthest points are RigidityContrast times as rigid as the handle
+    Curvature ///< flat parts are RigidityContrast times as rigid as the most curved ones
+  };
+  RigidityByType RigidityBy = RigidityByType::Uniform;
+  double RigidityContrast = 4.0; ///< > 0
+  double Scale = 1.0;            ///< of the offsets from upwind points to a point; > 0
+  double InnerScale = 1.0;   ///< of the farthest points, times Scale; linear in arrival times; > 0
+  double UpwindRadius = 2.1; ///< r_u in mean edges: larger draws the shape to the handle; > 0
+  using DistanceType = FrontDistance;
+  DistanceType Distance = DistanceType::Euclidean; ///< d of equation 4
+  enum class MultiresolutionType
+  {
+    Automatic, ///< above 2000 points
+    On,
+    Off
+  };
+  MultiresolutionType Multiresolution = MultiresolutionType::Automatic;
+  bool LaplacianSmoothing = false; ///< afterwards, which spreads the distortion evenly (Fig. 16)
+};
+
+bool operator==(const DeformOptions& a, const DeformOptions& b);
+
+/// Values at the points of a shape, each n or none.
+struct DeformFields
+{
+  Eigen::VectorXd Rigidity; ///< multiplies DeformOptions::Rigidity; >= 0
+  Eigen::VectorXd Scale;    ///< multiplies DeformOptions::Scale; >= 0
+  Eigen::VectorXi Segments; ///< labels: parts that follow one after the other (Fig. 9)
+};
+
+} // namespace shape

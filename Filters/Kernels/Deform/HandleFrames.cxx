@@ -1,0 +1,216 @@
+#include "Deform/HandleFrames.h"
+
+#include "Core/DisjointSets.h"
+#include "Core/Errors.h"
+#include "Core/Mesh.h"
+#include "Core/SparseSolve.h"
+#include "Surface/PointTree.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+Eigen::Matrix3d TurnBy(const Eigen::Vector3d& turn)
+{
+  const double angle = turn.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
+                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
+/// Pairs of samples that are next to each other along the handle, in terms of the first at a place.
+std::vector<std::pair<int, int>> HandleLinks(
+  const BoundaryHandle& handle, const std::vector<int>& first)
+{
+  std::vector<std::pair<int, int>> links;
+  const auto add = [&](int a, int b)
+  {
+    if (first[a] != first[b])
+    {
+      links.emplace_back(std::min(first[a], first[b]), std::max(first[a], first[b]));
+    }
+  };
+  for (const auto& segment : handle.Segments.rowwise())
+  {
+    add(segment(0), segment(1));
+  }
+  for (const auto& triangle : handle.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      add(triangle(k), triangle((k + 1) % 3));
+    }
+  }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
+
+} // namespace
+
+void AddSetTurns(const BoundaryHandle& handle, const SetTurns& turns, HandlePose& pose)
+{
+  const auto samples = static_cast<int>(handle.Places.rows());
+  if (turns.Turns.rows() != samples || turns.Turns.cols() != 3 || turns.IsSet.size() != samples)
+  {
+    throw InvalidInput("the handle has " + std::to_string(samples) + " points, but turns for " +
+      std::to_string(turns.Turns.rows()) + "; give each a turn of three numbers, and a flag");
+  }
+  const std::vector<int> first = FirstSamples(handle);
+  const std::vector<std::pair<int, int>> links = HandleLinks(handle, first);
+  DisjointSets pieces(samples);
+  for (const auto& [a, b] : links)
+  {
+    pieces.Merge(a, b);
+  }
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(samples, 3);
+  std::vector<char> given(samples, 0), reached(samples, 0);
+  for (int i = 0; i < samples; ++i)
+  {
+    if (turns.IsSet(i) != 0 && !given[first[i]])
+    {
+      if (!turns.Turns.row(i).allFinite())
+      {
+        throw InvalidInput("the turn set at point " + std::to_string(i) +
+          " of the handle is not finite; set another one");
+      }
+      given[first[i]] = 1;
+      values.row(first[i]) = turns.Turns.row(i);
+      reached[pieces.Find(first[i])] = 1;
+    }
+  }
+  // The free samples: along a chain, weights 1 / length make the solution linear in length.
+  std::vector<int> unknown(samples, -1);
+  int count = 0;
+  for (int i = 0; i < samples; ++i)
+  {
+    if (first[i] == i && !given[i] && reached[pieces.Find(i)])
+    {
+      unknown[i] = count++;
+    }
+  }
+  if (count > 0)
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(count, 3);
+    for (const auto& [a, b] : links)
+    {
+      const double weight = 1.0 / (handle.Places.row(a) - handle.Places.row(b)).norm();
+      for (const auto& [from, to] : { std::pair(a, b), std::pair(b, a) })
+      {
+        if (unknown[from] < 0)
+        {
+          continue;
+        }
+        entries.emplace_back(unknown[from], unknown[from], weight);
+        if (unknown[to] >= 0)
+        {
+          entries.emplace_back(unknown[from], unknown[to], -weight);
+        }
+        else
+        {
+          sums.row(unknown[from]) += weight * values.row(to);
+        }
+      }
+    }
+    Eigen::SparseMatrix<double> matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    SparseCholesky factor;
+    factor.Factorize(matrix);
+    const Eigen::MatrixXd found = factor.Solve(sums);
+    for (int i = 0; i < samples; ++i)
+    {
+      if (unknown[i] >= 0)
+      {
+        values.row(i) = found.row(unknown[i]);
+      }
+    }
+  }
+  for (int i = 0; i < samples; ++i)
+  {
+    if (reached[pieces.Find(first[i])])
+    {
+      pose.Rotations[i] = TurnBy(values.row(first[i]).transpose()) * pose.Rotations[i];
+    }
+  }
+}
+
+void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
+  const PoseOptions& options, HandlePose& pose)
+{
+  RequireOption(options.BiasWeight >= 0.0 && options.BiasWeight <= 1.0, "BiasWeight",
+    options.BiasWeight, "at least 0 and at most 1");
+  if (options.BiasWeight == 0.0)
+  {
+    return;
+  }
+  const Eigen::Vector3d given = Eigen::Map<const Eigen::Vector3d>(options.BiasFrame.data());
+  RequireOption(given.allFinite() && given.norm() > 0.0, "the length of BiasFrame", given.norm(),
+    "positive and finite");
+  const Eigen::Vector3d direction = given.normalized();
+  const Eigen::MatrixXd tangents = HandleTangents(handle, pose.Places);
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    if (!(normals.row(i).norm() > 0.0))
+    {
+      continue;
+    }
+    const Eigen::Vector3d normal = (pose.Rotations[i] * normals.row(i).transpose()).normalized();
+    Eigen::Vector3d axis = normal.cross(direction);
+    const double angle = std::atan2(axis.norm(), normal.dot(direction));
+    if (!(axis.norm() > 1e-12))
+    {
+      // Opposite: every way is as short; the one about the curve does not twist it.
+      const Eigen::Vector3d tangent = tangents.row(i).transpose();
+      axis = tangent - tangent.dot(normal) * normal;
+      axis = axis.norm() > 0.0 ? axis : normal.unitOrthogonal();
+    }
+    pose.Rotations[i] = TurnBy(options.BiasWeight * angle * axis.normalized()) * pose.Rotations[i];
+  }
+}
+
+Eigen::MatrixXd HandleNormals(const BoundaryHandle& handle, const PointGraph& shape)
+{
+  if (handle.Normals.size() > 0)
+  {
+    return handle.Normals;
+  }
+  const Eigen::RowVector3d centre = handle.Places.colwise().mean();
+  const Eigen::MatrixXd ways = handle.Places.rowwise() - centre;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(ways.transpose() * ways);
+  Eigen::RowVector3d plane = Eigen::RowVector3d::Zero();
+  if (axes.eigenvalues()(1) > 1e-12 * axes.eigenvalues()(2))
+  {
+    plane = axes.eigenvectors().col(0).transpose();
+    // Closed curves run counter-clockwise around their normal.
+    Eigen::RowVector3d area = Eigen::RowVector3d::Zero();
+    for (const auto& segment : handle.Segments.rowwise())
+    {
+      const Eigen::RowVector3d from = ways.row(segment(0)), to = ways.row(segment(1));
+      area += from.cross(to);
+    }
+    plane = plane.dot(area) < 0.0 ? Eigen::RowVector3d(-plane) : plane;
+  }
+  const PointTree tree(shape.Places);
+  const double near = 1e-6 * BoxDiagonal(shape.Places) + shape.MeanLength;
+  Eigen::MatrixXd normals(handle.Places.rows(), 3);
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    const int node = tree.Nearest(handle.Places.row(i), 1).front();
+    const bool known = (shape.Places.row(node) - handle.Places.row(i)).norm() <= near &&
+      shape.Normals.row(node).norm() > 0.0;
+    normals.row(i) = known ? Eigen::RowVector3d(shape.Normals.row(node)) : plane;
+  }
+  return normals;
+}
+
+} // namespace shape

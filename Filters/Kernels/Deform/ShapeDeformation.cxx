@@ -1,0 +1,216 @@
+#include "Deform/ShapeDeformation.h"
+
+#include "Core/Errors.h"
+#include "Core/Topology.h"
+#include "Deform/BaseDeformation.h"
+#include "Deform/BoundaryRelative.h"
+#include "Deform/FrontDeformation.h"
+#include "Deform/HandleSources.h"
+#include "Deform/LaplacianSmoothing.h"
+#include "Deform/PointParameters.h"
+#include "Deform/SegmentHierarchy.h"
+#include "Deform/SourceMotions.h"
+#include "Surface/GraphIslands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+/// Throws InvalidInput where a pose does not have a place and a rotation for each sample.
+void RequirePose(const BoundaryHandle& handle, const HandlePose& pose)
+{
+  const Eigen::Index samples = handle.Places.rows();
+  if (pose.Places.rows() != samples || pose.Places.cols() != 3 ||
+    static_cast<Eigen::Index>(pose.Rotations.size()) != samples)
+  {
+    throw InvalidInput("the pose has " + std::to_string(pose.Places.rows()) + " places and " +
+      std::to_string(pose.Rotations.size()) + " rotations, but the handle has " +
+      std::to_string(samples) + " points; give one of each");
+  }
+  RequireFinite(pose.Places, "the pose");
+}
+
+std::unique_ptr<NodeDeformation> SolveInFull(
+  NodeProblem problem, DeformOptions::MethodType method, const Progress& progress)
+{
+  if (method == DeformOptions::MethodType::BoundaryRelative)
+  {
+    return std::make_unique<BoundaryRelative>(std::move(problem), progress);
+  }
+  return std::make_unique<FrontDeformation>(std::move(problem), progress);
+}
+
+std::unique_ptr<NodeDeformation> Solve(
+  NodeProblem problem, const DeformOptions& options, const Progress& progress)
+{
+  // As the paper has it: above 2000 points, a base of 1000; larger shapes have larger ones.
+  constexpr int few = 2000, least = 1000, share = 20;
+  using Type = DeformOptions::MultiresolutionType;
+  const int inner = problem.Graph.Size() - static_cast<int>(problem.Sources.size());
+  const int base = std::max(least, inner / share);
+  const bool coarse = options.Multiresolution == Type::On ||
+    (options.Multiresolution == Type::Automatic && inner > few);
+  if (!coarse || inner <= base)
+  {
+    return SolveInFull(std::move(problem), options.Method, progress);
+  }
+  return std::make_unique<BaseDeformation>(
+    std::move(problem), base,
+    [&](NodeProblem one, const Progress& part)
+    { return SolveInFull(std::move(one), options.Method, part); },
+    progress);
+}
+
+/// Labels of all nodes of a graph whose first ones are the shape's.
+Eigen::VectorXi LabelsOfNodes(
+  const PointGraph& shape, const Eigen::VectorXi& labels, const PointGraph& all)
+{
+  if (labels.size() != shape.NodeOf.size())
+  {
+    throw InvalidInput("the segments have " + std::to_string(labels.size()) +
+      " labels, but the shape has " + std::to_string(shape.NodeOf.size()) +
+      " points; give one for each");
+  }
+  Eigen::VectorXi ofNodes = Eigen::VectorXi::Zero(all.Size());
+  for (int node = 0; node < shape.Size(); ++node)
+  {
+    ofNodes(node) = labels(shape.PointOf[node]);
+  }
+  return ofNodes;
+}
+
+/// Beside a handle that is this much larger, or far away, the shape would be one point.
+void RequireNear(const BoundaryHandle& handle, const PointGraph& graph)
+{
+  constexpr double least = 1e-9;
+  Eigen::MatrixXd all(handle.Places.rows() + graph.Places.rows(), 3);
+  all << handle.Places, graph.Places;
+  const double shape = LongestSide(graph.Places), both = LongestSide(all);
+  // AttachHandle says what is not finite.
+  if (std::isfinite(both) && shape < least * both && (shape > 0.0 || both > 1e50))
+  {
+    std::ostringstream words;
+    words << "the shape's longest side is " << shape << ", and " << both
+          << " with the handle; the handle at rest must be where the shape is";
+    throw InvalidInput(words.str());
+  }
+}
+
+} // namespace
+
+struct ShapeDeformation::Prepared
+{
+  PointGraph Shape;
+  BoundaryHandle Handle;
+  HandleSources Sources;
+  Eigen::VectorXd Scales;
+  Eigen::VectorXd Arrivals;
+  DeformFacts Facts;
+  std::unique_ptr<NodeDeformation> Nodes;
+  std::unique_ptr<LaplacianSmoothing> Smoothing;
+};
+
+ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle& handle,
+  const DeformOptions& options, const DeformFields& fields, const Progress& progress)
+  : Impl(std::make_unique<Prepared>())
+{
+  RequireOptions(options);
+  RequireNear(handle, graph);
+  Prepared& own = *this->Impl;
+  own.Shape = graph;
+  own.Handle = handle;
+  own.Sources = AttachHandle(graph, handle, progress.Part(0.0, 0.1));
+  own.Facts.Islands = JoinIslands(own.Sources.Graph, own.Sources.Nodes, progress.Part(0.1, 0.2));
+  own.Facts.WeldedPoints = static_cast<int>(graph.NodeOf.size()) - graph.Size();
+  const FrontSweep sweep =
+    SweepFront(own.Sources.Graph, own.Sources.Nodes, progress.Part(0.2, 0.3));
+  own.Arrivals.resize(graph.NodeOf.size());
+  for (Eigen::Index i = 0; i < own.Arrivals.size(); ++i)
+  {
+    own.Arrivals(i) = sweep.Arrivals[sweep.Ranks[graph.NodeOf(i)]];
+  }
+  const PointParameters parameters = FindParameters(graph, sweep, options, fields);
+  own.Scales = parameters.Scales;
+  NodeProblem problem{ own.Sources.Graph, own.Sources.Nodes, parameters.Powers, parameters.Scales,
+    { options.UpwindRadius, options.Distance } };
+  if (options.LaplacianSmoothing)
+  {
+    own.Smoothing = std::make_unique<LaplacianSmoothing>(problem);
+  }
+  if (fields.Segments.size() > 0)
+  {
+    const Eigen::VectorXi labels = LabelsOfNodes(graph, fields.Segments, own.Sources.Graph);
+    auto parts = std::make_unique<SegmentHierarchy>(
+      std::move(problem), labels,
+      [&](NodeProblem one, const Progress& part) { return Solve(std::move(one), options, part); },
+      progress.Part(0.3, 1.0));
+    own.Facts.Segments = parts->Segments();
+    own.Nodes = std::move(parts);
+  }
+  else
+  {
+    own.Nodes = Solve(std::move(problem), options, progress.Part(0.3, 1.0));
+  }
+  own.Facts.EmptyBands = own.Nodes->EmptyBands();
+  own.Facts.ZeroWeights = own.Nodes->ZeroWeights();
+  own.Facts.BasePoints = own.Nodes->BaseNodes();
+  own.Facts.Streamed = own.Nodes->IsStreamed();
+}
+
+ShapeDeformation::~ShapeDeformation() = default;
+
+const Eigen::VectorXd& ShapeDeformation::Arrivals() const
+{
+  return this->Impl->Arrivals;
+}
+
+const DeformFacts& ShapeDeformation::Facts() const
+{
+  return this->Impl->Facts;
+}
+
+DeformedShape ShapeDeformation::Deform(
+  const HandlePose& pose, double reach, const Progress& progress) const
+{
+  const Prepared& own = *this->Impl;
+  RequirePose(own.Handle, pose);
+  const NodeMotions sources = MoveSources(own.Sources, own.Handle, pose, own.Scales);
+  constexpr double everywhere = std::numeric_limits<double>::infinity();
+  NodeMotions motions = own.Nodes->Move(sources, own.Smoothing ? everywhere : reach, progress);
+  if (own.Smoothing)
+  {
+    own.Smoothing->Apply(motions);
+  }
+  const Eigen::Index points = own.Shape.Points.rows();
+  DeformedShape result{ Eigen::MatrixXd(points, 3), std::vector<Eigen::Matrix3d>(points) };
+  for (Eigen::Index i = 0; i < points; ++i)
+  {
+    const int node = own.Shape.NodeOf(i);
+    result.Rotations[i] = motions.Rotations[node];
+    result.Points.row(i) = own.Shape.Points.row(i) + motions.Shifts.col(node).transpose();
+    if (own.Shape.PointOf[node] != i) // welded to another one: it follows that
+    {
+      const Eigen::Matrix3d turn =
+        own.Scales(node) * motions.Rotations[node] - Eigen::Matrix3d::Identity();
+      const Eigen::RowVector3d offset = own.Shape.Points.row(i) - own.Shape.Places.row(node);
+      result.Points.row(i) += offset * turn.transpose();
+    }
+  }
+  return result;
+}
+
+std::unique_ptr<ShapeDeformation> PrepareDeformation(const PointGraph& graph,
+  const BoundaryHandle& handle, const DeformOptions& options, const DeformFields& fields,
+  const Progress& progress)
+{
+  return std::make_unique<ShapeDeformation>(graph, handle, options, fields, progress);
+}
+
+} // namespace shape
