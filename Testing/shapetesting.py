@@ -1,8 +1,16 @@
 """What the Python tests share: data, running a filter while its errors are caught, pictures."""
+import contextlib
 import os
+import socket
+import subprocess
+import tempfile
+import time
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_POLY_LINE, vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -66,6 +74,27 @@ def triangles(surface):
     return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
 
+def edges_of(surface, kind):
+    """The edges of a kind: Boundary or NonManifold."""
+    algorithm = vtkFeatureEdges()
+    algorithm.SetInputData(surface)
+    for each in ('Boundary', 'NonManifold', 'Feature', 'Manifold'):
+        getattr(algorithm, 'Set%sEdges' % each)(each == kind)
+    algorithm.Update()
+    return algorithm.GetOutput()
+
+
+def edges(surface, kind):
+    """How many there are."""
+    return edges_of(surface, kind).GetNumberOfCells()
+
+
+def euler(surface):
+    faces = triangles(surface)
+    sides = numpy.sort(numpy.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]))
+    return len(numpy.unique(faces)) - len(numpy.unique(sides, axis=0)) + len(faces)
+
+
 def places_on(surface, count, random):
     """Random places on triangles, evenly over the area, and the unit normals there."""
     corners = points(surface)[triangles(surface)]
@@ -85,6 +114,17 @@ def add_array(data, values, name):
     values = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
     values.SetName(name)
     data.GetPointData().AddArray(values)
+
+
+def closed_curve(places):
+    """One closed polyline."""
+    count = len(places)
+    curve = vtkPolyData()
+    curve.SetPoints(vtkPoints())
+    set_points(curve, numpy.array(places, dtype=float))
+    curve.SetLines(vtkCellArray())
+    curve.InsertNextCell(VTK_POLY_LINE, count + 1, [i % count for i in range(count + 1)])
+    return curve
 
 
 def without_cells(surface, cells):
@@ -114,6 +154,27 @@ def run(algorithm):
     for source, tag in tags:
         source.RemoveObserver(tag)
     return messages
+
+
+@contextlib.contextmanager
+def server(command):
+    """Runs a pvserver, as ['pvserver'] or with mpiexec in front, and gives the port that it waits at."""
+    with socket.socket() as free:
+        free.bind(('localhost', 0))
+        port = free.getsockname()[1]
+    # This process is an MPI process itself: what it inherited would make mpiexec refuse.
+    environment = {key: value for key, value in os.environ.items()
+                   if not key.startswith(('OMPI_', 'PMIX_', 'PRTE_', 'ORTE_'))}
+    with tempfile.NamedTemporaryFile('w+') as log:
+        process = subprocess.Popen(command + ['--server-port=%d' % port], stdout=log,
+                                   stderr=subprocess.STDOUT, env=environment)
+        try:
+            while 'Accepting connection' not in open(log.name).read():
+                assert process.poll() is None, 'the server ended: ' + open(log.name).read()
+                time.sleep(0.2)
+            yield port
+        finally:
+            process.kill()
 
 
 def compare_picture(picture, baseline):

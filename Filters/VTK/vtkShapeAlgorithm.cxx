@@ -1,6 +1,7 @@
 #include "vtkShapeAlgorithm.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 #include "vtkShapeGather.h"
 
 #include "vtkDataObjectTypes.h"
@@ -222,9 +223,9 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
     if (type.empty())
     {
       // Without an input the pipeline stops after this, and says so.
-      const auto points = this->MovedOutputs.count(port) ? vtkShapeConvert::Points::Moved
-                                                         : vtkShapeConvert::Points::Kept;
-      type = input ? vtkShapeConvert::TypeLike(input, points) : "vtkPolyData";
+      const auto points = this->MovedOutputs.count(port) ? vtkShapeLeaves::Points::Moved
+                                                         : vtkShapeLeaves::Points::Kept;
+      type = input ? vtkShapeLeaves::TypeLike(input, points) : "vtkPolyData";
     }
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
     if (!output || type != output->GetClassName())
@@ -245,6 +246,10 @@ void vtkShapeAlgorithm::PrepareInputs()
     const InputPort& declared = this->InputPorts[port];
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
+      if (declared.Data == PortData::Selection)
+      {
+        continue;
+      }
       vtkDataObject* input = this->GetInputDataObject(port, i);
       if (vtkShapeGather::CountPoints(input, this->Controller) == 0)
       {

@@ -33,23 +33,46 @@ class vtkMultiProcessController;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-/// Set/Get a field of this->Options that is a number, a truth value or a small vector of them.
-#define vtkShapeOption(name, type)                                                                 \
+/// Set/Get a field of this->`options` that is a number, a truth value or a small vector of them.
+#define vtkShapeOptionOf(options, name, type)                                                      \
   virtual void Set##name(type value)                                                               \
   {                                                                                                \
-    if (this->Options.name != value)                                                               \
+    if (this->options.name != value)                                                               \
     {                                                                                              \
-      this->Options.name = value;                                                                  \
+      this->options.name = value;                                                                  \
       this->Modified();                                                                            \
     }                                                                                              \
   }                                                                                                \
   virtual type Get##name()                                                                         \
   {                                                                                                \
-    return this->Options.name;                                                                     \
+    return this->options.name;                                                                     \
   }
 
-/// Set/Get a field of this->Options that is an enumeration, as the integers from first to last.
-#define vtkShapeEnumOption(name, type, first, last)                                                \
+/// Set/Get such a field of this->Options.
+#define vtkShapeOption(name, type) vtkShapeOptionOf(Options, name, type)
+
+/// Set/Get a field of this->`options` that is a std::array of three numbers.
+#define vtkShapeVectorOptionOf(options, name)                                                      \
+  virtual void Set##name(double x, double y, double z)                                             \
+  {                                                                                                \
+    const decltype(this->options.name) value = { x, y, z };                                        \
+    if (this->options.name != value)                                                               \
+    {                                                                                              \
+      this->options.name = value;                                                                  \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  virtual void Set##name(const double value[3])                                                    \
+  {                                                                                                \
+    this->Set##name(value[0], value[1], value[2]);                                                 \
+  }                                                                                                \
+  virtual double* Get##name() VTK_SIZEHINT(3)                                                      \
+  {                                                                                                \
+    return this->options.name.data();                                                              \
+  }
+
+/// Set/Get a field of this->`options` that is an enumeration, as the integers from first to last.
+#define vtkShapeEnumOptionOf(options, name, type, first, last)                                     \
   virtual void Set##name(int value)                                                                \
   {                                                                                                \
     if (value < static_cast<int>(first) || value > static_cast<int>(last))                         \
@@ -58,16 +81,20 @@ class vtkUnstructuredGrid;
                     << " does not exist; it ranges "                                               \
                     << "from " << static_cast<int>(first) << " to " << static_cast<int>(last));    \
     }                                                                                              \
-    else if (this->Options.name != static_cast<type>(value))                                       \
+    else if (this->options.name != static_cast<type>(value))                                       \
     {                                                                                              \
-      this->Options.name = static_cast<type>(value);                                               \
+      this->options.name = static_cast<type>(value);                                               \
       this->Modified();                                                                            \
     }                                                                                              \
   }                                                                                                \
   virtual int Get##name()                                                                          \
   {                                                                                                \
-    return static_cast<int>(this->Options.name);                                                   \
+    return static_cast<int>(this->options.name);                                                   \
   }
+
+/// Set/Get such a field of this->Options.
+#define vtkShapeEnumOption(name, type, first, last)                                                \
+  vtkShapeEnumOptionOf(Options, name, type, first, last)
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeAlgorithm : public vtkAlgorithm
 {
@@ -101,7 +128,8 @@ protected:
     Pieces,       ///< this process's part, also composite
     Whole,        ///< one vtkPolyData with the data of every block and process
     WholeSurface, ///< the same, with points at the same place joined where pieces meet
-    WholeGrid     ///< one vtkUnstructuredGrid, of solid cells, too
+    WholeGrid,    ///< one vtkUnstructuredGrid, of solid cells, too
+    Selection     ///< a vtkSelection, or cells extracted by one, which may be none
   };
   enum class PortUse
   {

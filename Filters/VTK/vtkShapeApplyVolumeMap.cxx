@@ -2,6 +2,7 @@
 
 #include "vtkShapeChargeSet.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
@@ -30,11 +31,11 @@ vtkShapeApplyVolumeMap::vtkShapeApplyVolumeMap()
 void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
 {
   vtkDataObject* domain = this->GetInputDataObject(0, 0);
-  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
+  for (vtkDataSet* leaf : vtkShapeLeaves::Of(domain))
   {
     shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Input");
   }
-  const std::vector<vtkDataSet*> maps = vtkShapeConvert::Leaves(this->GetInputDataObject(1, 0));
+  const std::vector<vtkDataSet*> maps = vtkShapeLeaves::Of(this->GetInputDataObject(1, 0));
   const auto count = std::count_if(
     maps.begin(), maps.end(), [](vtkDataSet* leaf) { return leaf->GetNumberOfPoints() > 0; });
   if (count > 1)

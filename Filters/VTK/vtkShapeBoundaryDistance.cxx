@@ -1,6 +1,7 @@
 #include "vtkShapeBoundaryDistance.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -28,7 +29,7 @@ void vtkShapeBoundaryDistance::Execute(const shape::Progress& progress)
   const double share =
     0.7 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
   double done = 0.3;
-  vtkShapeConvert::ForEachLeaf(input, this->GetOutputDataObject(0), vtkShapeConvert::Points::Kept,
+  vtkShapeLeaves::ForEach(input, this->GetOutputDataObject(0), vtkShapeLeaves::Points::Kept,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const double next = done + share * from->GetNumberOfPoints();

@@ -1,6 +1,7 @@
 #include "vtkShapeChargeSet.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -233,7 +234,7 @@ std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataO
   double done = 0.0;
   const double share =
     1.0 / std::max<vtkIdType>(1, domain->GetNumberOfElements(vtkDataObject::POINT));
-  vtkShapeConvert::ForEachLeaf(domain, moved, vtkShapeConvert::Points::Moved,
+  vtkShapeLeaves::ForEach(domain, moved, vtkShapeLeaves::Points::Moved,
     [&](vtkDataSet* input, vtkDataSet* output)
     {
       const Eigen::MatrixXd sources = vtkShapeConvert::ToPoints(input);
@@ -247,7 +248,7 @@ std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataO
           !ghosts || (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0;
         counts[places.OutsideDomain(i)] += own;
       }
-      vtkShapeConvert::Move(input, places.Points, output);
+      vtkShapeLeaves::Move(input, places.Points, output);
       output->GetPointData()->AddArray(vtkShapeConvert::ToArray(sources, "SourcePosition"));
       output->GetPointData()->AddArray(
         vtkShapeConvert::ToIntegers(places.OutsideDomain, "OutsideDomain"));

@@ -3,26 +3,17 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTypes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkImageData.h"
 #include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
-#include "vtkStructuredGrid.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -48,20 +39,6 @@ vtkIdType CountTriangles(vtkPolyData* surface)
     }
   }
   return count;
-}
-
-/// The active normals, and what is called so.
-void RemoveNormals(vtkDataSetAttributes* attributes)
-{
-  for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    vtkAbstractArray* array = attributes->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if (array == attributes->GetNormals() || name == "Normals")
-    {
-      attributes->RemoveArray(i);
-    }
-  }
 }
 
 /// The shape whose corners a cell type has; a voxel has a hexahedron's, in another order.
@@ -114,28 +91,6 @@ void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
 
 } // namespace
 
-std::vector<vtkDataSet*> vtkShapeConvert::Leaves(vtkDataObject* data)
-{
-  std::vector<vtkDataSet*> leaves;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    vtkSmartPointer<vtkCompositeDataIterator> it;
-    it.TakeReference(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      if (auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
-      {
-        leaves.push_back(leaf);
-      }
-    }
-  }
-  else if (auto* leaf = vtkDataSet::SafeDownCast(data))
-  {
-    leaves.push_back(leaf);
-  }
-  return leaves;
-}
-
 shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& name)
 {
   vtkNew<vtkTriangleFilter> triangulate;
@@ -161,6 +116,18 @@ shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& nam
     }
   }
   return mesh;
+}
+
+std::vector<std::vector<int>> vtkShapeConvert::ToLines(vtkPolyData* data)
+{
+  std::vector<std::vector<int>> lines;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfLines(); ++cell)
+  {
+    data->GetLines()->GetCellAtId(cell, ids);
+    lines.emplace_back(ids->begin(), ids->end());
+  }
+  return lines;
 }
 
 shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::string& name)
@@ -276,6 +243,11 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(
     return Eigen::MatrixXd(0, components);
   }
   vtkDataArray* values = data->GetPointData()->GetArray(array.c_str());
+  if (!values && data->GetPointData()->HasArray(array.c_str()))
+  {
+    throw shape::InvalidInput(
+      "the point array '" + array + "' of " + name + " has words; choose one of numbers");
+  }
   if (!values)
   {
     std::string present;
@@ -347,112 +319,6 @@ Eigen::MatrixXd vtkShapeConvert::Rows(const Eigen::MatrixXd& values, const std::
   return chosen;
 }
 
-std::string vtkShapeConvert::TypeLike(vtkDataObject* input, Points points)
-{
-  if (vtkCompositeDataSet::SafeDownCast(input))
-  {
-    return vtkDataObjectTree::SafeDownCast(input) ? input->GetClassName() : "vtkMultiBlockDataSet";
-  }
-  const bool keeps = points == Points::Kept || vtkPointSet::SafeDownCast(input);
-  return keeps ? input->GetClassName() : "vtkStructuredGrid";
-}
-
-void vtkShapeConvert::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output)
-{
-  auto* moved = vtkPointSet::SafeDownCast(output);
-  if (auto* image = vtkImageData::SafeDownCast(input))
-  {
-    vtkStructuredGrid::SafeDownCast(output)->SetExtent(image->GetExtent());
-  }
-  else if (auto* grid = vtkRectilinearGrid::SafeDownCast(input))
-  {
-    vtkStructuredGrid::SafeDownCast(output)->SetExtent(grid->GetExtent());
-  }
-  else
-  {
-    moved->CopyStructure(input);
-  }
-  vtkNew<vtkPoints> positions;
-  positions->SetData(ToArray(points, "Points"));
-  moved->SetPoints(positions);
-  moved->GetPointData()->PassData(input->GetPointData());
-  moved->GetCellData()->PassData(input->GetCellData());
-  moved->GetFieldData()->PassData(input->GetFieldData());
-  RemoveNormals(moved->GetPointData());
-  RemoveNormals(moved->GetCellData());
-}
-
-void vtkShapeConvert::ForEachLeaf(vtkDataObject* input, vtkDataObject* output, Points points,
-  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill)
-{
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    fill(vtkDataSet::SafeDownCast(input), vtkDataSet::SafeDownCast(output));
-    return;
-  }
-  auto* tree = vtkDataObjectTree::SafeDownCast(output);
-  const bool sameTree = input->IsA(output->GetClassName());
-  if (sameTree)
-  {
-    tree->CopyStructure(composite);
-  }
-  vtkSmartPointer<vtkCompositeDataIterator> it;
-  it.TakeReference(composite->NewIterator());
-  unsigned int block = 0;
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
-    if (!leaf)
-    {
-      throw shape::InvalidInput(std::string("a block is a ") +
-        it->GetCurrentDataObject()->GetClassName() +
-        ", which has no points; leave it out with Extract Block");
-    }
-    vtkSmartPointer<vtkDataSet> filled;
-    filled.TakeReference(
-      vtkDataSet::SafeDownCast(vtkDataObjectTypes::NewDataObject(TypeLike(leaf, points).c_str())));
-    fill(leaf, filled);
-    if (sameTree)
-    {
-      tree->SetDataSet(it, filled);
-    }
-    else
-    {
-      vtkMultiBlockDataSet::SafeDownCast(output)->SetBlock(block++, filled);
-    }
-  }
-  output->GetFieldData()->PassData(input->GetFieldData());
-}
-
-void vtkShapeConvert::AddPointFields(
-  vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields)
-{
-  vtkIdType first = 0;
-  ForEachLeaf(input, output, Points::Kept,
-    [&](vtkDataSet* from, vtkDataSet* to)
-    {
-      const vtkIdType count = from->GetNumberOfPoints();
-      to->ShallowCopy(from);
-      for (const PointField& field : fields)
-      {
-        const Eigen::MatrixXd own = field.Values.middleRows(first, count);
-        if (!field.AreIds)
-        {
-          to->GetPointData()->AddArray(ToArray(own, field.Name));
-          continue;
-        }
-        vtkNew<vtkIdTypeArray> ids;
-        ids->SetName(field.Name.c_str());
-        ids->SetNumberOfTuples(count);
-        std::transform(own.col(0).begin(), own.col(0).end(), ids->GetPointer(0),
-          [](double id) { return static_cast<vtkIdType>(id); });
-        to->GetPointData()->AddArray(ids);
-      }
-      first += count;
-    });
-}
-
 void vtkShapeConvert::FromMesh(const shape::Mesh& mesh, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -464,6 +330,12 @@ void vtkShapeConvert::FromMesh(const shape::Mesh& mesh, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetPolys(polys);
+}
+
+bool vtkShapeConvert::AreValues(vtkAbstractArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE ||
+    array->GetDataType() == VTK_UNSIGNED_CHAR;
 }
 
 void vtkShapeConvert::AddFact(vtkDataObject* output, const std::string& name, double value)

@@ -7,10 +7,10 @@
 
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkDataObject;
 class vtkDataSet;
 class vtkDoubleArray;
@@ -25,12 +25,12 @@ class vtkUnstructuredGrid;
 namespace vtkShapeConvert
 {
 
-/// The data set itself, or the blocks of a composite one that are there.
-std::vector<vtkDataSet*> Leaves(vtkDataObject* data);
-
 /// The surface's polygons and strips as triangles over the same points. Throws shape::InvalidInput
 /// where a polygon cannot be triangulated.
 shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
+
+/// The points of each of its lines and polylines, by their ids.
+std::vector<std::vector<int>> ToLines(vtkPolyData* data);
 
 /// The grid's cells, of any kinds. Throws shape::InvalidInput where there are too many to number.
 shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
@@ -63,42 +63,9 @@ vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std
 /// Rows `rows` of `values`, in order.
 Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows);
 
-/// Whether an output like an input keeps its points.
-enum class Points
-{
-  Kept,
-  Moved ///< anywhere: image data and rectilinear grids become structured grids
-};
-
-/// The class of a data object like `input`; composites that are no trees become multiblocks.
-std::string TypeLike(vtkDataObject* input, Points points);
-
-/**
- * Makes `output` the data set `input` with its points at `points` and its attributes passed on,
- * without Normals, which no longer fit. Image data and rectilinear grids become structured grids:
- * see vtkShapeAlgorithm.
- */
-void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
-
-/**
- * Makes `output`, a TypeLike(input, points), like `input`, and calls `fill` with each data set in
- * `input` and the empty one that takes its place in `output`. Throws shape::InvalidInput where a
- * block is no data set.
- */
-void ForEachLeaf(vtkDataObject* input, vtkDataObject* output, Points points,
-  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill);
-
-/// Values of points (n x d), and the name of their array.
-struct PointField
-{
-  std::string Name;
-  Eigen::MatrixXd Values;
-  bool AreIds = false; ///< whole numbers, for an array of vtkIdType; n x 1
-};
-
-/// Makes `output` like `input` with these fields of the points of its blocks, one after the other.
-void AddPointFields(
-  vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields);
+/// Whether an array has values that can be averaged (of fractions, or colours), and no numbers or
+/// names of something.
+bool AreValues(vtkAbstractArray* array);
 
 /// A mesh as a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);

@@ -1,6 +1,7 @@
 #include "vtkShapeCorrespondence.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "Core/Topology.h"
 #include "Correspondence/LandmarkPairs.h"
@@ -146,7 +147,7 @@ void vtkShapeCorrespondence::WriteMap(
   const auto before = static_cast<double>(target->GetNumberOfVerts() + target->GetNumberOfLines());
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };
-  vtkShapeConvert::AddPointFields(this->GetInputDataObject(port, 0),
+  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(port, 0),
     this->GetOutputDataObject(port),
     { { "TargetPosition", own(shape::Pulled(map, other.Triangles, other.Points)) },
       { "TargetCell", own(map.Triangles.cast<double>().array() + before), true },

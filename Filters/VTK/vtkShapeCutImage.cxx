@@ -1,6 +1,7 @@
 #include "vtkShapeCutImage.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -101,7 +102,7 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
     fields->CopyData(block->GetPointData(), originals->GetValue(i), i);
   }
   flat->GetFieldData()->PassData(block->GetFieldData());
-  vtkShapeConvert::Move(flat, vtkShapeConvert::Rows(this->Positions, used), to);
+  vtkShapeLeaves::Move(flat, vtkShapeConvert::Rows(this->Positions, used), to);
   to->GetPointData()->AddArray(vtkShapeConvert::ToArray(cut.Points, "SourcePosition"));
   to->GetPointData()->AddArray(originals);
 }

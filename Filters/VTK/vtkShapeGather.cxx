@@ -4,6 +4,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -15,7 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 #include "vtkStaticPointLocator.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -184,6 +185,36 @@ vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& piece
   return merged;
 }
 
+/// One data set as a grid, with what is not changed shared: for filters that run while a handle is
+/// dragged.
+vtkSmartPointer<vtkUnstructuredGrid> ToGrid(vtkDataSet* data)
+{
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  if (!surface || surface->GetNumberOfPoints() == 0 ||
+    surface->GetNumberOfCells() != surface->GetNumberOfPolys())
+  {
+    return Merge({ data });
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(surface->GetPoints());
+  vtkCellArray* polygons = surface->GetPolys();
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetNumberOfValues(polygons->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType size = polygons->GetCellSize(cell);
+    types->SetValue(cell, size == 3 ? VTK_TRIANGLE : (size == 4 ? VTK_QUAD : VTK_POLYGON));
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->SetCells(types, polygons);
+  grid->GetPointData()->ShallowCopy(surface->GetPointData());
+  grid->GetCellData()->ShallowCopy(surface->GetCellData());
+  grid->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  return grid;
+}
+
 } // namespace
 
 void vtkShapeGather::TogetherOrNotAtAll(
@@ -254,7 +285,7 @@ void vtkShapeGather::Reduce(
 vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessController* controller)
 {
   vtkIdType own = 0;
-  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(data))
+  for (vtkDataSet* leaf : vtkShapeLeaves::Of(data))
   {
     own += leaf->GetNumberOfPoints();
   }
@@ -328,15 +359,15 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
     {
       std::vector<vtkSmartPointer<vtkUnstructuredGrid>> grids;
       std::vector<vtkDataSet*> pieces;
-      for (vtkDataSet* leaf : vtkShapeConvert::Leaves(data))
+      for (vtkDataSet* leaf : vtkShapeLeaves::Of(data))
       {
-        grids.push_back(Merge(std::vector<vtkDataSet*>{ leaf }));
+        grids.push_back(ToGrid(leaf));
         grids.back()->RemoveGhostCells();
         grids.back()->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
         grids.back()->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
         pieces.push_back(grids.back());
       }
-      whole = Merge(pieces);
+      whole = grids.size() == 1 ? grids.front() : Merge(pieces);
     });
   if (IsParallel(controller))
   {

@@ -1,6 +1,7 @@
 #include "vtkShapeGeodesicDistance.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -23,7 +24,7 @@ void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
     mesh, vtkShapeConvert::ToPoints(this->GetWhole(1).Grid), this->Options, progress);
 
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeConvert::AddPointFields(this->GetInputDataObject(0, 0), output,
+  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(0, 0), output,
     { { "GeodesicDistance", vtkShapeConvert::Rows(result.Distances, whole.OwnPoints) } });
   vtkShapeConvert::AddFact(output, "GeodesicDistance.UnreachedPoints", result.Unreached);
 }

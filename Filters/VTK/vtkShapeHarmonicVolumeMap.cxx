@@ -2,6 +2,7 @@
 
 #include "vtkShapeChargeSet.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 #include "vtkShapeFeatures.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeSolid.h"
@@ -177,7 +178,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   vtkShapeGather::TogetherOrNotAtAll(controller,
     [&]
     {
-      for (vtkDataSet* leaf : vtkShapeConvert::Leaves(domain))
+      for (vtkDataSet* leaf : vtkShapeLeaves::Of(domain))
       {
         shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
       }

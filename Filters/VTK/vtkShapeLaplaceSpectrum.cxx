@@ -1,6 +1,7 @@
 #include "vtkShapeLaplaceSpectrum.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -23,7 +24,7 @@ void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   shape::SpectralAnalysis analysis = shape::AnalyseSpectrum(mesh, this->Options, progress);
 
-  std::vector<vtkShapeConvert::PointField> fields;
+  std::vector<vtkShapeLeaves::PointField> fields;
   const auto add = [&](const char* name, Eigen::MatrixXd& values)
   {
     fields.push_back({ name, vtkShapeConvert::Rows(values, whole.OwnPoints) });
@@ -34,7 +35,7 @@ void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
   add("WaveKernelSignature", analysis.WaveKernel);
   add("Embedding", analysis.Embedding);
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeConvert::AddPointFields(this->GetInputDataObject(0, 0), output, fields);
+  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(0, 0), output, fields);
   output->GetFieldData()->AddArray(
     vtkShapeConvert::ToArray(analysis.Spectrum.Eigenvalues, "LaplaceSpectrum.Eigenvalues"));
 }

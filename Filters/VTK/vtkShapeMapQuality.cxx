@@ -1,6 +1,7 @@
 #include "vtkShapeMapQuality.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 #include "vtkShapeGather.h"
 
 #include "vtkCellData.h"
@@ -177,7 +178,7 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
   vtkShapeGather::TogetherOrNotAtAll(controller,
     [&]
     {
-      vtkShapeConvert::ForEachLeaf(input, measured, vtkShapeConvert::Points::Kept,
+      vtkShapeLeaves::ForEach(input, measured, vtkShapeLeaves::Points::Kept,
         [&](vtkDataSet* from, vtkDataSet* to)
         {
           to->ShallowCopy(from);
@@ -192,7 +193,7 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
   vtkShapeGather::TogetherOrNotAtAll(controller,
     [&]
     {
-      const std::vector<vtkDataSet*> leaves = vtkShapeConvert::Leaves(measured);
+      const std::vector<vtkDataSet*> leaves = vtkShapeLeaves::Of(measured);
       for (std::size_t i = 0; i < parts.size(); ++i)
       {
         const double begin = 0.3 + 0.65 * i / parts.size(), end = begin + 0.65 / parts.size();

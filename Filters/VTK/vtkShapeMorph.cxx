@@ -1,6 +1,7 @@
 #include "vtkShapeMorph.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -67,7 +68,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
   const double share =
     1.0 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
   double done = 0.0;
-  vtkShapeConvert::ForEachLeaf(input, moved, vtkShapeConvert::Points::Moved,
+  vtkShapeLeaves::ForEach(input, moved, vtkShapeLeaves::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const double next = done + share * from->GetNumberOfPoints();
@@ -80,7 +81,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
         vtkShapeConvert::ToPointArray(from, this->MapArray, 3, "the Input");
       shape::RequireFinite(targets, "the map array of the Input");
       part(0.4);
-      vtkShapeConvert::Move(from, (1.0 - time) * places + time * targets, to);
+      vtkShapeLeaves::Move(from, (1.0 - time) * places + time * targets, to);
       part(0.8);
       to->GetPointData()->AddArray(vtkShapeConvert::ToArray(places, "SourcePosition"));
       part(1.0);

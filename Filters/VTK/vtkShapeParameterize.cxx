@@ -1,6 +1,7 @@
 #include "vtkShapeParameterize.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 #include "vtkShapeCutImage.h"
 
 #include "vtkDoubleArray.h"
@@ -35,11 +36,11 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   vtkDataObject* surface = this->GetOutputDataObject(0);
   vtkDataObject* image = this->GetOutputDataObject(1);
-  vtkShapeConvert::AddPointFields(input, surface, { { "TargetPosition", positions } });
+  vtkShapeLeaves::AddPointFields(input, surface, { { "TargetPosition", positions } });
   const bool isCut = !map.Cut.Originals.empty();
   const vtkShapeCutImage cut(mesh, map.Cut, map.CutPositions);
   vtkIdType first = 0; // of this process's points, which come block by block
-  vtkShapeConvert::ForEachLeaf(input, image, vtkShapeConvert::Points::Moved,
+  vtkShapeLeaves::ForEach(input, image, vtkShapeLeaves::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const vtkIdType count = from->GetNumberOfPoints();
@@ -50,7 +51,7 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
         cut.Fill(from, { begin, begin + count }, to);
         return;
       }
-      vtkShapeConvert::Move(from, positions.middleRows(first - count, count), to);
+      vtkShapeLeaves::Move(from, positions.middleRows(first - count, count), to);
       to->GetPointData()->AddArray(
         vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
     });

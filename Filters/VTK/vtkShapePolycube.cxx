@@ -1,6 +1,7 @@
 #include "vtkShapePolycube.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -54,7 +55,7 @@ void vtkShapePolycube::Execute(const shape::Progress& progress)
   vtkDataObject* surface = this->GetOutputDataObject(0);
   vtkDataObject* polycube = this->GetOutputDataObject(1);
   vtkIdType first = 0;
-  vtkShapeConvert::ForEachLeaf(input, surface, vtkShapeConvert::Points::Kept,
+  vtkShapeLeaves::ForEach(input, surface, vtkShapeLeaves::Points::Kept,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const Eigen::MatrixXd own = positions.middleRows(first, from->GetNumberOfPoints());
@@ -64,11 +65,11 @@ void vtkShapePolycube::Execute(const shape::Progress& progress)
       first += from->GetNumberOfPoints();
     });
   first = 0;
-  vtkShapeConvert::ForEachLeaf(input, polycube, vtkShapeConvert::Points::Moved,
+  vtkShapeLeaves::ForEach(input, polycube, vtkShapeLeaves::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const Eigen::MatrixXd own = positions.middleRows(first, from->GetNumberOfPoints());
-      vtkShapeConvert::Move(from, own, to);
+      vtkShapeLeaves::Move(from, own, to);
       to->GetPointData()->AddArray(
         vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
       to->GetCellData()->AddArray(Labels(from, own));

@@ -1,6 +1,7 @@
 #include "vtkShapeShapeDifference.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 #include "vtkShapePreciseMap.h"
 
 #include "vtkDoubleArray.h"
@@ -62,7 +63,7 @@ void vtkShapeShapeDifference::Execute(const shape::Progress& progress)
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeConvert::AddPointFields(this->GetInputDataObject(0, 0), output,
+  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(0, 0), output,
     { { "AreaDifference", own(result.Area.Field) },
       { "ConformalDifference", own(result.Conformal.Field) },
       { "AreaEigenfunctions", own(result.Area.Eigenfunctions) },

@@ -1,6 +1,7 @@
 #include "vtkShapeSolid.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 #include "vtkShapeGather.h"
 
 #include "vtkCellArray.h"
@@ -194,7 +195,7 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
 
 void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessController* controller)
 {
-  const std::vector<vtkDataSet*> leaves = vtkShapeConvert::Leaves(domain);
+  const std::vector<vtkDataSet*> leaves = vtkShapeLeaves::Of(domain);
   if (leaves.size() != 1 || (controller && controller->GetNumberOfProcesses() > 1))
   {
     throw shape::InvalidInput("FoldFree needs the Domain in one dataset and one process; join "
@@ -221,8 +222,8 @@ std::pair<int, int> vtkShapeSolid::MakeFoldFree(vtkDataObject* domain, vtkDataOb
   RequireOneSolid(domain, controller);
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkShapeGather::GatherGrid(domain, nullptr);
   const shape::UntangleResult result = shape::FoldFree(Read(grid, "the Domain"),
-    vtkShapeConvert::ToPoints(vtkShapeConvert::Leaves(moved)[0]), boundary, targets, progress);
-  auto* output = vtkPointSet::SafeDownCast(vtkShapeConvert::Leaves(moved)[0]);
+    vtkShapeConvert::ToPoints(vtkShapeLeaves::Of(moved)[0]), boundary, targets, progress);
+  auto* output = vtkPointSet::SafeDownCast(vtkShapeLeaves::Of(moved)[0]);
   if (auto* cells = vtkUnstructuredGrid::SafeDownCast(output))
   {
     const Eigen::MatrixXd sources =

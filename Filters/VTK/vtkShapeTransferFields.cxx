@@ -1,6 +1,7 @@
 #include "vtkShapeTransferFields.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
 #include "vtkShapePreciseMap.h"
 
 #include "vtkCellData.h"
@@ -223,7 +224,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   }
   std::set<std::string> taken = replaced;
   taken.insert({ "OutsideDomain", this->MapArray });
-  for (vtkDataSet* leaf : vtkShapeConvert::Leaves(input))
+  for (vtkDataSet* leaf : vtkShapeLeaves::Of(input))
   {
     for (int i = 0; i < leaf->GetPointData()->GetNumberOfArrays(); ++i)
     {
@@ -238,7 +239,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   const double share =
     0.8 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeConvert::ForEachLeaf(input, output, vtkShapeConvert::Points::Kept,
+  vtkShapeLeaves::ForEach(input, output, vtkShapeLeaves::Points::Kept,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const double next = done + share * from->GetNumberOfPoints();

@@ -32,10 +32,10 @@ def without_good_map(name, spoil):
 
 
 def spoiled(name, port, value):
-    """The good input with one coordinate that is not finite."""
+    """The good input with one coordinate that is not finite, of a point that cells use."""
     data = shapetesting.copy(filters.good_input(name, port))
     coordinates = shapetesting.points(data)
-    coordinates[17, 1] = value
+    coordinates[data.GetCell(data.GetNumberOfCells() // 2).GetPointId(0), 1] = value
     shapetesting.set_points(data, coordinates)
     return data
 

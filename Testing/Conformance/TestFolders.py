@@ -10,7 +10,7 @@ ORDER = ['Core', 'Geometry', 'Quality', 'Surface', 'Mapping', 'Correspondence', 
 # Filters whose mathematics is one line of the wrapper, which its header states: no kernel.
 WITHOUT_KERNEL = ['vtkShapeMorph']
 # Base classes, whose XML holds what the others inherit.
-BASES = ['vtkShapeAlgorithm', 'vtkShapeWriter']
+BASES = ['vtkShapeAlgorithm', 'vtkShapeDeformingAlgorithm', 'vtkShapeWriter']
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 root = sys.argv[1]

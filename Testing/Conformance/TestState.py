@@ -22,10 +22,15 @@ def other_value(property, index):
     return value + 1 if property.IsA('vtkSMIntVectorProperty') else 0.5 * value + 0.125
 
 
+def is_saved(property):
+    return not (property.IsA('vtkSMInputProperty') or property.GetInformationOnly() or
+                property.GetIsInternal())
+
+
 def values_of(smproxy):
     values = {}
     for key, property in filters.properties(smproxy):
-        if property.IsA('vtkSMInputProperty') or property.GetInformationOnly():
+        if not is_saved(property):
             continue
         values[key] = [property.GetElement(i) for i in range(property.GetNumberOfElements())]
     return values
@@ -39,7 +44,7 @@ for name in filters.names():
     made = getattr(simple, name)(registrationName='saved', **inputs)
     changed = 0
     for key, property in filters.properties(made.SMProxy):
-        if property.IsA('vtkSMInputProperty') or property.GetInformationOnly():
+        if not is_saved(property):
             continue
         for i in range(property.GetNumberOfElements()):
             value = other_value(property, i)

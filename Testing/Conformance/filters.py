@@ -2,6 +2,7 @@
 
 A new filter is found by its proxy's name and tested without a line here, as long as a closed
 surface with TargetPosition suits every port that it requires; else OTHER_INPUTS says what does."""
+import numpy
 from paraview import servermanager
 from paraview.simple import GetActiveSource  # connects to the built-in server
 import shapemap.vtkShapeFilters as module
@@ -11,7 +12,30 @@ import shapetesting
 # What a port that it requires takes in place of the closed surface: (filter, input) -> file of Data/.
 OTHER_INPUTS = {
     ('ShapeApplyVolumeMap', 'Map'): 'DentedSphereCharges.vtp',
+    ('ShapeDeform', 'Input'): 'FigureASmall.vtp',
+    ('ShapeDeform', 'Boundary'): 'FigureBSmall.vtp',
     ('ShapeUntangle', 'Input'): 'BallSmall.vtu',
+}
+
+
+
+def cap():
+    """The part of the closed surface around its point with the greatest x: small and open."""
+    surface = shapetesting.read('DentedSphere600.vtp')
+    places = shapetesting.points(surface)
+    far = numpy.linalg.norm(places - places[places[:, 0].argmax()], axis=1) > 0.35
+    return shapetesting.without_cells(
+        surface, numpy.flatnonzero(far[shapetesting.triangles(surface)].any(axis=1)).tolist())
+
+
+# Inputs that no file has; also optional ones that others may take the place of, one of which is
+# required.
+NEEDED_INPUTS = {
+    ('ShapePasteFeature', 'Feature'): cap,
+    ('ShapeCutFeature', 'Loop'): lambda: shapetesting.closed_curve(
+        [[0.6 * numpy.cos(t), 0.6 * numpy.sin(t), 0.8] for t in 0.26 * numpy.arange(24)]),
+    ('ShapeFillHoles', 'Input'): lambda: shapetesting.without_cells(
+        shapetesting.read('DentedSphere600.vtp'), range(100, 140)),
 }
 
 GetActiveSource()
@@ -58,13 +82,17 @@ def new(name):
 def good_input(name, port):
     """Data that the port of a filter can work on."""
     key = name, new(name).GetInputName(port)
+    if key in NEEDED_INPUTS:
+        return NEEDED_INPUTS[key]()
     return shapetesting.read(OTHER_INPUTS.get(key, 'DentedSphere600.vtp'))
 
 
 def required_ports(algorithm):
-    """The ports that must be connected."""
+    """The ports that must be connected, or that stand for those of which one must be."""
+    name = algorithm.GetClassName()[len('vtk'):]
     return [port for port in range(algorithm.GetNumberOfInputPorts())
-            if not algorithm.GetInputPortInformation(port).Get(algorithm.INPUT_IS_OPTIONAL())]
+            if (name, algorithm.GetInputName(port)) in NEEDED_INPUTS or
+            not algorithm.GetInputPortInformation(port).Get(algorithm.INPUT_IS_OPTIONAL())]
 
 
 def with_good_inputs(name):

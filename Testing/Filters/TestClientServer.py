@@ -1,11 +1,8 @@
 """The filters run on a server, of one process or two, and the client gets the result:
 TestClientServer.py pvserver, or TestClientServer.py mpiexec -n 2 pvserver"""
 import os
-import socket
-import subprocess
 import sys
 import tempfile
-import time
 
 import numpy
 from paraview import simple
@@ -13,19 +10,7 @@ from paraview import simple
 import shapetesting
 from shapetesting import array
 
-with socket.socket() as free:
-    free.bind(('localhost', 0))
-    port = free.getsockname()[1]
-# This process is an MPI process itself: what it inherited would make mpiexec refuse.
-environment = {key: value for key, value in os.environ.items()
-               if not key.startswith(('OMPI_', 'PMIX_', 'PRTE_', 'ORTE_'))}
-log = tempfile.NamedTemporaryFile('w+')
-server = subprocess.Popen(sys.argv[1:] + ['--server-port=%d' % port], stdout=log,
-                          stderr=subprocess.STDOUT, env=environment)
-try:
-    while 'Accepting connection' not in open(log.name).read():
-        assert server.poll() is None, 'the server ended: ' + open(log.name).read()
-        time.sleep(0.2)
+with shapetesting.server(sys.argv[1:]) as port:
     simple.Connect('localhost', port)
     session = simple.servermanager.ActiveConnection
     assert session.IsRemote(), 'the session is not remote'
@@ -56,6 +41,4 @@ try:
         assert words[words.index('Vertices') + 1] == str(ball.GetDataInformation().GetNumberOfPoints())
         assert words[words.index('Hexahedra') + 1] == '864'
     simple.Disconnect()
-finally:
-    server.kill()
 print('the client got what the server made')

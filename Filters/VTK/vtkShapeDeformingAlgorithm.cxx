@@ -1,0 +1,3 @@
+#include "vtkShapeDeformingAlgorithm.h"
+
+vtkShapeDeformingAlgorithm::vtkShapeDeformingAlgorithm() = default;

@@ -1,0 +1,63 @@
+#include "vtkShapeExponentialMap.h"
+
+#include "vtkShapePatch.h"
+#include "vtkShapePreciseMap.h"
+#include "vtkShapeSeenInput.h"
+
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <utility>
+
+vtkStandardNewMacro(vtkShapeExponentialMap);
+
+struct vtkShapeExponentialMap::Kept
+{
+  vtkShapeSeenInput Input;
+  shape::ExponentialMapOptions Options;
+  vtkSmartPointer<vtkPolyData> Surface;
+  Eigen::VectorXi Cells; ///< the surface's cell that each triangle is a part of
+  std::unique_ptr<shape::ExponentialMap> Map;
+};
+
+vtkShapeExponentialMap::vtkShapeExponentialMap()
+  : Cache(std::make_unique<Kept>())
+{
+  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareOutput("vtkPolyData");
+}
+
+vtkShapeExponentialMap::~vtkShapeExponentialMap() = default;
+
+vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progress& progress)
+{
+  Kept& kept = *this->Cache;
+  const bool isNew = kept.Input.IsNew(*this, 0, this->GetWhole(0).Data);
+  if (isNew || !kept.Map || kept.Options.NormalSmoothing != this->Options.NormalSmoothing ||
+    kept.Options.UpwindAverage != this->Options.UpwindAverage)
+  {
+    kept.Map.reset();
+    kept.Options = this->Options;
+    kept.Surface = this->GetWhole(0).Data;
+    shape::NumberedSurface numbered = vtkShapePreciseMap::ToSurface(kept.Surface, "the Input");
+    kept.Cells = std::move(numbered.Cells);
+    kept.Map = std::make_unique<shape::ExponentialMap>(numbered.Surface, this->Options, progress);
+  }
+  return kept;
+}
+
+void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
+{
+  // Every process has all of the input, and one of them does the work.
+  if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
+  {
+    return;
+  }
+  Kept& kept = this->Update(progress.Part(0.0, 0.7));
+  const shape::PatchLayout layout = shape::LayOutPatch(*kept.Map,
+    Eigen::Map<const Eigen::RowVector3d>(this->Seed),
+    Eigen::Map<const Eigen::RowVector3d>(this->XDirection), this->Options, progress.Part(0.7, 1.0));
+  vtkShapePatch::Write(layout, kept.Map->Surface(), kept.Surface, kept.Cells,
+    vtkPolyData::SafeDownCast(this->GetOutputDataObject(0)));
+}

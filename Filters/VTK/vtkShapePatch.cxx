@@ -1,0 +1,114 @@
+#include "vtkShapePatch.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+Eigen::VectorXi Marked(const std::vector<int>& rows, Eigen::Index count)
+{
+  Eigen::VectorXi marks = Eigen::VectorXi::Zero(count);
+  for (const int row : rows)
+  {
+    marks(row) = 1;
+  }
+  return marks;
+}
+
+void WritePointData(const shape::PatchLayout& layout, vtkPolyData* surface, vtkPolyData* output)
+{
+  const shape::ExponentialPatch& patch = layout.Patch;
+  vtkPointData* fields = output->GetPointData();
+  fields->CopyAllocate(surface->GetPointData(), patch.Places.rows());
+  vtkNew<vtkIdTypeArray> originals;
+  originals->SetName("OriginalPointId");
+  for (std::size_t row = 0; row < patch.Points.size(); ++row)
+  {
+    fields->CopyData(surface->GetPointData(), patch.Points[row], static_cast<vtkIdType>(row));
+    originals->InsertNextValue(patch.Points[row]);
+  }
+  fields->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  fields->AddArray(originals);
+  Eigen::MatrixXd flat = Eigen::MatrixXd::Zero(patch.Places.rows(), 3);
+  flat.leftCols(2) = patch.Places;
+  fields->AddArray(vtkShapeConvert::ToArray(flat, "TargetPosition"));
+  fields->AddArray(vtkShapeConvert::ToArray(patch.Distances, "GeodesicDistance"));
+  const Eigen::MatrixXd texture = (patch.Places.array() / (2.0 * layout.Radius) + 0.5).matrix();
+  fields->SetTCoords(vtkShapeConvert::ToArray(texture, "ExponentialMap"));
+}
+
+void WriteCellData(const shape::PatchLayout& layout, const Eigen::VectorXi& cells,
+  vtkPolyData* surface, vtkPolyData* output)
+{
+  const shape::ExponentialPatch& patch = layout.Patch;
+  vtkCellData* fields = output->GetCellData();
+  fields->CopyAllocate(surface->GetCellData(), patch.Corners.rows());
+  for (std::size_t row = 0; row < patch.Triangles.size(); ++row)
+  {
+    fields->CopyData(
+      surface->GetCellData(), cells(patch.Triangles[row]), static_cast<vtkIdType>(row));
+  }
+  fields->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  const Eigen::Index count = patch.Corners.rows();
+  fields->AddArray(vtkShapeConvert::ToIntegers(Marked(patch.Flipped, count), "Flipped"));
+  fields->AddArray(vtkShapeConvert::ToIntegers(Marked(patch.Torn, count), "Torn"));
+  fields->AddArray(
+    vtkShapeConvert::ToArray(layout.Facts.ConformalDistortions, "ConformalDistortion"));
+  fields->AddArray(
+    vtkShapeConvert::ToArray(layout.Facts.SymmetricDirichlets, "SymmetricDirichlet"));
+}
+
+void WriteFacts(const shape::PatchLayout& layout, vtkPolyData* output)
+{
+  const shape::ExponentialPatch& patch = layout.Patch;
+  const shape::ExponentialFacts& facts = layout.Facts;
+  const std::string prefix = "ExponentialMap.";
+  const std::pair<const char*, Eigen::RowVector3d> vectors[] = { { "Seed", patch.Seed.Origin },
+    { "SeedNormal", patch.Seed.Normal }, { "XAxis", patch.Seed.XAxis } };
+  for (const auto& [name, vector] : vectors)
+  {
+    output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(vector, prefix + name));
+  }
+  const std::pair<const char*, shape::DistortionSpread> spreads[] = { { "ConformalDistortion",
+                                                                        facts.ConformalDistortion },
+    { "SymmetricDirichlet", facts.SymmetricDirichlet } };
+  for (const auto& [name, spread] : spreads)
+  {
+    output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(
+      Eigen::RowVector2d(spread.Median, spread.Percentile95), prefix + name));
+  }
+  const std::pair<const char*, double> numbers[] = { { "SeedDistance", layout.SeedDistance },
+    { "Radius", layout.Radius }, { "Flipped", static_cast<double>(patch.Flipped.size()) },
+    { "Torn", static_cast<double>(patch.Torn.size()) }, { "FlipRate", facts.FlipRate },
+    { "Mended", layout.Mended }, { "Coverage", facts.Coverage },
+    { "Overlaps", facts.Overlaps ? 1.0 : 0.0 }, { "ReachesRim", patch.ReachesRim ? 1.0 : 0.0 } };
+  for (const auto& [name, number] : numbers)
+  {
+    vtkShapeConvert::AddFact(output, prefix + name, number);
+  }
+}
+
+} // namespace
+
+void vtkShapePatch::Write(const shape::PatchLayout& layout, const shape::Mesh& mesh,
+  vtkPolyData* surface, const Eigen::VectorXi& cells, vtkPolyData* output)
+{
+  vtkShapeConvert::FromMesh(shape::PatchSurface(mesh, layout.Patch), output);
+  WritePointData(layout, surface, output);
+  WriteCellData(layout, cells, surface, output);
+  output->GetFieldData()->PassData(surface->GetFieldData());
+  WriteFacts(layout, output);
+}

@@ -1,0 +1,119 @@
+#include "vtkShapeSeenInput.h"
+
+#include "vtkShapeAlgorithm.h"
+#include "vtkShapeLeaves.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <string>
+
+namespace
+{
+
+bool AreSame(vtkAbstractArray* a, vtkAbstractArray* b)
+{
+  if (!a || !b)
+  {
+    return a == b;
+  }
+  const auto name = [](vtkAbstractArray* array)
+  { return std::string(array->GetName() ? array->GetName() : ""); };
+  if (name(a) != name(b) || a->GetDataType() != b->GetDataType() ||
+    a->GetNumberOfComponents() != b->GetNumberOfComponents() ||
+    a->GetNumberOfTuples() != b->GetNumberOfTuples())
+  {
+    return false;
+  }
+  const vtkIdType count = a->GetNumberOfValues();
+  if (vtkDataArray::SafeDownCast(a))
+  {
+    return count == 0 ||
+      std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+        static_cast<std::size_t>(count * a->GetDataTypeSize())) == 0;
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (a->GetVariantValue(i) != b->GetVariantValue(i))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool AreSame(vtkFieldData* a, vtkFieldData* b)
+{
+  const int count = a->GetNumberOfArrays();
+  bool areSame = count == b->GetNumberOfArrays();
+  for (int i = 0; areSame && i < count; ++i)
+  {
+    areSame = AreSame(a->GetAbstractArray(i), b->GetAbstractArray(i));
+  }
+  return areSame;
+}
+
+/// With the parts that arrays play.
+bool AreSame(vtkDataSetAttributes* a, vtkDataSetAttributes* b)
+{
+  int rolesOfA[vtkDataSetAttributes::NUM_ATTRIBUTES];
+  int rolesOfB[vtkDataSetAttributes::NUM_ATTRIBUTES];
+  a->GetAttributeIndices(rolesOfA);
+  b->GetAttributeIndices(rolesOfB);
+  return std::equal(std::begin(rolesOfA), std::end(rolesOfA), rolesOfB) &&
+    AreSame(static_cast<vtkFieldData*>(a), static_cast<vtkFieldData*>(b));
+}
+
+bool AreSame(vtkCellArray* a, vtkCellArray* b)
+{
+  return AreSame(a->GetOffsetsArray(), b->GetOffsetsArray()) &&
+    AreSame(a->GetConnectivityArray(), b->GetConnectivityArray());
+}
+
+bool AreSame(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto places = [](vtkPolyData* data)
+  { return data->GetPoints() ? data->GetPoints()->GetData() : nullptr; };
+  return AreSame(places(a), places(b)) && AreSame(a->GetVerts(), b->GetVerts()) &&
+    AreSame(a->GetLines(), b->GetLines()) && AreSame(a->GetPolys(), b->GetPolys()) &&
+    AreSame(a->GetStrips(), b->GetStrips()) && AreSame(a->GetPointData(), b->GetPointData()) &&
+    AreSame(a->GetCellData(), b->GetCellData()) && AreSame(a->GetFieldData(), b->GetFieldData());
+}
+
+} // namespace
+
+bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* whole)
+{
+  vtkMultiProcessController* controller = filter.GetController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    const bool isSame = this->Copy && AreSame(this->Copy, whole);
+    if (!isSame)
+    {
+      this->Copy = vtkSmartPointer<vtkPolyData>::New();
+      this->Copy->DeepCopy(whole);
+    }
+    return !isSame;
+  }
+  vtkDataObject* data = filter.GetInputDataObject(port, 0);
+  vtkMTimeType time = data->GetMTime();
+  for (vtkDataSet* leaf : vtkShapeLeaves::Of(data))
+  {
+    time = std::max(time, leaf->GetMTime());
+  }
+  const bool isSame = data == this->Data && time == this->Time;
+  this->Data = data;
+  this->Time = time;
+  return !isSame;
+}

@@ -1,0 +1,209 @@
+"""Shape Paste Feature: sets a feature down on a surface.
+
+As an example: a horn, cut from a ball, grows on a larger one."""
+import numpy
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+import shapemap
+
+import shapetesting
+from shapetesting import add_array, array, copy, edges, euler, fact, output, points, triangles
+
+TURNS = 2 * numpy.pi * numpy.arange(40) / 40
+CIRCLE = 0.5 * numpy.column_stack([numpy.full(40, numpy.cos(0.6)), numpy.sin(0.6) * numpy.cos(TURNS),
+                                   numpy.sin(0.6) * numpy.sin(TURNS)])
+
+# The example.
+ball = simple.Sphere(ThetaResolution=80, PhiResolution=80)
+horned = simple.Calculator(Input=ball, CoordinateResults=1, Function=(
+    'coords*(1+1.2*max(0,1-((coordsX-0.5)^2+coordsY^2+coordsZ^2)/0.05)^3)'))
+cut = simple.ShapeCutFeature(Input=horned, LoopPoints=CIRCLE.ravel().tolist())
+planet = simple.Sphere(ThetaResolution=90, PhiResolution=90, Radius=1.2)
+pasted = simple.ShapePasteFeature(Feature=cut, Target=planet, Seed=[0.0, 1.0, 0.3], Rotation=30.0)
+pasted.UpdatePipeline()
+grown = output(pasted)
+assert fact(grown, 'PasteFeature.EulerNumber') == 2
+assert fact(grown, 'PasteFeature.DeviationAfter') < 3.0
+top = points(grown)[numpy.linalg.norm(points(grown), axis=1).argmax()]
+assert numpy.linalg.norm(top) > 1.6, top                                  # 1.2 and a horn of 0.6
+assert top.dot([0.0, 1.0, 0.3]) / numpy.linalg.norm(top) / numpy.sqrt(1.09) > 0.98
+
+
+def clean(source):
+    """Triangles, points at the same place joined."""
+    cut_up, joined = vtkTriangleFilter(), vtkCleanPolyData()
+    cut_up.SetInputConnection(source.GetOutputPort())
+    joined.SetInputConnection(cut_up.GetOutputPort())
+    joined.Update()
+    return copy(joined.GetOutput())
+
+
+def sphere(resolution=80, radius=0.5):
+    source = vtkSphereSource()
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    source.SetRadius(radius)
+    return clean(source)
+
+
+def torus(around=100, across=60):
+    rows, columns = numpy.divmod(numpy.arange(around * across), across)
+    u, v = 2 * numpy.pi * rows / around, 2 * numpy.pi * columns / across
+    places = numpy.column_stack([(2.0 + 0.8 * numpy.cos(v)) * numpy.cos(u),
+                                 (2.0 + 0.8 * numpy.cos(v)) * numpy.sin(u), 0.8 * numpy.sin(v)])
+
+    def number(row, column):
+        return (row % around) * across + column % across
+
+    corners = [number(rows, columns), number(rows + 1, columns), number(rows + 1, columns + 1),
+               number(rows, columns + 1)]
+    faces = numpy.concatenate([numpy.column_stack([corners[0], corners[1], corners[2]]),
+                               numpy.column_stack([corners[0], corners[2], corners[3]])])
+    surface, cells = vtkPolyData(), vtkCellArray()
+    surface.SetPoints(vtkPoints())
+    shapetesting.set_points(surface, places)
+    cells.SetData(numpy_to_vtkIdTypeArray(3 * numpy.arange(len(faces) + 1), deep=True),
+                  numpy_to_vtkIdTypeArray(faces.ravel(), deep=True))
+    surface.SetPolys(cells)
+    return surface
+
+
+def horn():
+    """A sphere with a horn along +x, and a colour and a height at its points."""
+    surface = sphere()
+    places = points(surface)
+    share = ((places - [0.5, 0.0, 0.0]) ** 2).sum(axis=1) / 0.05
+    shapetesting.set_points(surface, places * (1 + 1.2 * numpy.maximum(0, 1 - share) ** 3)[:, None])
+    add_array(surface, numpy.tile(numpy.array([200, 40, 0], numpy.uint8), (len(places), 1)), 'Colour')
+    add_array(surface, numpy.full(len(places), 3.0), 'Height')
+    add_array(surface, numpy.arange(len(places)), 'Number')
+    return surface
+
+
+def parts(surface, **properties):
+    """The feature and the rest, filled."""
+    algorithm = shapemap.vtkShapeCutFeature()
+    algorithm.SetInputDataObject(0, surface)
+    algorithm.SetNumberOfLoopPoints(len(CIRCLE))
+    for i, place in enumerate(CIRCLE):
+        algorithm.SetLoopPoints(i, *place)
+    for name, value in properties.items():
+        getattr(algorithm, 'Set' + name)(value)
+    messages = shapetesting.run(algorithm)
+    assert not messages, messages
+    return copy(algorithm.GetOutputDataObject(0)), copy(algorithm.GetOutputDataObject(1))
+
+
+def new(feature, target, seed, **properties):
+    algorithm = shapemap.vtkShapePasteFeature()
+    algorithm.SetInputDataObject(0, feature)
+    algorithm.SetInputDataObject(1, target)
+    algorithm.SetSeed(*seed)
+    for name, value in properties.items():
+        getattr(algorithm, 'Set' + name)(value)
+    return algorithm
+
+
+def paste(*args, **properties):
+    algorithm = new(*args, **properties)
+    messages = shapetesting.run(algorithm)
+    assert not messages, messages
+    return algorithm.GetOutputDataObject(0)
+
+
+def refused(words, *args, **properties):
+    algorithm = new(*args, **properties)
+    messages = shapetesting.run(algorithm)
+    assert any(words in message for message in messages), messages
+    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+
+
+whole = horn()
+feature, rest = parts(whole)
+seed = [feature.GetFieldData().GetArray('CutFeature.Seed').GetComponent(0, k) for k in range(3)]
+
+# Dropped in place, the original is back: every point of it, and no other surface.
+back = paste(feature, rest, seed)
+assert edges(back, 'Boundary') == edges(back, 'NonManifold') == 0 and euler(back) == 2
+placed = {tuple(numpy.round(place, 6)) for place in points(back)}
+lost = [place for place in points(feature) if tuple(numpy.round(place, 6)) not in placed]
+assert not lost, '%d points of the feature are elsewhere, the first at %s' % (len(lost), lost[0])
+assert fact(back, 'PasteFeature.BandTriangles') == 0
+assert fact(back, 'PasteFeature.Base') == 'where it was cut'
+
+numbers = numpy_to_vtk(numpy.arange(feature.GetNumberOfCells()), deep=True)
+numbers.SetName('OfCell')
+feature.GetCellData().AddArray(numbers)
+
+# Elsewhere: one closed manifold, of the target's Euler number, smoothly joined.
+for target, number, place in ((torus(), 0, [1.5, 1.5, 1.0]), (sphere(90, 1.2), 2, [0.2, -1.0, 0.5])):
+    result = paste(feature, target, place, Rotation=-70.0, Scale=0.8)
+    assert edges(result, 'Boundary') == edges(result, 'NonManifold') == 0
+    assert euler(result) == number == fact(result, 'PasteFeature.EulerNumber')
+    assert fact(result, 'PasteFeature.DeviationAfter') < 3.0
+    assert fact(result, 'PasteFeature.Deviation95After') < 10.0
+    assert numpy.isfinite(points(result)).all()
+    part = vtk_to_numpy(result.GetCellData().GetArray('Part'))
+    # All cells of the feature are there; some are cut where they join two points of its loop.
+    assert set(vtk_to_numpy(result.GetCellData().GetArray('OfCell'))[part == 2]) == set(range(feature.GetNumberOfCells()))
+    assert (part == 2).sum() <= 1.1 * feature.GetNumberOfCells()
+    assert (part == 1).sum() == fact(result, 'PasteFeature.BandTriangles') > 0
+
+# The field data say where it stands: an orthonormal frame on the target.
+frame = [numpy.array([result.GetFieldData().GetArray('PasteFeature.' + name).GetComponent(0, k)
+                      for k in range(3)]) for name in ('Seed', 'Normal', 'Direction')]
+assert abs(numpy.linalg.norm(frame[0]) - 1.2) < 1e-3 and abs(frame[1].dot(frame[0]) - 1.2) < 1e-2
+assert abs(frame[1].dot(frame[2])) < 1e-12 and abs(numpy.linalg.norm(frame[2]) - 1.0) < 1e-12
+
+# Data meet at the join: the target's there, the feature's own in its middle; numbers do not blend.
+target = sphere(90, 1.2)
+count = target.GetNumberOfPoints()
+add_array(target, numpy.tile(numpy.array([0, 80, 250], numpy.uint8), (count, 1)), 'Colour')
+add_array(target, numpy.full(count, -1.0), 'Height')
+add_array(target, numpy.arange(count) + 100000, 'Number')
+add_array(target, numpy.full(count, 7.0), 'OnlyHere')
+target.GetPointData().SetActiveScalars('Colour')
+result = paste(feature, target, [0.0, 0.0, 1.2], BlendWidth=0.5)
+assert result.GetPointData().GetScalars().GetName() == 'Colour'
+joint = numpy.unique(triangles(result)[vtk_to_numpy(result.GetCellData().GetArray('Part')) == 1])
+assert abs(array(result, 'Height')[joint] + 1.0).max() < 1e-9
+assert abs(array(result, 'Colour')[joint].astype(float) - [0, 80, 250]).max() <= 1
+tip = numpy.linalg.norm(points(result), axis=1).argmax()
+assert array(result, 'Height')[tip] == 3.0 and (array(result, 'Colour')[tip] == [200, 40, 0]).all()
+assert set(array(result, 'Number')[array(result, 'OnlyHere') == 0.0]) <= set(array(feature, 'Number'))
+
+# A feature of which nothing is known stands on its own fill.
+bare = copy(feature)
+for name in ('LoopCoordinates', 'LoopNormal'):
+    bare.GetPointData().RemoveArray(name)
+result = paste(bare, sphere(90, 1.2), [0.0, 0.0, 1.2])
+assert fact(result, 'PasteFeature.Base') == 'own fill' and euler(result) == 2
+assert edges(result, 'Boundary') == edges(result, 'NonManifold') == 0
+
+# While it is dragged over a place where it does not fit, the last result stays, and says so.
+half = shapetesting.without_cells(target, numpy.flatnonzero(
+    points(target)[triangles(target)].mean(axis=1)[:, 2] < 0.0).tolist())
+moving = new(feature, half, [0.0, 0.0, 1.2], Dragging=True)
+assert not shapetesting.run(moving)
+good = copy(moving.GetOutputDataObject(0))
+assert fact(good, 'PasteFeature.Refused') == 0.0
+moving.SetSeed(1.2, 0.0, 0.0)
+assert not shapetesting.run(moving)
+assert fact(moving.GetOutputDataObject(0), 'PasteFeature.Refused') == 1.0
+assert (points(moving.GetOutputDataObject(0)) == points(good)).all()
+moving.SetDragging(False)
+messages = shapetesting.run(moving)
+assert any('Shape Paste Feature' in message and 'rim' in message for message in messages), messages
+moving.SetSeed(0.0, 0.0, 1.2)
+assert not shapetesting.run(moving)
+assert edges(moving.GetOutputDataObject(0), 'NonManifold') == 0
+
+# What cannot be pasted.
+refused('has no open loop', whole, target, [0.0, 0.0, 1.2])
+refused('Loop Index is 3', feature, target, [0.0, 0.0, 1.2], LoopIndex=3)
+refused('positive', feature, target, [0.0, 0.0, 1.2], Scale=-1.0)
+refused('lower Scale to', feature, target, [0.0, 0.0, 1.2], Scale=20.0)
