@@ -233,7 +233,10 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   Eigen::MatrixXd deformed = this->WithMiddles(
     this->Prepared->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.7, 1.0))
       .Points);
-  if (share > 0.0)
+  // A point at a bend of the loop goes to the mean of several places: what that leaves is turned
+  // again.
+  const int rounds = options.Dragging ? 1 : 3;
+  for (int round = 0; share > 0.0 && round < rounds; ++round)
   {
     this->Turning->Apply(deformed, normals, share);
   }
