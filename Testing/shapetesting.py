@@ -10,7 +10,8 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_POLY_LINE, vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkFiltersCore import vtkExtractCells, vtkFeatureEdges
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -135,6 +136,21 @@ def without_cells(surface, cells):
         opened.DeleteCell(cell)
     opened.RemoveDeletedCells()
     return opened
+
+
+def with_cells(data, cells):
+    """Some of its cells and their points, as a surface or a grid, whichever it is."""
+    extract = vtkExtractCells()
+    extract.SetInputData(data)
+    for cell in cells:
+        extract.AddCellRange(int(cell), int(cell))
+    extract.Update()
+    if data.IsA('vtkUnstructuredGrid'):
+        return extract.GetOutput()
+    surface = vtkGeometryFilter()
+    surface.SetInputConnection(extract.GetOutputPort())
+    surface.Update()
+    return surface.GetOutput()
 
 
 def run(algorithm):

@@ -9,9 +9,7 @@ import sys
 import numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkExtractCells
 from vtkmodules.vtkFiltersCore import vtkArrayCalculator
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 import shapemap
@@ -31,18 +29,7 @@ def piece(data):
     cells = range(data.GetNumberOfCells())
     centre = [numpy.mean([data.GetPoint(data.GetCell(i).GetPointId(k))[0]
                           for k in range(data.GetCell(i).GetNumberOfPoints())]) for i in cells]
-    extract = vtkExtractCells()
-    extract.SetInputData(data)
-    for i in cells:
-        if (centre[i] < 0.0) == (rank == 0):
-            extract.AddCellRange(i, i)
-    extract.Update()
-    if data.IsA('vtkUnstructuredGrid'):
-        return extract.GetOutput()
-    surface = vtkGeometryFilter()
-    surface.SetInputConnection(extract.GetOutputPort())
-    surface.Update()
-    return surface.GetOutput()
+    return shapetesting.with_cells(data, [i for i in cells if (centre[i] < 0.0) == (rank == 0)])
 
 
 def by_place(places, values):

@@ -9,8 +9,6 @@ import sys
 import numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkExtractCells
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.util.numpy_support import vtk_to_numpy
 import shapemap
@@ -31,14 +29,8 @@ def piece(data, axis):
         return data
     centres = points(data)[triangles(data)].mean(axis=1)[:, axis]
     inner = numpy.quantile(centres, numpy.arange(1, processes) / processes)
-    extract = vtkExtractCells()
-    extract.SetInputData(data)
-    for cell in numpy.nonzero(numpy.searchsorted(inner, centres) == rank)[0]:
-        extract.AddCellRange(int(cell), int(cell))
-    surface = vtkGeometryFilter()
-    surface.SetInputConnection(extract.GetOutputPort())
-    surface.Update()
-    return surface.GetOutput()
+    return shapetesting.with_cells(
+        data, numpy.flatnonzero(numpy.searchsorted(inner, centres) == rank))
 
 
 def marks(places, targets):

@@ -9,8 +9,6 @@ import sys
 import numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkExtractCells
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 import shapemap
 
@@ -27,20 +25,13 @@ def piece(data, axis=0):
     if processes == 1:
         return data
     low, high = data.GetBounds()[2 * axis:2 * axis + 2]
-    extract = vtkExtractCells()
-    extract.SetInputData(data)
+    own = []
     for i in range(data.GetNumberOfCells()):
         bounds = data.GetCell(i).GetBounds()
         middle = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1])
         if min(int(processes * (middle - low) / (high - low)), processes - 1) == rank:
-            extract.AddCellRange(i, i)
-    extract.Update()
-    if data.IsA('vtkUnstructuredGrid'):
-        return extract.GetOutput()
-    surface = vtkGeometryFilter()
-    surface.SetInputConnection(extract.GetOutputPort())
-    surface.Update()
-    return surface.GetOutput()
+            own.append(i)
+    return shapetesting.with_cells(data, own)
 
 
 def grid_of(cells):

@@ -1,5 +1,6 @@
 #include "Core/Errors.h"
 #include "Core/Topology.h"
+#include "CurveShapes.h"
 #include "Deform/CutFeature.h"
 #include "Geometry/ClosestPoint.h"
 #include "Surface/OpenLoops.h"
@@ -17,17 +18,7 @@
 namespace
 {
 
-Eigen::MatrixXd Circle(const Eigen::RowVector3d& middle, const Eigen::RowVector3d& u,
-  const Eigen::RowVector3d& v, int count)
-{
-  Eigen::MatrixXd points(count, 3);
-  for (int i = 0; i < count; ++i)
-  {
-    const double angle = 2.0 * M_PI * (i + 0.5) / count;
-    points.row(i) = middle + std::cos(angle) * u + std::sin(angle) * v;
-  }
-  return points;
-}
+using shapetest::Circle;
 
 double AreaOf(const shape::Mesh& mesh)
 {

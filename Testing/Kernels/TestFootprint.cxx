@@ -2,6 +2,7 @@
 // covers is a disk that contains it, whose points outside of it all stay; a loop along edges covers
 // just what is within it; and each thing that is wrong with a place is told from the others.
 
+#include "CurveShapes.h"
 #include "Deform/Footprint.h"
 #include "Deform/PlanarOutline.h"
 #include "TestShapes.h"
@@ -40,17 +41,6 @@ Eigen::MatrixXd Circle(double x, double y, double radius, int corners)
     circle.row(i) << x + radius * std::cos(angle), y + radius * std::sin(angle);
   }
   return circle;
-}
-
-double Area(const Eigen::MatrixXd& polygon)
-{
-  double twice = 0.0;
-  for (Eigen::Index i = 0; i < polygon.rows(); ++i)
-  {
-    const Eigen::Index j = (i + 1) % polygon.rows();
-    twice += polygon(i, 0) * polygon(j, 1) - polygon(j, 0) * polygon(i, 1);
-  }
-  return twice / 2.0;
 }
 
 /// The square [-0.5, 0.5]^2 along the edges of FlatSquare(8, 0), a corner at each point.
@@ -127,12 +117,12 @@ TEST(Footprint, ALoopIsContainedAndPointsOutsideStay)
     {
       const Eigen::Matrix3d at = shape::Corners(flat, triangle);
       Eigen::MatrixXd flatTriangle = at.leftCols(2);
-      gone += Area(flatTriangle);
+      gone += shapetest::PolygonArea(flatTriangle);
       used.insert(
         { flat.Triangles(triangle, 0), flat.Triangles(triangle, 1), flat.Triangles(triangle, 2) });
     }
-    EXPECT_NEAR(gone, Area(footprint.RingImage), 1e-12);
-    EXPECT_GT(gone, Area(loop));
+    EXPECT_NEAR(gone, shapetest::PolygonArea(footprint.RingImage), 1e-12);
+    EXPECT_GT(gone, shapetest::PolygonArea(loop));
     const shape::PlanarOutline outline(loop), ring(footprint.RingImage);
     for (Eigen::Index i = 0; i < loop.rows(); ++i)
     {
@@ -168,8 +158,8 @@ TEST(Footprint, ALoopAlongEdgesCoversWhatIsWithin)
     ASSERT_EQ(footprint.Fault, FootprintFault::None);
     EXPECT_EQ(footprint.Triangles.size(), 32U);
     EXPECT_EQ(footprint.Ring.size(), 16U);
-    EXPECT_EQ(Area(footprint.RingImage), 1.0);
-    EXPECT_EQ(Area(footprint.Loop), turned ? -1.0 : 1.0);
+    EXPECT_EQ(shapetest::PolygonArea(footprint.RingImage), 1.0);
+    EXPECT_EQ(shapetest::PolygonArea(footprint.Loop), turned ? -1.0 : 1.0);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "Core/Errors.h"
 #include "Core/Topology.h"
+#include "CurveShapes.h"
 #include "Geometry/ClosestPoint.h"
 #include "Surface/LoopInsertion.h"
 #include "Surface/SurfaceCut.h"
@@ -20,18 +21,7 @@
 namespace
 {
 
-/// A circle of `count` points around an axis, `turns` times around.
-Eigen::MatrixXd Circle(const Eigen::RowVector3d& middle, const Eigen::RowVector3d& u,
-  const Eigen::RowVector3d& v, int count)
-{
-  Eigen::MatrixXd points(count, 3);
-  for (int i = 0; i < count; ++i)
-  {
-    const double angle = 2.0 * M_PI * (i + 0.5) / count;
-    points.row(i) = middle + std::cos(angle) * u + std::sin(angle) * v;
-  }
-  return points;
-}
+using shapetest::Circle;
 
 shape::InsertedLoops Insert(
   const shape::Mesh& mesh, const std::vector<Eigen::MatrixXd>& curves, double snap = 0.05)

@@ -8,6 +8,7 @@
 #include "Deform/PasteTarget.h"
 
 #include "Core/Errors.h"
+#include "CurveShapes.h"
 #include "DeformShapes.h"
 #include "HoleShapes.h"
 #include "Surface/OpenLoops.h"
@@ -70,17 +71,6 @@ shape::PastePlacement At(const RowVector3d& seed, double rotation = 0.0, double 
   return placement;
 }
 
-double Area(const MatrixXd& polygon)
-{
-  double twice = 0.0;
-  for (Eigen::Index i = 0; i < polygon.rows(); ++i)
-  {
-    const Eigen::Index j = (i + 1) % polygon.rows();
-    twice += polygon(i, 0) * polygon(j, 1) - polygon(j, 0) * polygon(i, 1);
-  }
-  return 0.5 * twice;
-}
-
 /// That the band's triangles cover what is between the loop and the ring, facing upwards.
 void ExpectBandBetween(const shape::Landing& landing)
 {
@@ -97,7 +87,9 @@ void ExpectBandBetween(const shape::Landing& landing)
   }
   const Eigen::VectorXd areas = 0.5 * shape::AreaVectors(band).col(2);
   EXPECT_GT(areas.minCoeff(), 0.0);
-  EXPECT_NEAR(areas.sum(), Area(landing.Cover.RingImage) - Area(landing.Cover.Loop), 1e-12);
+  EXPECT_NEAR(areas.sum(),
+    shapetest::PolygonArea(landing.Cover.RingImage) - shapetest::PolygonArea(landing.Cover.Loop),
+    1e-12);
 }
 
 TEST(PasteTarget, OnAPlaneALoopLandsAsASimilaritySays)
@@ -208,7 +200,7 @@ TEST(PasteTarget, WhereTheMapFoldsAnotherLayoutTakesTheLoop)
   EXPECT_EQ(landing.Layout, shape::TargetLayout::Conformal);
   ExpectBandBetween(landing);
   EXPECT_TRUE(shape::IsSimplePolygon(landing.Places.leftCols(2))); // seen from above
-  EXPECT_GT(Area(landing.Places.leftCols(2)), 0.5);
+  EXPECT_GT(shapetest::PolygonArea(landing.Places.leftCols(2)), 0.5);
   const std::set<int> covered(landing.Cover.Triangles.begin(), landing.Cover.Triangles.end());
   for (int t = 0; t < static_cast<int>(finger.Triangles.rows()); ++t)
   {

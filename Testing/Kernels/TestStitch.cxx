@@ -2,6 +2,7 @@
 // once; what they have in common is not in it.
 
 #include "Core/Errors.h"
+#include "CurveShapes.h"
 #include "Deform/Stitch.h"
 
 #include <gtest/gtest.h>
@@ -24,17 +25,6 @@ Eigen::MatrixXd Circle(double radius, int corners, bool clockwise = false)
   return circle;
 }
 
-double PolygonArea(const Eigen::MatrixXd& polygon)
-{
-  double twice = 0.0;
-  for (Eigen::Index i = 0; i < polygon.rows(); ++i)
-  {
-    const Eigen::Index j = (i + 1) % polygon.rows();
-    twice += polygon(i, 0) * polygon(j, 1) - polygon(j, 0) * polygon(i, 1);
-  }
-  return twice / 2.0;
-}
-
 double Area(const shape::Band& band, const Eigen::MatrixXd& loop, const Eigen::MatrixXd& ring)
 {
   Eigen::MatrixXd points(loop.rows() + ring.rows(), 2);
@@ -47,8 +37,8 @@ double Area(const shape::Band& band, const Eigen::MatrixXd& loop, const Eigen::M
     {
       corners.row(k) = points.row(band.Triangles(t, k));
     }
-    EXPECT_GT(PolygonArea(corners), 0.0);
-    sum += PolygonArea(corners);
+    EXPECT_GT(shapetest::PolygonArea(corners), 0.0);
+    sum += shapetest::PolygonArea(corners);
   }
   return sum;
 }
@@ -75,7 +65,8 @@ TEST(Stitch, ABandFillsWhatIsBetween)
     const Eigen::MatrixXd loop = Circle(1.0, 37, clockwise), ring = Circle(1.4, 23);
     const shape::Band band = shape::JoinToRing(loop, ring);
     EXPECT_EQ(band.Triangles.rows(), 37 + 23); // an annulus without points inside
-    EXPECT_NEAR(Area(band, loop, ring), PolygonArea(ring) - std::abs(PolygonArea(loop)), 1e-12);
+    EXPECT_NEAR(Area(band, loop, ring),
+      shapetest::PolygonArea(ring) - std::abs(shapetest::PolygonArea(loop)), 1e-12);
     const auto edges = EdgesOf(band);
     for (int i = 0; i < 37; ++i)
     {
