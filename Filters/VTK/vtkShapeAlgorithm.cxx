@@ -1,8 +1,8 @@
 #include "vtkShapeAlgorithm.h"
 
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"

@@ -147,8 +147,7 @@ void vtkShapeCorrespondence::WriteMap(
   const auto before = static_cast<double>(target->GetNumberOfVerts() + target->GetNumberOfLines());
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };
-  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(port, 0),
-    this->GetOutputDataObject(port),
+  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(port, 0), this->GetOutputDataObject(port),
     { { "TargetPosition", own(shape::Pulled(map, other.Triangles, other.Points)) },
       { "TargetCell", own(map.Triangles.cast<double>().array() + before), true },
       { "TargetBarycentric", own(map.Barycentrics) } });

@@ -2,9 +2,9 @@
 
 #include "vtkShapeChargeSet.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 #include "vtkShapeFeatures.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeLeaves.h"
 #include "vtkShapeSolid.h"
 #include "vtkShapeVolumeMapFacts.h"
 

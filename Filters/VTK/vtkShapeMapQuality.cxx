@@ -1,8 +1,8 @@
 #include "vtkShapeMapQuality.h"
 
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"

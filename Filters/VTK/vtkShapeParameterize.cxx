@@ -1,8 +1,8 @@
 #include "vtkShapeParameterize.h"
 
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 #include "vtkShapeCutImage.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkObjectFactory.h"

@@ -1,8 +1,8 @@
 #include "vtkShapeSolid.h"
 
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeLeaves.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -20,10 +20,16 @@ PROPERTIES = PANEL + ('scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContent
 DIALOG = 'SelectInputDialog/'
 MESSAGES = 'outputWidgetDock/outputWidget/'
 BROWSER = 'pipelineBrowserDock/pipelineBrowser'
+VIEW = ('centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container/Frame.0/'
+        'CentralWidgetFrame/Viewport')
+SHIFT, CONTROL = 0x02000000, 0x04000000  # Qt's numbers, as those of the keys
+ESCAPE, ENTER, BACKSPACE, DELETE = 0x01000000, 0x01000004, 0x01000003, 0x01000007
 
 
 class Window:
-    def __init__(self):
+    def __init__(self, port=None):
+        """port: of the server to connect to; None is the built-in one."""
+        self.server = [] if port is None else ['--server-url=cs://localhost:%d' % port]
         self.folder = tempfile.mkdtemp(prefix='shapemap-window-')
         self.events = ElementTree.Element('pqevents')
         self.steps = 0
@@ -68,17 +74,61 @@ class Window:
         child of the first row, in column 0."""
         self.event(BROWSER, 'currentChanged', item)
 
+    def choose_inputs(self, **rows):
+        """Answers the dialog of a filter with several inputs: for each, a row of its pipeline."""
+        for name, row in rows.items():
+            self.click(DIALOG + 'buttonFrame/' + name)
+            self.event(DIALOG + 'pipelineView', 'currentChanged', row)
+        self.click(DIALOG + 'buttonBox/1QPushButton0')
+
+    def wait(self, milliseconds):
+        """The window goes on with what it has begun."""
+        self.event('menubar', 'process_events', str(milliseconds))
+
+    def undo(self):
+        self.event('menubar/menu_Edit', 'activate', 'actionEditUndo')
+        self.wait(100)
+
+    def redo(self):
+        self.event('menubar/menu_Edit', 'activate', 'actionEditRedo')
+        self.wait(100)
+
+    def mouse(self, command, place, button=0, buttons=0, modifiers=0):
+        """Move, Press, Release or DblClick at a place in the view, in parts of its width and of its
+        height from the top."""
+        self.event(VIEW, 'mouse' + command, '(%r,%r,%d,%d,%d)' % (*place, button, buttons, modifiers))
+
+    def press(self, place, modifiers=0):
+        self.mouse('Move', place, 0, 0, modifiers)
+        self.mouse('Press', place, 1, 1, modifiers)
+
+    def drag(self, places, modifiers=0):
+        """The left button is pressed at the first place, moved over the others and released."""
+        self.press(places[0], modifiers)
+        for place in places[1:]:
+            self.mouse('Move', place, 0, 1, modifiers)
+        self.mouse('Release', places[-1], 1, 0, modifiers)
+        self.wait(100)
+
+    def key(self, code, text=''):
+        """A key is pressed and released while the mouse is in the view."""
+        for command in (6, 7):
+            self.event(VIEW + '/1QVTKOpenGLNativeWidget0', 'keyEvent', '%d:%d:0:%s:0:1' % (command, code, text))
+
     def python(self, source):
-        """Runs Python in the window's shell; what it raises, run() raises."""
+        """Runs Python in the window's shell, which knows the names of the steps before; what it
+        raises, run() raises. It empties the undo stack, as ParaView's shell does."""
         self.steps += 1
         with open(self.file('step%d.py' % self.steps), 'w') as script:
             script.write('from paraview.simple import *\n' + textwrap.dedent(source))
         self.event('pythonShellDock/pythonShell/consoleWidget', 'executeCommand', textwrap.dedent('''
+            names = globals().setdefault('shapemap_names', {})
+
             def shapemap_step(path):
                 import traceback
                 result = 'done'
                 try:
-                    exec(compile(open(path + '.py').read(), path, 'exec'), {})
+                    exec(compile(open(path + '.py').read(), path, 'exec'), names)
                 except BaseException:
                     result = traceback.format_exc()
                 with open(path + '.txt', 'w') as file:
@@ -100,10 +150,11 @@ class Window:
         script = self.file('events.xml')
         ElementTree.ElementTree(self.events).write(script)
         environment = dict(
-            os.environ, HOME=self.folder, XDG_CONFIG_HOME=self.folder, XDG_RUNTIME_DIR=self.folder)
+            os.environ, PYTHONPATH=os.pathsep.join([os.path.dirname(__file__), os.environ.get('PYTHONPATH', '')]),
+            HOME=self.folder, XDG_CONFIG_HOME=self.folder, XDG_RUNTIME_DIR=self.folder)
         with open(self.file('output.txt'), 'w+') as output:
             window = subprocess.Popen(
-                ['paraview', '--dr', '--test-script=' + script, '--exit'], env=environment,
+                ['paraview', '--dr', *self.server, '--test-script=' + script, '--exit'], env=environment,
                 stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
                 start_new_session=True)
             try:

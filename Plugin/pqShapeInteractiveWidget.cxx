@@ -1,0 +1,491 @@
+#include "pqShapeInteractiveWidget.h"
+
+#include "pqShapeDisplay.h"
+#include "pqShapeFacts.h"
+
+#include "vtkCommand.h"
+#include "vtkSMPropertyGroup.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMUncheckedPropertyHelper.h"
+
+#include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
+#include "pqProxy.h"
+#include "pqProxyWidget.h"
+#include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QLabel>
+
+namespace
+{
+
+/// How far the mouse may move between press and release of a click, in a usual screen's pixels.
+constexpr double ClickDistance = 3.0;
+/// How long a pause ends a burst of keys, in milliseconds.
+constexpr int BurstPause = 400;
+
+std::vector<vtkSMProperty*> FindProperties(
+  vtkSMPropertyGroup* group, const std::vector<std::string>& functions)
+{
+  std::vector<vtkSMProperty*> properties;
+  for (const std::string& function : functions)
+  {
+    properties.push_back(group->GetProperty(function.c_str()));
+  }
+  return properties;
+}
+
+} // namespace
+
+pqShapeInteractiveWidget::pqShapeInteractiveWidget(vtkSMProxy* filter, vtkSMPropertyGroup* group,
+  const std::vector<std::string>& functions, QWidget* parent)
+  : Superclass(filter, parent)
+  , Group(group)
+  , Surface(group->GetProperty("Surface"), [this] { this->VisibilityTimer.start(0); })
+  , Edit(filter, FindProperties(group, functions), group->GetProperty("Dragging"))
+  , Layout(new QFormLayout(this))
+  , ShowHandle(new QCheckBox(tr("Show handle"), this))
+  , Help(new QLabel(this))
+  , Overlay(
+      [this] { this->OnRender(); }, [this](unsigned long event) { return this->OnEvent(event); })
+{
+  this->setChangeAvailableAsChangeFinished(false); // a row knows when what is typed is finished
+  this->Layout->setContentsMargins(0, 0, 0, 0);
+  this->ShowHandle->setObjectName("ShowHandle");
+  this->ShowHandle->setChecked(true);
+  this->Layout->addRow(this->ShowHandle);
+  this->Help->setObjectName("Help");
+  this->Help->setWordWrap(true);
+  for (vtkSMProperty* property : FindProperties(group, functions))
+  {
+    if (property)
+    {
+      pqCoreUtilities::connect(property, vtkCommand::ModifiedEvent, this, SLOT(OnValuesChanged()));
+      pqCoreUtilities::connect(
+        property, vtkCommand::UncheckedPropertyModifiedEvent, this, SLOT(OnValuesChanged()));
+    }
+  }
+  pqCoreUtilities::connect(filter, vtkCommand::UpdateDataEvent, this, SLOT(OnUpdated()));
+  for (QTimer* timer : { &this->VisibilityTimer, &this->StepTimer, &this->BurstTimer })
+  {
+    timer->setSingleShot(true);
+  }
+  const auto showOrHide = [this] { this->VisibilityTimer.start(0); };
+  QObject::connect(this->ShowHandle, &QCheckBox::toggled, this, showOrHide);
+  QObject::connect(
+    &this->VisibilityTimer, &QTimer::timeout, this, [this] { this->UpdateVisibility(); });
+  QObject::connect(&this->StepTimer, &QTimer::timeout, this, [this] { this->Step(); });
+  QObject::connect(&this->BurstTimer, &QTimer::timeout, this, [this] { this->EndBurst(); });
+}
+
+void pqShapeInteractiveWidget::apply()
+{
+  this->EndDrag();
+  for (pqPropertyWidget* row : this->Rows)
+  {
+    row->apply();
+  }
+  this->Superclass::apply();
+}
+
+void pqShapeInteractiveWidget::reset()
+{
+  for (pqPropertyWidget* row : this->Rows)
+  {
+    row->reset();
+  }
+  this->Superclass::reset();
+}
+
+void pqShapeInteractiveWidget::select()
+{
+  this->Superclass::select();
+  this->VisibilityTimer.start(0);
+}
+
+void pqShapeInteractiveWidget::deselect()
+{
+  this->EndDrag();
+  this->Superclass::deselect();
+  this->UpdateVisibility();
+}
+
+void pqShapeInteractiveWidget::setView(pqView* view)
+{
+  if (view != this->view())
+  {
+    this->EndDrag();
+    this->Overlay.Detach();
+  }
+  for (pqPropertyWidget* row : this->Rows)
+  {
+    row->setView(view);
+  }
+  this->Superclass::setView(view);
+  this->VisibilityTimer.start(0);
+}
+
+vtkSMProperty* pqShapeInteractiveWidget::GetProperty(const std::string& function) const
+{
+  return this->Group->GetProperty(function.c_str());
+}
+
+std::vector<double> pqShapeInteractiveWidget::GetValues(const std::string& function) const
+{
+  vtkSMProperty* property = this->GetProperty(function);
+  return property ? vtkSMUncheckedPropertyHelper(property).GetDoubleArray() : std::vector<double>();
+}
+
+void pqShapeInteractiveWidget::SetValues(
+  const std::string& function, const std::vector<double>& values)
+{
+  if (vtkSMProperty* property = this->GetProperty(function))
+  {
+    vtkSMPropertyHelper(property).Set(values.data(), static_cast<unsigned int>(values.size()));
+  }
+}
+
+void pqShapeInteractiveWidget::AddRow(const std::string& function)
+{
+  vtkSMProperty* property = this->GetProperty(function);
+  pqPropertyWidget* row =
+    property ? pqProxyWidget::createWidgetForProperty(property, this->proxy(), this) : nullptr;
+  if (row)
+  {
+    row->setObjectName(property->GetXMLName());
+    QObject::connect(
+      row, &pqPropertyWidget::changeAvailable, this, &pqPropertyWidget::changeAvailable);
+    QObject::connect(
+      row, &pqPropertyWidget::changeFinished, this, &pqPropertyWidget::changeFinished);
+    this->Layout->addRow(property->GetXMLLabel(), row);
+    this->Rows.push_back(row);
+  }
+}
+
+void pqShapeInteractiveWidget::AddWidget(QWidget* widget)
+{
+  this->Layout->addRow(widget);
+}
+
+void pqShapeInteractiveWidget::AddHelp(const QString& text)
+{
+  this->HelpText = text;
+  this->Help->setText(text);
+  this->AddWidget(this->Help);
+}
+
+void pqShapeInteractiveWidget::OnValuesChanged()
+{
+  if (!this->Edit.IsActive() && this->Overlay.IsAttached())
+  {
+    this->RequestRender();
+  }
+}
+
+void pqShapeInteractiveWidget::OnUpdated()
+{
+  const std::vector<double> refused = pqShapeFacts::GetNumbers(this->proxy(), "Refused");
+  this->Refused = !refused.empty() && refused.front() != 0.0;
+  const std::string reason = pqShapeFacts::GetText(this->proxy(), "Refusal");
+  this->Help->setText(this->Refused && !reason.empty() ? reason.c_str() : this->HelpText);
+  this->ReadFacts();
+  this->VisibilityTimer.start(0); // it may have another input
+}
+
+double pqShapeInteractiveWidget::GetTime() const
+{
+  return vtkSMPropertyHelper(this->view()->getProxy(), "ViewTime").GetAsDouble();
+}
+
+bool pqShapeInteractiveWidget::UpdateSurface()
+{
+  return this->Surface.Update(this->GetTime());
+}
+
+void pqShapeInteractiveWidget::UpdateVisibility()
+{
+  const int version = this->Surface.GetVersion();
+  const bool wanted = this->isSelected() && this->ShowHandle->isChecked() &&
+    pqShapeOverlay::CanAttach(this->view()) && this->UpdateSurface();
+  if (wanted == this->Overlay.IsAttached() && version == this->Surface.GetVersion())
+  {
+    return;
+  }
+  if (!wanted)
+  {
+    this->EndDrag();
+    this->Overlay.Detach();
+  }
+  else if (!this->Overlay.IsAttached())
+  {
+    this->Overlay.Attach(this->view());
+    this->Initialize();
+  }
+  this->RequestRender();
+}
+
+void pqShapeInteractiveWidget::Initialize()
+{
+  this->OnUpdated();
+  const auto* filter =
+    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqProxy*>(this->proxy());
+  if (!this->Initialized && filter && filter->modifiedState() == pqProxy::UNINITIALIZED)
+  {
+    const pqScopedUndoExclude exclude;
+    this->Place();
+    this->proxy()->UpdateVTKObjects();
+  }
+  this->Initialized = true;
+}
+
+void pqShapeInteractiveWidget::OnRender()
+{
+  if (this->view() && this->GetTime() != this->Surface.GetTime())
+  {
+    this->VisibilityTimer.start(0);
+  }
+  this->Overlay.SetVisible(this->Surface.IsThere());
+  if (this->Surface.IsThere())
+  {
+    this->UpdateHovered();
+    this->Draw();
+  }
+}
+
+bool pqShapeInteractiveWidget::OnEvent(unsigned long event)
+{
+  if (!this->Surface.IsThere())
+  {
+    return false;
+  }
+  switch (event)
+  {
+    case vtkCommand::MouseMoveEvent:
+      return this->OnMove();
+    case vtkCommand::LeftButtonPressEvent:
+      return this->OnPress();
+    case vtkCommand::LeftButtonReleaseEvent:
+      return this->OnRelease();
+    case vtkCommand::LeftButtonDoubleClickEvent:
+      return this->DoubleClick() || this->OnPress();
+    case vtkCommand::RightButtonPressEvent:
+      this->LetGo(); // the menu that it opens takes the release of the left button
+      return false;
+    case vtkCommand::MouseWheelForwardEvent:
+      return this->OnWheel(1);
+    case vtkCommand::MouseWheelBackwardEvent:
+      return this->OnWheel(-1);
+    default:
+      return this->OnKey();
+  }
+}
+
+bool pqShapeInteractiveWidget::OnMove()
+{
+  if (this->Grabbed && this->Released)
+  {
+    return true; // the drag ended where it was let go, be that not worked off yet
+  }
+  this->Pixel = this->Overlay.GetPixel();
+  if (this->Grabbed)
+  {
+    this->StepTimer.start(0);
+    return true;
+  }
+  if (this->UpdateHovered())
+  {
+    this->RequestRender();
+  }
+  return false;
+}
+
+bool pqShapeInteractiveWidget::UpdateHovered()
+{
+  const int part = this->Grabbed ? this->Hovered : this->FindPart(this->Pixel);
+  const bool changed = part != this->Hovered;
+  this->Hovered = part;
+  return changed;
+}
+
+bool pqShapeInteractiveWidget::OnPress()
+{
+  if (this->Stepping)
+  {
+    return true; // an execution that lets events through is not interrupted
+  }
+  this->LetGo(); // what was let go of, or lost its release, is worked off first
+  this->Pixel = this->Overlay.GetPixel();
+  this->Pressed = this->Pixel;
+  const int part = this->FindPart(this->Pixel);
+  this->Clicking = part == 0;
+  if (part == 0 || !this->UpdateSurface())
+  {
+    return false;
+  }
+  this->Hovered = part;
+  this->Worked = this->Pixel;
+  this->Grabbed = true;
+  this->Released = false;
+  this->Edit.Begin();
+  this->Grab(part, this->Pixel, this->Overlay.IsShiftPressed(), this->Overlay.IsControlPressed());
+  return true;
+}
+
+bool pqShapeInteractiveWidget::OnRelease()
+{
+  this->Pixel = this->Overlay.GetPixel();
+  if (this->Grabbed)
+  {
+    this->Released = true;
+    this->StepTimer.start(0);
+    return true;
+  }
+  // The camera has seen the press: it sees the release, too.
+  const double reach = ClickDistance * pqShapeDisplay::PixelScale(this->GetRenderer());
+  if (this->Clicking && (this->Pixel - this->Pressed).norm() <= reach && this->UpdateSurface() &&
+    this->Click(this->Pixel))
+  {
+    this->RequestRender();
+  }
+  this->Clicking = false;
+  return false;
+}
+
+void pqShapeInteractiveWidget::LetGo()
+{
+  if (this->Grabbed)
+  {
+    this->Step(); // to where the mouse was last
+  }
+  this->EndDrag();
+}
+
+bool pqShapeInteractiveWidget::OnWheel(int steps)
+{
+  this->UpdateHovered();
+  return this->Grabbed || this->TurnWheel(steps, this->Overlay.IsControlPressed());
+}
+
+bool pqShapeInteractiveWidget::OnKey()
+{
+  const std::string key = this->Overlay.GetKey();
+  if (key == "Escape" && this->Edit.IsActive())
+  {
+    this->BurstTimer.stop();
+    this->StepTimer.stop();
+    this->Grabbed = false;
+    this->Edit.Cancel();
+    pqApplicationCore::instance()->render();
+    return true;
+  }
+  this->UpdateHovered();
+  if (!this->Grabbed && this->PressKey(key))
+  {
+    return true;
+  }
+  this->EndBurst(); // the key may be the first of Ctrl+Z
+  return false;
+}
+
+void pqShapeInteractiveWidget::Step()
+{
+  // What comes while a step is worked off is worked off after it.
+  if (!this->Edit.IsActive() || this->Stepping)
+  {
+    return;
+  }
+  this->Stepping = true;
+  const bool last = this->Released;
+  const bool moved = this->Grabbed && this->Pixel != this->Worked;
+  this->Worked = this->Pixel;
+  if (!this->Grabbed)
+  {
+    this->Show();
+    this->BurstTimer.start(BurstPause);
+  }
+  else if (moved && this->Drag(this->Pixel))
+  {
+    this->Show();
+  }
+  if (this->Grabbed && last)
+  {
+    this->Grabbed = false;
+    this->Finish();
+  }
+  this->Stepping = false;
+  if (this->Grabbed && this->Released)
+  {
+    this->StepTimer.start(0);
+  }
+}
+
+void pqShapeInteractiveWidget::Burst(const std::function<void()>& change)
+{
+  if (!this->Edit.IsActive())
+  {
+    this->Edit.Begin();
+  }
+  change();
+  this->StepTimer.start(0);
+}
+
+void pqShapeInteractiveWidget::EndBurst()
+{
+  this->BurstTimer.stop();
+  if (this->Edit.IsActive() && !this->Grabbed)
+  {
+    this->Finish();
+  }
+}
+
+void pqShapeInteractiveWidget::EndDrag()
+{
+  // The release of the button will not be seen.
+  this->StepTimer.stop();
+  this->Grabbed = false;
+  this->EndBurst();
+}
+
+void pqShapeInteractiveWidget::Change(const std::function<void()>& change)
+{
+  this->EndBurst();
+  this->Edit.Begin();
+  change();
+  this->Finish();
+}
+
+void pqShapeInteractiveWidget::RequestRender()
+{
+  if (this->view())
+  {
+    this->view()->render();
+  }
+}
+
+void pqShapeInteractiveWidget::Show()
+{
+  this->Edit.Show();
+  if (this->Overlay.IsAttached() && this->view())
+  {
+    vtkSMRenderViewProxy::SafeDownCast(this->view()->getProxy())->InteractiveRender();
+  }
+  if (!this->Refused)
+  {
+    this->Edit.Keep();
+  }
+}
+
+void pqShapeInteractiveWidget::Finish()
+{
+  if (this->Refused)
+  {
+    this->Edit.TakeBack();
+  }
+  this->Edit.Finish(tr("Drag %1").arg(this->proxy()->GetXMLLabel()));
+  pqApplicationCore::instance()->render();
+}

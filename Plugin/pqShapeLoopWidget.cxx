@@ -1,0 +1,256 @@
+#include "pqShapeLoopWidget.h"
+
+#include "pqShapeDisplay.h"
+
+#include "vtkActor.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include "pqView.h"
+
+#include <QPushButton>
+
+#include <cstddef>
+
+namespace
+{
+
+constexpr double CurvePixels = 3.0, MarkPixels = 10.0, GrabPixels = 8.0, HoveredPixels = 7.0;
+/// Between two places the curve is drawn through so many places of the surface.
+constexpr int Samples = 12;
+constexpr std::size_t FewestPlaces = 3;
+
+} // namespace
+
+pqShapeLoopWidget::pqShapeLoopWidget(vtkSMProxy* filter, vtkSMPropertyGroup* group, QWidget* parent)
+  : Superclass(filter, group, { "Points" }, parent)
+  , Button(new QPushButton(tr("Draw Loop"), this))
+  , Curve(vtkSmartPointer<vtkPolyData>::New())
+  , Marks(vtkSmartPointer<vtkPolyData>::New())
+{
+  this->Button->setObjectName("DrawLoop");
+  this->Button->setCheckable(true);
+  this->AddWidget(this->Button);
+  this->AddHelp(
+    tr("Click places on the surface; a double click or Enter closes the loop, Backspace "
+       "takes the last place back, Esc gives up. Drag the places of a closed loop; "
+       "Delete removes one."));
+  this->AddRow("Points");
+  QObject::connect(this->Button, &QPushButton::toggled, this,
+    [this]
+    {
+      this->Drawn.clear();
+      this->RequestRender();
+    });
+
+  this->CurveActor = pqShapeDisplay::MakeCurve(this->Curve);
+  this->MarksActor = pqShapeDisplay::MakeCurve(this->Marks);
+  this->HoveredActor = pqShapeDisplay::MakeBall();
+  this->CurveActor->GetProperty()->SetColor(1.0, 0.55, 0.05);
+  this->MarksActor->GetProperty()->SetColor(1.0, 0.55, 0.05);
+  this->HoveredActor->GetProperty()->SetColor(1.0, 0.85, 0.4);
+  this->AddActor(this->CurveActor);
+  this->AddActor(this->MarksActor);
+  this->AddActor(this->HoveredActor);
+}
+
+void pqShapeLoopWidget::deselect()
+{
+  this->Button->setChecked(false);
+  this->Superclass::deselect();
+}
+
+bool pqShapeLoopWidget::IsDrawing() const
+{
+  return this->Button->isChecked();
+}
+
+pqShapeLoopWidget::Places pqShapeLoopWidget::GetPlaces() const
+{
+  if (this->IsDrawing())
+  {
+    return this->Drawn;
+  }
+  const std::vector<double> values = this->GetValues("Points");
+  Places places;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+  {
+    places.emplace_back(values[i], values[i + 1], values[i + 2]);
+  }
+  return places;
+}
+
+void pqShapeLoopWidget::SetPlaces(const Places& places)
+{
+  std::vector<double> values;
+  for (const Eigen::Vector3d& place : places)
+  {
+    values.insert(values.end(), place.data(), place.data() + 3);
+  }
+  this->SetValues("Points", values);
+}
+
+int pqShapeLoopWidget::FindPart(const Eigen::Vector2d& pixel)
+{
+  if (this->IsDrawing())
+  {
+    return 0;
+  }
+  vtkRenderer* renderer = this->GetRenderer();
+  const double reach = GrabPixels * pqShapeDisplay::PixelScale(renderer);
+  const Places places = this->GetPlaces();
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    // Those on the far side are seen, too, but not meant.
+    if ((pqShapeDisplay::ToPixel(renderer, places[i]) - pixel).norm() <= reach &&
+      pqShapeDisplay::FacesViewer(
+        renderer, places[i], this->GetSurface().FindClosest(places[i]).Normal))
+    {
+      return static_cast<int>(i) + 1;
+    }
+  }
+  return 0;
+}
+
+void pqShapeLoopWidget::Grab(int part, const Eigen::Vector2d& pixel, bool, bool)
+{
+  this->Grabbed = part - 1;
+  const Places places = this->GetPlaces();
+  this->Offset =
+    pqShapeDisplay::ToPixel(this->GetRenderer(), places[static_cast<std::size_t>(this->Grabbed)]) -
+    pixel;
+}
+
+bool pqShapeLoopWidget::Drag(const Eigen::Vector2d& pixel)
+{
+  const auto grabbed = static_cast<std::size_t>(this->Grabbed);
+  Places places = this->GetPlaces();
+  pqShapePlace place;
+  if (grabbed >= places.size() || // undone while it is held
+    !this->GetSurface().FindUnder(this->GetRenderer(), pixel + this->Offset, place))
+  {
+    return false;
+  }
+  places[grabbed] = place.Position;
+  this->SetPlaces(places);
+  return true;
+}
+
+bool pqShapeLoopWidget::Click(const Eigen::Vector2d& pixel)
+{
+  pqShapePlace place;
+  if (!this->IsDrawing() || !this->GetSurface().FindUnder(this->GetRenderer(), pixel, place))
+  {
+    return false;
+  }
+  this->Drawn.push_back(place.Position);
+  return true;
+}
+
+bool pqShapeLoopWidget::DoubleClick()
+{
+  if (!this->IsDrawing())
+  {
+    return false;
+  }
+  this->Close();
+  return true;
+}
+
+void pqShapeLoopWidget::Close()
+{
+  if (this->Drawn.size() < FewestPlaces)
+  {
+    return;
+  }
+  const Places places = this->Drawn;
+  this->Button->setChecked(false);
+  this->Change([this, &places] { this->SetPlaces(places); });
+}
+
+bool pqShapeLoopWidget::PressKey(const std::string& key)
+{
+  if (this->IsDrawing())
+  {
+    if (key == "Return" || key == "KP_Enter")
+    {
+      this->Close();
+    }
+    else if (key == "Escape")
+    {
+      this->Button->setChecked(false);
+    }
+    else if (key == "BackSpace" && !this->Drawn.empty())
+    {
+      this->Drawn.pop_back();
+    }
+    else
+    {
+      return false;
+    }
+    this->RequestRender();
+    return true;
+  }
+  Places places = this->GetPlaces();
+  if (key != "Delete" || this->GetHovered() == 0 || places.size() <= FewestPlaces)
+  {
+    return false;
+  }
+  places.erase(places.begin() + this->GetHovered() - 1);
+  this->Change([this, &places] { this->SetPlaces(places); });
+  return true;
+}
+
+bool pqShapeLoopWidget::TurnWheel(int, bool)
+{
+  return false;
+}
+
+void pqShapeLoopWidget::Draw()
+{
+  const Places places = this->GetPlaces();
+  this->DrawCurve(places);
+  pqShapeDisplay::SetWidth(this->CurveActor, this->GetRenderer(), CurvePixels);
+  pqShapeDisplay::SetWidth(this->MarksActor, this->GetRenderer(), MarkPixels);
+  const int hovered = this->GetHovered();
+  const bool bright = hovered > 0 && static_cast<std::size_t>(hovered) <= places.size();
+  this->HoveredActor->SetVisibility(bright);
+  if (bright)
+  {
+    const Eigen::Vector3d& place = places[static_cast<std::size_t>(hovered) - 1];
+    pqShapeDisplay::PlaceBall(this->HoveredActor, place,
+      HoveredPixels * pqShapeDisplay::PixelLength(this->GetRenderer(), place));
+  }
+}
+
+void pqShapeLoopWidget::DrawCurve(const Places& places)
+{
+  const bool closed = !this->IsDrawing();
+  const int version = this->GetSurface().GetVersion();
+  if (places == this->Shown && closed == this->ShownClosed && version == this->ShownVersion)
+  {
+    return;
+  }
+  this->Shown = places;
+  this->ShownClosed = closed;
+  this->ShownVersion = version;
+  Places curve;
+  const std::size_t segments = places.empty() || closed ? places.size() : places.size() - 1;
+  for (std::size_t i = 0; i < segments; ++i)
+  {
+    const Eigen::Vector3d& from = places[i];
+    const Eigen::Vector3d& to = places[(i + 1) % places.size()];
+    for (int k = 0; k < Samples; ++k)
+    {
+      curve.push_back(
+        this->GetSurface().FindClosest(from + (to - from) * k / double(Samples)).Position);
+    }
+  }
+  if (segments > 0)
+  {
+    curve.push_back(places[segments % places.size()]);
+  }
+  pqShapeDisplay::SetCurve(this->Curve, curve);
+  pqShapeDisplay::SetMarks(this->Marks, places);
+}

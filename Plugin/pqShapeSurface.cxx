@@ -1,0 +1,241 @@
+#include "pqShapeSurface.h"
+
+#include "pqShapeDisplay.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkStaticCellLocator.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// A filter that no panel, no undo and no state file knows.
+vtkSmartPointer<vtkSMSourceProxy> NewFilter(const char* name, vtkSMSourceProxy* input, int port)
+{
+  vtkSmartPointer<vtkSMProxy> proxy;
+  proxy.TakeReference(input->GetSessionProxyManager()->NewProxy("filters", name));
+  vtkSMPropertyHelper(proxy, "Input").Set(input, static_cast<unsigned int>(port));
+  return vtkSMSourceProxy::SafeDownCast(proxy);
+}
+
+/// A surface alone, or the surfaces of all blocks.
+vtkSmartPointer<vtkPolyData> ToSurface(vtkDataObject* data)
+{
+  vtkNew<vtkAppendPolyData> append;
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> block;
+    block.TakeReference(blocks->NewIterator());
+    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+    {
+      if (auto* surface = vtkPolyData::SafeDownCast(block->GetCurrentDataObject()))
+      {
+        append->AddInputData(surface);
+      }
+    }
+  }
+  else if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    append->AddInputData(surface);
+  }
+  if (append->GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(append->GetOutputPort());
+  normals->SplittingOff();
+  normals->ConsistencyOff(); // the filter takes the triangles as they are turned, too
+  normals->Update();
+  vtkPolyData* surface = normals->GetOutput();
+  return surface->GetNumberOfPolys() > 0 ? surface : nullptr;
+}
+
+} // namespace
+
+pqShapeSurface::pqShapeSurface(vtkSMProperty* input, const std::function<void()>& outdated)
+  : Input(input)
+  , Outdated(outdated)
+{
+}
+
+pqShapeSurface::~pqShapeSurface()
+{
+  this->Observe(nullptr, 0);
+}
+
+void pqShapeSurface::Observe(vtkSMSourceProxy* source, int port)
+{
+  if (this->Source)
+  {
+    this->Source->RemoveObserver(this->Observer);
+  }
+  this->Source = source;
+  this->Port = port;
+  this->Fresh = false;
+  if (source)
+  {
+    this->Observer =
+      source->AddObserver(vtkCommand::UpdateDataEvent, this, &pqShapeSurface::Forget);
+  }
+}
+
+void pqShapeSurface::Forget()
+{
+  this->Fresh = false;
+  this->Outdated();
+}
+
+bool pqShapeSurface::Update(double time)
+{
+  if (!this->Input)
+  {
+    return false;
+  }
+  const vtkSMPropertyHelper helper(this->Input);
+  auto* source = vtkSMSourceProxy::SafeDownCast(helper.GetAsProxy());
+  const int port = static_cast<int>(helper.GetOutputPort());
+  if (source != this->Source || port != this->Port)
+  {
+    this->Observe(source, port);
+  }
+  // What an animation has kept comes back without a word from its source.
+  if (!this->Fresh || time != this->Time)
+  {
+    this->Data = nullptr;
+    if (source)
+    {
+      this->Fetch(time);
+    }
+    this->Fresh = true;
+    this->Time = time;
+    ++this->Version;
+  }
+  return this->IsThere();
+}
+
+void pqShapeSurface::Fetch(double time)
+{
+  const vtkSmartPointer<vtkSMSourceProxy> bare = NewFilter("PassArrays", this->Source, this->Port);
+  bare->UpdateVTKObjects();
+  const vtkSmartPointer<vtkSMSourceProxy> gathered = NewFilter("ReductionFilter", bare, 0);
+  bare->UpdatePipeline(time);
+  const bool composite = bare->GetDataInformation(0)->IsCompositeDataSet();
+  vtkSMPropertyHelper(gathered, "PostGatherHelperName")
+    .Set(composite ? "vtkMultiBlockDataGroupFilter" : "vtkAppendPolyData");
+  gathered->UpdateVTKObjects();
+  gathered->UpdatePipeline(time);
+  vtkPVDataInformation* information = gathered->GetDataInformation(0);
+  const vtkSmartPointer<vtkSMSourceProxy> moved = NewFilter("ClientServerMoveData", gathered, 0);
+  vtkSMPropertyHelper(moved, "OutputDataType")
+    .Set(composite ? information->GetCompositeDataSetType() : information->GetDataSetType());
+  moved->UpdateVTKObjects();
+  moved->UpdatePipeline(time);
+  auto* algorithm = vtkAlgorithm::SafeDownCast(moved->GetClientSideObject());
+  this->Data = algorithm ? ToSurface(algorithm->GetOutputDataObject(0)) : nullptr;
+  if (this->Data)
+  {
+    this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    this->Locator->SetDataSet(this->Data);
+    this->Locator->BuildLocator();
+  }
+}
+
+bool pqShapeSurface::FindUnder(
+  vtkRenderer* renderer, const Eigen::Vector2d& pixel, pqShapePlace& place) const
+{
+  const pqShapeDisplay::Ray ray = pqShapeDisplay::ToRay(renderer, pixel);
+  const double middle = ray.Direction.dot(Eigen::Vector3d(this->Data->GetCenter()) - ray.Near);
+  const double first = std::max(ray.First, middle - this->GetSize());
+  const double last = middle + this->GetSize();
+  if (first >= last)
+  {
+    return false; // the surface is behind the viewer
+  }
+  const Eigen::Vector3d from = ray.Near + first * ray.Direction;
+  const Eigen::Vector3d to = ray.Near + last * ray.Direction;
+  vtkNew<vtkGenericCell> cell;
+  Eigen::Vector3d position;
+  double parameters[3];
+  double along = 0.0;
+  int part = 0;
+  vtkIdType id = -1;
+  if (!this->Locator->IntersectWithLine(
+        from.data(), to.data(), 0.0, along, position.data(), parameters, part, id, cell))
+  {
+    return false;
+  }
+  place = this->MakePlace(id, position);
+  return true;
+}
+
+pqShapePlace pqShapeSurface::FindClosest(const Eigen::Vector3d& point) const
+{
+  vtkNew<vtkGenericCell> cell;
+  Eigen::Vector3d closest;
+  vtkIdType id = -1;
+  int part = 0;
+  double squared = 0.0;
+  this->Locator->FindClosestPoint(point.data(), closest.data(), cell, id, part, squared);
+  if (id < 0)
+  {
+    id = 0; // nothing is near to what is no number: the surface begins here
+    this->Data->GetCell(id, cell);
+    cell->GetPoints()->GetPoint(0, closest.data());
+  }
+  return this->MakePlace(id, closest);
+}
+
+double pqShapeSurface::GetSize() const
+{
+  return 0.5 * this->Data->GetLength();
+}
+
+pqShapePlace pqShapeSurface::MakePlace(vtkIdType cell, const Eigen::Vector3d& position) const
+{
+  pqShapePlace place;
+  place.Position = position;
+  vtkNew<vtkGenericCell> polygon;
+  this->Data->GetCell(cell, polygon);
+  Eigen::Vector3d closest;
+  double parameters[3];
+  double squared = 0.0;
+  int part = 0;
+  std::vector<double> weights(static_cast<std::size_t>(polygon->GetNumberOfPoints()));
+  polygon->EvaluatePosition(
+    position.data(), closest.data(), part, parameters, squared, weights.data());
+  vtkDataArray* normals = this->Data->GetPointData()->GetNormals();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (vtkIdType i = 0; i < polygon->GetNumberOfPoints(); ++i)
+  {
+    Eigen::Vector3d corner;
+    normals->GetTuple(polygon->GetPointId(i), corner.data());
+    normal += weights[static_cast<std::size_t>(i)] * corner;
+  }
+  if (normal.norm() > 1e-6)
+  {
+    place.Normal = normal.normalized();
+  }
+  return place;
+}
