@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# Sets up, then measures and draws what the paper about harmonic volume maps reports (Li, Xu, Wan,
-# Yin and Yu, "Feature-aligned harmonic volumetric mapping using MFS", 2010), on models at hand:
-# Utilities/reproduce.sh [folder, default build/reproduce] [tables] [features] [figures]
+# Sets up, then measures and draws, on models at hand, what two papers report: on harmonic volume maps
+# (tables, features and figures; Li, Xu, Wan, Yin and Yu, "Feature-aligned harmonic volumetric mapping
+# using MFS", 2010) and on features dragged and dropped (composition; Schmidt and Singh, "Drag-and-drop
+# surface composition", 2010):
+# Utilities/reproduce.sh [folder, default build/reproduce] [tables] [features] [figures] [composition]
 # Every part runs, even after one whose claims did not hold; then the command fails.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=${1:-$root/build/reproduce}
 parts=("${@:2}")
-[ "${#parts[@]}" -gt 0 ] || parts=(tables features figures)
+[ "${#parts[@]}" -gt 0 ] || parts=(tables features figures composition)
 mkdir -p "$out"
 "$root/Utilities/setup.sh"
 failed=()
