@@ -2,9 +2,6 @@
 
 #include "vtkShapeConvert.h"
 
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -24,15 +21,8 @@ std::vector<Path> Paths(vtkPolyData* data)
 {
   std::vector<Path> paths;
   bool open = false; // whether the last one is made of lines of two points
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < data->GetLines()->GetNumberOfCells(); ++cell)
+  for (const Path& path : vtkShapeConvert::ToLines(data))
   {
-    data->GetLines()->GetCellAtId(cell, ids);
-    Path path;
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      path.push_back(static_cast<int>(ids->GetId(i)));
-    }
     if (open && path.size() == 2 && paths.back().back() == path.front())
     {
       paths.back().push_back(path.back());

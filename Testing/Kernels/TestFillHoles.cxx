@@ -263,7 +263,7 @@ TEST(FillHoles, DataGoOnFromTheRim)
   }
   EXPECT_GE(own.col(0).minCoeff(), low);
   EXPECT_LE(own.col(0).maxCoeff(), high);
-  const shape::FillSources sources = shape::SourcesOfFill(filled.Surface, hole);
+  const shape::FillSources sources = shape::SourcesOfFills(filled.Surface, { hole }).front();
   for (const int triangle : sources.Triangles)
   {
     EXPECT_GE(triangle, 0);

@@ -225,4 +225,19 @@ bool MeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
   return left && right;
 }
 
+std::vector<int> TurnedOver(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& places)
+{
+  std::vector<int> rows;
+  for (int t = 0; t < static_cast<int>(triangles.rows()); ++t)
+  {
+    const Eigen::RowVector2d a = places.row(triangles(t, 0)), b = places.row(triangles(t, 1)),
+                             c = places.row(triangles(t, 2));
+    if (Orientation(a, b, c) <= 0)
+    {
+      rows.push_back(t);
+    }
+  }
+  return rows;
+}
+
 } // namespace shape

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace shape
 {
 
@@ -31,5 +33,9 @@ int InCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eig
 /// counter-clockwise: no line along a side of either has them on different sides. Exact as above.
 bool MeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
   const Eigen::Matrix<double, 3, 2>& triangle);
+
+/// The rows of triangles (m x 3) that do not run counter-clockwise between places (n x 2). Exact as
+/// above.
+std::vector<int> TurnedOver(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& places);
 
 } // namespace shape

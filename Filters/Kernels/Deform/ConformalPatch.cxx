@@ -71,22 +71,6 @@ void RequireArea(const Mesh& part)
   }
 }
 
-std::vector<int> FlippedRows(const ExponentialPatch& part)
-{
-  std::vector<int> flipped;
-  for (int row = 0; row < part.Corners.rows(); ++row)
-  {
-    const Eigen::RowVector2d a = part.Places.row(part.Corners(row, 0)),
-                             b = part.Places.row(part.Corners(row, 1)),
-                             c = part.Places.row(part.Corners(row, 2));
-    if (Orientation(a, b, c) <= 0)
-    {
-      flipped.push_back(row);
-    }
-  }
-  return flipped;
-}
-
 Eigen::MatrixXd FlatPlaces(const Mesh& part, bool refine, const Progress& progress)
 {
   if (!refine)
@@ -143,7 +127,7 @@ ExponentialPatch LaidOutConformally(
   Eigen::MatrixXd places = FlatPlaces(cut, refine, progress);
   Align(part, places);
   part.Places = std::move(places);
-  part.Flipped = FlippedRows(part);
+  part.Flipped = TurnedOver(part.Corners, part.Places);
   return part;
 }
 

@@ -8,11 +8,6 @@
 namespace shape
 {
 
-FillSources SourcesOfFill(const Mesh& surface, const FilledHole& hole)
-{
-  return SourcesOfFills(surface, { hole }).front();
-}
-
 std::vector<FillSources> SourcesOfFills(const Mesh& surface, const std::vector<FilledHole>& holes)
 {
   std::vector<int> triangleAt(surface.Points.rows(), -1);

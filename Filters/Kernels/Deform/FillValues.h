@@ -17,11 +17,8 @@ struct FillSources
   std::vector<int> Triangles; ///< of each triangle: one of the surface's at the rim, the nearest
 };
 
-/// surface: with the fill. Neither is empty where the fill is not; a triangle is -1 where the rim
-/// has none.
-FillSources SourcesOfFill(const Mesh& surface, const FilledHole& hole);
-
-/// The same of each of a surface's fills; triangles are those before all of them.
+/// Of each fill. surface: with the fills, whose triangles are behind all others. Neither is empty
+/// where the fill is not; a triangle is -1 where the rim has none.
 std::vector<FillSources> SourcesOfFills(const Mesh& surface, const std::vector<FilledHole>& holes);
 
 /// Values of a fill's points (hole.Points x d) from those at its rim: smooth continuations

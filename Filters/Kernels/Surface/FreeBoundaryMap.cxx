@@ -17,21 +17,6 @@ namespace shape
 namespace
 {
 
-/// Triangles of a planar image (n x 2) that are not counter-clockwise.
-std::vector<int> Flipped(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& image)
-{
-  std::vector<int> flipped;
-  for (int t = 0; t < triangles.rows(); ++t)
-  {
-    if (Orientation(
-          image.row(triangles(t, 0)), image.row(triangles(t, 1)), image.row(triangles(t, 2))) <= 0)
-    {
-      flipped.push_back(t);
-    }
-  }
-  return flipped;
-}
-
 std::string CountOf(const std::vector<int>& flipped, const Mesh& surface)
 {
   return std::to_string(flipped.size()) + " of " + std::to_string(surface.Triangles.rows()) +
@@ -121,7 +106,7 @@ FreeBoundaryMapResult FreeBoundaryMap(
     const int next = loops.front()[(i + 1) % loops.front().size()];
     result.LoopLength += (surface.Points.row(next) - surface.Points.row(loops.front()[i])).norm();
   }
-  std::vector<int> flipped = Flipped(surface.Triangles, image);
+  std::vector<int> flipped = TurnedOver(surface.Triangles, image);
   if (!flipped.empty() && !options.Refine)
   {
     throw SolveFailure("the conformal map flips " + CountOf(flipped, surface) +
@@ -131,7 +116,7 @@ FreeBoundaryMapResult FreeBoundaryMap(
   {
     result.IsConformal = false;
     image = CircularMap(unit, loops, progress.Part(0.2, 0.3));
-    flipped = Flipped(surface.Triangles, image);
+    flipped = TurnedOver(surface.Triangles, image);
     if (!flipped.empty())
     {
       throw SolveFailure("Tutte's map of the longest open loop to a circle leaves " +
@@ -150,7 +135,7 @@ FreeBoundaryMapResult FreeBoundaryMap(
     result.Iterations = refined.Iterations;
   }
   Settle(surface.Triangles, image);
-  flipped = Flipped(surface.Triangles, image);
+  flipped = TurnedOver(surface.Triangles, image);
   if (!flipped.empty())
   {
     throw SolveFailure("rounding flips " + CountOf(flipped, surface) +
