@@ -1,7 +1,7 @@
 #include "BenchmarkData.h"
 
-#include "Geometry/SignedDistance.h"
-#include "Surface/Parameterize.h"
+#include "Distance/SignedDistance.h"
+#include "Parameterize/Parameterize.h"
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #include "CornerBound.h"
 
-#include "Geometry/ClosestPoint.h"
+#include "Search/ClosestPoint.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Core/Mesh.h"
-#include "Hex/SurfaceFeatures.h"
+#include "Mesh/Mesh.h"
+#include "Remesh/SurfaceFeatures.h"
 
 namespace benchmark
 {

@@ -3,8 +3,8 @@
 #include "Cost.h"
 
 #include "Correspondence/Correspondence.h"
-#include "Correspondence/LandmarkCells.h"
-#include "Mapping/MapErrorCurve.h"
+#include "Correspondence/Landmarks/LandmarkCells.h"
+#include "Correspondence/Evaluate/MapErrorCurve.h"
 
 #include <algorithm>
 #include <array>

@@ -2,10 +2,10 @@
 #include "BenchmarkData.h"
 #include "Cost.h"
 
-#include "Core/Topology.h"
+#include "Mesh/Topology.h"
 #include "Deform/ShapeDeformation.h"
-#include "Surface/Coarsening.h"
-#include "Surface/OpenLoops.h"
+#include "Remesh/Coarsening.h"
+#include "Mesh/OpenLoops.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -1,10 +1,10 @@
 // Exponential maps around random seeds of a surface, measured: see Usage.
 #include "BenchmarkData.h"
 
-#include "Surface/ExponentialFacts.h"
-#include "Surface/ExponentialMap.h"
-#include "Surface/FlipMending.h"
-#include "Surface/PatchLayout.h"
+#include "ExponentialMap/ExponentialFacts.h"
+#include "ExponentialMap/ExponentialMap.h"
+#include "Parameterize/FlipMending.h"
+#include "ExponentialMap/PatchLayout.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Measures the sums of 1/r, as lines "name value ...", for FastSummation.py. All times are CPU
 // seconds of the process, medians of five.
-#include "Volume/FastSummation.h"
-#include "Volume/DirectSummation.h"
+#include "Fmm/FastSummation.h"
+#include "Fmm/DirectSummation.h"
 
 #include <hwy/targets.h>
 

@@ -2,11 +2,11 @@
 #include "BenchmarkData.h"
 #include "Cost.h"
 
-#include "Core/Topology.h"
-#include "Deform/FillHoles.h"
-#include "Deform/PatchCrossings.h"
-#include "Surface/BorderLoops.h"
-#include "Surface/CotangentWeights.h"
+#include "Mesh/Topology.h"
+#include "Fill/FillHoles.h"
+#include "Fill/Private/PatchCrossings.h"
+#include "Mesh/BorderLoops.h"
+#include "Laplacian/CotangentWeights.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>

@@ -2,7 +2,7 @@
 
 #include "Cost.h"
 
-#include "Volume/TetGen.h"
+#include "Tetrahedra/Private/TetGen.h"
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Core/Cells.h"
-#include "Core/Mesh.h"
+#include "Mesh/Cells.h"
+#include "Mesh/Mesh.h"
 
 #include <string>
 

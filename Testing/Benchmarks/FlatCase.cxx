@@ -2,15 +2,15 @@
 #include "BenchmarkData.h"
 #include "Cost.h"
 
-#include "Core/Errors.h"
-#include "Core/HalfEdges.h"
-#include "Core/Orientation.h"
-#include "Core/Topology.h"
-#include "Surface/ConformalFlattening.h"
-#include "Surface/EdgeGeodesics.h"
-#include "Surface/FarthestPoints.h"
-#include "Surface/Parameterize.h"
-#include "Surface/SurfaceCut.h"
+#include "Base/Errors.h"
+#include "Mesh/HalfEdges.h"
+#include "Geometry/Orientation.h"
+#include "Mesh/Topology.h"
+#include "Parameterize/ConformalFlattening.h"
+#include "Geodesics/EdgeGeodesics.h"
+#include "Geodesics/FarthestPoints.h"
+#include "Parameterize/Parameterize.h"
+#include "Mesh/SurfaceCut.h"
 
 #include <array>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "CornerBound.h"
 #include "Cost.h"
 
-#include "Core/Errors.h"
-#include "Core/Topology.h"
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
 #include "Hex/HexRemesh.h"
 
 #include <cstdio>

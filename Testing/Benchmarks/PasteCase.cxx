@@ -2,12 +2,12 @@
 #include "BenchmarkData.h"
 #include "Cost.h"
 
-#include "Core/Errors.h"
-#include "Core/Topology.h"
-#include "Deform/CutFeature.h"
-#include "Deform/PasteFeature.h"
-#include "Surface/ExponentialMap.h"
-#include "Surface/PlanarLocator.h"
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "CutPaste/CutFeature.h"
+#include "CutPaste/PasteFeature.h"
+#include "ExponentialMap/ExponentialMap.h"
+#include "Planar/PlanarLocator.h"
 
 #include <Eigen/Geometry>
 

@@ -2,9 +2,9 @@
 // run.
 #include "Cost.h"
 
-#include "Core/Errors.h"
-#include "Core/Orientation.h"
-#include "Surface/PlanarDelaunay.h"
+#include "Base/Errors.h"
+#include "Geometry/Orientation.h"
+#include "Planar/PlanarDelaunay.h"
 
 #include "vtkCellArray.h"
 #include "vtkDelaunay2D.h"

@@ -1,7 +1,7 @@
 // A model remeshed, in a process of its own: see Usage.
 #include "BenchmarkData.h"
 
-#include "Surface/IsotropicRemesh.h"
+#include "Remesh/IsotropicRemesh.h"
 
 #include <cstdio>
 #include <exception>

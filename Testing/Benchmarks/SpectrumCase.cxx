@@ -2,9 +2,9 @@
 #include "BenchmarkData.h"
 #include "Cost.h"
 
-#include "Surface/CotangentWeights.h"
-#include "Surface/IntrinsicDelaunay.h"
-#include "Surface/LaplaceSpectrum.h"
+#include "Laplacian/CotangentWeights.h"
+#include "Laplacian/IntrinsicDelaunay.h"
+#include "Spectrum/LaplaceSpectrum.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,7 +2,7 @@
 // points at the same place joined.
 #include "BenchmarkData.h"
 
-#include "Core/Topology.h"
+#include "Mesh/Topology.h"
 #include "Geometry/Crossings.h"
 
 #include <Eigen/Geometry>

@@ -3,9 +3,9 @@
 #include "Cost.h"
 #include "FiniteElements.h"
 
-#include "Geometry/CellLocator.h"
-#include "Geometry/Nesting.h"
-#include "Volume/HarmonicVolumeMap.h"
+#include "Search/CellLocator.h"
+#include "Solids/Nesting.h"
+#include "Harmonic/HarmonicVolumeMap.h"
 
 #include <cblas.h>
 #include <cmath>

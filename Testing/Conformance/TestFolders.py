@@ -1,12 +1,27 @@
-"""The order of the house: Plugin -> Filters/VTK -> Filters/Kernels, and inside the kernels a folder
-includes only folders before it. Only Geometry's .cxx files include VTK. Every filter and
-writer has all its parts. Run with python3 TestFolders.py ROOT."""
+"""The order of the house. Plugin uses Filters/VTK, which uses Filters/Kernels. A room (a folder of
+kernels) includes only rooms before it, and files include each other without circles. A header in
+Private/ is included from its own room alone; one beside Private/ by another room, by the filters or
+by the room's own headers. Only the files named here include VTK or TetGen. Every filter and writer
+has all its parts. Run with python3 TestFolders.py ROOT."""
+import collections
 import os
 import re
 import sys
 
-ORDER = ['Core', 'Geometry', 'Quality', 'Surface', 'Mapping', 'Correspondence', 'Volume', 'Hex',
-         'Deform']
+ORDER = [
+    'Base', 'Linear', 'Mesh', 'Search', 'Geometry', 'Solids', 'Distance', 'Planar', 'Quality',
+    'Laplacian', 'Geodesics', 'Spectrum', 'Remesh', 'Parameterize', 'ExponentialMap', 'Transfer',
+    'Correspondence/Pair', 'Correspondence/Landmarks', 'Correspondence/Functional',
+    'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/Reversible',
+    'Correspondence/Evaluate', 'Correspondence',
+    'Fmm', 'Tetrahedra', 'Untangle', 'Harmonic',
+    'Hex/Voxels', 'Hex/Features', 'Hex/Optimize', 'Hex/Fit', 'Hex/Grid', 'Hex/Polycube', 'Hex',
+    'Deform', 'Fill', 'CutPaste', 'IO']
+# The fast multipole method is a library of its own.
+LIBRARIES = {'Base': [], 'Linear': ['Base'], 'Fmm': ['Base', 'Linear']}
+USE_VTK = ['Search/CellLocator.cxx', 'Search/Private/CellInterpolation.cxx',
+           'Solids/IsoSurface.cxx']
+USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
 # Filters whose mathematics is one line of the wrapper, which its header states: no kernel.
 WITHOUT_KERNEL = ['vtkShapeMorph']
 # Base classes, whose XML holds what the others inherit.
@@ -14,64 +29,113 @@ BASES = ['vtkShapeAlgorithm', 'vtkShapeDeformingAlgorithm', 'vtkShapeWriter']
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 root = sys.argv[1]
-kernels = os.path.join(root, 'Filters', 'Kernels')
-wrappers = os.path.join(root, 'Filters', 'VTK')
 faults = []
-seen = 0
 
 
-def sources(folder):
-    for path, _, names in os.walk(folder):
-        for name in names:
+def sources(*folder):
+    """The paths of the C++ files below a folder, from there, and what each includes."""
+    top = os.path.join(root, *folder)
+    for path, _, names in os.walk(top):
+        for name in sorted(names):
             if name.endswith(('.h', '.cxx')):
-                yield os.path.join(path, name)
+                whole = os.path.join(path, name)
+                yield os.path.relpath(whole, top), INCLUDE.findall(open(whole).read())
 
 
-for path in sources(kernels):
-    seen += 1
-    folder = os.path.relpath(path, kernels).split(os.sep)[0]
-    if folder not in ORDER:
-        faults.append('%s: there is no folder %s in the order' % (path, folder))
+def room(path):
+    folder = os.path.dirname(path)
+    return folder[:-len('/Private')] if folder.endswith('/Private') else folder
+
+
+kernels = dict(sources('Filters', 'Kernels'))
+users = collections.defaultdict(set)  # of a kernel's header: who includes it
+for path, includes in kernels.items():
+    if room(path) not in ORDER:
+        faults.append('%s: there is no room %s in the order' % (path, room(path)))
         continue
-    for include in INCLUDE.findall(open(path).read()):
-        first = include.split('/')[0]
-        if first in ORDER and ORDER.index(first) > ORDER.index(folder):
-            faults.append('%s includes %s, which comes after it' % (path, include))
-        if os.path.basename(include).startswith('vtk') and not (
-                folder == 'Geometry' and path.endswith('.cxx')):
-            faults.append('%s includes %s: only Geometry/*.cxx may' % (path, include))
-
-for path in sources(os.path.join(root, 'Filters', 'VTK')):
-    for include in INCLUDE.findall(open(path).read()):
+    for include in includes:
+        if include in kernels:
+            users[include].add(path)
+            if ORDER.index(room(include)) > ORDER.index(room(path)):
+                faults.append('%s includes %s, which comes after it' % (path, include))
+            library = LIBRARIES.get(room(path))
+            if library is not None and room(include) not in library + [room(path)]:
+                faults.append('%s includes %s: it is in another library' % (path, include))
+        elif os.path.basename(include).startswith('vtk') and path not in USE_VTK:
+            faults.append('%s includes %s: only %s may' % (path, include, ', '.join(USE_VTK)))
+filters = dict(sources('Filters', 'VTK'))
+for path, includes in filters.items():
+    for include in includes:
+        if include in kernels:
+            users[include].add(None)
         if re.match('pq|Q(t|[A-Z])|vtkSM|vtkPV', include):
             faults.append('%s includes %s: Qt and ParaView belong to Plugin/' % (path, include))
-for path in sources(os.path.join(root, 'Plugin')):
-    for include in INCLUDE.findall(open(path).read()):
-        if include.split('/')[0] in ORDER:
+for path, includes in sources('Plugin'):
+    for include in includes:
+        if include in kernels:
             faults.append('%s includes the kernel %s: drive a filter instead' % (path, include))
-
-tetgen = os.path.join(kernels, 'Volume', 'TetGen.cxx')
 for part in ('Filters', 'Plugin', 'Testing'):
-    for path in sources(os.path.join(root, part)):
-        if ('tetgen.h' in INCLUDE.findall(open(path).read())) != (path == tetgen):
-            faults.append('%s: Volume/TetGen.cxx, and no other file, includes tetgen.h' % path)
+    for path, includes in sources(part):
+        if ('tetgen.h' in includes) != (path in ['Kernels/' + use for use in USE_TETGEN]):
+            faults.append('%s: %s, and no other file, includes tetgen.h' % (path, USE_TETGEN))
 
-headers = {os.path.basename(path) for path in sources(kernels)}
-filters = [name[:-4] for name in sorted(os.listdir(wrappers))
-           if name.endswith('.xml') and name[:-4] not in BASES]
-for name in filters:
-    kernel = name[len('vtkShape'):]
-    parts = [('Filters/VTK/%s.h' % name, None), ('Filters/VTK/%s.cxx' % name, None),
-             ('Testing/Filters/TestShape%s.py' % kernel, None)]
+for header in (path for path in kernels if path.endswith('.h')):
+    private = '/Private/' in header
+    outside = any(user is None or room(user) != room(header) for user in users[header])
+    doors = any(user is not None and user.endswith('.h') and '/Private/' not in user
+                for user in users[header])
+    if private and outside:
+        faults.append('%s is private, and used outside of its room' % header)
+    if not private and not outside and not doors:
+        faults.append('%s is used in its room alone: it belongs to Private/' % header)
+
+# A unit is a header with its source: no circle of units.
+units = collections.defaultdict(set)
+for path, includes in kernels.items():
+    units[path.rsplit('.', 1)[0]] |= {include[:-2] for include in includes if include in kernels}
+done, open_units = set(), []
+
+
+def visit(unit):
+    if unit in open_units:
+        faults.append('a circle: ' + ' -> '.join(open_units[open_units.index(unit):] + [unit]))
+    elif unit not in done:
+        open_units.append(unit)
+        for other in sorted(units[unit] - {unit}):
+            visit(other)
+        open_units.pop()
+        done.add(unit)
+
+
+for unit in sorted(units):
+    visit(unit)
+
+names = {os.path.basename(path)[:-4]: os.path.dirname(path) for path in filters
+         if path.endswith('.cxx')}
+described = [name for name in names if name not in BASES and os.path.exists(
+    os.path.join(root, 'Filters', 'VTK', names[name], name + '.xml'))]
+tests = {os.path.basename(path): room(path) for path, _ in sources('Testing', 'Kernels')}
+rooms = {os.path.basename(path): room(path) for path in kernels}
+for name in described:
+    subject = name[len('vtkShape'):]
+    if not os.path.exists(os.path.join(root, 'Testing/Filters/TestShape%s.py' % subject)):
+        faults.append('%s has no Testing/Filters/TestShape%s.py' % (name, subject))
     if name not in WITHOUT_KERNEL:
-        parts += [('Filters/Kernels/*/%s.h' % kernel, kernel + '.h' in headers),
-                  ('Filters/Kernels/*/%s.cxx' % kernel, kernel + '.cxx' in headers),
-                  ('Testing/Kernels/Test%s.cxx' % kernel, None)]
-    for part, there in parts:
-        if not (os.path.exists(os.path.join(root, part)) if there is None else there):
-            faults.append('%s has no %s' % (name, part))
+        for part in (subject + '.h', subject + '.cxx'):
+            if part not in rooms:
+                faults.append('%s has no kernel %s' % (name, part))
+            elif rooms[part].split('/')[0] != names[name]:
+                faults.append('%s and its kernel %s are in different rooms' % (name, part))
+        if 'Test%s.cxx' % subject not in tests:
+            faults.append('%s has no kernel test Test%s.cxx' % (name, subject))
+for test, place in tests.items():
+    unit = test[len('Test'):]
+    if test.startswith('Test') and rooms.get(unit, place) != place:
+        faults.append('%s is in Testing/Kernels/%s, and what it tests in %s' % (
+            test, place, rooms[unit]))
 
-assert seen > 0 and filters, 'nothing was found below ' + root
+assert kernels and described, 'nothing was found below ' + root
 if faults:
     raise AssertionError('\n'.join(faults))
-print(seen, 'kernel files and', len(filters), 'filters and writers keep the order')
+print(len(kernels), 'kernel files in', len(ORDER), 'rooms and', len(described),
+      'filters and writers keep the order')

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "Core/Mesh.h"
-#include "Core/Progress.h"
-#include "Correspondence/AutomaticLandmarks.h"
-#include "Correspondence/SurfaceMapFacts.h"
-#include "Correspondence/SurfaceMaps.h"
-#include "Correspondence/SurfacePart.h"
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+#include "Correspondence/Landmarks/AutomaticLandmarks.h"
+#include "Correspondence/Evaluate/SurfaceMapFacts.h"
+#include "Correspondence/Pair/SurfaceMaps.h"
+#include "Correspondence/Pair/SurfacePart.h"
 
 namespace shape
 {

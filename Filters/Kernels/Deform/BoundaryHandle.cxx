@@ -1,9 +1,9 @@
 #include "Deform/BoundaryHandle.h"
 
-#include "Core/Errors.h"
-#include "Core/Mesh.h"
-#include "Core/Topology.h"
-#include "Surface/PointTree.h"
+#include "Base/Errors.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Topology.h"
+#include "Search/PointTree.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>

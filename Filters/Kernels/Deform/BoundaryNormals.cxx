@@ -1,6 +1,6 @@
 #include "Deform/BoundaryNormals.h"
 
-#include "Core/Errors.h"
+#include "Base/Errors.h"
 
 #include <Eigen/Geometry>
 

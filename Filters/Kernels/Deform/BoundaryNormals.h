@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Core/Progress.h"
+#include "Base/Progress.h"
 #include "Deform/BoundaryHandle.h"
 #include "Deform/ShapeDeformation.h"
 

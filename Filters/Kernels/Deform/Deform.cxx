@@ -1,7 +1,7 @@
 #include "Deform/Deform.h"
 
-#include "Core/Topology.h"
-#include "Deform/PointParameters.h"
+#include "Mesh/Topology.h"
+#include "Deform/Private/PointParameters.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "Core/Progress.h"
+#include "Base/Progress.h"
 #include "Deform/BoundaryHandle.h"
 #include "Deform/HandleFrames.h"
 #include "Deform/ShapeDeformation.h"
-#include "Surface/PointGraph.h"
+#include "Geometry/PointGraph.h"
 
 #include <Eigen/Core>
 

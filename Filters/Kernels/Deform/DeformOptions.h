@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Surface/UpwindFront.h"
+#include "Deform/UpwindFront.h"
 
 #include <Eigen/Core>
 

@@ -1,10 +1,10 @@
 #include "Deform/HandleFrames.h"
 
-#include "Core/DisjointSets.h"
-#include "Core/Errors.h"
-#include "Core/Mesh.h"
-#include "Core/SparseSolve.h"
-#include "Surface/PointTree.h"
+#include "Base/DisjointSets.h"
+#include "Base/Errors.h"
+#include "Mesh/Mesh.h"
+#include "Linear/SparseSolve.h"
+#include "Search/PointTree.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Deform/BoundaryHandle.h"
-#include "Surface/PointGraph.h"
+#include "Geometry/PointGraph.h"
 
 #include <Eigen/Core>
 

@@ -1,16 +1,16 @@
 #include "Deform/ShapeDeformation.h"
 
-#include "Core/Errors.h"
-#include "Core/Topology.h"
-#include "Deform/BaseDeformation.h"
-#include "Deform/BoundaryRelative.h"
-#include "Deform/FrontDeformation.h"
-#include "Deform/HandleSources.h"
-#include "Deform/LaplacianSmoothing.h"
-#include "Deform/PointParameters.h"
-#include "Deform/SegmentHierarchy.h"
-#include "Deform/SourceMotions.h"
-#include "Surface/GraphIslands.h"
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Deform/Private/BaseDeformation.h"
+#include "Deform/Private/BoundaryRelative.h"
+#include "Deform/Private/FrontDeformation.h"
+#include "Deform/Private/HandleSources.h"
+#include "Deform/Private/LaplacianSmoothing.h"
+#include "Deform/Private/PointParameters.h"
+#include "Deform/Private/SegmentHierarchy.h"
+#include "Deform/Private/SourceMotions.h"
+#include "Geometry/GraphIslands.h"
 
 #include <algorithm>
 #include <cmath>

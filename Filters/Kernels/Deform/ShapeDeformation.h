@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Core/Progress.h"
+#include "Base/Progress.h"
 #include "Deform/BoundaryHandle.h"
 #include "Deform/DeformOptions.h"
-#include "Surface/PointGraph.h"
+#include "Geometry/PointGraph.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 #include "Geometry/Crossings.h"
 
-#include "Core/Orientation.h"
-#include "Core/Parallel.h"
+#include "Geometry/Orientation.h"
+#include "Base/Parallel.h"
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Core/Mesh.h"
-#include "Core/Progress.h"
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
 
 #include <vector>
 
@@ -18,7 +18,7 @@ struct Crossing
 
 /**
  * Whether two triangles have more in common than the corners and the edge they share, by exact
- * orientations (Core/Orientation.h). Points are shared by index. A flat triangle that shares no
+ * orientations (Geometry/Orientation.h). Points are shared by index. A flat triangle that shares no
  * point counts as its edges, and does not meet another flat one.
  */
 bool TrianglesMeet(const Mesh& mesh, int first, int second);
@@ -30,7 +30,7 @@ std::vector<int> FlatTriangles(const Mesh& mesh);
  * Every pair of triangles of a surface that cross, touch, overlap or coincide beyond the corners
  * and the edge they share, in the order of First, then Second.
  *
- * A hierarchy of boxes finds the candidates, exact orientations (Core/Orientation.h) decide: a pair
+ * A hierarchy of boxes finds the candidates, exact orientations (Geometry/Orientation.h) decide: a pair
  * is listed if and only if the triangles meet. Points are shared by index: join points at the same
  * place first. mesh: any triangles, none of them in FlatTriangles. Throws Aborted.
  */

@@ -1,12 +1,12 @@
 #include "Hex/HexRemesh.h"
 
-#include "Core/Errors.h"
-#include "Core/Topology.h"
-#include "Geometry/SolidBoundary.h"
-#include "Hex/GridHexes.h"
-#include "Hex/PolycubeHexes.h"
-#include "Hex/SizeField.h"
-#include "Hex/SizedHexes.h"
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Solids/SolidBoundary.h"
+#include "Hex/Grid/GridHexes.h"
+#include "Hex/Polycube/PolycubeHexes.h"
+#include "Hex/Grid/SizeField.h"
+#include "Hex/Grid/SizedHexes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "Core/Mesh.h"
-#include "Core/Progress.h"
-#include "Hex/GivenPolycube.h"
-#include "Hex/HexFit.h"
-#include "Hex/SurfaceFeatures.h"
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+#include "Hex/Polycube/GivenPolycube.h"
+#include "Hex/Fit/HexFit.h"
+#include "Remesh/SurfaceFeatures.h"
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #include "Quality/CellSimplices.h"
 
-#include "Core/HexMesh.h"
+#include "Mesh/HexMesh.h"
 
 namespace shape
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Core/Mesh.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {

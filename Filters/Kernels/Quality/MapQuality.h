@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Core/Progress.h"
+#include "Base/Progress.h"
 #include "Quality/CellSimplices.h"
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 #include "Quality/ScaledJacobian.h"
 
-#include "Core/Parallel.h"
+#include "Base/Parallel.h"
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Core/HexMesh.h"
+#include "Mesh/HexMesh.h"
 
 #include <Eigen/Core>
 

@@ -1,0 +1,66 @@
+#include "Base/Parallel.h"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cblas.h>
+#include <chrono>
+#include <cstdlib>
+
+namespace shape
+{
+
+int ThreadCount()
+{
+  const char* limit = std::getenv("VTK_SMP_MAX_THREADS");
+  const int asked = limit ? std::atoi(limit) : 0;
+  return asked > 0 ? asked : oneapi::tbb::info::default_concurrency();
+}
+
+BlasThreads::BlasThreads(bool several)
+  : Before(openblas_get_num_threads())
+{
+  openblas_set_num_threads(several ? ThreadCount() : 1);
+}
+
+BlasThreads::~BlasThreads()
+{
+  openblas_set_num_threads(this->Before);
+}
+
+void ParallelFor(int count, int grain, const std::function<void(int begin, int end)>& body,
+  const Progress& progress)
+{
+  const int chunks = count / grain + (count % grain > 0);
+  if (chunks == 1)
+  {
+    // Nothing to share out: single points are asked for millions of times.
+    body(0, count);
+    progress(1.0);
+    return;
+  }
+  const int threads = ThreadCount();
+  oneapi::tbb::task_arena arena(threads);
+  const auto runChunk = [&](int chunk)
+  { body(chunk * grain, chunk + 1 < chunks ? (chunk + 1) * grain : count); };
+
+  // Batches grow until one takes about a tenth of a second: often enough for progress and abort.
+  int batch = threads;
+  for (int first = 0; first < chunks;)
+  {
+    const int last = chunks - first > batch ? first + batch : chunks;
+    const auto start = std::chrono::steady_clock::now();
+    arena.execute([&] { oneapi::tbb::parallel_for(first, last, runChunk); });
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (seconds.count() < 0.1)
+    {
+      batch = std::min(batch > chunks / 2 ? chunks : 2 * batch, chunks);
+    }
+    first = last;
+    progress(static_cast<double>(first) / chunks);
+  }
+}
+
+} // namespace shape

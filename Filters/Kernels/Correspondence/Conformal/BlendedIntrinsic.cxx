@@ -1,0 +1,280 @@
+#include "Correspondence/Conformal/BlendedIntrinsic.h"
+
+#include "Base/Errors.h"
+#include "Correspondence/Landmarks/AutomaticLandmarks.h"
+#include "Correspondence/Pair/MatchingInput.h"
+#include "Correspondence/Conformal/Private/MoebiusMap.h"
+#include "Search/NearestPlaces.h"
+#include "Search/ClosestPoint.h"
+#include "Geodesics/FarthestPoints.h"
+#include "Mesh/OpenLoops.h"
+#include "Parameterize/SphereMap.h"
+#include "Parameterize/SphericalTriangles.h"
+#include "Spectrum/StressScaling.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// A surface on the sphere.
+struct RoundSurface
+{
+  Mesh Sphere;               ///< with fans in the holes
+  SphereMapMethod Method;    ///< that gave it
+  ComplexPoints Points;      ///< of the sphere
+  Eigen::VectorXd LogScales; ///< logarithms of the surface's area over the sphere's, around each
+  Eigen::MatrixXd Embedding; ///< n x d: straight distances are those along it, of area 1
+  Eigen::VectorXd Areas;     ///< of all points but the fans': the sum is 1
+};
+
+/// Returns whether the surface has a border.
+bool RequireGenusZero(const Mesh& mesh, const std::string& name)
+{
+  const Topology topology = RequireConnected(mesh, name);
+  const int genus = (2 - topology.EulerNumber - topology.OpenLoops) / 2;
+  if (genus != 0)
+  {
+    throw InvalidInput(name + " has genus " + std::to_string(genus) +
+      "; maps through the sphere need genus 0: cut the handles and fill the holes, or take another "
+      "method");
+  }
+  return topology.OpenLoops > 0;
+}
+
+/// first: the method that is tried first.
+RoundSurface MakeRound(const Mesh& mesh, SphereMapMethod first, const Progress& progress)
+{
+  RoundSurface round;
+  Mesh unit = mesh;
+  const Eigen::VectorXd areas = PointAreas(mesh);
+  unit.Points /= std::sqrt(areas.sum());
+  round.Areas = areas / areas.sum();
+  const std::vector<std::vector<int>> loops = OpenLoops(unit);
+  const Mesh closed = FilledWithFans(unit, loops);
+  SphereMapOptions options;
+  options.First = first;
+  const SphereMapResult map = SphereMap(closed, options, progress.Part(0.0, 0.6));
+  round.Sphere = { map.Points, closed.Triangles };
+  round.Method = map.Method;
+  round.Points = ToComplexPoints(round.Sphere.Points);
+  const Eigen::VectorXd angles = SolidAngles(closed.Triangles, round.Sphere.Points);
+  Eigen::VectorXd onSphere = Eigen::VectorXd::Zero(closed.Points.rows());
+  for (Eigen::Index t = 0; t < angles.size(); ++t)
+  {
+    for (const int corner : closed.Triangles.row(t))
+    {
+      onSphere(corner) += angles(t) / 3.0;
+    }
+  }
+  constexpr double tiny = 1e-300;
+  round.LogScales = PointAreas(closed).array().max(tiny).log() - onSphere.array().max(tiny).log();
+  StressScalingOptions scaling;
+  scaling.Samples = 300;
+  round.Embedding.setZero(closed.Points.rows(), scaling.Dimensions);
+  round.Embedding.topRows(mesh.Points.rows()) =
+    StressScaling(unit, scaling, progress.Part(0.6, 1.0));
+  for (std::size_t k = 0; k < loops.size(); ++k)
+  {
+    round.Embedding.row(mesh.Points.rows() + static_cast<Eigen::Index>(k)) =
+      round.Embedding(loops[k], Eigen::all).colwise().mean();
+  }
+  return round;
+}
+
+/// Where a conformal map takes points, and how far it is trusted there.
+struct Images
+{
+  Eigen::MatrixXd Positions; ///< in the target's embedding
+  Eigen::VectorXd Trust;     ///< in [0, 1]
+};
+
+Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const RoundSurface& to,
+  const SurfaceLocator& locator, const Eigen::Matrix2cd& moebius)
+{
+  const ComplexPoints own = from.Points(points, Eigen::all);
+  const ClosestPoints places = locator.Find(ToSphere(Transformed(own, moebius)));
+  const Eigen::VectorXd scales = LogAreaScales(own, moebius) - from.LogScales(points) +
+    Pulled(places, to.Sphere.Triangles, to.LogScales);
+  return { Pulled(places, to.Sphere.Triangles, to.Embedding), scales.array().cosh().inverse() };
+}
+
+/// Every three of so many landmarks, or some that are evenly spread over them.
+std::vector<std::vector<int>> Triples(int count)
+{
+  constexpr std::size_t most = 300;
+  std::vector<std::vector<int>> all, some;
+  for (int i = 0; i < count; ++i)
+  {
+    for (int j = i + 1; j < count; ++j)
+    {
+      for (int k = j + 1; k < count; ++k)
+      {
+        all.push_back({ i, j, k });
+      }
+    }
+  }
+  const std::size_t stride = std::max<std::size_t>(1, (all.size() + most - 1) / most);
+  for (std::size_t t = 0; t < all.size(); t += stride)
+  {
+    some.push_back(all[t]);
+  }
+  return some;
+}
+
+/// The Moebius maps of triples of landmarks that are three points on both spheres.
+std::vector<Eigen::Matrix2cd> MapsOfTriples(
+  const RoundSurface& a, const RoundSurface& b, const Landmarks& landmarks)
+{
+  const ComplexPoints onA = a.Points(PointsOf(landmarks, 0), Eigen::all),
+                      onB = b.Points(PointsOf(landmarks, 1), Eigen::all);
+  std::vector<Eigen::Matrix2cd> maps;
+  for (const std::vector<int>& triple : Triples(static_cast<int>(landmarks.size())))
+  {
+    const Eigen::Matrix2cd moebius =
+      MoebiusThrough(onA(triple, Eigen::all), onB(triple, Eigen::all));
+    if (moebius.allFinite())
+    {
+      maps.push_back(moebius);
+    }
+  }
+  return maps;
+}
+
+/// The leading eigenvector, which is not negative, of how well maps agree.
+Eigen::VectorXd WeightsOf(
+  const std::vector<Images>& images, const Eigen::VectorXd& areas, double agreement)
+{
+  const auto count = static_cast<Eigen::Index>(images.size());
+  Eigen::MatrixXd agreements(count, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    for (Eigen::Index j = 0; j <= i; ++j)
+    {
+      const Eigen::ArrayXd near =
+        (-(images[i].Positions - images[j].Positions).rowwise().squaredNorm().array() /
+          (agreement * agreement))
+          .exp();
+      agreements(i, j) = agreements(j, i) =
+        (areas.array() * images[i].Trust.array() * images[j].Trust.array() * near).sum();
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> pairs(agreements);
+  return pairs.eigenvectors().rightCols(1).cwiseAbs();
+}
+
+/// The best of the maps by how they agree at samples, with their weights.
+struct Blend
+{
+  std::vector<Eigen::Matrix2cd> Maps;
+  Eigen::VectorXd Weights;
+};
+
+Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator& locator,
+  const std::vector<Eigen::Matrix2cd>& maps, const std::vector<int>& samples,
+  const BlendedIntrinsicOptions& options, const Progress& progress)
+{
+  std::vector<Images> images;
+  for (const Eigen::Matrix2cd& moebius : maps)
+  {
+    progress(static_cast<double>(images.size()) / static_cast<double>(maps.size()));
+    images.push_back(ImagesOf(a, samples, b, locator, moebius));
+  }
+  const Eigen::VectorXd areas =
+    Eigen::VectorXd::Constant(static_cast<Eigen::Index>(samples.size()), 1.0 / samples.size());
+  const Eigen::VectorXd weights = WeightsOf(images, areas, options.Agreement);
+  std::vector<int> order(maps.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(
+    order.begin(), order.end(), [&](int i, int j) { return weights(i) > weights(j); });
+  order.resize(std::min<std::size_t>(order.size(), options.Candidates));
+  Blend blend;
+  for (const int k : order)
+  {
+    blend.Maps.push_back(maps[k]);
+  }
+  blend.Weights = weights(order);
+  return blend;
+}
+
+/// The places nearest to the mean images of all points.
+PreciseMap Blended(const RoundSurface& from, const RoundSurface& to, const Mesh& target,
+  const SurfaceLocator& locator, const Blend& blend, const Progress& progress)
+{
+  std::vector<int> points(from.Areas.size());
+  std::iota(points.begin(), points.end(), 0);
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(from.Areas.size(), to.Embedding.cols());
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(from.Areas.size());
+  for (std::size_t k = 0; k < blend.Maps.size(); ++k)
+  {
+    progress(0.7 * static_cast<double>(k) / static_cast<double>(blend.Maps.size()));
+    const Images images = ImagesOf(from, points, to, locator, blend.Maps[k]);
+    const Eigen::VectorXd own = blend.Weights(static_cast<Eigen::Index>(k)) * images.Trust;
+    sums += own.asDiagonal() * images.Positions;
+    weights += own;
+  }
+  return NearestPlaces(weights.cwiseInverse().asDiagonal() * sums, target.Triangles,
+    to.Embedding.topRows(to.Areas.size()), progress.Part(0.7, 1.0));
+}
+
+} // namespace
+
+SurfaceMaps BlendedIntrinsic(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const BlendedIntrinsicOptions& options, const Progress& progress)
+{
+  RequireOption(options.Candidates >= 1, "Candidates", options.Candidates, "at least 1");
+  RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
+  RequireOption(options.Agreement > 0.0, "Agreement", options.Agreement, "positive");
+  const bool isOpenA = RequireGenusZero(a, "surface A"), isOpenB = RequireGenusZero(b, "surface B");
+  RequireLandmarks(landmarks, a, b);
+  if (!landmarks.empty() && landmarks.size() < 3)
+  {
+    throw InvalidInput("there are " + std::to_string(landmarks.size()) +
+      " landmarks, and three make a map; give three or more, or none to have them found");
+  }
+  const Landmarks used =
+    landmarks.empty() ? AutomaticLandmarks(a, b, {}, progress.Part(0.0, 0.2)).Pairs : landmarks;
+  // One method for both: the more conformal one fails on one of them by rounding alone where a fan
+  // lies close to what it closes, as on a sheet, and then the two would not agree.
+  const SphereMapMethod first =
+    isOpenA || isOpenB ? SphereMapMethod::PositiveFlow : SphereMapMethod::ConformalFlow;
+  RoundSurface onA = MakeRound(a, first, progress.Part(0.2, 0.4)),
+               onB = MakeRound(b, first, progress.Part(0.4, 0.6));
+  if (onA.Method < onB.Method)
+  {
+    onA = MakeRound(a, onB.Method, progress.Part(0.6, 0.7));
+  }
+  else if (onB.Method < onA.Method)
+  {
+    onB = MakeRound(b, onA.Method, progress.Part(0.6, 0.7));
+  }
+  const SurfaceLocator locatorA(onA.Sphere), locatorB(onB.Sphere);
+  const std::vector<Eigen::Matrix2cd> maps = MapsOfTriples(onA, onB, used);
+  if (maps.empty())
+  {
+    throw InvalidInput("of the " + std::to_string(used.size()) +
+      " landmarks no three are at three points on both surfaces; give some that are apart");
+  }
+  Blend blend = Choose(
+    onA, onB, locatorB, maps, FarthestPoints(a, options.Samples), options, progress.Part(0.7, 0.8));
+  SurfaceMaps result;
+  result.AToB = Blended(onA, onB, b, locatorB, blend, progress.Part(0.8, 0.9));
+  for (Eigen::Matrix2cd& moebius : blend.Maps)
+  {
+    moebius = moebius.inverse().eval();
+  }
+  result.BToA = Blended(onB, onA, a, locatorA, blend, progress.Part(0.9, 1.0));
+  return result;
+}
+
+} // namespace shape

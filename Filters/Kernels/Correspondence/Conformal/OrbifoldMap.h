@@ -1,0 +1,55 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Mesh/PreciseMap.h"
+#include "Base/Progress.h"
+#include "Search/ClosestPoint.h"
+#include "Parameterize/OrbifoldTutte.h"
+
+#include <vector>
+
+namespace shape
+{
+
+/// Finds places of the plane on a surface that was laid out on the tile of an orbifold: the images
+/// of the tile under the orbifold's motions cover the plane, so every place is on the surface once.
+class OrbifoldLocator
+{
+public:
+  /// reach: how far from the tile's first cone the places may be.
+  OrbifoldLocator(OrbifoldImage image, double reach);
+
+  /// places: n x 2. Corners that a place coincides with but for rounding get all its weight; so
+  /// cones do. Throws InvalidInput where a place is out of reach, Aborted.
+  PreciseMap Find(const Eigen::MatrixXd& places, const Progress& progress = {}) const;
+
+private:
+  OrbifoldImage Image;
+  double Reach;
+  std::vector<PlaneMotion> Motions; ///< all that bring a place within reach to the image
+  SurfaceLocator Flat;
+};
+
+struct OrbifoldMap
+{
+  PreciseMap AToB; ///< of the points of A, on triangles of B
+  PreciseMap BToA;
+};
+
+/**
+ * The seamless map between two closed surfaces of genus 0 through their images on one orbifold
+ * (Aigerman and Lipman 2015, section 5): one to one, orientation kept, cones of A to those of B in
+ * their order. Where an image's cut runs does not matter. With three cones the map is the only one
+ * of its kind; with four it goes along the shortest paths through the cones of both. The images of
+ * two meshes of one shape agree in the limit: at a cone of order k they differ by h^(2 / k), so
+ * that Rhombus and Rectangle depend least on the mesh.
+ *
+ * Throws as OrbifoldTutte, with the surface's letter; Aborted.
+ */
+OrbifoldMap MapThroughOrbifold(const Mesh& a, const std::vector<int>& conesA, const Mesh& b,
+  const std::vector<int>& conesB, OrbifoldType type, const Progress& progress = {});
+
+/// The places of the uncut surface's points in the image (n x 2), one of each point's.
+Eigen::MatrixXd UncutPlaces(const OrbifoldImage& image, Eigen::Index points);
+
+} // namespace shape

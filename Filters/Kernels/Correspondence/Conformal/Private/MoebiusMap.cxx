@@ -1,0 +1,72 @@
+#include "Correspondence/Conformal/Private/MoebiusMap.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+/// The matrix that takes (1 : 0), (0 : 1) and (1 : 1) to three points.
+Eigen::Matrix2cd Frame(const ComplexPoints& points)
+{
+  Eigen::Matrix2cd frame = points.topRows(2).transpose();
+  const Eigen::Vector2cd shares = frame.inverse() * points.row(2).transpose();
+  return frame * shares.asDiagonal();
+}
+
+} // namespace
+
+ComplexPoints ToComplexPoints(const Eigen::MatrixXd& sphere)
+{
+  ComplexPoints points(sphere.rows(), 2);
+  for (Eigen::Index i = 0; i < sphere.rows(); ++i)
+  {
+    const std::complex<double> across(sphere(i, 0), sphere(i, 1));
+    const double up = sphere(i, 2);
+    if (up < 0.0)
+    {
+      points.row(i) << across, 1.0 - up;
+    }
+    else
+    {
+      points.row(i) << 1.0 + up, std::conj(across);
+    }
+  }
+  points.rowwise().normalize();
+  return points;
+}
+
+Eigen::MatrixXd ToSphere(const ComplexPoints& points)
+{
+  Eigen::MatrixXd sphere(points.rows(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    const std::complex<double> one = points(i, 0), other = points(i, 1);
+    const std::complex<double> across = 2.0 * one * std::conj(other);
+    sphere.row(i) << across.real(), across.imag(), std::norm(one) - std::norm(other);
+    sphere.row(i) /= std::norm(one) + std::norm(other);
+  }
+  return sphere;
+}
+
+Eigen::Matrix2cd MoebiusThrough(const ComplexPoints& from, const ComplexPoints& to)
+{
+  Eigen::Matrix2cd moebius = Frame(to) * Frame(from).inverse();
+  return moebius / std::sqrt(moebius.determinant());
+}
+
+ComplexPoints Transformed(const ComplexPoints& points, const Eigen::Matrix2cd& moebius)
+{
+  return points * moebius.transpose();
+}
+
+Eigen::VectorXd LogAreaScales(const ComplexPoints& points, const Eigen::Matrix2cd& moebius)
+{
+  const Eigen::ArrayXd lengths = Transformed(points, moebius).rowwise().squaredNorm().array();
+  return 2.0 * (std::log(std::abs(moebius.determinant())) - lengths.log());
+}
+
+} // namespace shape

@@ -1,0 +1,251 @@
+#include "Correspondence/Conformal/SphereCommonDomain.h"
+
+#include "Base/Errors.h"
+#include "Mesh/HalfEdges.h"
+#include "Base/Parallel.h"
+#include "Search/ClosestPoint.h"
+#include "Laplacian/CotangentWeights.h"
+#include "Parameterize/SphereMap.h"
+#include "Parameterize/SphericalRelaxation.h"
+#include "Parameterize/SphericalTriangles.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+constexpr int Grain = 512; // directions
+constexpr double Rounding = 1e-12;
+
+void RequireLandmarks(
+  const Mesh& surface, const std::vector<int>& landmarks, const std::string& name)
+{
+  for (const int point : landmarks)
+  {
+    if (point < 0 || point >= surface.Points.rows())
+    {
+      throw InvalidInput("a landmark of surface " + name + " is point " + std::to_string(point) +
+        ", which it has not; it has " + std::to_string(surface.Points.rows()));
+    }
+  }
+  if (std::set<int>(landmarks.begin(), landmarks.end()).size() < landmarks.size())
+  {
+    throw InvalidInput(
+      "two landmarks of surface " + name + " are the same point; give each a place of its own");
+  }
+}
+
+Eigen::MatrixXd OnSphere(const Mesh& surface, const std::string& name, const Progress& progress)
+{
+  try
+  {
+    return SphereMap(surface, {}, progress).Points;
+  }
+  catch (const InvalidInput& problem)
+  {
+    throw InvalidInput("Surface " + name + ": " + problem.what());
+  }
+  catch (const SolveFailure& problem)
+  {
+    throw SolveFailure("Surface " + name + ": " + problem.what());
+  }
+}
+
+/// The rotation R for which the sum of |R from_i - to_i|^2 is least (Kabsch 1976).
+Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
+{
+  const Eigen::Matrix3d products = to.transpose() * from;
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+/// The least distance between two of them; 2 for one.
+double Separation(const Eigen::MatrixXd& places)
+{
+  double least = 2.0;
+  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  {
+    for (Eigen::Index j = 0; j < i; ++j)
+    {
+      least = std::min(least, (places.row(i) - places.row(j)).norm());
+    }
+  }
+  return least;
+}
+
+/// exp(-|p - q|^2 / (2 width^2)) between all p and q.
+Eigen::MatrixXd Gaussians(const Eigen::MatrixXd& p, const Eigen::MatrixXd& q, double width)
+{
+  Eigen::MatrixXd values(p.rows(), q.rows());
+  for (Eigen::Index j = 0; j < q.rows(); ++j)
+  {
+    values.col(j) =
+      (-0.5 / (width * width) * (p.rowwise() - q.row(j)).rowwise().squaredNorm().array()).exp();
+  }
+  return values;
+}
+
+bool AllFaceOutwards(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
+{
+  return FlippedTriangles(triangles, points).empty();
+}
+
+/// Takes the landmarks to their goals, all other points with them, and flips no triangle.
+void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::MatrixXd& goals,
+  const SphereCommonDomainOptions& options, Eigen::MatrixXd& points, const Progress& progress)
+{
+  std::vector<char> isLandmark(points.rows(), 0);
+  for (const int landmark : landmarks)
+  {
+    isLandmark[landmark] = 1;
+  }
+  std::vector<int> movable;
+  for (int i = 0; i < static_cast<int>(points.rows()); ++i)
+  {
+    if (isLandmark[i] == 0)
+    {
+      movable.push_back(i);
+    }
+  }
+  const Eigen::MatrixXd cotangents = AnglesOfTriangles(surface).Cotangents;
+  double rest = 1.0; // of the way
+  double step = 1.0 / options.Steps;
+  constexpr double leastStep = 1e-4;
+  while (rest > 0.0)
+  {
+    progress(0.7 * (1.0 - rest));
+    const Eigen::MatrixXd at = points(landmarks, Eigen::all);
+    const double width = std::min(1.0, std::max(Separation(at), 1e-3));
+    const Eigen::MatrixXd kernel = Gaussians(at, at, width);
+    const Eigen::MatrixXd weights = kernel.ldlt().solve(goals - at);
+    const double share = std::min(1.0, step / rest);
+    Eigen::MatrixXd trial = points + share * (Gaussians(points, at, width) * weights);
+    trial.rowwise().normalize();
+    if (share == 1.0)
+    {
+      trial(landmarks, Eigen::all) = goals; // but for rounding they are there
+    }
+    if (AllFaceOutwards(surface.Triangles, trial))
+    {
+      points = trial;
+      rest = share == 1.0 ? 0.0 : rest - step;
+      step = std::min(1.0 / options.Steps, 2.0 * step);
+      continue;
+    }
+    step *= 0.5;
+    if (step < leastStep)
+    {
+      throw SolveFailure("the landmarks of surface A come no nearer to those of surface B than " +
+        std::to_string((goals - at).rowwise().norm().maxCoeff()) +
+        " on the sphere without a flip; check their order, or leave out those closest together");
+    }
+    RelaxOnSphere(points, surface.Triangles, cotangents, movable, 2,
+      progress.Part(0.7 * (1.0 - rest), 0.7 * (1.0 - rest)));
+  }
+  RelaxOnSphere(points, surface.Triangles, cotangents, movable, options.RelaxationSweeps,
+    progress.Part(0.7, 1.0));
+}
+
+/// Where a direction passes through a triangle, as weights of its corners; negative beside it.
+Eigen::RowVector3d WeightsOf(const Eigen::Matrix3d& corners, const Eigen::RowVector3d& direction)
+{
+  Eigen::RowVector3d weights;
+  for (int k = 0; k < 3; ++k)
+  {
+    weights(k) =
+      SphericalDeterminant(direction, corners.row((k + 1) % 3), corners.row((k + 2) % 3));
+  }
+  return weights / weights.cwiseAbs().sum();
+}
+
+} // namespace
+
+PreciseMap LocateDirections(
+  const Mesh& sphere, const Eigen::MatrixXd& directions, const Progress& progress)
+{
+  const SurfaceLocator locator(sphere);
+  const std::vector<int> twins = SideTwins(sphere.Triangles, sphere.Points.rows());
+  PreciseMap map{ Eigen::VectorXi(directions.rows()), Eigen::MatrixXd(directions.rows(), 3) };
+  ParallelFor(
+    static_cast<int>(directions.rows()), Grain,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const Eigen::RowVector3d direction = directions.row(i).normalized();
+        // From the closest triangle across the side that the direction is farthest beyond; walks
+        // that would turn in circles end in the triangle that comes closest.
+        int triangle = locator.FindOne(direction).Triangle;
+        double best = -std::numeric_limits<double>::infinity();
+        for (int moves = 0; moves < 200; ++moves)
+        {
+          const Eigen::RowVector3d weights = WeightsOf(Corners(sphere, triangle), direction);
+          int out = 0;
+          const double least = weights.minCoeff(&out);
+          if (least > best)
+          {
+            best = least;
+            map.Triangles(i) = triangle;
+            const Eigen::RowVector3d inside = (weights.array() < Rounding).select(0.0, weights);
+            map.Barycentrics.row(i) = inside / inside.sum();
+          }
+          if (least >= -Rounding)
+          {
+            break;
+          }
+          triangle = twins[3 * triangle + (out + 1) % 3] / 3;
+        }
+      }
+    },
+    progress);
+  return map;
+}
+
+SphereCommonDomainResult MapThroughSphere(const Mesh& a, const std::vector<int>& landmarksA,
+  const Mesh& b, const std::vector<int>& landmarksB, const SphereCommonDomainOptions& options,
+  const Progress& progress)
+{
+  RequireOption(options.Steps >= 1, "Steps", options.Steps, "at least 1");
+  RequireOption(
+    options.RelaxationSweeps >= 0, "RelaxationSweeps", options.RelaxationSweeps, "at least 0");
+  if (landmarksA.empty() || landmarksA.size() != landmarksB.size())
+  {
+    throw InvalidInput("surface A has " + std::to_string(landmarksA.size()) +
+      " landmarks, surface B " + std::to_string(landmarksB.size()) +
+      "; give as many of the one as of the other, at least one");
+  }
+  if ((EnclosedVolume(a) < 0.0) != (EnclosedVolume(b) < 0.0))
+  {
+    throw InvalidInput("one of the surfaces faces inwards, the other outwards; turn one with "
+                       "Reverse Sense");
+  }
+  RequireLandmarks(a, landmarksA, "A");
+  RequireLandmarks(b, landmarksB, "B");
+  SphereCommonDomainResult result;
+  result.SphereA = OnSphere(a, "A", progress.Part(0.0, 0.2));
+  result.SphereB = OnSphere(b, "B", progress.Part(0.2, 0.4));
+  const Eigen::MatrixXd goals = result.SphereB(landmarksB, Eigen::all);
+  const Eigen::Matrix3d turn = BestRotation(result.SphereA(landmarksA, Eigen::all), goals);
+  result.SphereA = (result.SphereA * turn.transpose()).rowwise().normalized().eval();
+  Warp(a, landmarksA, goals, options, result.SphereA, progress.Part(0.4, 0.8));
+
+  result.AToB =
+    LocateDirections({ result.SphereB, b.Triangles }, result.SphereA, progress.Part(0.8, 0.9));
+  result.BToA =
+    LocateDirections({ result.SphereA, a.Triangles }, result.SphereB, progress.Part(0.9, 1.0));
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,68 @@
+#include "Correspondence/Evaluate/SurfaceMapFacts.h"
+
+#include "Laplacian/CotangentWeights.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+/// How far, straight, each point of a surface (n) is from where it comes back to by two maps.
+Eigen::VectorXd ReturnDistances(
+  const Mesh& mesh, const PreciseMap& there, const Mesh& other, const PreciseMap& back)
+{
+  return (Pulled(there, other.Triangles, Pulled(back, mesh.Triangles, mesh.Points)) - mesh.Points)
+    .rowwise()
+    .norm();
+}
+
+/// The share of the masses of points whose distance is short.
+double Coverage(const Eigen::VectorXd& masses, const Eigen::VectorXd& distances)
+{
+  constexpr double most = 0.02; // of the root of the area
+  const double area = masses.sum();
+  return (distances.array() <= most * std::sqrt(area)).select(masses, 0.0).sum() / area;
+}
+
+} // namespace
+
+SurfaceMapFacts DescribeMaps(const Mesh& a, const Mesh& b, const SurfaceMaps& maps)
+{
+  const Eigen::MatrixXd images = Pulled(maps.AToB, b.Triangles, b.Points);
+  const TriangleAngles angles = AnglesOfTriangles(a);
+  const Eigen::SparseMatrix<double> stiffness =
+    PositiveStiffness(CotangentStiffness(a.Triangles, angles.Cotangents, a.Points.rows()), 0.0);
+  const Eigen::VectorXd masses = LumpedMasses(a.Triangles, angles.Areas, a.Points.rows());
+  const Eigen::VectorXd massesB = PointAreas(b);
+  const double areaA = masses.sum(), areaB = massesB.sum();
+  SurfaceMapFacts facts;
+  facts.DirichletEnergy = 0.5 * (images.transpose() * (stiffness * images)).trace() / areaB;
+  const Eigen::VectorXd returns = ReturnDistances(a, maps.AToB, b, maps.BToA);
+  facts.RoundTrip = masses.dot(returns) / (areaA * std::sqrt(areaA));
+  facts.CoverageOfA = Coverage(masses, returns);
+  facts.CoverageOfB = Coverage(massesB, ReturnDistances(b, maps.BToA, a, maps.AToB));
+  const Eigen::MatrixXd image = AreaVectors({ images, a.Triangles }), normals = AreaVectors(b);
+  double reversed = 0.0, all = 0.0;
+  for (Eigen::Index t = 0; t < a.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d there = image.row(t),
+                             normal = normals.row(maps.AToB.Triangles(a.Triangles(t, 0)));
+    const double size = there.norm() * normal.norm();
+    const double cosine = size > 0.0 ? there.dot(normal) / size : 0.0;
+    const double weight =
+      std::min(angles.Areas(t) / areaA, 0.5 * there.norm() / areaB) * std::abs(cosine);
+    reversed += cosine < 0.0 ? weight : 0.0;
+    all += weight;
+  }
+  facts.ReversedArea = all > 0.0 ? reversed / all : 0.0;
+  constexpr double most = 0.3;
+  facts.Mirrored = facts.ReversedArea > most;
+  return facts;
+}
+
+} // namespace shape

@@ -1,0 +1,112 @@
+#include "Correspondence/Functional/HeatKernelMap.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Correspondence/Landmarks/AutomaticLandmarks.h"
+#include "Correspondence/Pair/MatchingInput.h"
+#include "Search/NearestPlaces.h"
+#include "Spectrum/LaplaceSpectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// Throws InvalidInput where a component has none of `points`.
+void RequireReached(
+  const Topology& topology, const std::vector<int>& points, const std::string& name)
+{
+  std::vector<char> isReached(topology.Components, 0);
+  for (const int point : points)
+  {
+    isReached[topology.ComponentId(point)] = 1;
+  }
+  for (int i = 0; i < static_cast<int>(topology.ComponentId.size()); ++i)
+  {
+    if (!isReached[topology.ComponentId(i)])
+    {
+      throw InvalidInput(name + " has " + std::to_string(topology.Components) +
+        " components, and the one with point " + std::to_string(i) +
+        " has no landmark, so that no heat comes there; give each component one");
+    }
+  }
+}
+
+/// The spectrum of a surface with its area made 1.
+LaplaceSpectrum UnitSpectrum(const Mesh& mesh, int pairs, const Progress& progress)
+{
+  Mesh scaled = mesh;
+  scaled.Points /= std::sqrt(PointAreas(mesh).sum());
+  return FindLaplaceSpectrum(
+    scaled, std::min(pairs, static_cast<int>(mesh.Points.rows())), progress);
+}
+
+/// The largest and the least eigenvalue that is not 0.
+std::array<double, 2> Range(const LaplaceSpectrum& spectrum, const std::string& name)
+{
+  const Eigen::Index last = spectrum.Eigenvalues.size() - 1;
+  const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
+  if (zeros > last)
+  {
+    throw InvalidInput("Eigenpairs is " + std::to_string(last + 1) + ", and all of " + name +
+      " are constants on its components; ask for more");
+  }
+  return { spectrum.Eigenvalues(last), spectrum.Eigenvalues(zeros) };
+}
+
+/// n x (points times times): the heat that comes from each point at each time.
+Eigen::MatrixXd Heat(
+  const LaplaceSpectrum& spectrum, const std::vector<int>& points, const Eigen::VectorXd& times)
+{
+  const Eigen::ArrayXd& values = spectrum.Eigenvalues;
+  const Eigen::MatrixXd& functions = spectrum.Eigenfunctions;
+  Eigen::MatrixXd weights(values.size(), static_cast<Eigen::Index>(points.size()) * times.size());
+  Eigen::Index at = 0;
+  for (const int point : points)
+  {
+    for (const double time : times)
+    {
+      const Eigen::ArrayXd decay = (values > 0.0).select((-time * values).exp(), 0.0);
+      weights.col(at) = decay * functions.row(point).transpose().array();
+      // The eigenfunctions are orthonormal, so that this is the norm of the heat itself.
+      const double norm = weights.col(at).norm();
+      weights.col(at++) /= norm > 0.0 ? norm : 1.0;
+    }
+  }
+  return functions * weights;
+}
+
+} // namespace
+
+SurfaceMaps HeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const HeatKernelMapOptions& options, const Progress& progress)
+{
+  RequireOption(options.Eigenpairs >= 2, "Eigenpairs", options.Eigenpairs, "at least 2");
+  RequireOption(options.Times >= 1, "Times", options.Times, "at least 1");
+  const Topology topologyA = RequireWhole(a, "surface A"), topologyB = RequireWhole(b, "surface B");
+  RequireLandmarks(landmarks, a, b);
+  const Landmarks used =
+    landmarks.empty() ? AutomaticLandmarks(a, b, {}, progress.Part(0.0, 0.3)).Pairs : landmarks;
+  const std::vector<int> onA = PointsOf(used, 0), onB = PointsOf(used, 1);
+  RequireReached(topologyA, onA, "surface A");
+  RequireReached(topologyB, onB, "surface B");
+  const LaplaceSpectrum spectrumA = UnitSpectrum(a, options.Eigenpairs, progress.Part(0.3, 0.45)),
+                        spectrumB = UnitSpectrum(b, options.Eigenpairs, progress.Part(0.45, 0.6));
+  const auto [largestA, leastA] = Range(spectrumA, "surface A");
+  const auto [largestB, leastB] = Range(spectrumB, "surface B");
+  const double decay = 4.0 * std::log(10.0);
+  const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(options.Times,
+    std::log(decay / std::min(largestA, largestB)), std::log(decay / std::max(leastA, leastB)))
+                                  .array()
+                                  .exp();
+  const Eigen::MatrixXd heatA = Heat(spectrumA, onA, times), heatB = Heat(spectrumB, onB, times);
+  return { NearestPlaces(heatA, b.Triangles, heatB, progress.Part(0.6, 0.8)),
+    NearestPlaces(heatB, a.Triangles, heatA, progress.Part(0.8, 1.0)) };
+}
+
+} // namespace shape

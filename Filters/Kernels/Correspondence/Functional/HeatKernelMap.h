@@ -1,0 +1,35 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+#include "Correspondence/Pair/SurfaceMaps.h"
+
+namespace shape
+{
+
+struct HeatKernelMapOptions
+{
+  int Eigenpairs = 100; ///< of each surface, at most; >= 2
+  int Times = 25;       ///< at which heat is compared; >= 1
+};
+
+/**
+ * Corresponding points of two surfaces that differ by bending: those to which as much heat comes
+ * from a landmark, at each of several times (Ovsjanikov, Merigot, Memoli and Guibas, "One point
+ * isometric matching with the heat kernel", 2010, equation 3). Where a surface has no intrinsic
+ * symmetry that keeps the landmark in its place, one landmark is enough; more settle a symmetry,
+ * and what is not quite a bending.
+ *
+ * Heat at time t is the sum of exp(-lambda t) phi(p) phi(x) over the eigenfunctions but the
+ * constants, made of norm 1 in the area; times are in a geometric row from 4 ln 10 / the largest
+ * eigenvalue to 4 ln 10 / the least that is not 0, of the surfaces with area 1. Each point goes to
+ * a place near in all of this heat (NearestPlaces).
+ *
+ * a, b: consistently oriented 2-manifolds, open or closed, with a triangle at each point and a
+ * landmark on each component. Without any landmark, of one component each: those of
+ * AutomaticLandmarks. Throws InvalidInput where not, SolveFailure, Aborted.
+ */
+SurfaceMaps HeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const HeatKernelMapOptions& options = {}, const Progress& progress = {});
+
+} // namespace shape

@@ -1,0 +1,132 @@
+#include "Correspondence/Functional/PartialFunctionalMap.h"
+
+#include "Base/Errors.h"
+#include "Correspondence/Landmarks/LandmarkPlaces.h"
+#include "Correspondence/Pair/MatchingInput.h"
+#include "Search/NearestPlaces.h"
+#include "Search/NearestRows.h"
+#include "Geodesics/FarthestPoints.h"
+#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/SpectralSignatures.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// How many eigenvalues are at most as large as one.
+Eigen::Index UpTo(const Eigen::VectorXd& eigenvalues, double bound)
+{
+  return std::max<Eigen::Index>(1, (eigenvalues.array() <= bound).count());
+}
+
+Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& lower)
+{
+  Eigen::MatrixXd both(upper.rows() + lower.rows(), upper.cols());
+  both << upper, lower;
+  return both;
+}
+
+/// Two spectra at one scale, and samples of the part.
+struct Refinement
+{
+  const LaplaceSpectrum &OfPart, &OfWhole;
+  const Eigen::MatrixXi& Triangles; ///< of the whole
+  std::vector<int> Samples, PartLandmarks, WholeLandmarks;
+  double Weight; ///< of each landmark, that of a sample is 1
+
+  /// From values (samples x size) of the whole's eigenfunctions where samples go.
+  Eigen::MatrixXd Map(const Eigen::MatrixXd& images) const
+  {
+    const Eigen::Index size = images.cols();
+    const auto own = Eigen::seqN(0, this->PartSize(size));
+    const Eigen::MatrixXd functions = this->OfPart.Eigenfunctions(this->Samples, own),
+                          there = this->OfPart.Eigenfunctions(this->PartLandmarks, own),
+                          wanted = this->OfWhole.Eigenfunctions(
+                            this->WholeLandmarks, Eigen::seqN(0, size));
+    return FitCoefficients(Stacked(images, this->Weight * wanted), Stacked(functions, this->Weight * there));
+  }
+
+  Eigen::Index PartSize(Eigen::Index size) const
+  {
+    return UpTo(this->OfPart.Eigenvalues, this->OfWhole.Eigenvalues(size - 1));
+  }
+
+  /// Where points of the part with these eigenfunctions (q x all) go.
+  PreciseMap Places(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& map,
+    const Progress& progress = {}) const
+  {
+    return NearestPlaces(functions.leftCols(map.rows()), this->Triangles,
+      this->OfWhole.Eigenfunctions.leftCols(map.cols()) * map.transpose(), progress);
+  }
+};
+
+} // namespace
+
+SurfaceMaps PartialFunctionalMap(const Mesh& part, const Mesh& whole, const Landmarks& landmarks,
+  double scale, const PartialFunctionalMapOptions& options, const Progress& progress)
+{
+  RequireConnected(part, "the part");
+  RequireConnected(whole, "the whole");
+  RequireLandmarks(landmarks, part, whole);
+  constexpr std::size_t fewest = 3;
+  if (landmarks.size() < fewest)
+  {
+    throw InvalidInput("there are " + std::to_string(landmarks.size()) +
+      " landmarks, too few to find a part in the whole; give at least three, or none");
+  }
+  RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
+  RequireOption(options.Eigenpairs >= 10, "Eigenpairs", options.Eigenpairs, "at least 10");
+  RequireOption(options.First >= 3, "First", options.First, "at least 3");
+  RequireOption(options.Step >= 1, "Step", options.Step, "at least 1");
+  Mesh one = part, two = whole;
+  const double length = std::sqrt(PointAreas(whole).sum());
+  one.Points *= scale / length;
+  two.Points /= length;
+  const auto pairsOf = [&](const Mesh& mesh)
+  { return std::min<int>(options.Eigenpairs, static_cast<int>(mesh.Points.rows())); };
+  const LaplaceSpectrum spectrumOne =
+                          FindLaplaceSpectrum(one, pairsOf(one), progress.Part(0.0, 0.2)),
+                        spectrumTwo =
+                          FindLaplaceSpectrum(two, pairsOf(two), progress.Part(0.2, 0.4));
+  constexpr double share = 0.001; // of the samples, for each landmark
+  Refinement refinement{ spectrumOne, spectrumTwo, two.Triangles,
+    FarthestPoints(one, options.Samples, progress.Part(0.4, 0.42)), PointsOf(landmarks, 0),
+    PointsOf(landmarks, 1), 0.0 };
+  refinement.Weight = std::sqrt(share * static_cast<double>(refinement.Samples.size()));
+  const Eigen::MatrixXd placesOne = LandmarkPlaces(
+                          one, refinement.PartLandmarks, 1.0, progress.Part(0.42, 0.5)),
+                        placesTwo = LandmarkPlaces(
+                          two, refinement.WholeLandmarks, 1.0, progress.Part(0.5, 0.6));
+  const Eigen::VectorXi start = NearestRows(placesOne(refinement.Samples, Eigen::all), placesTwo);
+  const Eigen::MatrixXd& functions = spectrumTwo.Eigenfunctions;
+  const Eigen::MatrixXd samples = spectrumOne.Eigenfunctions(refinement.Samples, Eigen::all);
+  const Eigen::Index last = functions.cols(), first = std::min<Eigen::Index>(options.First, last);
+  Eigen::MatrixXd map = refinement.Map(functions(start, Eigen::seqN(0, first)));
+  for (Eigen::Index size = first;; size = std::min<Eigen::Index>(size + options.Step, last))
+  {
+    progress(0.6 + 0.2 * static_cast<double>(size) / static_cast<double>(last));
+    map = refinement.Map(
+      Pulled(refinement.Places(samples, map), two.Triangles, functions.leftCols(size)));
+    if (size == last)
+    {
+      break;
+    }
+  }
+  SurfaceMaps maps;
+  maps.AToB = refinement.Places(spectrumOne.Eigenfunctions, map, progress.Part(0.8, 0.9));
+  const auto zeros = static_cast<int>((spectrumTwo.Eigenvalues.array() <= 0.0).count());
+  const Eigen::MatrixXd embedding = SpectralEmbedding(spectrumTwo, static_cast<int>(last) - zeros);
+  maps.BToA = NearestPlaces(
+    embedding, one.Triangles, Pulled(maps.AToB, two.Triangles, embedding), progress.Part(0.9, 1.0));
+  return maps;
+}
+
+} // namespace shape

@@ -1,0 +1,80 @@
+#include "Correspondence/Functional/ZoomOut.h"
+
+#include "Search/NearestPlaces.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+
+namespace shape
+{
+namespace
+{
+
+/// Rows of both surfaces that belong together.
+struct Pairs
+{
+  Eigen::MatrixXd OfA, OfB;
+
+  void Append(const Eigen::MatrixXd& ofA, const Eigen::MatrixXd& ofB)
+  {
+    const Eigen::Index before = this->OfA.rows(), more = ofA.rows();
+    this->OfA.conservativeResize(before + more, ofA.cols());
+    this->OfB.conservativeResize(before + more, ofB.cols());
+    this->OfA.bottomRows(more) = ofA;
+    this->OfB.bottomRows(more) = ofB;
+  }
+};
+
+} // namespace
+
+Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
+{
+  constexpr double least = 1e-9; // of the diagonal: where samples are fewer than eigenfunctions
+  Eigen::MatrixXd normal = to.transpose() * to;
+  normal.diagonal().array() += least * normal.diagonal().maxCoeff();
+  return normal.llt().solve(to.transpose() * from);
+}
+
+FunctionalMaps ZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
+  const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options,
+  const Progress& progress)
+{
+  std::vector<int> ofA, ofB;
+  for (const auto& [pointA, pointB] : landmarks)
+  {
+    ofA.push_back(pointA);
+    ofB.push_back(pointB);
+  }
+  constexpr double share = 0.001; // of the samples, for each landmark
+  const double weight = std::sqrt(share * static_cast<double>(a.Samples.size()));
+  const Eigen::MatrixXd functionsA = a.Spectrum.Eigenfunctions(a.Samples, Eigen::all),
+                        functionsB = b.Spectrum.Eigenfunctions(b.Samples, Eigen::all),
+                        landmarksA = weight * a.Spectrum.Eigenfunctions(ofA, Eigen::all),
+                        landmarksB = weight * b.Spectrum.Eigenfunctions(ofB, Eigen::all);
+  // A point's row of eigenfunctions on b is its image's row on a times the map's transpose.
+  FunctionalMaps maps{ map, map.transpose() };
+  const Eigen::Index first = map.rows(), last = std::max<Eigen::Index>(first, options.Last);
+  for (Eigen::Index size = first;; size = std::min<Eigen::Index>(size + options.Step, last))
+  {
+    progress(last > first ? static_cast<double>(size - first) / (last - first) : 1.0);
+    const Eigen::Index now = maps.AToB.rows();
+    const PreciseMap onA = NearestPlaces(functionsB.leftCols(now), a.Triangles,
+                       a.Spectrum.Eigenfunctions.leftCols(now) * maps.AToB.transpose()),
+                     onB = NearestPlaces(functionsA.leftCols(now), b.Triangles,
+                       b.Spectrum.Eigenfunctions.leftCols(now) * maps.BToA.transpose());
+    Pairs pairs{ functionsA.leftCols(size),
+      Pulled(onB, b.Triangles, b.Spectrum.Eigenfunctions.leftCols(size)) };
+    pairs.Append(Pulled(onA, a.Triangles, a.Spectrum.Eigenfunctions.leftCols(size)),
+      functionsB.leftCols(size));
+    pairs.Append(landmarksA.leftCols(size), landmarksB.leftCols(size));
+    maps.AToB = FitCoefficients(pairs.OfA, pairs.OfB);
+    maps.BToA = FitCoefficients(pairs.OfB, pairs.OfA);
+    if (size == last)
+    {
+      return maps;
+    }
+  }
+}
+
+} // namespace shape

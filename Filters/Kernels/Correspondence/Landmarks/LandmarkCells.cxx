@@ -1,0 +1,43 @@
+#include "Correspondence/Landmarks/LandmarkCells.h"
+
+#include "Base/Errors.h"
+#include "Geodesics/HeatGeodesics.h"
+
+namespace shape
+{
+namespace
+{
+
+PreciseMap Cells(
+  const Mesh& from, const Mesh& to, const Landmarks& landmarks, int which, const Progress& progress)
+{
+  std::vector<int> points;
+  for (const auto& landmark : landmarks)
+  {
+    points.push_back(landmark[which]);
+  }
+  const Eigen::MatrixXd distances = HeatDistances(from, points, progress);
+  Eigen::VectorXi targets(distances.rows());
+  for (Eigen::Index i = 0; i < distances.rows(); ++i)
+  {
+    Eigen::Index nearest = 0;
+    distances.row(i).minCoeff(&nearest);
+    targets(i) = landmarks[nearest][1 - which];
+  }
+  return MapToPoints(targets, to);
+}
+
+} // namespace
+
+SurfaceMaps LandmarkCells(
+  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress)
+{
+  if (landmarks.empty())
+  {
+    throw InvalidInput("there is no landmark to start from; give at least three");
+  }
+  return { Cells(a, b, landmarks, 0, progress.Part(0.0, 0.5)),
+    Cells(b, a, landmarks, 1, progress.Part(0.5, 1.0)) };
+}
+
+} // namespace shape

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+#include "Correspondence/Pair/SurfaceMaps.h"
+
+namespace shape
+{
+
+/// The map that takes every point to the partner of the landmark nearest to it along its surface,
+/// both ways: a start for methods that refine maps. At least one landmark; where a component has
+/// none, its points go to the first landmark's partner. Throws InvalidInput without landmarks,
+/// SolveFailure, Aborted.
+SurfaceMaps LandmarkCells(
+  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress = {});
+
+} // namespace shape

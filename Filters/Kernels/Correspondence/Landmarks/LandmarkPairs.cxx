@@ -1,0 +1,59 @@
+#include "Correspondence/Landmarks/LandmarkPairs.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Search/ClosestPoint.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+/// Places along lines between landmarks may be off the surface, but not as far as another unit's.
+constexpr double FarthestShare = 0.5;
+
+/// For each place the corner that it is nearest to, of the triangle closest to it.
+Eigen::VectorXi NearestPoints(const Mesh& mesh, const Eigen::MatrixXd& places,
+  const std::string& name, const Progress& progress)
+{
+  const ClosestPoints closest = SurfaceLocator(mesh).Find(places, progress);
+  const auto isFar = closest.Distances.array() > FarthestShare * LongestSide(mesh.Points);
+  const auto count = isFar.count();
+  if (count > 0)
+  {
+    const auto first = std::find(isFar.begin(), isFar.end(), true) - isFar.begin();
+    throw InvalidInput(std::to_string(count) + (count == 1 ? " landmark is" : " landmarks are") +
+      " farther from " + name + " than half its longest side (first landmark " +
+      std::to_string(first) + "); put Landmarks on SurfaceA and their TargetPosition on SurfaceB");
+  }
+  return MainCorners(closest, mesh.Triangles);
+}
+
+} // namespace
+
+Landmarks LandmarkPairs(const Mesh& a, const Eigen::MatrixXd& placesA, const Mesh& b,
+  const Eigen::MatrixXd& placesB, const Progress& progress)
+{
+  RequireFinite(placesA, "the set of Landmarks");
+  RequireFinite(placesB, "TargetPosition of the Landmarks");
+  const Eigen::VectorXi onA = NearestPoints(a, placesA, "SurfaceA", progress.Part(0.0, 0.5)),
+                        onB = NearestPoints(b, placesB, "SurfaceB", progress.Part(0.5, 1.0));
+  Landmarks pairs;
+  std::set<int> ofA, ofB;
+  for (Eigen::Index i = 0; i < onA.size(); ++i)
+  {
+    if (ofA.count(onA(i)) == 0 && ofB.count(onB(i)) == 0)
+    {
+      ofA.insert(onA(i));
+      ofB.insert(onB(i));
+      pairs.push_back({ onA(i), onB(i) });
+    }
+  }
+  return pairs;
+}
+
+} // namespace shape

@@ -1,0 +1,68 @@
+#include "Correspondence/Landmarks/SampledSurface.h"
+
+#include "Geodesics/FarthestPoints.h"
+#include "Geodesics/HeatGeodesics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::VectorXd& areas)
+{
+  // A sample in a fold may be nearest to nothing, not even itself, for distances are not exact.
+  const double least = 1e-3 * areas.sum() / static_cast<double>(distances.cols());
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(distances.cols());
+  for (Eigen::Index i = 0; i < areas.size(); ++i)
+  {
+    Eigen::Index nearest = 0;
+    distances.row(i).minCoeff(&nearest);
+    shares(nearest) += areas(i);
+  }
+  shares = shares.cwiseMax(least);
+  return shares / shares.sum();
+}
+
+} // namespace
+
+Eigen::MatrixXd SampledSurface::Between() const
+{
+  const Eigen::MatrixXd one = this->Distances(this->Points, Eigen::all);
+  return 0.5 * (one + one.transpose());
+}
+
+SampledSurface SampleSurface(
+  const Mesh& mesh, int count, const Progress& progress, const std::vector<int>& first)
+{
+  SampledSurface sampled;
+  const Eigen::VectorXd areas = PointAreas(mesh);
+  sampled.Length = std::sqrt(areas.sum());
+  sampled.Points = first;
+  for (const int point : FarthestPoints(mesh, count, progress.Part(0.0, 0.3)))
+  {
+    if (std::find(first.begin(), first.end(), point) == first.end())
+    {
+      sampled.Points.push_back(point);
+    }
+  }
+  sampled.Distances = HeatDistances(mesh, sampled.Points, progress.Part(0.3, 1.0)) / sampled.Length;
+  sampled.Weights = NearestShares(sampled.Distances, areas);
+  return sampled;
+}
+
+SampledSurface FirstSamples(const SampledSurface& sampled, int count, const Eigen::VectorXd& areas)
+{
+  SampledSurface part;
+  const auto size =
+    std::min<std::ptrdiff_t>(count, static_cast<std::ptrdiff_t>(sampled.Points.size()));
+  part.Points.assign(sampled.Points.begin(), sampled.Points.begin() + size);
+  part.Distances = sampled.Distances.leftCols(size);
+  part.Weights = NearestShares(part.Distances, areas);
+  part.Length = sampled.Length;
+  return part;
+}
+
+} // namespace shape

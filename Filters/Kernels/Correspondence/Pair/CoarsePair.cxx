@@ -1,0 +1,95 @@
+#include "Correspondence/Pair/CoarsePair.h"
+
+#include "Search/TriangleWalk.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+std::optional<CoarseSurface> CoarseWhereLarge(
+  const Mesh& surface, const Landmarks& landmarks, int which, int most, const Progress& progress)
+{
+  if (most <= 0 || surface.Points.rows() <= most)
+  {
+    return {};
+  }
+  std::vector<int> kept;
+  for (const auto& landmark : landmarks)
+  {
+    kept.push_back(landmark[which]);
+  }
+  return Coarsened(surface, most, kept, progress);
+}
+
+/// Where fine points go on the coarse surface of the other side.
+PreciseMap Interpolated(
+  const PreciseMap& map, const CoarseSurface& from, const Mesh& to, const Progress& progress)
+{
+  const Eigen::MatrixXd towards =
+    Pulled(from.Places, from.Surface.Triangles, Pulled(map, to.Triangles, to.Points));
+  const Eigen::VectorXi nearest = MainCorners(from.Places, from.Surface.Triangles),
+                        begins = MainCorners(map, to.Triangles);
+  return WalkToPlaces(
+    towards, to.Triangles, to.Points, TriangleFans(to.Triangles, to.Points.rows()),
+    [&](int i) { return begins(nearest(i)); }, progress);
+}
+
+} // namespace
+
+CoarsePair::CoarsePair(
+  const Mesh& a, const Mesh& b, const Landmarks& landmarks, int most, const Progress& progress)
+  : One{ a, CoarseWhereLarge(a, landmarks, 0, most, progress.Part(0.0, 0.5)) }
+  , Two{ b, CoarseWhereLarge(b, landmarks, 1, most, progress.Part(0.5, 1.0)) }
+{
+}
+
+int CoarsePair::Side::CoarsePoint(int point) const
+{
+  if (!this->Coarse)
+  {
+    return point;
+  }
+  const std::vector<int>& points = this->Coarse->Points;
+  return static_cast<int>(std::lower_bound(points.begin(), points.end(), point) - points.begin());
+}
+
+Landmarks CoarsePair::OnCoarse(const Landmarks& landmarks) const
+{
+  Landmarks result;
+  for (const auto& [a, b] : landmarks)
+  {
+    result.push_back({ this->One.CoarsePoint(a), this->Two.CoarsePoint(b) });
+  }
+  return result;
+}
+
+Landmarks CoarsePair::OnFine(const Landmarks& landmarks) const
+{
+  Landmarks result;
+  for (const auto& [a, b] : landmarks)
+  {
+    result.push_back({ this->FinePointOfA(a), this->FinePointOfB(b) });
+  }
+  return result;
+}
+
+PreciseMap CoarsePair::Lifted(
+  const PreciseMap& map, const Side& from, const Side& to, const Progress& progress)
+{
+  PreciseMap result =
+    from.Coarse ? Interpolated(map, *from.Coarse, to.Surface(), progress.Part(0.0, 0.5)) : map;
+  return to.Coarse ? PlacesOnFiner(*to.Coarse, to.Fine, result, progress.Part(0.5, 1.0)) : result;
+}
+
+SurfaceMaps CoarsePair::OnFine(const SurfaceMaps& maps, const Progress& progress) const
+{
+  return { Lifted(maps.AToB, this->One, this->Two, progress.Part(0.0, 0.5)),
+    Lifted(maps.BToA, this->Two, this->One, progress.Part(0.5, 1.0)) };
+}
+
+} // namespace shape

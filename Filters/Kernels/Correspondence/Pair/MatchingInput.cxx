@@ -1,0 +1,80 @@
+#include "Correspondence/Pair/MatchingInput.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace shape
+{
+
+void RequireArea(const Mesh& mesh, const std::string& name)
+{
+  const double area = PointAreas(mesh).sum();
+  if (!(area > 0.0 && std::isfinite(area)))
+  {
+    std::ostringstream side;
+    side << LongestSide(mesh.Points);
+    throw InvalidInput(name + " has no area that double precision can hold (its longest side is " +
+      side.str() + "); scale it or check its coordinates");
+  }
+}
+
+Topology RequireWhole(const Mesh& mesh, const std::string& name)
+{
+  Topology topology = RequireManifold(mesh, name);
+  const auto unused = (topology.ComponentId.array() < 0).count();
+  if (unused > 0)
+  {
+    const auto first = std::find(topology.ComponentId.begin(), topology.ComponentId.end(), -1) -
+      topology.ComponentId.begin();
+    throw InvalidInput(name + " has " + std::to_string(unused) +
+      " points that no triangle uses (first at point " + std::to_string(first) +
+      "); remove them with Clean");
+  }
+  RequireArea(mesh, name);
+  return topology;
+}
+
+Topology RequireConnected(const Mesh& mesh, const std::string& name)
+{
+  Topology topology = RequireWhole(mesh, name);
+  if (topology.Components > 1)
+  {
+    throw InvalidInput(name + " has " + std::to_string(topology.Components) +
+      " components, between which there are no distances; keep one with Connectivity / Extract "
+      "Largest");
+  }
+  return topology;
+}
+
+void RequireLandmarks(const Landmarks& landmarks, const Mesh& a, const Mesh& b)
+{
+  for (std::size_t k = 0; k < landmarks.size(); ++k)
+  {
+    for (const int which : { 0, 1 })
+    {
+      const auto points = static_cast<int>((which == 0 ? a : b).Points.rows());
+      const int point = landmarks[k][which];
+      if (point < 0 || point >= points)
+      {
+        throw InvalidInput("landmark " + std::to_string(k) + " is point " + std::to_string(point) +
+          " of surface " + (which == 0 ? "A" : "B") + ", which has " + std::to_string(points) +
+          "; number points from 0");
+      }
+    }
+  }
+}
+
+std::vector<int> PointsOf(const Landmarks& landmarks, int which)
+{
+  std::vector<int> points;
+  for (const auto& landmark : landmarks)
+  {
+    points.push_back(landmark[which]);
+  }
+  return points;
+}
+
+} // namespace shape

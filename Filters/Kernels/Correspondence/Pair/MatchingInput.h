@@ -1,0 +1,30 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Mesh/Topology.h"
+#include "Correspondence/Pair/SurfaceMaps.h"
+
+#include <string>
+
+namespace shape
+{
+
+// What methods that match two surfaces ask of them. `name` is what messages call one: "surface A".
+
+/// Throws InvalidInput unless the mesh has an area.
+void RequireArea(const Mesh& mesh, const std::string& name);
+
+/// Throws InvalidInput unless the mesh is a consistently oriented 2-manifold with an area, open or
+/// closed, and a triangle at each point.
+Topology RequireWhole(const Mesh& mesh, const std::string& name);
+
+/// The same, and of one component.
+Topology RequireConnected(const Mesh& mesh, const std::string& name);
+
+/// Throws InvalidInput unless landmarks are points of surfaces A and B.
+void RequireLandmarks(const Landmarks& landmarks, const Mesh& a, const Mesh& b);
+
+/// The landmarks' points of A (which = 0) or B (1).
+std::vector<int> PointsOf(const Landmarks& landmarks, int which);
+
+} // namespace shape

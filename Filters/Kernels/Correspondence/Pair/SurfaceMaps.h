@@ -1,0 +1,21 @@
+#pragma once
+
+#include "Mesh/PreciseMap.h"
+
+#include <array>
+#include <vector>
+
+namespace shape
+{
+
+/// Points that correspond: one of surface A and one of surface B each.
+using Landmarks = std::vector<std::array<int, 2>>;
+
+/// Where each point of one surface is on the other one, both ways.
+struct SurfaceMaps
+{
+  PreciseMap AToB; ///< a row for each point of A, triangles of B
+  PreciseMap BToA; ///< a row for each point of B, triangles of A
+};
+
+} // namespace shape

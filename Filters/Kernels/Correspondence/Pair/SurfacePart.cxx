@@ -1,0 +1,115 @@
+#include "Correspondence/Pair/SurfacePart.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Correspondence/Pair/MatchingInput.h"
+#include "Geodesics/HeatGeodesics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// Every so many of the landmarks, at most 12: more tell no more of the scale.
+Landmarks Some(const Landmarks& landmarks)
+{
+  constexpr std::size_t most = 12;
+  const std::size_t count = std::min(landmarks.size(), most);
+  Landmarks some;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    some.push_back(landmarks[i * landmarks.size() / count]);
+  }
+  return some;
+}
+
+double Median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Logarithms of the distances on B over those on A of every two landmarks; at least one.
+std::vector<double> Ratios(
+  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress)
+{
+  const Landmarks some = Some(landmarks);
+  const std::vector<int> onA = PointsOf(some, 0), onB = PointsOf(some, 1);
+  const Eigen::MatrixXd ofA = HeatDistances(a, onA, progress.Part(0.0, 0.5))(onA, Eigen::all),
+                        ofB = HeatDistances(b, onB, progress.Part(0.5, 1.0))(onB, Eigen::all);
+  std::vector<double> ratios;
+  for (Eigen::Index i = 0; i < ofA.rows(); ++i)
+  {
+    for (Eigen::Index j = 0; j < i; ++j)
+    {
+      const double ratio = std::log((ofB(i, j) + ofB(j, i)) / (ofA(i, j) + ofA(j, i)));
+      if (std::isfinite(ratio)) // two landmarks may be one point
+      {
+        ratios.push_back(ratio);
+      }
+    }
+  }
+  if (ratios.empty())
+  {
+    throw InvalidInput("no two of the " + std::to_string(landmarks.size()) +
+      " landmarks are different points of both surfaces, so that nothing tells the part's scale; "
+      "give at least three");
+  }
+  return ratios;
+}
+
+} // namespace
+
+SurfacePart MeasurePart(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  SurfacePart::WhichType which, const Progress& progress)
+{
+  const std::vector<double> ratios = Ratios(a, b, landmarks, progress);
+  SurfacePart part{ which, std::exp(Median(ratios)), 1.0 };
+  const double share = part.Scale * part.Scale * PointAreas(a).sum() / PointAreas(b).sum();
+  part.Share = which == SurfacePart::WhichType::SurfaceB ? 1.0 / share : share;
+  if (part.Share > 1.0)
+  {
+    throw InvalidInput(std::string("surface ") +
+      (which == SurfacePart::WhichType::SurfaceA ? "A" : "B") +
+      " is said to be a part, but at the scale of the landmarks it has " +
+      std::to_string(part.Share) + " times the other one's area; set Part to Automatic or None");
+  }
+  return part;
+}
+
+SurfacePart FindPart(
+  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress)
+{
+  using Which = SurfacePart::WhichType;
+  const double ratio = PointAreas(b).sum() / PointAreas(a).sum();
+  SurfacePart part{ Which::None, std::sqrt(ratio), 1.0 };
+  const Topology ofA = SurfaceTopology(a), ofB = SurfaceTopology(b);
+  const bool isOpenA = ofA.OpenLoops > 0, isOpenB = ofB.OpenLoops > 0;
+  constexpr std::size_t fewest = 3;
+  if ((!isOpenA && !isOpenB) || ofA.Components > 1 || ofB.Components > 1 ||
+    landmarks.size() < fewest)
+  {
+    return part;
+  }
+  std::vector<double> ratios = Ratios(a, b, landmarks, progress);
+  const double median = Median(ratios), share = std::exp(2.0 * median) / ratio;
+  for (double& value : ratios)
+  {
+    value = std::abs(value - median);
+  }
+  constexpr double most = 0.85;
+  const bool isA = share < most && isOpenA, isB = 1.0 / share < most && isOpenB;
+  if ((isA || isB) && Median(ratios) < std::abs(0.5 * std::log(share)))
+  {
+    part = { isA ? Which::SurfaceA : Which::SurfaceB, std::exp(median), isA ? share : 1.0 / share };
+  }
+  return part;
+}
+
+} // namespace shape

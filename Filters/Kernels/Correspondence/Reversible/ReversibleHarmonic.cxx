@@ -1,0 +1,274 @@
+#include "Correspondence/Reversible/ReversibleHarmonic.h"
+
+#include "Base/Errors.h"
+#include "Base/Parallel.h"
+#include "Linear/SparseSolve.h"
+#include "Search/TriangleTree.h"
+#include "Laplacian/CotangentWeights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+double SquaredNorm(const Eigen::MatrixXd& rows, const Eigen::VectorXd& masses)
+{
+  return masses.dot(rows.rowwise().squaredNorm());
+}
+
+/// Weights of the terms in one iteration.
+struct Weights
+{
+  double Alpha, Beta;
+};
+
+/// One of the two surfaces, its map onto the other one and what stands for the map's image.
+class Side
+{
+public:
+  Side(const EmbeddedSurface& given, PreciseMap start)
+    : Triangles(given.Surface.Triangles)
+    , Embedding(given.Embedding)
+    , Map(std::move(start))
+  {
+    const Eigen::Index points = given.Surface.Points.rows();
+    const TriangleAngles angles = AnglesOfTriangles(given.Surface);
+    this->Stiffness =
+      PositiveStiffness(CotangentStiffness(this->Triangles, angles.Cotangents, points), 0.0);
+    this->Masses = LumpedMasses(this->Triangles, angles.Areas, points);
+    this->Masses /= this->Masses.sum();
+    this->FindEntries();
+  }
+
+  void Begin(const Side& other)
+  {
+    this->Image = Pulled(this->Map, other.Triangles, other.Embedding);
+  }
+
+  /// Keeps points where they are mapped now.
+  void Pin(const std::vector<int>& points)
+  {
+    this->Pinned.assign(this->Masses.size(), 0);
+    for (const int point : points)
+    {
+      this->Pinned[point] = 1;
+    }
+  }
+
+  /// P: the nearest places of the other surface to this one's points.
+  void Project(const Side& other, const Weights& weights, const Progress& progress)
+  {
+    const double reversibility = std::sqrt(1.0 - weights.Alpha), penalty = std::sqrt(weights.Beta);
+    const Eigen::Index d = this->Embedding.cols();
+    Eigen::MatrixXd from(this->Embedding.rows(), 2 * d), to(other.Embedding.rows(), 2 * d);
+    from << reversibility * this->Embedding, penalty * this->Image;
+    to << reversibility * other.Image, penalty * other.Embedding;
+    if (!this->Tree)
+    {
+      this->Tree.emplace(other.Triangles, to);
+    }
+    else
+    {
+      this->Tree->Move(to);
+    }
+    constexpr int grain = 256;
+    ParallelFor(
+      static_cast<int>(from.rows()), grain,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          if (!this->Pinned.empty() && this->Pinned[i] != 0)
+          {
+            continue;
+          }
+          const NearestTriangle nearest = this->Tree->Find(from.row(i), this->Map.Triangles(i));
+          this->Map.Triangles(i) = nearest.Triangle;
+          this->Map.Barycentrics.row(i) = nearest.Barycentric;
+        }
+      },
+      progress);
+  }
+
+  /// X: the least of the energy, which is quadratic in it.
+  void Solve(const Side& other, const Weights& weights)
+  {
+    Eigen::SparseMatrix<double> matrix = weights.Alpha * this->Stiffness;
+    double* values = matrix.valuePtr();
+    for (Eigen::Index i = 0; i < other.Masses.size(); ++i)
+    {
+      const int* entries = this->Entries.col(other.Map.Triangles(i)).data();
+      const double weight = (1.0 - weights.Alpha) * other.Masses(i);
+      for (int j = 0; j < 3; ++j)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          values[entries[3 * j + k]] +=
+            weight * other.Map.Barycentrics(i, j) * other.Map.Barycentrics(i, k);
+        }
+      }
+    }
+    // A point that no triangle uses has no mass; any number on the diagonal keeps it at 0.
+    Eigen::VectorXd own = weights.Beta * this->Masses;
+    for (Eigen::Index i = 0; i < own.size(); ++i)
+    {
+      if (!this->Pinned.empty() && this->Pinned[i] != 0)
+      {
+        own(i) += PinWeight;
+      }
+      matrix.coeffRef(i, i) += own(i) > 0.0 ? own(i) : 1.0;
+    }
+    this->Factor.Factorize(matrix);
+    this->Image = this->Factor.Solve((1.0 - weights.Alpha) *
+        Pushed(other.Map, this->Triangles, other.Masses.asDiagonal() * other.Embedding,
+          this->Masses.size()) +
+      own.asDiagonal() * Pulled(this->Map, other.Triangles, other.Embedding));
+  }
+
+  /// This map's part of the energy.
+  double Energy(const Side& other, const Weights& weights) const
+  {
+    return weights.Alpha * (this->Image.transpose() * (this->Stiffness * this->Image)).trace() +
+      (1.0 - weights.Alpha) *
+      SquaredNorm(Pulled(this->Map, other.Triangles, other.Image) - this->Embedding, this->Masses) +
+      weights.Beta *
+      SquaredNorm(Pulled(this->Map, other.Triangles, other.Embedding) - this->Image, this->Masses);
+  }
+
+  const Eigen::MatrixXi& Triangles;
+  const Eigen::MatrixXd& Embedding;
+  Eigen::SparseMatrix<double> Stiffness;
+  Eigen::VectorXd Masses;
+  PreciseMap Map;        ///< onto the other surface
+  Eigen::MatrixXd Image; ///< n x d: near to where the map takes points in the other's embedding
+
+private:
+  /// P' M P of the other's map has entries between corners of triangles: the stiffness has them.
+  void FindEntries()
+  {
+    this->Entries.resize(9, this->Triangles.rows());
+    const int *first = this->Stiffness.outerIndexPtr(), *inner = this->Stiffness.innerIndexPtr();
+    for (Eigen::Index t = 0; t < this->Triangles.rows(); ++t)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        const int column = this->Triangles(t, j);
+        for (int k = 0; k < 3; ++k)
+        {
+          this->Entries(3 * j + k, t) =
+            static_cast<int>(std::lower_bound(inner + first[column], inner + first[column + 1],
+                               this->Triangles(t, k)) -
+              inner);
+        }
+      }
+    }
+  }
+
+  static constexpr double PinWeight = 1.0; ///< as much as the whole surface
+  Eigen::MatrixXi Entries; ///< 9 x m: between each triangle's corners, in the stiffness
+  std::vector<char> Pinned;
+  SparseCholesky Factor;
+  std::optional<TriangleTree> Tree; ///< of the other surface
+};
+
+/// Keeps the points of landmarks at their partners, which they are mapped to first.
+void Pin(Side& one, Side& two, const SurfaceMaps& partners, const Landmarks& landmarks)
+{
+  std::vector<int> ofA, ofB;
+  for (std::size_t i = 0; i < landmarks.size(); ++i)
+  {
+    const auto [pointA, pointB] = landmarks[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    one.Map.Triangles(pointA) = partners.AToB.Triangles(row);
+    one.Map.Barycentrics.row(pointA) = partners.AToB.Barycentrics.row(row);
+    two.Map.Triangles(pointB) = partners.BToA.Triangles(row);
+    two.Map.Barycentrics.row(pointB) = partners.BToA.Barycentrics.row(row);
+    ofA.push_back(pointA);
+    ofB.push_back(pointB);
+  }
+  one.Pin(ofA);
+  two.Pin(ofB);
+}
+
+SurfaceMaps Partners(const Mesh& a, const Mesh& b, const Landmarks& landmarks)
+{
+  Eigen::VectorXi onA(static_cast<Eigen::Index>(landmarks.size())), onB(onA.size());
+  for (Eigen::Index i = 0; i < onA.size(); ++i)
+  {
+    onA(i) = landmarks[i][0];
+    onB(i) = landmarks[i][1];
+  }
+  return { MapToPoints(onB, b), MapToPoints(onA, a) };
+}
+
+} // namespace
+
+ReversibleHarmonicResult ReversibleHarmonic(const Mesh& a, const Mesh& b, const SurfaceMaps& start,
+  const Landmarks& landmarks, const ReversibleHarmonicOptions& options, const Progress& progress)
+{
+  const auto embedded = [&](const Mesh& surface, const Progress& part)
+  {
+    return EmbeddedSurface{ surface,
+      StressScaling(surface, options.Scaling, part) / std::sqrt(PointAreas(surface).sum()) };
+  };
+  return ReversibleHarmonic(embedded(a, progress.Part(0.0, 0.15)),
+    embedded(b, progress.Part(0.15, 0.3)), start, landmarks, options, progress.Part(0.3, 1.0));
+}
+
+ReversibleHarmonicResult ReversibleHarmonic(const EmbeddedSurface& a, const EmbeddedSurface& b,
+  const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
+  const Progress& progress)
+{
+  RequireOption(
+    options.Alpha > 0.0 && options.Alpha < 1.0, "Alpha", options.Alpha, "between 0 and 1");
+  RequireOption(options.FirstAlpha > 0.0 && options.FirstAlpha < 1.0, "FirstAlpha",
+    options.FirstAlpha, "between 0 and 1");
+  RequireOption(options.AlphaSteps >= 0, "AlphaSteps", options.AlphaSteps, "at least 0");
+  RequireOption(options.BetaSteps >= 1, "BetaSteps", options.BetaSteps, "at least 1");
+  RequireOption(options.Tolerance >= 0.0, "Tolerance", options.Tolerance, "at least 0");
+  RequireOption(options.BetaStep > 0.0, "BetaStep", options.BetaStep, "positive");
+  RequireOption(
+    options.FirstIteration >= 1, "FirstIteration", options.FirstIteration, "at least 1");
+  RequireOption(
+    options.MaximumIterations >= 1, "MaximumIterations", options.MaximumIterations, "at least 1");
+  Side one(a, start.AToB), two(b, start.BToA);
+  if (options.PinLandmarks)
+  {
+    Pin(one, two, Partners(a.Surface, b.Surface, landmarks), landmarks);
+  }
+  one.Begin(two);
+  two.Begin(one);
+  ReversibleHarmonicResult result;
+  for (int i = 0; i < options.MaximumIterations; ++i)
+  {
+    const int k = options.FirstIteration + i;
+    const Progress part = progress.Part(
+      static_cast<double>(i) / options.MaximumIterations, (i + 1.0) / options.MaximumIterations);
+    const double rest =
+      options.AlphaSteps > 0 ? std::max(0.0, 1.0 - (k - 1.0) / options.AlphaSteps) : 0.0;
+    const Weights weights{ options.Alpha * std::pow(options.FirstAlpha / options.Alpha, rest),
+      options.BetaStep * std::min(k, options.BetaSteps) };
+    two.Project(one, weights, part.Part(0.0, 0.5));
+    two.Solve(one, weights);
+    one.Project(two, weights, part.Part(0.5, 1.0));
+    one.Solve(two, weights);
+    const double energy = one.Energy(two, weights) + two.Energy(one, weights);
+    const double before = result.Energies.empty() ? 0.0 : result.Energies.back();
+    result.Energies.push_back(energy);
+    if (i > 0 && k > options.AlphaSteps + 1 &&
+      std::abs(before - energy) <= options.Tolerance * energy)
+    {
+      break;
+    }
+  }
+  result.Maps = { std::move(one.Map), std::move(two.Map) };
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,183 @@
+#include "Correspondence/Transport/GromovWasserstein.h"
+
+#include "Base/Errors.h"
+#include "Correspondence/Landmarks/AutomaticLandmarks.h"
+#include "Correspondence/Landmarks/LandmarkPlaces.h"
+#include "Correspondence/Pair/MatchingInput.h"
+#include "Search/NearestPlaces.h"
+#include "Correspondence/Landmarks/SampledSurface.h"
+#include "Spectrum/LaplaceSpectrum.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// The first of the landmarks that share a point.
+Landmarks Distinct(const Landmarks& landmarks)
+{
+  Landmarks distinct;
+  for (const auto& pair : landmarks)
+  {
+    if (std::none_of(distinct.begin(), distinct.end(),
+          [&](const auto& other) { return other[0] == pair[0] || other[1] == pair[1]; }))
+    {
+      distinct.push_back(pair);
+    }
+  }
+  return distinct;
+}
+
+/// The longest distance of both.
+double Longest(const SampledSurface& a, const SampledSurface& b)
+{
+  return std::max(a.Between().maxCoeff(), b.Between().maxCoeff());
+}
+
+/// Distances in parts of that, and weights that are equal for what is fixed: the first
+/// `fixed` samples of both.
+MetricSpaces Spaces(const SampledSurface& a, const SampledSurface& b, int fixed)
+{
+  MetricSpaces spaces{ a.Between(), b.Between(), a.Weights, b.Weights };
+  const double longest = Longest(a, b);
+  spaces.DistancesA /= longest;
+  spaces.DistancesB /= longest;
+  const Eigen::VectorXd means = 0.5 * (a.Weights.head(fixed) + b.Weights.head(fixed));
+  for (Eigen::VectorXd* weights : { &spaces.WeightsA, &spaces.WeightsB })
+  {
+    const Eigen::Index others = weights->size() - fixed;
+    weights->tail(others) *= (1.0 - means.sum()) / weights->tail(others).sum();
+    weights->head(fixed) = means;
+  }
+  return spaces;
+}
+
+/// How alike rows are, in logarithms: 0 at most.
+Eigen::MatrixXd Likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+  constexpr double deviation = 0.05; // of the root of the area
+  Eigen::MatrixXd squares = -2.0 * a * b.transpose();
+  squares.colwise() += a.rowwise().squaredNorm();
+  squares.rowwise() += b.rowwise().squaredNorm().transpose();
+  return -0.5 / (deviation * deviation) * squares;
+}
+
+/// Where each point of `from` goes, by the masses that go from its samples to those of `to`.
+PreciseMap Spread(const LaplaceSpectrum& from, const std::vector<int>& samples, const Mesh& target,
+  const LaplaceSpectrum& to, const std::vector<int>& targetSamples, const Eigen::MatrixXd& masses,
+  const Progress& progress)
+{
+  const Eigen::VectorXd weights = masses.rowwise().sum(), roots = weights.cwiseSqrt();
+  const Eigen::MatrixXd images =
+    weights.cwiseInverse().asDiagonal() * masses * to.Eigenfunctions(targetSamples, Eigen::all);
+  const Eigen::MatrixXd map = (roots.asDiagonal() * from.Eigenfunctions(samples, Eigen::all))
+                                .eval()
+                                .colPivHouseholderQr()
+                                .solve(roots.asDiagonal() * images);
+  return NearestPlaces(from.Eigenfunctions * map, target.Triangles, to.Eigenfunctions, progress);
+}
+
+/// What couplings begin with.
+std::vector<Landmarks> Starts(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const GromovWassersteinOptions& options, const Progress& progress)
+{
+  if (!landmarks.empty())
+  {
+    return { landmarks };
+  }
+  if (!options.Starts.empty())
+  {
+    return options.Starts;
+  }
+  const AutomaticLandmarksResult found = AutomaticLandmarks(a, b, {}, progress);
+  return found.Rival.empty() ? std::vector<Landmarks>{ found.Pairs }
+                             : std::vector<Landmarks>{ found.Pairs, found.Rival };
+}
+
+} // namespace
+
+GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+  const GromovWassersteinOptions& options, const Progress& progress)
+{
+  RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
+  RequireOption(options.Eigenpairs >= 2, "Eigenpairs", options.Eigenpairs, "at least 2");
+  RequireConnected(a, "surface A");
+  RequireConnected(b, "surface B");
+  RequireLandmarks(landmarks, a, b);
+  const Landmarks distinct = Distinct(landmarks);
+  const std::vector<Landmarks> starts = Starts(a, b, distinct, options, progress.Part(0.0, 0.2));
+  const auto fixed = static_cast<int>(distinct.size());
+  Landmarks pinned;
+  for (int k = 0; k < fixed; ++k)
+  {
+    pinned.push_back({ k, k });
+  }
+  const SampledSurface onA = SampleSurface(
+                         a, options.Samples, progress.Part(0.2, 0.35), PointsOf(distinct, 0)),
+                       onB = SampleSurface(
+                         b, options.Samples, progress.Part(0.35, 0.5), PointsOf(distinct, 1));
+  const bool isFullA = fixed == static_cast<int>(onA.Points.size()),
+             isFullB = fixed == static_cast<int>(onB.Points.size());
+  if (isFullA != isFullB)
+  {
+    throw InvalidInput(std::string("all ") + std::to_string(fixed) + " points of surface " +
+      (isFullA ? "A" : "B") + " are landmarks, which leaves none for the other points of surface " +
+      (isFullA ? "B" : "A") + "; give fewer, or refine the former");
+  }
+  const int few = fixed + std::max(options.Samples / 4, 10);
+  const SampledSurface fewA = FirstSamples(onA, few, PointAreas(a)),
+                       fewB = FirstSamples(onB, few, PointAreas(b));
+  GromovWassersteinResult result;
+  EntropicCoupling coupling;
+  coupling.Distortion = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < starts.size(); ++k)
+  {
+    const double share = 0.2 / static_cast<double>(starts.size()),
+                 begin = 0.5 + share * static_cast<double>(k);
+    const Eigen::MatrixXd placesA = LandmarkPlaces(a, PointsOf(starts[k], 0)),
+                          placesB = LandmarkPlaces(b, PointsOf(starts[k], 1));
+    EntropicCoupling own = FindCoupling(Spaces(fewA, fewB, fixed),
+      Likeness(placesA(fewA.Points, Eigen::all), placesB(fewB.Points, Eigen::all)), pinned,
+      options.Coupling, progress.Part(begin, begin + share));
+    if (own.Distortion < coupling.Distortion)
+    {
+      coupling = std::move(own);
+      result.Start = starts[k];
+    }
+  }
+  if (onA.Points.size() > fewA.Points.size() || onB.Points.size() > fewB.Points.size())
+  {
+    const MetricSpaces spaces = Spaces(onA, onB, fixed);
+    const Eigen::MatrixXd gains = spaces.DistancesA.leftCols(coupling.Masses.rows()) *
+      coupling.Masses * spaces.DistancesB.topRows(coupling.Masses.cols());
+    constexpr double more = 8.0; // times the last entropy
+    constexpr int fewer = 3;
+    EntropicCouplingOptions last = options.Coupling;
+    last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);
+    last.Iterations = std::min(last.Iterations, fewer);
+    coupling =
+      FindCoupling(spaces, gains / last.FirstEntropy, pinned, last, progress.Part(0.7, 0.9));
+  }
+  result.Distortion = coupling.Distortion * Longest(onA, onB);
+  result.Error = coupling.Error;
+  const LaplaceSpectrum spectrumA = FindLaplaceSpectrum(
+                          a, std::min<int>(options.Eigenpairs, onA.Points.size())),
+                        spectrumB = FindLaplaceSpectrum(
+                          b, std::min<int>(options.Eigenpairs, onB.Points.size()));
+  result.Maps = { Spread(spectrumA, onA.Points, b, spectrumB, onB.Points, coupling.Masses,
+                    progress.Part(0.94, 0.97)),
+    Spread(spectrumB, onB.Points, a, spectrumA, onA.Points, coupling.Masses.transpose(),
+      progress.Part(0.97, 1.0)) };
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,152 @@
+#include "Correspondence/Transport/GromovWassersteinCoupling.h"
+
+#include "Base/Errors.h"
+#include "Base/Parallel.h"
+#include "Correspondence/Transport/Private/Sinkhorn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+double RelativeEntropy(
+  const Eigen::MatrixXd& masses, const Eigen::VectorXd& rows, const Eigen::VectorXd& columns)
+{
+  double sum = 0.0;
+  for (Eigen::Index j = 0; j < masses.cols(); ++j)
+  {
+    for (Eigen::Index i = 0; i < masses.rows(); ++i)
+    {
+      const double mass = masses(i, j);
+      sum += mass > 0.0 ? mass * std::log(mass / (rows(i) * columns(j))) : 0.0;
+    }
+  }
+  return sum;
+}
+
+void Check(
+  const MetricSpaces& spaces, const Eigen::MatrixXd& start, const EntropicCouplingOptions& options)
+{
+  RequireOption(options.Entropy > 0.0, "Entropy", options.Entropy, "positive");
+  RequireOption(options.FirstEntropy >= options.Entropy, "FirstEntropy", options.FirstEntropy,
+    "at least Entropy");
+  RequireOption(
+    options.Factor > 0.0 && options.Factor < 1.0, "Factor", options.Factor, "between 0 and 1");
+  RequireOption(options.Iterations >= 1, "Iterations", options.Iterations, "at least 1");
+  RequireOption(options.SinkhornIterations >= 1, "SinkhornIterations", options.SinkhornIterations,
+    "at least 1");
+  RequireOption(options.Tolerance > 0.0, "Tolerance", options.Tolerance, "positive");
+  if (spaces.WeightsA.size() == 0 || spaces.WeightsB.size() == 0 ||
+    start.rows() != spaces.WeightsA.size() || start.cols() != spaces.WeightsB.size() ||
+    !(spaces.WeightsA.minCoeff() > 0.0 && spaces.WeightsB.minCoeff() > 0.0))
+  {
+    throw InvalidInput("places must have positive weights, and the start a row for each of A and "
+                       "a column for each of B");
+  }
+}
+
+/// Lets the places of fixed pairs go nowhere else.
+void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
+{
+  for (const auto& [i, j] : fixed)
+  {
+    const double own = likeness(i, j);
+    likeness.row(i).setConstant(-std::numeric_limits<double>::infinity());
+    likeness.col(j).setConstant(-std::numeric_limits<double>::infinity());
+    likeness(i, j) = own;
+  }
+}
+
+/// Masses and what they come of.
+struct State
+{
+  Eigen::MatrixXd Likeness, Masses, Gains;
+  Sinkhorn Scaling;
+};
+
+} // namespace
+
+EntropicCoupling FindCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
+  const Landmarks& fixed, const EntropicCouplingOptions& options, const Progress& progress)
+{
+  Check(spaces, start, options);
+  const Eigen::VectorXd &rows = spaces.WeightsA, &columns = spaces.WeightsB;
+  const BlasThreads several(
+    BlasThreads::WorthSharing(static_cast<int>(std::min(rows.size(), columns.size()))));
+  const double own = rows.dot(spaces.DistancesA.cwiseAbs2() * rows) +
+    columns.dot(spaces.DistancesB.cwiseAbs2() * columns);
+  const auto follow = [&](const State& from, Eigen::MatrixXd likeness)
+  {
+    State next{ std::move(likeness), {}, {}, from.Scaling };
+    Fix(fixed, next.Likeness);
+    next.Masses = next.Scaling.Masses(next.Likeness, options.SinkhornIterations, options.Tolerance);
+    next.Gains = spaces.DistancesA * next.Masses * spaces.DistancesB;
+    return next;
+  };
+  EntropicCoupling coupling;
+  State state = follow({ {}, {}, {}, Sinkhorn(rows, columns) }, start);
+  const double span = std::log(options.Entropy / options.FirstEntropy) / std::log(options.Factor);
+  const int levels = 1 + static_cast<int>(std::ceil(span - 1e-9));
+  double last = options.FirstEntropy;
+  for (int level = 0; level < levels; ++level)
+  {
+    const double entropy =
+      std::max(options.Entropy, options.FirstEntropy * std::pow(options.Factor, level));
+    state.Likeness *= last / entropy;
+    state.Scaling.Scale(last / entropy);
+    last = entropy;
+    double before = std::numeric_limits<double>::infinity(), power = 1.0;
+    for (int iteration = 0; iteration < options.Iterations; ++iteration)
+    {
+      progress((level + static_cast<double>(iteration) / options.Iterations) / levels);
+      State next = power < 1.0
+        ? follow(state, power / entropy * state.Gains + (1.0 - power) * state.Likeness)
+        : follow(state, state.Gains / entropy);
+      const double objective = 0.25 * own - 0.5 * next.Masses.cwiseProduct(next.Gains).sum() +
+        entropy * RelativeEntropy(next.Masses, rows, columns);
+      constexpr double enough = 1e-5, little = 1e-3; // of the objective
+      if (objective > before)
+      {
+        // A rise as little as what Sinkhorn's tolerance leaves open is the end.
+        if (objective < before + little * std::abs(before) || power < 0.2)
+        {
+          break;
+        }
+        power *= 0.5;
+        continue;
+      }
+      state = std::move(next);
+      coupling.Objectives.push_back(objective);
+      coupling.Entropies.push_back(entropy);
+      if (before - objective < enough * std::abs(objective))
+      {
+        break;
+      }
+      before = objective;
+    }
+  }
+  coupling.Error = state.Scaling.Error();
+  const Eigen::VectorXd ofA = state.Masses.rowwise().sum(), ofB = state.Masses.colwise().sum();
+  const double squares = ofA.dot(spaces.DistancesA.cwiseAbs2() * ofA) +
+    ofB.dot(spaces.DistancesB.cwiseAbs2() * ofB) -
+    2.0 * state.Masses.cwiseProduct(state.Gains).sum();
+  coupling.Distortion = std::sqrt(std::max(0.0, squares));
+  coupling.Masses = std::move(state.Masses);
+  constexpr double most = 0.05;
+  if (coupling.Error > most)
+  {
+    throw SolveFailure("the masses of " + std::to_string(rows.size()) + " samples are " +
+      std::to_string(coupling.Error) +
+      " of the whole away from their weights; give more landmarks or fewer samples");
+  }
+  progress(1.0);
+  return coupling;
+}
+
+} // namespace shape

@@ -1,0 +1,85 @@
+#include "Correspondence/Transport/Private/Sinkhorn.h"
+
+#include <cmath>
+
+namespace shape
+{
+
+Sinkhorn::Sinkhorn(const Eigen::VectorXd& rows, const Eigen::VectorXd& columns)
+  : Rows(rows)
+  , Columns(columns)
+  , OfRows(Eigen::VectorXd::Zero(rows.size()))
+  , OfColumns(Eigen::VectorXd::Zero(columns.size()))
+{
+}
+
+void Sinkhorn::Scale(double factor)
+{
+  this->OfRows *= factor;
+  this->OfColumns *= factor;
+}
+
+Eigen::MatrixXd Sinkhorn::Begin(const Eigen::MatrixXd& likeness)
+{
+  Eigen::MatrixXd masses = likeness;
+  masses.rowwise() += this->OfColumns.transpose();
+  const Eigen::VectorXd largest = masses.rowwise().maxCoeff();
+  masses.colwise() -= largest;
+  masses = masses.array().exp();
+  const Eigen::VectorXd factors = this->Rows.cwiseQuotient(masses.rowwise().sum());
+  masses = factors.asDiagonal() * masses;
+  this->OfRows = factors.array().log().matrix() - largest;
+  constexpr double lost = 1e-60;
+  if (masses.colwise().sum().minCoeff() > lost)
+  {
+    return masses;
+  }
+  masses = likeness;
+  masses.colwise() += this->OfRows;
+  const Eigen::RowVectorXd highest = masses.colwise().maxCoeff();
+  masses.rowwise() -= highest;
+  masses = masses.array().exp();
+  const Eigen::RowVectorXd others = this->Columns.transpose().cwiseQuotient(masses.colwise().sum());
+  this->OfColumns = (others.array().log().matrix() - highest).transpose();
+  return masses * others.asDiagonal();
+}
+
+Eigen::MatrixXd Sinkhorn::Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance)
+{
+  // Logarithms are shifted into the range of numbers now and then; between, factors do.
+  constexpr int span = 25;
+  constexpr double tiny = 1e-100, near = 0.03, relaxation = 1.6;
+  for (int done = 0;;)
+  {
+    Eigen::MatrixXd masses = this->Begin(likeness);
+    Eigen::ArrayXd rows = Eigen::ArrayXd::Ones(masses.rows()), columns;
+    const auto fitColumns = [&] {
+      return (this->Columns.array() / (masses.transpose() * rows.matrix()).array().max(tiny))
+        .eval();
+    };
+    columns = fitColumns();
+    for (int k = 0; k <= span; ++k, ++done)
+    {
+      const Eigen::ArrayXd sums = (masses * columns.matrix()).array().max(tiny);
+      this->RowError = (sums * rows - this->Rows.array()).abs().sum();
+      if (this->RowError < tolerance || done >= iterations || k == span)
+      {
+        break;
+      }
+      const double power = this->RowError < near ? relaxation : 1.0;
+      rows *= (this->Rows.array() / (sums * rows)).pow(power);
+      columns *= (fitColumns() / columns).pow(power);
+    }
+    columns = fitColumns();
+    this->OfRows += rows.log().matrix();
+    this->OfColumns += columns.log().matrix();
+    if (this->RowError < tolerance || done >= iterations)
+    {
+      masses = rows.matrix().asDiagonal() * masses * columns.matrix().asDiagonal();
+      this->RowError = (masses.rowwise().sum() - this->Rows).cwiseAbs().sum();
+      return masses;
+    }
+  }
+}
+
+} // namespace shape

@@ -1,0 +1,283 @@
+#include "CutPaste/CutFeature.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Extent.h"
+#include "Mesh/Topology.h"
+#include "Remesh/LoopInsertion.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+/// A fill's points and triangles are on no triangle of the surface.
+void Append(const FilledSurface& filled, DividedPart& rest)
+{
+  const Eigen::Index own = rest.Surface.Points.rows(), all = filled.Surface.Points.rows();
+  const Eigen::Index given = rest.Surface.Triangles.rows();
+  const Eigen::Index triangles = filled.Surface.Triangles.rows();
+  rest.Surface.Points = filled.Surface.Points;
+  rest.Surface.Triangles.conservativeResize(triangles, 3);
+  rest.Surface.Triangles.bottomRows(triangles - given) =
+    filled.Surface.Triangles.bottomRows(triangles - given);
+  rest.OriginalPoints.resize(all, -1);
+  rest.Ids.resize(all, -1);
+  rest.OriginalTriangles.resize(triangles, -1);
+  rest.Places.Triangles.conservativeResize(all);
+  rest.Places.Triangles.tail(all - own).setConstant(-1);
+  rest.Places.Barycentrics.conservativeResize(all, 3);
+  rest.Places.Barycentrics.bottomRows(all - own).setZero();
+}
+
+/// Of each point of a loop of the feature the one of the rest that stands for its place. On a seam,
+/// whose points are doubled, `loop` keeps one.
+std::vector<int> PointsAt(
+  std::vector<int>& loop, const DividedPart& feature, const DividedPart& rest)
+{
+  std::map<int, int> pointOf;
+  for (int i = 0; i < static_cast<int>(rest.Ids.size()); ++i)
+  {
+    pointOf.insert({ rest.Ids[i], i });
+  }
+  std::vector<int> points, kept;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const int id = feature.Ids[loop[i]];
+    if (id != feature.Ids[loop[(i + loop.size() - 1) % loop.size()]])
+    {
+      kept.push_back(loop[i]);
+      points.push_back(pointOf.at(id));
+    }
+  }
+  loop = std::move(kept);
+  return points;
+}
+
+/// The feature's base at a loop, where a hole of the rest is there and was filled.
+void FindBase(
+  const Mesh& filled, std::vector<int> loop, CutFeatureResult& result, const Progress& progress)
+{
+  const std::vector<int> on = PointsAt(loop, result.Feature, result.Rest);
+  const std::set<int> isOn(on.begin(), on.end());
+  const FilledHole* best = nullptr;
+  int most = 0;
+  for (const FilledHole& hole : result.Holes)
+  {
+    const auto shared = static_cast<int>(std::count_if(
+      hole.Rim.begin(), hole.Rim.end(), [&](int point) { return isOn.count(point) > 0; }));
+    if (shared > most)
+    {
+      most = shared;
+      best = &hole;
+    }
+  }
+  if (best)
+  {
+    std::vector<int> triangles(best->Triangles);
+    std::iota(triangles.begin(), triangles.end(), best->FirstTriangle);
+    result.Seed = MiddleOfTriangles(filled, triangles);
+    result.Base = BaseOnSurface(filled, result.Seed, std::move(loop), on, progress);
+  }
+}
+
+/// Fills the holes where a feature was. The loop may have many short edges; that does not make
+/// triangles inside small: about as many as would be of the surface's own size are enough.
+FilledSurface Filled(const Mesh& rest, const std::vector<std::vector<int>>& loops, double meanArea,
+  FillHolesOptions options, const Progress& progress)
+{
+  double enough = 0.0;
+  for (const std::vector<int>& loop : loops)
+  {
+    Eigen::RowVector3d area = Eigen::RowVector3d::Zero();
+    const Eigen::RowVector3d first = rest.Points.row(loop.front());
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    {
+      const Eigen::RowVector3d here = rest.Points.row(loop[i]), next = rest.Points.row(loop[i + 1]);
+      area += 0.5 * (here - first).cross(next - first);
+    }
+    enough = std::max(enough, 0.5 * area.norm() / meanArea + static_cast<double>(loop.size()));
+  }
+  int& most = options.Filler.MaximumPoints;
+  most = enough < most ? static_cast<int>(enough) : most;
+  return FillLoops(rest, loops, options, progress);
+}
+
+/// Where fills have the copies of points that were doubled, from `first` on, their rims have them.
+void RenumberRims(const DividedPart& part, std::size_t first, std::vector<FilledHole>& holes)
+{
+  for (FilledHole& hole : holes)
+  {
+    const auto corners =
+      part.Surface.Triangles.middleRows(hole.FirstTriangle, hole.Triangles).reshaped();
+    std::map<int, int> copies; // by the place on the surface
+    for (const int corner : corners)
+    {
+      if (corner >= static_cast<int>(first))
+      {
+        copies[part.Ids[corner]] = corner;
+      }
+    }
+    for (int& point : hole.Rim)
+    {
+      const auto copy = copies.find(part.Ids[point]);
+      point = copy == copies.end() ? point : copy->second;
+    }
+  }
+}
+
+/// The parts of a surface divided.
+void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
+  CutFeatureResult& result, const Progress& progress)
+{
+  result.CutLength = division.CutLength();
+  result.Feature = division.PartOf(true);
+  division.PartPinches(result.Feature);
+  const std::vector<std::vector<int>> loops =
+    division.CutLoops(result.Feature.Surface, result.Feature.Ids);
+  result.Loops = static_cast<int>(loops.size());
+  result.Rest = division.PartOf(false);
+  progress(0.1);
+  if (options.FillHole)
+  {
+    const Mesh whole = Seamless(result.Rest);
+    FilledSurface filled = Filled(whole, division.CutLoops(whole, result.Rest.Ids),
+      division.MeanArea(), options.Fill, progress.Part(0.1, 0.6));
+    Append(filled, result.Rest);
+    result.Holes = std::move(filled.Holes);
+    if (!loops.empty())
+    {
+      FindBase(filled.Surface, loops.front(), result, progress.Part(0.6, 1.0));
+    }
+  }
+  const std::size_t points = result.Rest.Ids.size();
+  division.PartPinches(result.Rest);
+  RenumberRims(result.Rest, points, result.Holes);
+  progress(1.0);
+}
+
+} // namespace
+
+FeatureCutter::FeatureCutter(Mesh surface, const Progress& progress)
+  : Surface(std::move(surface))
+  , Joined(this->Surface, progress)
+{
+  const std::vector<int> used(this->Joined.Surface.Triangles.reshaped().begin(),
+    this->Joined.Surface.Triangles.reshaped().end());
+  RequireExtent(this->Surface.Points(used, Eigen::all), "the surface");
+}
+
+std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
+  const std::vector<Eigen::MatrixXd>& curves, int index, const Progress& progress)
+{
+  const auto count = static_cast<int>(curves.size());
+  if (count == 0)
+  {
+    throw InvalidInput("there is no loop; draw a closed curve on the surface");
+  }
+  if (index < -1 || index >= count)
+  {
+    throw InvalidInput("Loop Index is " + std::to_string(index) + "; there are " +
+      std::to_string(count) + " loops, from 0 on, and -1 takes all");
+  }
+  if (!this->Paths)
+  {
+    this->Locator = std::make_unique<SurfaceLocator>(this->Joined.Surface);
+    this->Paths = std::make_unique<SurfacePaths>(this->Joined.Surface);
+  }
+  std::vector<SurfaceLoop> loops;
+  for (int i = 0; i < count; ++i)
+  {
+    if (index == -1 || index == i)
+    {
+      RequireFinite(curves[i], "the loop");
+      loops.push_back(LoopThrough(curves[i], *this->Locator, *this->Paths,
+        progress.Part(static_cast<double>(i) / count, (i + 1.0) / count)));
+    }
+  }
+  return loops;
+}
+
+CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
+  const CutFeatureOptions& options, const Progress& progress)
+{
+  progress(0.0);
+  const std::vector<SurfaceLoop> loops =
+    this->LoopsThrough(curves, options.LoopIndex, progress.Part(0.0, 0.2));
+  InsertedLoops split =
+    InsertLoops(this->Joined.Surface, loops, { options.SnapShare }, progress.Part(0.2, 0.3));
+  // Of a curve that touches itself the longest part.
+  std::vector<std::vector<int>> chosen;
+  std::vector<char> isTaken(loops.size(), 0);
+  for (std::size_t i = 0; i < split.Loops.size(); ++i)
+  {
+    char& taken = isTaken[split.LoopIds[i]];
+    if (taken == 0)
+    {
+      chosen.push_back(split.Loops[i]);
+      taken = 1;
+    }
+  }
+  CutFeatureResult result;
+  result.WeldedPoints = this->Joined.WeldedPoints;
+  result.LoopsLeftOut = static_cast<int>(split.Loops.size() - chosen.size());
+  std::vector<char> isFeature = TrianglesOnSide(split.Surface, chosen, options.Side);
+  const SurfaceDivision division(
+    this->Surface, this->Joined, std::move(split), std::move(isFeature));
+  Divide(division, options, result, progress.Part(0.3, 1.0));
+  return result;
+}
+
+CutFeatureResult FeatureCutter::Cut(const std::vector<char>& isSelected,
+  const CutFeatureOptions& options, const Progress& progress) const
+{
+  progress(0.0);
+  const auto count = static_cast<int>(this->Joined.Triangles.size());
+  InsertedLoops split;
+  split.Surface = this->Joined.Surface;
+  split.OriginalTriangles = Eigen::VectorXi::LinSpaced(count, 0, count - 1);
+  std::vector<char> isFeature;
+  for (const int triangle : this->Joined.Triangles)
+  {
+    isFeature.push_back(isSelected.at(triangle));
+  }
+  if (std::none_of(isFeature.begin(), isFeature.end(), [](char own) { return own != 0; }))
+  {
+    throw InvalidInput("the selection has no cell of the surface; select cells of it");
+  }
+  const SurfaceDivision division(
+    this->Surface, this->Joined, std::move(split), std::move(isFeature));
+  if (division.CutLength() == 0.0)
+  {
+    throw InvalidInput("the selection has no edge in common with the rest of the surface: there is"
+                       " nothing to cut; select a part of a component, or use Extract Selection");
+  }
+  CutFeatureResult result;
+  result.WeldedPoints = this->Joined.WeldedPoints;
+  Divide(division, options, result, progress);
+  return result;
+}
+
+CutFeatureResult CutFeature(const Mesh& surface, const std::vector<Eigen::MatrixXd>& curves,
+  const CutFeatureOptions& options, const Progress& progress)
+{
+  return FeatureCutter(surface, progress.Part(0.0, 0.1))
+    .Cut(curves, options, progress.Part(0.1, 1.0));
+}
+
+CutFeatureResult CutFeature(const Mesh& surface, const std::vector<char>& isSelected,
+  const CutFeatureOptions& options, const Progress& progress)
+{
+  return FeatureCutter(surface, progress.Part(0.0, 0.1))
+    .Cut(isSelected, options, progress.Part(0.1, 1.0));
+}
+
+} // namespace shape

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+#include "CutPaste/FeatureBase.h"
+#include "Fill/FillHoles.h"
+#include "CutPaste/LoopSides.h"
+#include "CutPaste/SurfaceDivision.h"
+#include "Search/ClosestPoint.h"
+#include "Geodesics/SurfaceLoop.h"
+#include "Geodesics/SurfacePath.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace shape
+{
+
+struct CutFeatureOptions
+{
+  LoopSide Side = LoopSide::Smaller;
+  int LoopIndex = -1;      ///< which of the curves cuts, from 0 on; -1: all
+  double SnapShare = 0.05; ///< see LoopInsertionOptions
+  bool FillHole = true;    ///< whether what is left is closed where the feature was
+  FillHolesOptions Fill;   ///< its triangles become as large as the surface's beside the loop
+};
+
+/// A feature cut from a surface.
+struct CutFeatureResult
+{
+  DividedPart Feature;
+  DividedPart Rest;                ///< all else and, where FillHole is on, the fills
+  std::vector<FilledHole> Holes;   ///< of Rest
+  std::optional<FeatureBase> Base; ///< at the feature's longest cut loop, where its hole was filled
+  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< of the base: the middle of the fill
+  int WeldedPoints = 0;                                 ///< of the surface: see WeldedSurface
+  int Loops = 0;          ///< closed loops of the feature that were cut
+  int LoopsLeftOut = 0;   ///< parts of curves that touch themselves: the longest part cuts
+  double CutLength = 0.0; ///< of all edges between feature and rest
+};
+
+/**
+ * Cuts features from one surface, along closed curves on it or by its triangles, again and again:
+ * section 4.2 of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
+ * "To 'cut' a feature surface S, we simply segment it from the base surface based on a fixed
+ * boundary loop, and fill the hole [...]. To ensure that the original mesh is recovered if we drop
+ * a feature back in the same position, we embed the loop in a parameterization of the fill region,
+ * and also take the initial boundary frames from this new surface": the result's Base.
+ *
+ * Curves run anywhere: triangles that they go through are split (InsertLoops). Holes that the
+ * surface had stay. Where a cut ends at the surface's border there is no hole to fill; a point
+ * where a part then hangs together at one point only is doubled. Owns what depends on the surface
+ * alone; not for several threads at once.
+ */
+class FeatureCutter
+{
+public:
+  /// surface: any triangles; seams are no borders (WeldedSurface), and triangles with a point twice
+  /// are left out. Throws InvalidInput where there is no triangle of three places, an index is out
+  /// of range or a coordinate is not finite; Aborted.
+  explicit FeatureCutter(Mesh surface, const Progress& progress = {});
+  FeatureCutter(const FeatureCutter&) = delete;
+  FeatureCutter& operator=(const FeatureCutter&) = delete;
+
+  ///@{
+  /**
+   * curves: closed, each k x 3 points on the surface or near it, at least 3, the last joined to the
+   * first. isSelected: m, of each triangle.
+   *
+   * Throws InvalidInput where an option or a point is wrong, where a curve encloses nothing or does
+   * not part the surface, and where the selection has no border to the rest; as SurfaceFiller;
+   * Aborted.
+   */
+  CutFeatureResult Cut(const std::vector<Eigen::MatrixXd>& curves,
+    const CutFeatureOptions& options = {}, const Progress& progress = {});
+  CutFeatureResult Cut(const std::vector<char>& isSelected, const CutFeatureOptions& options = {},
+    const Progress& progress = {}) const;
+  ///@}
+
+private:
+  std::vector<SurfaceLoop> LoopsThrough(
+    const std::vector<Eigen::MatrixXd>& curves, int index, const Progress& progress);
+
+  Mesh Surface;
+  WeldedSurface Joined;
+  std::unique_ptr<SurfaceLocator> Locator; ///< of Joined, as Paths: made for the first curve
+  std::unique_ptr<SurfacePaths> Paths;
+};
+
+///@{
+/// Cuts once.
+CutFeatureResult CutFeature(const Mesh& surface, const std::vector<Eigen::MatrixXd>& curves,
+  const CutFeatureOptions& options = {}, const Progress& progress = {});
+CutFeatureResult CutFeature(const Mesh& surface, const std::vector<char>& isSelected,
+  const CutFeatureOptions& options = {}, const Progress& progress = {});
+///@}
+
+} // namespace shape

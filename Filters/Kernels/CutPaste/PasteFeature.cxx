@@ -1,0 +1,283 @@
+#include "CutPaste/PasteFeature.h"
+
+#include "Base/Errors.h"
+#include "Deform/BoundaryNormals.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+double TwiceArea(const Eigen::MatrixXd& polygon)
+{
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < polygon.rows(); ++i)
+  {
+    const Eigen::Index j = (i + 1) % polygon.rows();
+    sum += polygon(i, 0) * polygon(j, 1) - polygon(j, 0) * polygon(i, 1);
+  }
+  return sum;
+}
+
+/// Throws InvalidInput where the loop crosses or touches itself in the plane, or runs clockwise.
+void RequireSimple(const Eigen::MatrixXd& loop)
+{
+  if (!IsSimplePolygon(loop))
+  {
+    throw InvalidInput("the feature's loop crosses or touches itself when laid out flat; cut it "
+                       "with a smoother loop");
+  }
+  if (TwiceArea(loop) < 0.0)
+  {
+    throw InvalidInput("the feature's triangles face the other way than the surface that it was "
+                       "cut from; turn them with Reverse Sense");
+  }
+}
+
+BoundaryHandle LoopHandle(const Mesh& feature, const FeatureBase& base)
+{
+  const auto size = static_cast<Eigen::Index>(base.Loop.size());
+  if (size < 3 || base.LoopPlaces.rows() != size || base.Normals.rows() != size)
+  {
+    throw InvalidInput("the feature's loop has " + std::to_string(size) + " points, " +
+      std::to_string(base.LoopPlaces.rows()) + " places in the plane and " +
+      std::to_string(base.Normals.rows()) +
+      " normals; it needs as many of each, and at least 3: "
+      "cut it again");
+  }
+  Eigen::MatrixXd places(size, 3);
+  for (Eigen::Index i = 0; i < size; ++i)
+  {
+    places.row(i) = feature.Points.row(base.Loop[i]);
+  }
+  return CurveHandle(places, true, base.Normals);
+}
+
+/// The greatest angle by which one of the rotations differs from the first, in radians.
+double Spread(const std::vector<Eigen::Matrix3d>& rotations)
+{
+  double farthest = 0.0;
+  for (const Eigen::Matrix3d& rotation : rotations)
+  {
+    farthest = std::max(farthest, (rotation - rotations[0]).norm());
+  }
+  return 2.0 * std::asin(std::min(farthest / std::sqrt(8.0), 1.0));
+}
+
+/// When the front has met all points of triangles at the loop.
+double ReachOfRing(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
+  const Eigen::VectorXd& times)
+{
+  double reach = 0.0;
+  for (const int point : loop)
+  {
+    for (int i = fans.First[point]; i < fans.First[point + 1]; ++i)
+    {
+      for (const int corner : feature.Triangles.row(fans.Triangles[i]))
+      {
+        reach = std::max(reach, times(corner));
+      }
+    }
+  }
+  return reach;
+}
+
+Eigen::VectorXd AnglesAcross(
+  const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::MatrixXd& tangents)
+{
+  Eigen::VectorXd angles(a.rows());
+  for (Eigen::Index i = 0; i < a.rows(); ++i)
+  {
+    const Eigen::RowVector3d one = a.row(i), other = b.row(i), along = tangents.row(i);
+    const Eigen::RowVector3d axis = along.stableNormalized();
+    angles(i) = std::abs(std::atan2(
+                  axis.dot(one.cross(other)), one.dot(other) - axis.dot(one) * axis.dot(other))) *
+      180.0 / M_PI;
+  }
+  return angles;
+}
+
+/// How far from the loop its turning reaches, in mean sides of the loop.
+constexpr double TurningWidth = 4.0;
+
+double MeanSide(const BoundaryHandle& curve)
+{
+  double sum = 0.0;
+  for (const auto side : curve.Segments.rowwise())
+  {
+    sum += (curve.Places.row(side(1)) - curve.Places.row(side(0))).norm();
+  }
+  return sum / static_cast<double>(curve.Segments.rows());
+}
+
+} // namespace
+
+double Percentile(const Eigen::VectorXd& values, double share)
+{
+  if (values.size() == 0)
+  {
+    return 0.0;
+  }
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto last = static_cast<double>(sorted.size() - 1);
+  return sorted[static_cast<std::size_t>(std::ceil(std::clamp(share, 0.0, 1.0) * last))];
+}
+
+FeatureToPaste::FeatureToPaste(Mesh feature, FeatureBase base, const DeformOptions& options,
+  const DeformFields& fields, const Progress& progress)
+  : Feature(std::move(feature))
+  , Kind(SurfaceTopology(this->Feature))
+  , Stand(std::move(base))
+  , Cut(CutEdges(this->Feature.Triangles, LoopChords(this->Feature.Triangles, this->Stand.Loop),
+      static_cast<int>(this->Feature.Points.rows())))
+  , Fans(this->Cut.Triangles,
+      this->Feature.Points.rows() + static_cast<Eigen::Index>(this->Cut.Middles.size()))
+  , Handle(LoopHandle(this->Feature, this->Stand))
+  , NormalsBefore(this->LoopNormals(this->WithMiddles(this->Feature.Points)))
+{
+  RequireSimple(this->Stand.LoopPlaces);
+  this->Prepared =
+    PrepareDeformation(MakePointGraph(this->Feature), this->Handle, options, fields, progress);
+  // The middles are on chords of the loop: at its points the front begins.
+  Eigen::VectorXd arrivals = Eigen::VectorXd::Zero(this->Fans.First.size() - 1);
+  arrivals.head(this->Feature.Points.rows()) = this->Prepared->Arrivals();
+  const Mesh cut{ this->WithMiddles(this->Feature.Points), this->Cut.Triangles };
+  this->NormalReach = ReachOfRing(cut, this->Fans, this->Stand.Loop, arrivals);
+  this->Turning = std::make_unique<JoinTurning>(
+    cut, this->Fans, this->Stand.Loop, arrivals, TurningWidth * MeanSide(this->Handle));
+}
+
+void FeatureToPaste::Check(const PastedFeature& pasted) const
+{
+  RequireFinite(pasted.Surface.Points, "the joined surface");
+  const Topology found = SurfaceTopology(pasted.Surface);
+  const bool isManifold = this->Kind.NonManifoldEdges + this->Kind.NonManifoldPoints == 0;
+  const int faults = found.NonManifoldEdges + found.NonManifoldPoints;
+  if (found.EulerNumber != pasted.EulerNumber || (isManifold && faults > 0))
+  {
+    throw SolveFailure("the joined surface has " + std::to_string(faults) +
+      " edges and points that are not manifold, and Euler number " +
+      std::to_string(found.EulerNumber) + " instead of " + std::to_string(pasted.EulerNumber) +
+      "; move Seed a little");
+  }
+}
+
+Eigen::MatrixXd FeatureToPaste::LoopNormals(const Eigen::MatrixXd& points) const
+{
+  const std::vector<int>& loop = this->Stand.Loop;
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(loop.size()), 3);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (int k = this->Fans.First[loop[i]]; k < this->Fans.First[loop[i] + 1]; ++k)
+    {
+      const auto triangle = this->Cut.Triangles.row(this->Fans.Triangles[k]);
+      int corner = 0;
+      while (triangle(corner) != loop[i])
+      {
+        ++corner;
+      }
+      const Eigen::RowVector3d a = points.row(triangle((corner + 1) % 3)) - points.row(loop[i]);
+      const Eigen::RowVector3d b = points.row(triangle((corner + 2) % 3)) - points.row(loop[i]);
+      const Eigen::RowVector3d across = a.cross(b);
+      sum += std::atan2(across.norm(), a.dot(b)) * across.stableNormalized();
+    }
+    normals.row(static_cast<Eigen::Index>(i)) = sum.stableNormalized();
+  }
+  return normals;
+}
+
+Eigen::MatrixXd FeatureToPaste::WithMiddles(const Eigen::MatrixXd& points) const
+{
+  const auto middles = static_cast<Eigen::Index>(this->Cut.Middles.size());
+  Eigen::MatrixXd all(points.rows() + middles, 3);
+  all.topRows(points.rows()) = points;
+  for (Eigen::Index i = 0; i < middles; ++i)
+  {
+    const auto [a, b] = this->Cut.Middles[i];
+    all.row(points.rows() + i) = 0.5 * (points.row(a) + points.row(b));
+  }
+  return all;
+}
+
+Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd& normals,
+  const PasteFeatureOptions& options, const Progress& progress) const
+{
+  constexpr double rigid = 5.0 * M_PI / 180.0;
+  const double share = std::min(Spread(pose.Rotations) / rigid, 1.0);
+  Eigen::MatrixXd wanted(normals.rows(), 3);
+  for (Eigen::Index i = 0; i < wanted.rows(); ++i)
+  {
+    const Eigen::RowVector3d kept =
+      (pose.Rotations[i] * this->NormalsBefore.row(i).transpose()).transpose();
+    wanted.row(i) = ((1.0 - share) * kept + share * normals.row(i)).stableNormalized();
+  }
+  BoundaryNormalsOptions search;
+  search.SingleAngle = options.Dragging;
+  search.Reach = this->NormalReach;
+  pose = OptimizeBoundaryNormals(
+    *this->Prepared, this->Handle, pose, wanted,
+    [this](const DeformedShape& shape)
+    { return this->LoopNormals(this->WithMiddles(shape.Points)); },
+    search, progress.Part(0.0, 0.7))
+           .Pose;
+  Eigen::MatrixXd deformed = this->WithMiddles(
+    this->Prepared->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.7, 1.0))
+      .Points);
+  // A point at a bend of the loop goes to the mean of several places: what that leaves is turned
+  // again.
+  const int rounds = options.Dragging ? 1 : 3;
+  for (int round = 0; share > 0.0 && round < rounds; ++round)
+  {
+    this->Turning->Apply(deformed, normals, share);
+  }
+  return deformed;
+}
+
+PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement& placement,
+  const PasteFeatureOptions& options, const Progress& progress) const
+{
+  Landing landing = target.Land(this->Stand, placement, !options.Dragging, progress.Part(0.0, 0.3));
+  // The offsets within the feature grow with Scale: as if it were deformed at its own size, to a
+  // pose that is as much smaller.
+  HandlePose pose = PoseHandle(this->Handle, landing.Places / placement.Scale, landing.Normals);
+  const Eigen::VectorXd before = AnglesAcross(
+    this->LoopNormals(this->WithMiddles(this->Prepared->Deform(pose, this->NormalReach).Points)),
+    landing.Normals, HandleTangents(this->Handle, pose.Places));
+  const Eigen::MatrixXd deformed = options.OptimizeNormals
+    ? this->Smoothly(pose, landing.Normals, options, progress.Part(0.3, 0.9))
+    : this->WithMiddles(
+        this->Prepared
+          ->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.3, 0.9))
+          .Points);
+  // Where the loop takes the place of the ring, point for point, no edge can be there twice.
+  const auto given = static_cast<int>(this->Feature.Points.rows());
+  const bool fits = landing.Join.Triangles.rows() == 0;
+  PastedFeature result =
+    JoinedSurface(target.Surface(), fits ? CutEdges(this->Feature.Triangles, {}, given) : this->Cut,
+      this->Stand, landing, placement.Scale * deformed.topRows(fits ? given : deformed.rows()));
+  result.AnglesBefore = before;
+  result.AnglesAfter = AnglesAcross(
+    this->LoopNormals(deformed), landing.Normals, HandleTangents(this->Handle, pose.Places));
+  result.Facts = this->Prepared->Facts();
+  result.Place = std::move(landing);
+  // A disk is taken from the target, and the feature glued in along a circle.
+  result.EulerNumber = target.EulerNumber() - 1 + this->Kind.EulerNumber;
+  if (!options.Dragging)
+  {
+    this->Check(result);
+  }
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

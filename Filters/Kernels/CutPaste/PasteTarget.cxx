@@ -1,0 +1,260 @@
+#include "CutPaste/PasteTarget.h"
+
+#include "Base/Errors.h"
+#include "ExponentialMap/ConformalPatch.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+double MeanEdgeLength(const Mesh& mesh)
+{
+  double sum = 0.0;
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::Matrix3d corners = Corners(mesh, t);
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += (corners.row((k + 1) % 3) - corners.row(k)).norm();
+    }
+  }
+  return sum / (3.0 * static_cast<double>(mesh.Triangles.rows()));
+}
+
+/// Whether another layout might not have this fault.
+bool IsOfLayout(FootprintFault fault)
+{
+  return fault == FootprintFault::Flipped || fault == FootprintFault::Overlaps ||
+    fault == FootprintFault::Collapsed;
+}
+
+/// What the base's x axis becomes where its normal is turned to `normal` by the shortest way.
+Eigen::RowVector3d TurnedAxis(const FeatureBase& base, const Eigen::RowVector3d& normal)
+{
+  const Eigen::Vector3d from = base.Normal.transpose(), to = normal.transpose();
+  if (from.dot(to) < -1.0 + 1e-12)
+  {
+    return base.XAxis; // upside down: about the axis itself
+  }
+  const Eigen::Vector3d turn = from.cross(to), axis = base.XAxis.transpose();
+  // Rodrigues' formula for two unit vectors: nothing is turned where they are the same, bit for
+  // bit.
+  return (axis * from.dot(to) + turn.cross(axis) + turn * (turn.dot(axis) / (1.0 + from.dot(to))))
+    .transpose();
+}
+
+std::string Reason(const Footprint& cover)
+{
+  switch (cover.Fault)
+  {
+    case FootprintFault::Flipped:
+      return "its loop goes through " + std::to_string(cover.FlippedAtLoop) +
+        " triangles there that are flipped when the target is laid out flat";
+    case FootprintFault::Overlaps:
+      return "the target wraps around there, so that its footprint would cover it twice";
+    case FootprintFault::NotADisk:
+      return "its footprint there goes around a handle or a hole of the target";
+    case FootprintFault::LeavesSurface:
+      return "its footprint there leaves the target over its rim";
+    case FootprintFault::Collapsed:
+      return "its loop shrinks to a point there when the target is laid out flat";
+    default:
+      return "its footprint reaches beyond the target there";
+  }
+}
+
+/// Whether a side of the loop has lost its length: its points are in triangles whose image has
+/// none.
+bool IsCollapsed(const Eigen::MatrixXd& places, const Eigen::MatrixXd& image)
+{
+  constexpr double least = 1e-6; // of its length in the plane
+  const Eigen::Index size = places.rows();
+  for (Eigen::Index i = 0; i < size; ++i)
+  {
+    const Eigen::Index j = (i + 1) % size;
+    if (!((places.row(i) - places.row(j)).norm() > least * (image.row(i) - image.row(j)).norm()))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+/// A landing or what is wrong with it.
+struct PasteTarget::Trial
+{
+  TangentFrame Seed;
+  Footprint Cover;
+  Band Join;
+  TargetLayout Layout = TargetLayout::ExponentialMap;
+};
+
+PasteTarget::PasteTarget(
+  const Mesh& surface, const ExponentialMapOptions& options, const Progress& progress)
+  : Kind(RequireManifold(surface, "the target"))
+  , Map(surface, options, progress)
+  , Finder(surface)
+  , Normals(PointNormals(surface))
+  , MeanEdge(MeanEdgeLength(surface))
+{
+}
+
+PasteTarget::Trial PasteTarget::Try(const FeatureBase& base, const ClosestPlace& seed,
+  const PastePlacement& placement, bool quick, const Progress& progress)
+{
+  const Eigen::Rotation2Dd turn(placement.Rotation * M_PI / 180.0);
+  const Eigen::MatrixXd loop =
+    placement.Scale * base.LoopPlaces * turn.toRotationMatrix().transpose();
+  const Eigen::RowVector3d axis = TurnedAxis(base, this->Map.Normal(seed));
+  Trial trial;
+  // The distance along the surface is longer than that in the plane: the patch grows until it holds
+  // the loop and the ring around it.
+  double radius = 1.1 * loop.rowwise().norm().maxCoeff() + 3.0 * this->MeanEdge;
+  if (base.ConformalRadius > 0.0)
+  {
+    // Laid out as the base was: on the surface that it is from the loop is where it was.
+    const ExponentialPatch patch =
+      this->Map.Around(seed, placement.Scale * base.ConformalRadius, axis, progress);
+    trial.Seed = patch.Seed;
+    if (this->TryConformally(patch, base.IsRefined, loop, trial, progress) == FootprintFault::None)
+    {
+      return trial;
+    }
+  }
+  for (int round = 0; round < 5; ++round)
+  {
+    const ExponentialPatch patch = this->Map.Around(seed, radius, axis, progress);
+    trial.Seed = patch.Seed;
+    this->TryOn(patch, loop, trial);
+    bool isBeyond = trial.Cover.Fault == FootprintFault::BeyondPatch;
+    if (IsOfLayout(trial.Cover.Fault))
+    {
+      FootprintFault fault = this->TryConformally(patch, false, loop, trial, progress);
+      if (IsOfLayout(fault) && !quick)
+      {
+        fault = this->TryConformally(patch, true, loop, trial, progress);
+      }
+      isBeyond = fault == FootprintFault::BeyondPatch && !quick;
+    }
+    if (!isBeyond)
+    {
+      break;
+    }
+    radius *= 1.4;
+  }
+  return trial;
+}
+
+void PasteTarget::TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, Trial& trial)
+{
+  trial.Cover = this->Finder.Find(patch, loop, 0.02 * this->MeanEdge);
+  if (trial.Cover.Fault == FootprintFault::None &&
+    IsCollapsed(this->PlacesOf(trial.Cover), trial.Cover.Loop))
+  {
+    trial.Cover.Fault = FootprintFault::Collapsed;
+  }
+  if (trial.Cover.Fault == FootprintFault::None)
+  {
+    try
+    {
+      trial.Join = JoinToRing(trial.Cover.Loop, trial.Cover.RingImage);
+    }
+    catch (const InvalidInput&) // the ring crosses itself or the loop
+    {
+      trial.Cover.Fault = FootprintFault::Overlaps;
+    }
+  }
+}
+
+Eigen::MatrixXd PasteTarget::PlacesOf(const Footprint& cover) const
+{
+  return Pulled(cover.Places, this->Surface().Triangles, this->Surface().Points);
+}
+
+FootprintFault PasteTarget::TryConformally(const ExponentialPatch& patch, bool refine,
+  const Eigen::MatrixXd& loop, Trial& trial, const Progress& progress)
+{
+  if (patch.Triangles.empty())
+  {
+    return FootprintFault::BeyondPatch;
+  }
+  Trial other;
+  try
+  {
+    this->TryOn(LaidOutConformally(this->Surface(), patch, refine, progress), loop, other);
+  }
+  catch (const SolveFailure&) // it cannot be laid out: what is wrong with it is known
+  {
+    return FootprintFault::Flipped;
+  }
+  if (other.Cover.Fault == FootprintFault::None)
+  {
+    trial.Cover = std::move(other.Cover);
+    trial.Join = std::move(other.Join);
+    trial.Layout = refine ? TargetLayout::LeastDistortion : TargetLayout::Conformal;
+  }
+  return other.Cover.Fault;
+}
+
+Landing PasteTarget::Land(
+  const FeatureBase& base, const PastePlacement& placement, bool search, const Progress& progress)
+{
+  RequireOption(
+    placement.Scale > 0.0 && std::isfinite(placement.Scale), "Scale", placement.Scale, "positive");
+  RequireOption(std::isfinite(placement.Rotation), "Rotation", placement.Rotation, "finite");
+  RequireFinite(placement.Seed, "Seed");
+  const ClosestPlace seed = this->Map.Locator().FindOne(placement.Seed, this->LastTriangle);
+  this->LastTriangle = seed.Triangle;
+  Trial trial = this->Try(base, seed, placement, !search, progress);
+  if (trial.Cover.Fault != FootprintFault::None)
+  {
+    std::ostringstream words;
+    words << "the feature does not fit at the seed: " << Reason(trial.Cover);
+    if (search)
+    {
+      PastePlacement smaller = placement;
+      double good = 0.0, bad = placement.Scale;
+      for (int step = 0; step < 8; ++step)
+      {
+        smaller.Scale = (good + bad) / 2.0;
+        const bool fits =
+          this->Try(base, seed, smaller, true, progress).Cover.Fault == FootprintFault::None;
+        (fits ? good : bad) = smaller.Scale;
+      }
+      if (good > 0.0)
+      {
+        words << "; lower Scale to " << 0.99 * good << " or move Seed";
+      }
+      else
+      {
+        words << ", at any Scale down to " << bad << "; move Seed";
+      }
+    }
+    else
+    {
+      words << "; lower Scale or move Seed";
+    }
+    throw InvalidInput(words.str());
+  }
+  Landing landing;
+  landing.Layout = trial.Layout;
+  landing.Seed = trial.Seed;
+  const Eigen::MatrixXi& triangles = this->Surface().Triangles;
+  landing.Places = this->PlacesOf(trial.Cover);
+  landing.Normals = Pulled(trial.Cover.Places, triangles, this->Normals).rowwise().normalized();
+  landing.Cover = std::move(trial.Cover);
+  landing.Join = std::move(trial.Join);
+  return landing;
+}
+
+} // namespace shape

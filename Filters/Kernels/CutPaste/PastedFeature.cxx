@@ -1,0 +1,144 @@
+#include "CutPaste/PastedFeature.h"
+
+namespace shape
+{
+namespace
+{
+
+/// The parts of the result, put together point by point and triangle by triangle.
+class Assembly
+{
+public:
+  Assembly(const Mesh& target, const CutTriangles& feature, const FeatureBase& base,
+    const Landing& landing)
+    : Target(target)
+    , Feature(feature)
+    , Base(base)
+    , Place(landing)
+  {
+  }
+
+  /// deformed: the feature's points where they come to lie.
+  PastedFeature Make(const Eigen::MatrixXd& deformed)
+  {
+    PastedFeature result;
+    std::vector<bool> isGone(this->Target.Triangles.rows(), false);
+    for (const int triangle : this->Place.Cover.Triangles)
+    {
+      isGone[triangle] = true;
+    }
+    const std::vector<int> number = this->Number(result.TargetPoints);
+    const auto kept = static_cast<int>(result.TargetPoints.size());
+    const auto count =
+      this->Target.Triangles.rows() - static_cast<Eigen::Index>(this->Place.Cover.Triangles.size());
+    const Eigen::MatrixXi& band = this->Place.Join.Triangles;
+    result.BandTriangles = static_cast<int>(band.rows());
+    result.TargetTriangles.reserve(count);
+    const auto middles = static_cast<Eigen::Index>(this->Place.Join.Middles.size());
+    result.Surface.Points.resize(kept + deformed.rows() + middles, 3);
+    for (int i = 0; i < kept; ++i)
+    {
+      result.Surface.Points.row(i) = this->Target.Points.row(result.TargetPoints[i]);
+    }
+    result.Surface.Points.middleRows(kept, deformed.rows()) = deformed;
+    Eigen::MatrixXi& triangles = result.Surface.Triangles;
+    triangles.resize(count + band.rows() + this->Feature.Triangles.rows(), 3);
+    int next = 0;
+    for (int t = 0; t < static_cast<int>(isGone.size()); ++t)
+    {
+      if (!isGone[t])
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          triangles(next, k) = number[this->Target.Triangles(t, k)];
+        }
+        result.TargetTriangles.push_back(t);
+        ++next;
+      }
+    }
+    const auto loop = static_cast<int>(this->Base.Loop.size());
+    const auto ring = static_cast<int>(this->Place.Cover.Ring.size());
+    const int last = kept + static_cast<int>(deformed.rows());
+    const auto numberOf = [&](int corner)
+    {
+      return corner < loop     ? kept + this->Base.Loop[corner]
+        : corner < loop + ring ? number[this->Place.Cover.Ring[corner - loop]]
+                               : last + corner - loop - ring;
+    };
+    for (const auto& [a, b] : this->Feature.Middles)
+    {
+      result.Middles.push_back({ kept + a, kept + b });
+    }
+    for (Eigen::Index i = 0; i < middles; ++i)
+    {
+      const int a = numberOf(this->Place.Join.Middles[i][0]);
+      const int b = numberOf(this->Place.Join.Middles[i][1]);
+      result.Middles.push_back({ a, b });
+      result.Surface.Points.row(last + i) =
+        0.5 * (result.Surface.Points.row(a) + result.Surface.Points.row(b));
+    }
+    for (Eigen::Index t = 0; t < band.rows(); ++t, ++next)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        triangles(next, k) = numberOf(band(t, k));
+      }
+    }
+    triangles.bottomRows(this->Feature.Triangles.rows()) = this->Feature.Triangles.array() + kept;
+    result.FeatureTriangles = this->Feature.Original;
+    return result;
+  }
+
+private:
+  /// Of each point of the target: its number in the result, or -1. points: those that stay.
+  std::vector<int> Number(std::vector<int>& points) const
+  {
+    std::vector<int> number(this->Target.Points.rows(), 0);
+    for (const int triangle : this->Place.Cover.Triangles)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        number[this->Target.Triangles(triangle, k)] = -1;
+      }
+    }
+    const std::vector<int>& ring = this->Place.Cover.Ring;
+    const auto loop = static_cast<int>(this->Base.Loop.size());
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      // One of the loop's points takes the place of those that lie on it.
+      number[ring[i]] = this->Place.Join.RingPoints(static_cast<Eigen::Index>(i)) < loop ? -1 : 0;
+    }
+    for (int point = 0; point < static_cast<int>(number.size()); ++point)
+    {
+      if (number[point] == 0)
+      {
+        number[point] = static_cast<int>(points.size());
+        points.push_back(point);
+      }
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const int same = this->Place.Join.RingPoints(static_cast<Eigen::Index>(i));
+      if (same < loop)
+      {
+        number[ring[i]] = static_cast<int>(points.size()) + this->Base.Loop[same];
+      }
+    }
+    return number;
+  }
+
+  const Mesh& Target;
+  const CutTriangles& Feature;
+  const FeatureBase& Base;
+  const Landing& Place;
+};
+
+} // namespace
+
+PastedFeature JoinedSurface(const Mesh& target, const CutTriangles& feature,
+  const FeatureBase& base, const Landing& landing, const Eigen::MatrixXd& deformed)
+{
+  return Assembly(target, feature, base, landing).Make(deformed);
+}
+
+} // namespace shape

@@ -1,0 +1,190 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Deform/Private/BlendedRows.cxx"
+// What AVX-512 and SSE4 compile to, these would only repeat.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include <hwy/foreach_target.h>
+
+#include "Deform/Private/BlendedRows.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace shape
+{
+// No names without a namespace here: the dispatch below takes addresses from every target.
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr int Block = 8;
+using Tag = hn::CappedTag<double, Block>;
+
+/// The sums of weights times each of the 15 numbers over blocks of eight samples.
+void SumsFor(const float* weights, const double* values, int blocks, double* sums)
+{
+  const Tag d;
+  const hn::Rebind<float, Tag> single;
+  constexpr int size = 15;
+  const auto lanes = static_cast<int>(hn::Lanes(d));
+  hn::Vec<Tag> totals[size];
+  for (auto& total : totals)
+  {
+    total = hn::Zero(d);
+  }
+  for (int block = 0; block < blocks; ++block)
+  {
+    for (int i = 0; i < Block; i += lanes)
+    {
+      const auto weight = hn::PromoteTo(d, hn::LoadU(single, weights + i));
+      for (int c = 0; c < size; ++c)
+      {
+        totals[c] = hn::MulAdd(weight, hn::LoadU(d, values + c * Block + i), totals[c]);
+      }
+    }
+    weights += Block;
+    values += std::ptrdiff_t(size) * Block;
+  }
+  for (int c = 0; c < size; ++c)
+  {
+    sums[c] = hn::GetLane(hn::SumOfLanes(d, totals[c]));
+  }
+}
+
+/// The sum of weights, rounded as that of weights times 1 is above.
+double SumFor(const float* weights, int blocks)
+{
+  const Tag d;
+  const hn::Rebind<float, Tag> single;
+  const auto lanes = static_cast<int>(hn::Lanes(d));
+  auto total = hn::Zero(d);
+  for (int i = 0; i < blocks * Block; i += lanes)
+  {
+    total = hn::Add(total, hn::PromoteTo(d, hn::LoadU(single, weights + i)));
+  }
+  return hn::GetLane(hn::SumOfLanes(d, total));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace shape
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+
+HWY_EXPORT(SumsFor);
+HWY_EXPORT(SumFor);
+
+namespace
+{
+constexpr int BlockSize = 8;
+} // namespace
+
+SampleMotions::SampleMotions(int samples)
+  : Values((samples + BlockSize - 1) / BlockSize * std::size_t(MotionSize * BlockSize), 0.0)
+{
+}
+
+void SampleMotions::Set(int sample, const Eigen::Vector3d& rest, const Eigen::Vector3d& place,
+  const Eigen::Matrix3d& rotation)
+{
+  double* to = this->Values.data() + sample / BlockSize * std::size_t(MotionSize * BlockSize) +
+    sample % BlockSize;
+  const Eigen::Vector3d turned = rotation * rest;
+  for (int c = 0; c < 3; ++c)
+  {
+    to[c * BlockSize] = place(c);
+    to[(3 + c) * BlockSize] = turned(c);
+  }
+  for (int c = 0; c < 9; ++c)
+  {
+    to[(6 + c) * BlockSize] = rotation(c);
+  }
+}
+
+void BlendedRows::Add(int begin, int count)
+{
+  const int block = begin / BlockSize;
+  const int blocks = (begin + count + BlockSize - 1) / BlockSize - block;
+  this->Rows.push_back({ this->Total, block, blocks, begin % BlockSize, count, 1.0 });
+  this->Total += blocks * std::size_t(BlockSize);
+}
+
+void BlendedRows::Allocate()
+{
+  this->Weights.assign(this->Total, 0.0F);
+}
+
+void BlendedRows::Set(int row, const float* weights)
+{
+  Row& one = this->Rows[row];
+  float* const to = this->Weights.data() + one.First;
+  std::copy(weights, weights + one.Count, to + one.Skip);
+  one.Sum = HWY_DYNAMIC_DISPATCH(SumFor)(to, one.Blocks);
+}
+
+void BlendedRows::Clear()
+{
+  this->Rows.clear();
+  this->Weights.clear();
+  this->Total = 0;
+}
+
+BlendedMotion BlendedRows::Blend(int row, const SampleMotions& motions) const
+{
+  const Row& one = this->Rows[row];
+  double sums[MotionSize];
+  HWY_DYNAMIC_DISPATCH(SumsFor)
+  (this->Weights.data() + one.First,
+    motions.Data() + one.Block * std::ptrdiff_t(MotionSize * BlockSize), one.Blocks, sums);
+  BlendedMotion blend;
+  blend.Place = Eigen::Map<const Eigen::Vector3d>(sums) / one.Sum;
+  blend.Turned = Eigen::Map<const Eigen::Vector3d>(sums + 3) / one.Sum;
+  blend.Rotation = Eigen::Map<const Eigen::Matrix3d>(sums + 6) / one.Sum;
+  return blend;
+}
+
+Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix)
+{
+  // Newton's iteration X -> (X + X^-T) / 2 from a blend of not too different rotations converges
+  // quadratically, and costs a tenth of a decomposition.
+  Eigen::Matrix3d x = matrix;
+  for (int step = 0; step < 12; ++step)
+  {
+    Eigen::Matrix3d cofactors;
+    cofactors.col(0) = x.col(1).cross(x.col(2));
+    cofactors.col(1) = x.col(2).cross(x.col(0));
+    cofactors.col(2) = x.col(0).cross(x.col(1));
+    const double determinant = x.col(0).dot(cofactors.col(0));
+    if (!(determinant > 0.05))
+    {
+      break;
+    }
+    const Eigen::Matrix3d next = 0.5 * (x + cofactors / determinant);
+    const double change = (next - x).squaredNorm();
+    x = next;
+    if (change < 1e-18)
+    {
+      return x;
+    }
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d u = svd.matrixU();
+  if (u.determinant() * svd.matrixV().determinant() < 0.0)
+  {
+    u.col(2) = -u.col(2);
+  }
+  return u * svd.matrixV().transpose();
+}
+
+} // namespace shape
+#endif

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "Deform/Private/BlendedRows.h"
+#include "Deform/Private/NodeDeformation.h"
+
+namespace shape
+{
+
+/**
+ * Boundary-relative deformation: each node relative to the sources alone (equations 4 and 5). Far
+ * from them, every source counts alike, and the shape is squashed: upwind-front deformation is what
+ * mends that.
+ *
+ * The weights are those of the sources over the power of the distance, which Euclidean or along the
+ * links of the graph; up to MostKeptWeights of them are kept.
+ */
+class BoundaryRelative : public NodeDeformation
+{
+public:
+  /// Throws InvalidInput where the graph is in several pieces, or geodesic distances are more than
+  /// MostKeptWeights; Aborted.
+  explicit BoundaryRelative(NodeProblem problem, const Progress& progress = {});
+
+  NodeMotions Move(
+    const NodeMotions& sources, double reach, const Progress& progress = {}) const override;
+
+private:
+  /// The distances of a rank from all sources.
+  void FindDistances(int rank, double* distances) const;
+  /// Returns whether a weight is not 0; else the nearest source has all of it.
+  bool FindRow(int rank, float* weights) const;
+
+  NodeProblem Problem;
+  FrontSweep Sweep;
+  Eigen::MatrixXf Geodesics; ///< sources x ranks, or nothing
+  BlendedRows Rows;
+  Eigen::MatrixXd Rests; ///< 3 x n: the places by rank, relative to the middle of the graph
+};
+
+} // namespace shape

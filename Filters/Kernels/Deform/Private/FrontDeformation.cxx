@@ -1,0 +1,116 @@
+#include "Deform/Private/FrontDeformation.h"
+
+#include "Base/Parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace shape
+{
+
+FrontDeformation::FrontDeformation(NodeProblem problem, const Progress& progress)
+  : Problem(std::move(problem))
+  , Sweep(SweepFront(this->Problem.Graph, this->Problem.Sources, progress.Part(0.0, 0.2)))
+  , Front(this->Problem.Graph, this->Sweep, this->Problem.Powers, this->Problem.Front)
+{
+  const Eigen::MatrixXd& places = this->Problem.Graph.Places;
+  const Eigen::RowVector3d centre =
+    0.5 * (places.colwise().minCoeff() + places.colwise().maxCoeff());
+  this->Rests = (places.rowwise() - centre)(this->Sweep.Nodes, Eigen::all).transpose();
+  this->Empty = this->Front.EmptyBands();
+  this->KeepWeights(progress.Part(0.2, 1.0));
+}
+
+void FrontDeformation::KeepWeights(const Progress& progress)
+{
+  const int sources = this->Sweep.Sources;
+  const int count = static_cast<int>(this->Sweep.Nodes.size()) - sources;
+  int widest = 0;
+  for (int rank = sources; rank < sources + count; ++rank)
+  {
+    const int width = this->Front.End(rank) - this->Front.Begin(rank);
+    this->Rows.Add(this->Front.Begin(rank), width);
+    widest = std::max(widest, width);
+  }
+  this->Streamed = this->Rows.Size() > this->Problem.MostWeights;
+  if (!this->Streamed)
+  {
+    this->Rows.Allocate();
+  }
+  std::vector<char> none(count, 0);
+  ParallelFor(
+    count, 64,
+    [&](int begin, int end)
+    {
+      std::vector<float> row(widest);
+      for (int i = begin; i < end; ++i)
+      {
+        none[i] = !this->Front.Row(sources + i, row.data());
+        if (!this->Streamed)
+        {
+          this->Rows.Set(i, row.data());
+        }
+      }
+    },
+    progress);
+  this->Zero = static_cast<int>(std::count(none.begin(), none.end(), 1));
+}
+
+BlendedMotion FrontDeformation::Blend(
+  int rank, const SampleMotions& samples, BlendedRows& one, std::vector<float>& weights) const
+{
+  if (!this->Streamed)
+  {
+    return this->Rows.Blend(rank - this->Sweep.Sources, samples);
+  }
+  const int begin = this->Front.Begin(rank), count = this->Front.End(rank) - begin;
+  weights.resize(count);
+  this->Front.Row(rank, weights.data());
+  one.Clear();
+  one.Add(begin, count);
+  one.Allocate();
+  one.Set(0, weights.data());
+  return one.Blend(0, samples);
+}
+
+NodeMotions FrontDeformation::Move(
+  const NodeMotions& sources, double reach, const Progress& progress) const
+{
+  const auto n = static_cast<int>(this->Sweep.Nodes.size());
+  // Relative to the middle of the shape, and to that of the moved sources: a shift costs no digits.
+  const Eigen::Vector3d shift = sources.Shifts.rowwise().mean();
+  NodeMotions motions{ Eigen::MatrixXd::Zero(3, n),
+    std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Identity()) };
+  SampleMotions samples(n);
+  BlendedRows one;
+  std::vector<float> weights;
+  for (int rank = 0; rank < n && this->Sweep.Arrivals[rank] <= reach; ++rank)
+  {
+    if (rank % 256 == 0)
+    {
+      progress(static_cast<double>(rank) / n);
+    }
+    const int node = this->Sweep.Nodes[rank];
+    const Eigen::Vector3d rest = this->Rests.col(rank);
+    Eigen::Vector3d place;
+    Eigen::Matrix3d& rotation = motions.Rotations[node];
+    if (rank < this->Sweep.Sources)
+    {
+      place = rest + (sources.Shifts.col(rank) - shift);
+      rotation = sources.Rotations[rank];
+      motions.Shifts.col(node) = sources.Shifts.col(rank);
+    }
+    else
+    {
+      const BlendedMotion blend = this->Blend(rank, samples, one, weights);
+      place = blend.Apply(rest, this->Problem.Scales(node));
+      rotation = NearestRotation(blend.Rotation);
+      motions.Shifts.col(node) = place - rest + shift;
+    }
+    samples.Set(rank, rest, place, rotation);
+  }
+  progress(1.0);
+  return motions;
+}
+
+} // namespace shape

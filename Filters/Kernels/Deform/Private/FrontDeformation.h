@@ -1,0 +1,39 @@
+#pragma once
+
+#include "Deform/Private/BlendedRows.h"
+#include "Deform/Private/NodeDeformation.h"
+
+namespace shape
+{
+
+/**
+ * Upwind-front deformation in full resolution: each node relative to those just before it on a
+ * front that sweeps from the sources over the graph (equations 5 to 9).
+ *
+ * Bands are ranges of ranks (UpwindFront), so weights are dense rows of floats, kept up to
+ * MostKeptWeights. The sums over them are in double precision: weights divided by their sum leave
+ * rigid motions exact, however they are rounded.
+ */
+class FrontDeformation : public NodeDeformation
+{
+public:
+  /// Throws InvalidInput where the graph is in several pieces, Aborted.
+  explicit FrontDeformation(NodeProblem problem, const Progress& progress = {});
+
+  NodeMotions Move(
+    const NodeMotions& sources, double reach, const Progress& progress = {}) const override;
+
+private:
+  void KeepWeights(const Progress& progress);
+  /// What the band of a rank makes of its motions. one, weights: room for a row that is not kept.
+  BlendedMotion Blend(
+    int rank, const SampleMotions& samples, BlendedRows& one, std::vector<float>& weights) const;
+
+  NodeProblem Problem;
+  FrontSweep Sweep;
+  UpwindFront Front;
+  BlendedRows Rows;
+  Eigen::MatrixXd Rests; ///< 3 x n: the places by rank, relative to the middle of the graph
+};
+
+} // namespace shape

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Deform/BoundaryHandle.h"
+#include "Geometry/PointGraph.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * Where the front starts: a graph with the nodes of a shape and those of its handle, and how the
+ * latter follow the handle's samples.
+ *
+ * A node of the shape within 1e-6 of its diagonal of a sample, a segment or a triangle of the
+ * handle is a source. Samples that are no node become one, and so do places along segments and in
+ * triangles that are longer than the mean edge of the shape, so that a coarse handle has no gaps;
+ * all of these are linked with the shape's nearest nodes.
+ */
+struct HandleSources
+{
+  /// The shape's nodes come first, in their order. Weights of sources are those of the handle
+  /// there: three times the area of its triangles, or of a strip half a mean edge wide beside its
+  /// curve; that of new places on triangles' sides is the square of a mean edge.
+  PointGraph Graph;
+  std::vector<int> Nodes;  ///< k: the sources
+  Eigen::MatrixXi Samples; ///< k x 3: the samples that a source lies between
+  Eigen::MatrixXd Shares;  ///< k x 3: its barycentric coordinates there
+};
+
+/// Throws InvalidInput where the handle has no samples, a sample that is not finite, or a segment
+/// or triangle out of range; Aborted.
+HandleSources AttachHandle(
+  const PointGraph& shape, const BoundaryHandle& handle, const Progress& progress = {});
+
+} // namespace shape

@@ -1,0 +1,128 @@
+#include "Deform/Private/PointParameters.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+namespace shape
+{
+namespace
+{
+
+constexpr double LargestPower = 32.0; // beyond, the nearest point alone counts
+
+void RequireField(const Eigen::VectorXd& field, Eigen::Index points, const std::string& name)
+{
+  if (field.size() != 0 && field.size() != points)
+  {
+    throw InvalidInput(name + " has " + std::to_string(field.size()) +
+      " values, but the shape has " + std::to_string(points) + " points; give one for each");
+  }
+  RequireFinite(field, name);
+  if (field.size() > 0 && field.minCoeff() < 0.0)
+  {
+    Eigen::Index first = 0;
+    while (field(first) >= 0.0)
+    {
+      ++first;
+    }
+    throw InvalidInput(name + " is " + std::to_string(field(first)) + " at point " +
+      std::to_string(first) + "; it must not be negative");
+  }
+}
+
+/// How curved each node is among the others, in [0, 1): 1/2 where its Gaussian curvature is the
+/// mean.
+Eigen::VectorXd RelativeCurvatures(const PointGraph& graph)
+{
+  // One angle defect is noise: the mean over a node and its neighbours.
+  Eigen::VectorXd curvatures = graph.Curvatures;
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    double sum = graph.Weights(i) * graph.Curvatures(i), weights = graph.Weights(i);
+    for (int k = graph.First[i]; k < graph.First[i + 1]; ++k)
+    {
+      const int j = graph.Neighbours[k];
+      sum += graph.Weights(j) * graph.Curvatures(j);
+      weights += graph.Weights(j);
+    }
+    curvatures(i) = weights > 0.0 ? sum / weights : 0.0;
+  }
+  const double total = graph.Weights.sum();
+  const double mean = total > 0.0 ? curvatures.dot(graph.Weights) / total : 0.0;
+  return mean > 0.0 ? Eigen::VectorXd(curvatures.array() / (curvatures.array() + mean))
+                    : Eigen::VectorXd(0.0 * curvatures);
+}
+
+} // namespace
+
+bool operator==(const DeformOptions& a, const DeformOptions& b)
+{
+  const auto all = [](const DeformOptions& one)
+  {
+    return std::tie(one.Method, one.Rigidity, one.RigidityBy, one.RigidityContrast, one.Scale,
+      one.InnerScale, one.UpwindRadius, one.Distance, one.Multiresolution, one.LaplacianSmoothing);
+  };
+  return all(a) == all(b);
+}
+
+void RequireOptions(const DeformOptions& options)
+{
+  const auto positive = [](const char* name, double value)
+  { RequireOption(value > 0.0 && std::isfinite(value), name, value, "positive"); };
+  positive("Rigidity", options.Rigidity);
+  positive("RigidityContrast", options.RigidityContrast);
+  positive("Scale", options.Scale);
+  positive("InnerScale", options.InnerScale);
+  positive("UpwindRadius", options.UpwindRadius);
+}
+
+void RequireFields(const DeformFields& fields, Eigen::Index points)
+{
+  RequireField(fields.Rigidity, points, "the rigidity");
+  RequireField(fields.Scale, points, "the scale");
+}
+
+PointParameters FindParameters(const PointGraph& shape, const FrontSweep& sweep,
+  const DeformOptions& options, const DeformFields& fields)
+{
+  RequireFields(fields, shape.NodeOf.size());
+  const auto all = static_cast<int>(sweep.Nodes.size());
+  const double last = sweep.Arrivals.back();
+  const bool byCurvature = options.RigidityBy == DeformOptions::RigidityByType::Curvature;
+  const Eigen::VectorXd curved = byCurvature ? RelativeCurvatures(shape) : Eigen::VectorXd();
+  PointParameters parameters{ Eigen::VectorXd(all), Eigen::VectorXd(all) };
+  for (int node = 0; node < all; ++node)
+  {
+    const double share = last > 0.0 ? sweep.Arrivals[sweep.Ranks[node]] / last : 0.0;
+    const bool own = node < shape.Size(); // else of the handle, which nothing is scaled at
+    double rigidity = options.Rigidity, scale = options.Scale;
+    if (options.RigidityBy == DeformOptions::RigidityByType::Distance)
+    {
+      rigidity *= std::pow(options.RigidityContrast, share);
+    }
+    else if (byCurvature && own)
+    {
+      rigidity *= std::pow(options.RigidityContrast, -curved(node));
+    }
+    scale *= 1.0 + (options.InnerScale - 1.0) * share;
+    if (own && fields.Rigidity.size() > 0)
+    {
+      rigidity *= fields.Rigidity(shape.PointOf[node]);
+    }
+    if (own && fields.Scale.size() > 0)
+    {
+      scale *= fields.Scale(shape.PointOf[node]);
+    }
+    parameters.Powers(node) =
+      rigidity > 0.0 ? std::min(2.0 / rigidity, LargestPower) : LargestPower;
+    parameters.Scales(node) = scale;
+  }
+  return parameters;
+}
+
+} // namespace shape

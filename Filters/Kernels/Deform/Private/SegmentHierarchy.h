@@ -1,0 +1,46 @@
+#pragma once
+
+#include "Deform/Private/BaseDeformation.h"
+#include "Deform/Private/NodeDeformation.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * Deformation segment by segment (section 2.3, Fig. 9): each connected part of one label follows
+ * the nodes beside it that the handle or parts before it move, those that the front reaches first
+ * before others. Parts that are neighbours on the front, but not on the shape, do not stick
+ * together.
+ */
+class SegmentHierarchy : public NodeDeformation
+{
+public:
+  /// labels: of each node; sources keep to the hand that moves them, whatever theirs. Throws what
+  /// `solve` throws, Aborted.
+  SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& labels, const NodeSolver& solve,
+    const Progress& progress = {});
+
+  NodeMotions Move(
+    const NodeMotions& sources, double reach, const Progress& progress = {}) const override;
+
+  int Segments() const { return static_cast<int>(this->Parts.size()); }
+
+private:
+  struct Part
+  {
+    std::vector<int> Nodes; ///< its sources, then its own
+    int Sources;
+    double Arrival; ///< of the first of its own
+    std::unique_ptr<NodeDeformation> Solution;
+  };
+
+  std::vector<Part> Parts;
+  std::vector<int> Sources;
+  int Size;
+};
+
+} // namespace shape

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Geometry/PointGraph.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * When a front that starts at sources arrives at the nodes of a graph: the lengths of the shortest
+ * ways along its links (Dijkstra 1959), and the nodes by rank: the sources first, in the order
+ * given, then the others in the order of their arrival, those of one arrival by number.
+ */
+struct FrontSweep
+{
+  std::vector<int> Nodes;       ///< of each rank
+  std::vector<int> Ranks;       ///< of each node
+  std::vector<double> Arrivals; ///< of each rank, rising; 0 at sources
+  std::vector<int> Parents;     ///< rank of the node before it on the way; -1 at sources
+  std::vector<double> Steps;    ///< length of the link from there; 0 at sources
+  int Sources = 0;
+};
+
+/// sources: different nodes. Throws InvalidInput where the front does not reach all nodes
+/// (JoinIslands first), Aborted.
+FrontSweep SweepFront(
+  const PointGraph& graph, const std::vector<int>& sources, const Progress& progress = {});
+
+/// w of equation 4, 1 / (d^k + epsilon), with d in mean links and epsilon so small that it only
+/// keeps the weights of points at one place finite: k, `power`, may be 0 to 32 then.
+double InverseDistanceWeight(double distance, double power);
+
+/// f of equation 7: from 1 at 0 smoothly to 0 at `radius` and beyond.
+double SmoothFall(double x, double radius);
+
+/// Between which points the distance d of equation 4 is measured.
+enum class FrontDistance
+{
+  Euclidean,
+  Geodesic ///< along links within the band; points that it does not join have no weight
+};
+
+struct UpwindFrontOptions
+{
+  double Radius = 2.1; ///< r_u of equation 6, in mean links of the graph; > 0
+  FrontDistance Distance = FrontDistance::Euclidean;
+};
+
+/**
+ * What lies upwind of each point on a sweeping front, and how much each of it counts: equations 4
+ * and 6 to 9 of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
+ *
+ * Since nodes are ranked by arrival, the band upwind of rank i, those that the front met within
+ * Radius before it, is one contiguous range of ranks [Begin(i), End(i)), and a weight's row is
+ * dense. Where a link is so long that the point it comes from is not, or hardly, in the band, the
+ * band is a quarter longer than the link.
+ */
+class UpwindFront
+{
+public:
+  /// graph and sweep must outlive it. powers: n, k of equation 4 for each node, >= 0.
+  UpwindFront(const PointGraph& graph, const FrontSweep& sweep, const Eigen::VectorXd& powers,
+    const UpwindFrontOptions& options = {});
+
+  ///@{
+  /// The band of a rank that is no source; not empty.
+  int Begin(int rank) const { return this->Begins[rank]; }
+  int End(int rank) const { return this->Ends[rank]; }
+  ///@}
+
+  /// How many ranks have nothing within Radius before them.
+  int EmptyBands() const { return this->Empty; }
+
+  /// The weights of the band of a rank, the largest 1: End - Begin of them. Returns false where all
+  /// were 0: then the point that the front came from has all weight. Several threads may call it.
+  bool Row(int rank, float* weights) const;
+
+private:
+  void FindDistances(int rank, double* distances) const;
+
+  const PointGraph& Graph;
+  const FrontSweep& Sweep;
+  double Radius; ///< in the model's units
+  FrontDistance Distance;
+  int Empty = 0;
+  std::vector<int> Begins, Ends;
+  std::vector<double> Powers, Weights; ///< of each rank
+  Eigen::MatrixXd Places;              ///< of each rank, one a column
+};
+
+} // namespace shape

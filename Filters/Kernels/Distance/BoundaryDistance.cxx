@@ -1,0 +1,55 @@
+#include "Distance/BoundaryDistance.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Solids/Nesting.h"
+
+namespace shape
+{
+
+namespace
+{
+
+Mesh Oriented(const Mesh& surface, const Progress& progress)
+{
+  try
+  {
+    return OrientedByNesting(surface, "the Surface", progress);
+  }
+  catch (const InvalidInput& error)
+  {
+    throw InvalidInput(error.what() + std::string("; or turn Signed off, for any surface"));
+  }
+}
+
+} // namespace
+
+BoundaryDistance::BoundaryDistance(
+  const Mesh& surface, const BoundaryDistanceOptions& options, const Progress& progress)
+{
+  if (surface.Triangles.rows() == 0)
+  {
+    throw InvalidInput(
+      "the Surface has no polygons; give a surface, such as Extract Surface makes");
+  }
+  RequireFinite(surface.Points, "the Surface");
+  if (options.Signed)
+  {
+    this->WithSign.emplace(Oriented(surface, progress.Part(0.0, 0.5)));
+  }
+  else
+  {
+    this->WithoutSign.emplace(surface);
+  }
+  progress(1.0);
+}
+
+Eigen::VectorXd BoundaryDistance::Evaluate(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  RequireFinite(points, "the Input");
+  return this->WithSign ? this->WithSign->Evaluate(points, progress).Distances
+                        : this->WithoutSign->Find(points, progress).Distances;
+}
+
+} // namespace shape

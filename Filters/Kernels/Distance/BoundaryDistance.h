@@ -1,0 +1,41 @@
+#pragma once
+
+#include "Distance/SignedDistance.h"
+
+#include <optional>
+
+namespace shape
+{
+
+struct BoundaryDistanceOptions
+{
+  /// Negative inside the solid that the surface bounds, which must be closed; else the distance is
+  /// positive everywhere and the surface may be open.
+  bool Signed = true;
+};
+
+/**
+ * The Euclidean distance to a triangulated surface.
+ *
+ * With a sign, the surface is closed, of one or several components that face any way: a component
+ * within another bounds a void in its solid (see OrientedByNesting), and the sign is that of the
+ * angle-weighted pseudonormal (see SignedDistance).
+ */
+class BoundaryDistance
+{
+public:
+  /// Throws InvalidInput where the surface has no triangle or a point that is not finite, and with
+  /// Signed where it is not closed or its components touch; Aborted.
+  explicit BoundaryDistance(const Mesh& surface, const BoundaryDistanceOptions& options = {},
+    const Progress& progress = {});
+
+  /// The distance of each of `points` (n x 3, in the surface's units). Throws InvalidInput where
+  /// one is not finite, Aborted.
+  Eigen::VectorXd Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
+
+private:
+  std::optional<SignedDistance> WithSign; ///< one of the two is there
+  std::optional<SurfaceLocator> WithoutSign;
+};
+
+} // namespace shape

@@ -1,0 +1,142 @@
+#include "ExponentialMap/ExponentialFacts.h"
+
+#include "Mesh/HalfEdges.h"
+#include "Geometry/Orientation.h"
+#include "Quality/MapQuality.h"
+#include "Planar/PlanarLocator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace shape
+{
+
+using Eigen::RowVector2d;
+
+namespace
+{
+
+/// Of each triangle, whether it is neither flipped nor torn.
+Eigen::VectorXi SoundTriangles(const ExponentialPatch& patch)
+{
+  Eigen::VectorXi sound = Eigen::VectorXi::Ones(patch.Corners.rows());
+  for (const auto* rows : { &patch.Flipped, &patch.Torn })
+  {
+    for (const int row : *rows)
+    {
+      sound(row) = 0;
+    }
+  }
+  return sound;
+}
+
+/// Of values (t), those that half of the weights, and 95 % of them, do not exceed; 0 without any.
+DistortionSpread SpreadOf(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
+{
+  std::vector<int> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return values(a) < values(b); });
+  const double sum = weights.sum();
+  DistortionSpread spread;
+  double done = 0.0;
+  for (const int i : order)
+  {
+    spread.Median = done < 0.5 * sum ? values(i) : spread.Median;
+    spread.Percentile95 = done < 0.95 * sum ? values(i) : spread.Percentile95;
+    done += weights(i);
+  }
+  return spread;
+}
+
+} // namespace
+
+Mesh PatchSurface(const Mesh& surface, const ExponentialPatch& patch)
+{
+  return { surface.Points(patch.Points, Eigen::all), patch.Corners };
+}
+
+bool OverlapsItself(const ExponentialPatch& patch)
+{
+  std::vector<char> torn(patch.Corners.rows(), 0);
+  for (const int row : patch.Torn)
+  {
+    torn[row] = 1;
+  }
+  std::vector<int> whole;
+  for (int row = 0; row < patch.Corners.rows(); ++row)
+  {
+    if (!torn[row])
+    {
+      whole.push_back(row);
+    }
+  }
+  const PlanarLocator locator(patch.Places, patch.Corners, patch.Torn);
+  const std::vector<HalfEdge> sides =
+    SortedHalfEdges(patch.Corners(whole, Eigen::all), patch.Places.rows());
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  {
+    const HalfEdge& side = sides[begin];
+    while (end < sides.size() && sides[end].Low() == side.Low() && sides[end].High() == side.High())
+    {
+      ++end;
+    }
+    if (end > begin + 1)
+    {
+      continue;
+    }
+    const RowVector2d a = patch.Places.row(side.Begin), b = patch.Places.row(side.End);
+    const auto runsThrough = [&](int row)
+    { return MeetsTriangle(a, b, patch.Places(patch.Corners.row(row), Eigen::all)); };
+    if (locator.AnyNear(a.cwiseMin(b), a.cwiseMax(b), runsThrough))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+ExponentialFacts FactsOf(
+  const Mesh& surface, const ExponentialPatch& patch, double radius, const Progress& progress)
+{
+  ExponentialFacts facts;
+  const auto count = static_cast<double>(patch.Corners.rows());
+  facts.FlipRate = count > 0.0 ? static_cast<double>(patch.Flipped.size()) / count : 0.0;
+  CellSimplices cells;
+  for (const auto& corners : patch.Corners.rowwise())
+  {
+    const std::array<int, 3> points = { corners(0), corners(1), corners(2) };
+    cells.Add(CellShape::Triangle, points.data());
+    cells.EndCell();
+  }
+  const Eigen::MatrixXd points = surface.Points(patch.Points, Eigen::all);
+  Eigen::MatrixXd images = Eigen::MatrixXd::Zero(patch.Places.rows(), 3);
+  images.leftCols(2) = patch.Places;
+  const MapQualityResult quality =
+    MapQuality(points, images, cells, ExtentOf(points, images, cells), progress.Part(0.0, 0.8));
+  facts.ConformalDistortions =
+    quality.Measures.col(static_cast<int>(MapMeasure::ConformalDistortion));
+  facts.SymmetricDirichlets =
+    quality.Measures.col(static_cast<int>(MapMeasure::SymmetricDirichlet));
+
+  const Eigen::VectorXi sound = SoundTriangles(patch);
+  const Eigen::VectorXd areas = quality.Sizes.cwiseProduct(sound.cast<double>());
+  facts.ConformalDistortion = SpreadOf(facts.ConformalDistortions, areas);
+  facts.SymmetricDirichlet = SpreadOf(facts.SymmetricDirichlets, areas);
+  double area = 0.0;
+  for (Eigen::Index row = 0; row < patch.Corners.rows(); ++row)
+  {
+    const RowVector2d a = patch.Places.row(patch.Corners(row, 0));
+    const RowVector2d u = patch.Places.row(patch.Corners(row, 1)) - a,
+                      v = patch.Places.row(patch.Corners(row, 2)) - a;
+    area += sound(row) ? 0.5 * (u(0) * v(1) - u(1) * v(0)) : 0.0;
+  }
+  facts.Coverage = area / (M_PI * radius * radius);
+  facts.Overlaps = OverlapsItself(patch);
+  progress(1.0);
+  return facts;
+}
+
+} // namespace shape

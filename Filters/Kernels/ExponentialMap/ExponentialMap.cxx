@@ -1,0 +1,247 @@
+#include "ExponentialMap/ExponentialMap.h"
+
+#include "Base/Errors.h"
+#include "Mesh/HalfEdges.h"
+#include "Geometry/Orientation.h"
+#include "Mesh/Topology.h"
+#include "ExponentialMap/Private/ExponentialFront.h"
+#include "Geometry/PointGraph.h"
+#include "Geometry/SmoothedNormals.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace shape
+{
+
+using Eigen::RowVector2d;
+using Eigen::RowVector3d;
+
+namespace
+{
+
+void RequireUsable(const Mesh& surface, const ExponentialMapOptions& options)
+{
+  if (surface.Triangles.rows() == 0)
+  {
+    throw InvalidInput("the surface has no triangles; give a triangulated surface");
+  }
+  RequireFinite(surface.Points, "the surface");
+  RequireOption(
+    options.NormalSmoothing >= 0, "NormalSmoothing", options.NormalSmoothing, "0 or more");
+}
+
+/// Of each node, whether it is an end of an edge with one triangle.
+std::vector<char> NodesOnRim(const Eigen::MatrixXi& triangles, int nodes)
+{
+  std::vector<char> onRim(nodes, 0);
+  const std::vector<HalfEdge> sides = SortedHalfEdges(triangles, nodes);
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  {
+    const HalfEdge& side = sides[begin];
+    while (end < sides.size() && sides[end].Low() == side.Low() && sides[end].High() == side.High())
+    {
+      ++end;
+    }
+    if (end == begin + 1)
+    {
+      onRim[side.Low()] = onRim[side.High()] = 1;
+    }
+  }
+  return onRim;
+}
+
+/// The longest of a triangle's sides, squared.
+template <typename Corners>
+double LongestSide2(const Corners& a, const Corners& b, const Corners& c)
+{
+  return std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
+}
+
+/// The points at each node: those of node i are Points[First[i]] ... Points[First[i + 1] - 1].
+struct PointsOfNodes
+{
+  PointsOfNodes(const Eigen::VectorXi& nodeOf, int nodes)
+    : First(nodes + 1, 0)
+    , Points(nodeOf.size())
+  {
+    for (const int node : nodeOf)
+    {
+      ++this->First[node + 1];
+    }
+    for (int i = 0; i < nodes; ++i)
+    {
+      this->First[i + 1] += this->First[i];
+    }
+    std::vector<int> next(this->First.begin(), this->First.end() - 1);
+    for (int point = 0; point < nodeOf.size(); ++point)
+    {
+      this->Points[next[nodeOf(point)]++] = point;
+    }
+  }
+
+  std::vector<int> First, Points;
+};
+
+} // namespace
+
+struct ExponentialMap::Target
+{
+  void AddPoints(ExponentialPatch& patch);
+  void AddTriangles(ExponentialPatch& patch);
+
+  SurfaceLocator Locator;
+  Eigen::VectorXi NodeOf; ///< of the points
+  Eigen::MatrixXi Nodes;  ///< m x 3: the triangles' corners
+  Eigen::MatrixXd Normals;
+  ExponentialFront Front;
+  std::vector<char> OnRim; ///< nodes
+  PointsOfNodes Copies;
+  std::vector<int> Rows; ///< of points: in the last patch, if they are in it
+};
+
+void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
+{
+  for (const int node : this->Front.Nodes())
+  {
+    patch.ReachesRim = patch.ReachesRim || this->OnRim[node];
+    for (int i = this->Copies.First[node]; i < this->Copies.First[node + 1]; ++i)
+    {
+      const int point = this->Copies.Points[i];
+      this->Rows[point] = static_cast<int>(patch.Points.size());
+      patch.Points.push_back(point);
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(patch.Points.size());
+  patch.Places.resize(count, 2);
+  patch.Distances.resize(count);
+  for (Eigen::Index row = 0; row < count; ++row)
+  {
+    const int node = this->NodeOf(patch.Points[row]);
+    patch.Places.row(row) = this->Front.Image(node).transpose();
+    patch.Distances(row) = this->Front.Distance(node);
+  }
+}
+
+void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
+{
+  constexpr double flat = 1e-14; // area of one that has none, of the longest side squared
+  constexpr double torn2 = 4.0;  // twice the length, squared
+  const std::vector<ExponentialFront::Triangle>& triangles = this->Front.Triangles();
+  patch.Triangles.reserve(triangles.size());
+  patch.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  const bool isWelded = this->OnRim.size() < this->Rows.size();
+  for (const auto& [triangle, nodes] : triangles)
+  {
+    const auto row = static_cast<int>(patch.Triangles.size());
+    patch.Triangles.push_back(triangle);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int point = isWelded ? this->Locator.Surface().Triangles(triangle, k) : nodes[k];
+      patch.Corners(row, k) = this->Rows[point];
+    }
+    const RowVector2d a = patch.Places.row(patch.Corners(row, 0)),
+                      b = patch.Places.row(patch.Corners(row, 1)),
+                      c = patch.Places.row(patch.Corners(row, 2));
+    const Eigen::Vector3d p = this->Front.Place(nodes[0]), q = this->Front.Place(nodes[1]),
+                          r = this->Front.Place(nodes[2]);
+    const double longest2 = LongestSide2(p, q, r);
+    if (LongestSide2(a, b, c) > torn2 * longest2)
+    {
+      patch.Torn.push_back(row);
+    }
+    if (Orientation(a, b, c) <= 0 && (q - p).cross(r - p).norm() > flat * longest2)
+    {
+      patch.Flipped.push_back(row);
+    }
+  }
+}
+
+ExponentialMap::ExponentialMap(
+  const Mesh& surface, const ExponentialMapOptions& options, const Progress& progress)
+{
+  RequireUsable(surface, options);
+  PointGraphOptions linked;
+  linked.Nearest = 0; // points that no triangle uses are no part of the surface
+  PointGraph graph = MakePointGraph(
+    ShapeElements{ surface.Points, {}, surface.Triangles, {} }, linked, progress.Part(0.0, 0.4));
+  Eigen::MatrixXi nodes =
+    surface.Triangles.unaryExpr([&](int point) { return graph.NodeOf(point); });
+  Eigen::MatrixXd normals =
+    SmoothedNormals(graph, nodes, options.NormalSmoothing, progress.Part(0.4, 0.6));
+  ExponentialFront front(graph, nodes, normals, options.UpwindAverage);
+  progress(0.7);
+  SurfaceLocator locator(surface);
+  progress(0.9);
+  std::vector<char> onRim = NodesOnRim(nodes, graph.Size());
+  PointsOfNodes copies(graph.NodeOf, graph.Size());
+  this->Impl.reset(new Target{ std::move(locator), std::move(graph.NodeOf), std::move(nodes),
+    std::move(normals), std::move(front), std::move(onRim), std::move(copies),
+    std::vector<int>(surface.Points.rows()) });
+  progress(1.0);
+}
+
+ExponentialMap::~ExponentialMap() = default;
+ExponentialMap::ExponentialMap(ExponentialMap&&) noexcept = default;
+ExponentialMap& ExponentialMap::operator=(ExponentialMap&&) noexcept = default;
+
+const Mesh& ExponentialMap::Surface() const
+{
+  return this->Impl->Locator.Surface();
+}
+
+const SurfaceLocator& ExponentialMap::Locator() const
+{
+  return this->Impl->Locator;
+}
+
+RowVector3d ExponentialMap::Normal(const ClosestPlace& place) const
+{
+  const Eigen::RowVector3i nodes = this->Impl->Nodes.row(place.Triangle);
+  RowVector3d normal = RowVector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    normal += place.Barycentric(k) * this->Impl->Normals.row(nodes(k));
+  }
+  // Corners with opposite normals have none between them.
+  constexpr double opposite = 1e-9;
+  if (normal.norm() < opposite)
+  {
+    Eigen::Index nearest = 0;
+    place.Barycentric.maxCoeff(&nearest);
+    return this->Impl->Normals.row(nodes(nearest));
+  }
+  return normal.normalized();
+}
+
+ExponentialPatch ExponentialMap::Around(
+  const ClosestPlace& seed, double radius, const RowVector3d& xDirection, const Progress& progress)
+{
+  RequireOption(std::isfinite(radius) && radius > 0.0, "Radius", radius, "positive and finite");
+  if (seed.Triangle < 0 || seed.Triangle >= this->Surface().Triangles.rows() ||
+    !seed.Barycentric.allFinite() || !xDirection.allFinite())
+  {
+    throw InvalidInput("the seed is no place of the surface, or its x direction is not finite; "
+                       "take the closest place to a point");
+  }
+  ExponentialPatch patch;
+  patch.Seed = FrameAt(
+    seed.Barycentric * Corners(this->Surface(), seed.Triangle), this->Normal(seed), xDirection);
+  this->Impl->Front.Run(
+    patch.Seed, this->Impl->Nodes.row(seed.Triangle), seed.Barycentric, radius, progress);
+  this->Impl->AddPoints(patch);
+  this->Impl->AddTriangles(patch);
+  return patch;
+}
+
+ExponentialPatch ExponentialMap::Around(const RowVector3d& seed, double radius,
+  const RowVector3d& xDirection, int guess, const Progress& progress)
+{
+  RequireFinite(seed, "the seed");
+  return this->Around(this->Locator().FindOne(seed, guess), radius, xDirection, progress);
+}
+
+} // namespace shape

@@ -1,0 +1,317 @@
+#include "ExponentialMap/Private/ExponentialFront.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace shape
+{
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+ExponentialFront::ExponentialFront(const PointGraph& graph, const Eigen::MatrixXi& triangles,
+  const Eigen::MatrixXd& normals, bool upwindAverage)
+  : UpwindAverage(upwindAverage)
+  , Fans(triangles, graph.Size())
+  , Samples(graph.Size())
+  , Marks(graph.Size(), -1)
+  , Upwind(this->Fans.Largest + 1)
+{
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    this->Samples[i].Place = graph.Places.row(i).transpose();
+    this->Samples[i].Normal = normals.row(i).transpose();
+  }
+}
+
+EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
+  const Sample& from, const Sample& to)
+{
+  constexpr double opposite = 1e-6; // between opposite normals there is no shortest turn
+  const Vector3d edge = to.Place - from.Place;
+  const Vector2d flat = from.Axes * edge;
+  const double length2 = edge.squaredNorm(), flat2 = flat.squaredNorm();
+  const double scale = flat2 > 0.0 ? std::sqrt(length2 / flat2) : 0.0;
+  const Vector3d x = from.Axes.row(0).transpose();
+  const double turn = x.dot(to.Normal) / std::max(opposite, 1.0 + from.Normal.dot(to.Normal));
+  Prediction prediction;
+  prediction.Step = scale * flat;
+  prediction.Image = from.Image + prediction.Step;
+  prediction.XAxis = x - turn * (from.Normal + to.Normal);
+  prediction.Length2 = length2;
+  return prediction;
+}
+
+/// The squared distance of the apex from where the distances at the ends of an edge come from:
+/// straight, with the triangle laid out flat; infinite where the way does not cross the edge.
+/// nearFirst: whether it does so in the half of `first`.
+inline double ExponentialFront::Distance2Across(
+  const Sample& first, const Sample& second, const Vector3d& apex, bool& nearFirst)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const Vector3d edge = second.Place - first.Place, side = apex - first.Place;
+  // The apex, and where the way begins, along the edge and across: all times the edge's length.
+  const double length2 = edge.squaredNorm(), first2 = first.Distance * first.Distance;
+  const double apexAlong = side.dot(edge);
+  const double along = 0.5 * (first2 - second.Distance * second.Distance + length2);
+  // No height: an apex on the edge, where a triangle without area closes a cleft.
+  const double height2 = std::max(0.0, side.squaredNorm() * length2 - apexAlong * apexAlong);
+  const double depth2 = first2 * length2 - along * along;
+  if (!(depth2 >= 0.0))
+  {
+    return none;
+  }
+  const double height = std::sqrt(height2), depth = std::sqrt(depth2), across = height + depth;
+  const double crossing = along * height + apexAlong * depth;
+  nearFirst = 2.0 * crossing < length2 * across;
+  const double shift = apexAlong - along;
+  return crossing >= 0.0 && crossing <= length2 * across
+    ? (shift * shift + across * across) / length2
+    : none;
+}
+
+void ExponentialFront::BeginRun(const TangentFrame& seed)
+{
+  this->FirstMark += StateCount;
+  if (this->FirstMark > std::numeric_limits<int>::max() - StateCount)
+  {
+    std::fill(this->Marks.begin(), this->Marks.end(), -1);
+    this->FirstMark = 0;
+  }
+  this->Queue.clear();
+  this->Met.clear();
+  this->Covered.clear();
+  this->Seed.Place = seed.Origin.transpose();
+  this->Seed.Normal = seed.Normal.transpose();
+  this->Seed.Axes << seed.XAxis, seed.YAxis;
+}
+
+void ExponentialFront::Reach(int node, double distance, int source, State state)
+{
+  Sample& sample = this->Samples[node];
+  int& mark = this->Marks[node];
+  // No way is shorter than that straight from the seed but by rounding.
+  if (mark < this->FirstMark || (distance < sample.Distance && sample.Source >= 0))
+  {
+    mark = this->FirstMark + state;
+    sample.Distance = distance;
+    sample.Source = source;
+    this->Queue.emplace_back(distance, node);
+    std::push_heap(this->Queue.begin(), this->Queue.end(), std::greater<>());
+  }
+}
+
+void ExponentialFront::ReachAlong(const Sample& from, int node, int source)
+{
+  const double length = (this->Samples[node].Place - from.Place).norm();
+  this->Reach(node, from.Distance + length, source, AlongEdge);
+}
+
+void ExponentialFront::Spread(int node)
+{
+  const Sample& sample = this->Samples[node];
+  for (int i = this->Fans.First[node]; i < this->Fans.First[node + 1]; ++i)
+  {
+    const FanTriangle& triangle = this->Fans.Triangles[i];
+    if (triangle.Triangle < 0)
+    {
+      continue;
+    }
+    const bool hasNext = this->IsSettled(triangle.Next),
+               hasPrevious = this->IsSettled(triangle.Previous);
+    if (hasNext && hasPrevious)
+    {
+      Triangle covered{ triangle.Triangle, {} };
+      covered.Nodes[triangle.Corner] = node;
+      covered.Nodes[(triangle.Corner + 1) % 3] = triangle.Next;
+      covered.Nodes[(triangle.Corner + 2) % 3] = triangle.Previous;
+      this->Covered.push_back(covered);
+      continue;
+    }
+    if (!hasNext && !hasPrevious)
+    {
+      this->ReachAlong(sample, triangle.Next, node);
+      this->ReachAlong(sample, triangle.Previous, node);
+      continue;
+    }
+    const int beside = hasNext ? triangle.Next : triangle.Previous,
+              ahead = hasNext ? triangle.Previous : triangle.Next;
+    bool nearNode = true;
+    const double distance2 =
+      Distance2Across(sample, this->Samples[beside], this->Samples[ahead].Place, nearNode);
+    if (std::isfinite(distance2))
+    {
+      this->Reach(ahead, std::sqrt(distance2), nearNode ? node : beside, AcrossTriangle);
+    }
+    else
+    {
+      this->ReachAlong(sample, ahead, node);
+    }
+  }
+}
+
+/// The neighbours that were met before, but for the one that the front came from.
+void ExponentialFront::FindUpwind(int node)
+{
+  // Whether one is settled cannot be foreseen: a branch would cost more than the rest.
+  const int source = this->Samples[node].Source;
+  int count = 0;
+  for (int i = this->Fans.First[node]; i < this->Fans.First[node + 1]; ++i)
+  {
+    const int other = this->Fans.Triangles[i].Next;
+    this->Upwind[count] = other;
+    count += this->IsSettled(other) & (other != source) ? 1 : 0;
+  }
+  this->UpwindCount = count;
+}
+
+/// The mean of what all of them say, times a factor. Weights are inverse squares of the edges'
+/// lengths, times 1 - tilt x, x being how far a neighbour is to the left of the way from the seed,
+/// so that they are in balance on it: what is off the way by as much on both sides errs by as much
+/// in both directions.
+EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
+  const Sample& sample, const Prediction& first) const
+{
+  constexpr double most = 0.9; // of tilt x: no weight is negative
+  constexpr double aside = std::numeric_limits<double>::min();
+  Vector2d image = Vector2d::Zero(), moment = Vector2d::Zero();
+  Vector3d xAxis = Vector3d::Zero(), axisMoment = Vector3d::Zero();
+  double weights = 0.0, moment1 = 0.0, moment2 = 0.0, left = aside, right = -aside;
+  const auto add = [&](const Prediction& one)
+  {
+    const double x = one.Step(0) * first.Image(1) - one.Step(1) * first.Image(0);
+    const double weight = 1.0 / one.Length2, weightX = weight * x;
+    image += weight * one.Image;
+    xAxis += weight * one.XAxis;
+    weights += weight;
+    moment += weightX * one.Image;
+    axisMoment += weightX * one.XAxis;
+    moment1 += weightX;
+    moment2 += weightX * x;
+    left = std::max(left, x);
+    right = std::min(right, x);
+  };
+  add(first);
+  for (int i = 0; i < this->UpwindCount; ++i)
+  {
+    const Prediction one = Predict(this->Samples[this->Upwind[i]], sample);
+    // About the sum of the edges' lengths apart: the other way round a limb.
+    const double most2 = 2.0 * (one.Length2 + first.Length2);
+    if ((one.Image - first.Image).squaredNorm() <= most2)
+    {
+      add(one);
+    }
+  }
+  const double balanced = moment2 > 0.0 ? moment1 / moment2 : 0.0;
+  const double tilt = std::clamp(balanced, most / right, most / left);
+  return { image - tilt * moment, xAxis - tilt * axisMoment, weights - tilt * moment1 };
+}
+
+/// The axes nearest to an x axis that is nearly tangent.
+void ExponentialFront::SetAxes(Sample& sample, const Vector3d& xAxis)
+{
+  constexpr double nothing = 1e-6; // of the square: axes that cancel each other out
+  const Vector3d tangent = xAxis - xAxis.dot(sample.Normal) * sample.Normal;
+  const double length2 = tangent.squaredNorm();
+  Vector3d x = tangent / std::sqrt(length2);
+  if (!(length2 > nothing * xAxis.squaredNorm()))
+  {
+    x = FrameAt(sample.Place, sample.Normal).XAxis;
+  }
+  sample.Axes << x.transpose(), sample.Normal.cross(x).transpose();
+}
+
+void ExponentialFront::Settle(int node)
+{
+  Sample& sample = this->Samples[node];
+  const bool isBesideSeed = sample.Source < 0;
+  const Prediction first =
+    Predict(isBesideSeed ? this->Seed : this->Samples[sample.Source], sample);
+  sample.Image = first.Image;
+  Vector3d xAxis = first.XAxis;
+  if (this->UpwindAverage && !isBesideSeed)
+  {
+    this->FindUpwind(node);
+    const Mean mean = this->UpwindMean(sample, first);
+    const double length = mean.Image.norm();
+    if (this->Marks[node] == this->FirstMark + AlongEdge)
+    {
+      // Ways along edges are too long. No way is shorter than the straight one in space.
+      const double least = (sample.Place - this->Seed.Place).norm();
+      sample.Distance = std::min(sample.Distance, std::max(length / mean.Factor, least));
+    }
+    sample.Image = mean.Image * (length > 0.0 ? sample.Distance / length : 0.0);
+    xAxis = mean.XAxis;
+  }
+  SetAxes(sample, xAxis);
+  this->Marks[node] = this->FirstMark + Settled;
+}
+
+/// Starts from the corners of all triangles that the seed lies in or on the border of.
+void ExponentialFront::Start(
+  const Eigen::RowVector3i& corners, const Eigen::RowVector3d& barycentric)
+{
+  constexpr double none = 1e-9; // of a corner: the seed is on the edge opposite
+  const auto start = [&](int node)
+  {
+    const double distance = (this->Samples[node].Place - this->Seed.Place).norm();
+    this->Reach(node, distance, -1, AlongEdge);
+  };
+  std::vector<int> on;
+  for (int k = 0; k < 3; ++k)
+  {
+    start(corners(k));
+    if (barycentric(k) > none)
+    {
+      on.push_back(corners(k));
+    }
+  }
+  if (on.empty() || on.size() == 3)
+  {
+    return;
+  }
+  for (int i = this->Fans.First[on[0]]; i < this->Fans.First[on[0] + 1]; ++i)
+  {
+    const FanTriangle& triangle = this->Fans.Triangles[i];
+    if (on.size() == 1 || triangle.Next == on[1] || triangle.Previous == on[1])
+    {
+      start(triangle.Next);
+      start(triangle.Previous);
+    }
+  }
+}
+
+void ExponentialFront::Run(const TangentFrame& seed, const Eigen::RowVector3i& corners,
+  const Eigen::RowVector3d& barycentric, double radius, const Progress& progress)
+{
+  constexpr std::size_t between = 8192;
+  this->BeginRun(seed);
+  this->Start(corners, barycentric);
+  while (!this->Queue.empty())
+  {
+    std::pop_heap(this->Queue.begin(), this->Queue.end(), std::greater<>());
+    const auto [distance, node] = this->Queue.back();
+    this->Queue.pop_back();
+    if (this->IsSettled(node))
+    {
+      continue;
+    }
+    if (distance > radius)
+    {
+      break;
+    }
+    if (this->Met.size() % between == 0)
+    {
+      progress(0.0);
+    }
+    this->Settle(node);
+    this->Met.push_back(node);
+    this->Spread(node);
+  }
+}
+
+} // namespace shape

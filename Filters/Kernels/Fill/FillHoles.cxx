@@ -1,0 +1,339 @@
+#include "Fill/FillHoles.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Fill/LoopChoice.h"
+#include "Fill/Private/PatchCrossings.h"
+#include "Fill/RimNormals.h"
+#include "Mesh/BorderLoops.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+/// In which Automatic tries them.
+constexpr std::array<FillMethod, 3> Order = { FillMethod::Fair, FillMethod::Deformation,
+  FillMethod::Membrane };
+
+std::string NameOf(FillMethod method)
+{
+  switch (method)
+  {
+    case FillMethod::Deformation:
+      return "the deformed disk";
+    case FillMethod::Membrane:
+      return "the membrane";
+    default:
+      return "the fair surface";
+  }
+}
+
+/// Which hole a triangle fills.
+int OwnerOf(const FilledSurface& filled, int triangle)
+{
+  const auto after = std::upper_bound(filled.Holes.begin(), filled.Holes.end(), triangle,
+    [](int value, const FilledHole& hole) { return value < hole.FirstTriangle; });
+  return static_cast<int>(after - filled.Holes.begin()) - 1;
+}
+
+/// For the i-th of `count` equal parts of some work.
+Progress PartOf(const Progress& progress, std::size_t i, std::size_t count)
+{
+  const auto all = static_cast<double>(count);
+  return progress.Part(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
+}
+
+} // namespace
+
+struct SurfaceFiller::Hole
+{
+  Hole(SurfaceRim border, const HoleFillerOptions& options)
+    : Filler(std::move(border), options)
+  {
+    this->Facts.Nonplanarity = Nonplanarity(this->Filler.Rim().Points);
+  }
+
+  HoleFiller Filler;
+  RimCorners Corners;
+  FilledHole Facts;
+  Mesh Patch;
+  bool IsFilled = false;
+};
+
+SurfaceFiller::~SurfaceFiller() = default;
+
+SurfaceFiller::SurfaceFiller(
+  const Mesh& surface, const std::vector<std::vector<int>>& loops, const HoleFillerOptions& options)
+  : Surface(surface)
+{
+  RequireLoops(surface, loops);
+  std::vector<std::vector<int>> rims;
+  for (const std::vector<int>& loop : loops)
+  {
+    rims.emplace_back(loop.rbegin(), loop.rend());
+  }
+  const TriangleFans fans(surface.Triangles, surface.Points.rows());
+  this->Add(
+    rims, [&](const std::vector<int>& points) { return RimNormals(surface, fans, points); },
+    options);
+}
+
+SurfaceFiller::SurfaceFiller(const Mesh& surface, const std::vector<std::vector<int>>& rims,
+  const Eigen::MatrixXd& normals, const HoleFillerOptions& options)
+  : Surface(surface)
+{
+  RequireLoops(surface, rims);
+  this->Add(
+    rims,
+    [&](const std::vector<int>& points) -> Eigen::MatrixXd { return normals(points, Eigen::all); },
+    options);
+}
+
+void SurfaceFiller::Add(const std::vector<std::vector<int>>& rims,
+  const std::function<Eigen::MatrixXd(const std::vector<int>&)>& normals, HoleFillerOptions options)
+{
+  this->Taken = std::make_unique<TakenEdges>(this->Surface, rims);
+  for (int i = 0; i < static_cast<int>(rims.size()); ++i)
+  {
+    RimCorners corners = CornersOfRim(rims[i], this->Surface.Points);
+    options.IsTaken = this->Taken->Of(i, corners.Points);
+    const SurfaceRim border{ this->Surface.Points(corners.Points, Eigen::all),
+      normals(corners.Points) };
+    this->Holes.emplace_back(border, options);
+    this->Holes.back().Facts.Number = i;
+    this->Holes.back().Facts.Rim = rims[i];
+    this->Holes.back().Corners = std::move(corners);
+  }
+}
+
+/// The surface with the fills that are there, that of `last` behind the others.
+FilledSurface SurfaceFiller::Joined(const Hole* last) const
+{
+  std::vector<const Hole*> order;
+  for (const Hole& hole : this->Holes)
+  {
+    if (hole.IsFilled && &hole != last)
+    {
+      order.push_back(&hole);
+    }
+  }
+  if (last)
+  {
+    order.push_back(last);
+  }
+  FilledSurface joined{ this->Surface, {} };
+  Eigen::Index points = this->Surface.Points.rows(), triangles = this->Surface.Triangles.rows();
+  for (const Hole* hole : order)
+  {
+    FilledHole facts = hole->Facts;
+    facts.FirstPoint = static_cast<int>(points);
+    facts.FirstTriangle = static_cast<int>(triangles);
+    facts.Points = static_cast<int>(hole->Patch.Points.rows() - hole->Corners.Points.size());
+    facts.Triangles = static_cast<int>(hole->Patch.Triangles.rows() + hole->Corners.Slivers.rows());
+    points += facts.Points;
+    triangles += facts.Triangles;
+    joined.Holes.push_back(std::move(facts));
+  }
+  joined.Surface.Points.conservativeResize(points, 3);
+  joined.Surface.Triangles.conservativeResize(triangles, 3);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const FilledHole& facts = joined.Holes[i];
+    const Mesh& patch = order[i]->Patch;
+    const RimCorners& corners = order[i]->Corners;
+    const auto rim = static_cast<int>(corners.Points.size());
+    joined.Surface.Points.middleRows(facts.FirstPoint, facts.Points) =
+      patch.Points.bottomRows(facts.Points);
+    joined.Surface.Triangles.middleRows(facts.FirstTriangle, facts.Triangles)
+      << patch.Triangles.unaryExpr([&](int corner)
+           { return corner < rim ? corners.Points[corner] : facts.FirstPoint + corner - rim; }),
+      corners.Slivers;
+  }
+  return joined;
+}
+
+/// Fills a hole by one method; returns whether the result is worth looking at.
+bool SurfaceFiller::Try(
+  Hole& hole, FillMethod method, const FillHolesOptions& options, const Progress& progress)
+{
+  try
+  {
+    HoleFill fill = hole.Filler.Fill(method, options.Deformation, options.Frames, progress);
+    hole.Patch = std::move(fill.Patch);
+    hole.Facts.Method = method;
+    hole.Facts.DeviationBefore = fill.DeviationBefore;
+    hole.Facts.DeviationAfter = fill.DeviationAfter;
+    hole.Facts.Reason = !fill.Converged ? NameOf(method) + " did not settle: the smoothest met"
+      : fill.IsSound                    ? ""
+                     : NameOf(method) + " has more than ten times the membrane's area";
+    hole.IsFilled = true;
+    return fill.IsSound;
+  }
+  catch (const SolveFailure& problem)
+  {
+    throw SolveFailure("the hole at point " + std::to_string(hole.Facts.Rim.front()) + ": " +
+      problem.what() + "; repair the loop with Clean, or leave it out");
+  }
+}
+
+/// Where Automatic's first method does not do, the best of all: one that did not settle only where
+/// the others meet more.
+void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const Progress& progress)
+{
+  std::string reason;
+  Mesh bestPatch;
+  FilledHole best;
+  std::optional<FillMethod> unsettled;
+  int least = std::numeric_limits<int>::max();
+  const auto consider = [&]
+  {
+    const FilledSurface all = this->Joined(&hole);
+    const auto crossings = static_cast<int>(
+      PatchCrossings(all.Surface, all.Holes.back().FirstTriangle, progress, least).size());
+    if (crossings < least)
+    {
+      least = crossings;
+      bestPatch = hole.Patch;
+      best = hole.Facts;
+    }
+    return crossings == 0;
+  };
+  for (const FillMethod method : Order)
+  {
+    try
+    {
+      if (!this->Try(hole, method, options, progress))
+      {
+        reason += NameOf(method) + " did not settle; ";
+        unsettled = method;
+      }
+      else if (consider())
+      {
+        break;
+      }
+      else
+      {
+        reason += NameOf(method) + " meets itself or the surface; ";
+      }
+    }
+    catch (const SolveFailure&)
+    {
+      reason += NameOf(method) + " was not found; ";
+    }
+  }
+  if (least > 0 && unsettled)
+  {
+    this->Try(hole, *unsettled, options, progress);
+    consider();
+  }
+  if (best.Rim.empty())
+  {
+    throw SolveFailure("the hole at point " + std::to_string(hole.Facts.Rim.front()) +
+      " cannot be filled: " + reason + "repair the loop with Clean, or leave it out");
+  }
+  hole.Patch = std::move(bestPatch);
+  hole.Facts = std::move(best);
+  hole.Facts.Reason = reason +
+    (least == 0 ? NameOf(hole.Facts.Method) + " does not meet them"
+                : "least of all " + NameOf(hole.Facts.Method));
+}
+
+/// Fills each by the method asked for, or Automatic's first; returns which need another one.
+std::vector<bool> SurfaceFiller::FillEach(const FillHolesOptions& options, const Progress& progress)
+{
+  const bool isAutomatic = options.Method == FillMethod::Automatic;
+  std::vector<bool> fails(this->Holes.size(), false);
+  for (std::size_t i = 0; i < fails.size(); ++i)
+  {
+    Hole& hole = this->Holes[i];
+    hole.IsFilled = false;
+    try
+    {
+      const bool isSound = this->Try(hole, isAutomatic ? Order.front() : options.Method, options,
+        PartOf(progress, i, fails.size()));
+      fails[i] = isAutomatic && !isSound;
+      hole.IsFilled = !fails[i];
+    }
+    catch (const SolveFailure&)
+    {
+      if (!isAutomatic)
+      {
+        throw;
+      }
+      fails[i] = true;
+    }
+  }
+  return fails;
+}
+
+FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progress& progress)
+{
+  std::vector<bool> fails = this->FillEach(options, progress.Part(0.0, 0.7));
+  FilledSurface filled = this->Joined(nullptr);
+  const auto first = static_cast<int>(this->Surface.Triangles.rows());
+  std::vector<Crossing> crossings = PatchCrossings(filled.Surface, first, progress.Part(0.7, 0.75));
+  // In the first round one by one, so that a fill that is to be replaced is in no other's way; then
+  // those that met no fill before they were there themselves.
+  const int rounds = options.Method == FillMethod::Automatic ? 2 : 0;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const bool isFirst = round == 0;
+    for (const Crossing& crossing : crossings)
+    {
+      if (isFirst || crossing.First >= first)
+      {
+        fails[filled.Holes[OwnerOf(filled, crossing.Second)].Number] = true;
+      }
+      if (crossing.First >= first)
+      {
+        fails[filled.Holes[OwnerOf(filled, crossing.First)].Number] = true;
+      }
+    }
+    if (std::find(fails.begin(), fails.end(), true) == fails.end())
+    {
+      break;
+    }
+    for (std::size_t i = 0; i < fails.size(); ++i)
+    {
+      this->Holes[i].IsFilled = !(isFirst && fails[i]);
+    }
+    const Progress part = progress.Part(0.75 + 0.1 * round, 0.85 + 0.1 * round);
+    for (std::size_t i = 0; i < fails.size(); ++i)
+    {
+      if (fails[i])
+      {
+        this->Replace(this->Holes[i], options, PartOf(part, i, fails.size()));
+      }
+    }
+    fails.assign(fails.size(), false);
+    filled = this->Joined(nullptr);
+    crossings = PatchCrossings(filled.Surface, first, progress.Part(0.95, 0.95));
+  }
+  for (const Crossing& crossing : crossings)
+  {
+    ++filled.Holes[OwnerOf(filled, crossing.Second)].SelfIntersections;
+  }
+  progress(1.0);
+  return filled;
+}
+
+FilledSurface FillHoles(
+  const Mesh& surface, const FillHolesOptions& options, const Progress& progress)
+{
+  return FillLoops(surface, BorderLoops(surface).Loops, options, progress);
+}
+
+FilledSurface FillLoops(const Mesh& surface, const std::vector<std::vector<int>>& loops,
+  const FillHolesOptions& options, const Progress& progress)
+{
+  return SurfaceFiller(surface, loops, options.Filler).Fill(options, progress);
+}
+
+} // namespace shape

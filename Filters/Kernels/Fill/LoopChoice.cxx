@@ -1,0 +1,92 @@
+#include "Fill/LoopChoice.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace shape
+{
+
+double LoopLength(const Eigen::MatrixXd& points, const std::vector<int>& loop)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    length += (points.row(loop[(i + 1) % loop.size()]) - points.row(loop[i])).norm();
+  }
+  return length;
+}
+
+std::vector<int> ChooseLoops(
+  const Mesh& surface, const std::vector<std::vector<int>>& loops, const LoopChoice& choice)
+{
+  RequireOption(choice.MaximumLength >= 0.0, "MaximumLength", choice.MaximumLength, "at least 0");
+  std::vector<int> chosen(loops.size());
+  std::iota(chosen.begin(), chosen.end(), 0);
+  if (choice.Loops == LoopChoice::LoopsType::Longest && chosen.size() > 1)
+  {
+    chosen.resize(1);
+  }
+  if (choice.Loops == LoopChoice::LoopsType::Chosen)
+  {
+    chosen = choice.Indices;
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    for (const int loop : chosen)
+    {
+      if (loop < 0 || loop >= static_cast<int>(loops.size()))
+      {
+        throw InvalidInput("there is no loop " + std::to_string(loop) + "; the surface has " +
+          std::to_string(loops.size()) + ", of which the longest is loop 0");
+      }
+    }
+  }
+  const auto isTooLong = [&](int loop)
+  {
+    return choice.MaximumLength > 0.0 &&
+      LoopLength(surface.Points, loops[loop]) > choice.MaximumLength;
+  };
+  chosen.erase(std::remove_if(chosen.begin(), chosen.end(), isTooLong), chosen.end());
+  return chosen;
+}
+
+double Nonplanarity(const Eigen::MatrixXd& points)
+{
+  constexpr Eigen::Index planar = 3;
+  if (points.rows() <= planar)
+  {
+    return 0.0;
+  }
+  const Eigen::MatrixXd ways = points.rowwise() - points.colwise().mean();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> axes(ways, Eigen::ComputeThinV);
+  const double radius = ways.rowwise().norm().maxCoeff();
+  return radius > 0.0 ? (ways * axes.matrixV().col(2)).cwiseAbs().maxCoeff() / (2.0 * radius) : 0.0;
+}
+
+void RequireLoops(const Mesh& surface, const std::vector<std::vector<int>>& loops)
+{
+  RequireFinite(surface.Points, "the surface");
+  for (const std::vector<int>& loop : loops)
+  {
+    if (loop.size() < 3)
+    {
+      throw InvalidInput("a loop has " + std::to_string(loop.size()) +
+        " points; it must have at least 3: leave it out");
+    }
+    for (const int point : loop)
+    {
+      if (point < 0 || point >= surface.Points.rows())
+      {
+        throw InvalidInput("a loop names point " + std::to_string(point) + " of " +
+          std::to_string(surface.Points.rows()) + "; give points of the surface");
+      }
+    }
+  }
+}
+
+} // namespace shape

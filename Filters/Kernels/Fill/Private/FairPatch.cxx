@@ -1,0 +1,129 @@
+#include "Fill/Private/FairPatch.h"
+
+#include "Fill/Private/SphericalCap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+/// A patch on its way to be fair.
+class FairSearch
+{
+public:
+  FairSearch(const HolePatch& membrane, const SurfaceRim& rim, const PatchSizes& sizes)
+    : Membrane(membrane)
+    , Rim(rim)
+    , Wanted(sizes)
+    , MostArea(10.0 * ComputeArea(membrane.Surface))
+    , IsCoarse(rim.Points.rows() > 64)
+  {
+  }
+
+  /// From the membrane's layout.
+  void Start(const Progress& progress)
+  {
+    constexpr double steep = 60.0 * M_PI / 180.0;
+    PatchSizes sizes = this->Wanted;
+    if (std::abs(MeanTilt(this->Rim)) > steep)
+    {
+      this->IsCoarse = true;
+      sizes.Growth = std::max(sizes.Growth, BulgingGrowth);
+      this->Patch = { { BentCap(this->Membrane, this->Rim), this->Membrane.Surface.Triangles },
+        this->Membrane.Flat };
+      this->Patch = Retriangulated(this->Patch, sizes, this->Rim.Normals, progress.Part(0.0, 0.5));
+      this->MakeFair(progress.Part(0.5, 1.0));
+      return;
+    }
+    constexpr double flatGrowth = 0.5;
+    sizes.Growth = this->IsCoarse ? std::max(sizes.Growth, flatGrowth) : sizes.Growth;
+    this->Patch =
+      Retriangulated(this->Membrane, sizes, Eigen::MatrixXd(0, 3), progress.Part(0.0, 0.5));
+    const Mesh flat = FlatSurface(this->Patch);
+    this->Patch.Surface.Points = BiharmonicSurface(flat, this->Rim);
+    this->MakeFair(progress.Part(0.5, 1.0));
+    this->Stretch = GreatestStretch(flat, this->Patch.Surface);
+  }
+
+  /// Until triangles stay as they are made.
+  void Settle(const Progress& progress)
+  {
+    constexpr double uneven = 1.5;
+    constexpr int rounds = 4;
+    PatchSizes sizes = this->Wanted;
+    sizes.Growth = std::max(sizes.Growth, BulgingGrowth);
+    for (int round = 0;
+         round < rounds && !this->IsBalloon() && (this->Stretch > uneven || !this->Fair.Converged);
+         ++round)
+    {
+      this->IsCoarse = true;
+      const double begin = static_cast<double>(round) / rounds;
+      this->Patch =
+        Retriangulated(this->Patch, sizes, this->Rim.Normals, progress.Part(begin, begin));
+      this->MakeFair(progress.Part(begin, begin + 1.0 / rounds));
+    }
+  }
+
+  /// As fine as wanted, again where triangles do not stay even.
+  void Refine(const Progress& progress)
+  {
+    constexpr double slightlyUneven = 1.3, uneven = 1.5;
+    constexpr int rounds = 2;
+    bool isNeeded = this->IsCoarse || this->Stretch > slightlyUneven;
+    this->IsCoarse = false;
+    for (int round = 0; round < rounds && !this->IsBalloon() && isNeeded; ++round)
+    {
+      const double begin = static_cast<double>(round) / rounds, middle = begin + 0.1;
+      this->Patch =
+        Retriangulated(this->Patch, this->Wanted, this->Rim.Normals, progress.Part(begin, middle));
+      this->MakeFair(progress.Part(middle, begin + 1.0 / rounds));
+      isNeeded = this->Stretch > uneven;
+    }
+  }
+
+  bool IsBalloon() const { return !(ComputeArea(this->Patch.Surface) < this->MostArea); }
+  FairPatchResult Result() const
+  {
+    return { this->Patch.Surface, this->Fair.Converged, this->IsBalloon() };
+  }
+
+private:
+  static constexpr double BulgingGrowth = 0.25; ///< of edges, away from the rim
+
+  void MakeFair(const Progress& progress)
+  {
+    FairSurfaceOptions options;
+    constexpr double roughly = 0.05;
+    options.Tolerance = this->IsCoarse ? roughly : options.Tolerance;
+    const Mesh before = this->Patch.Surface;
+    this->Fair = FairSurface(before, this->Rim.Normals, options, progress);
+    this->Patch.Surface.Points = this->Fair.Points;
+    this->Stretch = GreatestStretch(before, this->Patch.Surface);
+  }
+
+  const HolePatch& Membrane;
+  const SurfaceRim& Rim;
+  const PatchSizes& Wanted;
+  const double MostArea;
+  bool IsCoarse; ///< whether the patch is not to be the result
+  HolePatch Patch;
+  FairSurfaceResult Fair;
+  double Stretch = 1.0; ///< by how much triangles became larger or smaller when made fair
+};
+
+} // namespace
+
+FairPatchResult FairPatch(const HolePatch& membrane, const SurfaceRim& rim, const PatchSizes& sizes,
+  const Progress& progress)
+{
+  FairSearch search(membrane, rim, sizes);
+  search.Start(progress.Part(0.0, 0.2));
+  search.Settle(progress.Part(0.2, 0.4));
+  search.Refine(progress.Part(0.4, 1.0));
+  return search.Result();
+}
+
+} // namespace shape

@@ -1,0 +1,322 @@
+#include "Fill/Private/HoleDisk.h"
+
+#include "Fill/Private/RimChords.h"
+#include "Planar/PlanarDelaunay.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+using Eigen::RowVector2d;
+
+/// Half of the angles that sides of lengths `lengths` take up on a circle of diameter 1 / bend.
+Eigen::VectorXd HalfAngles(const Eigen::VectorXd& lengths, double bend)
+{
+  return (lengths * bend).cwiseMin(1.0).array().asin();
+}
+
+/// A triangular grid around a place, as fine as asked for.
+class GridPoints
+{
+public:
+  GridPoints(const RowVector2d& low, const RowVector2d& high, const FlatDiskOptions& options)
+    : Low(low)
+    , High(high)
+    , Options(options)
+    , Side(options.Edge)
+  {
+    // The inscribed circle of the first cell goes around the box.
+    const double radius = 0.5 * (high - low).norm();
+    while (this->Side < 2.0 * std::sqrt(3.0) * radius)
+    {
+      this->Side *= 2.0;
+    }
+    this->Origin = 0.5 * (low + high) - this->Side * RowVector2d(0.5, std::sqrt(3.0) / 6.0);
+  }
+
+  /// Within the box, each once.
+  std::vector<RowVector2d> Find(const Progress& progress)
+  {
+    this->Split({ 0, 0 }, Finest, 1, progress);
+    std::sort(this->Nodes.begin(), this->Nodes.end());
+    this->Nodes.erase(std::unique(this->Nodes.begin(), this->Nodes.end()), this->Nodes.end());
+    std::vector<RowVector2d> places;
+    for (const Node& node : this->Nodes)
+    {
+      const RowVector2d place = this->Place(node[0], node[1]);
+      if ((place.array() > this->Low.array()).all() && (place.array() < this->High.array()).all())
+      {
+        places.push_back(place);
+      }
+    }
+    return places;
+  }
+
+private:
+  /// Steps along the sides of the first cell at 0 and 60 degrees, of which it has Finest each.
+  using Node = std::array<std::int64_t, 2>;
+  static constexpr std::int64_t Finest = std::int64_t(1) << 40;
+
+  RowVector2d Place(double along, double up) const
+  {
+    // Slightly askew: where cells of two sizes meet, four corners would lie on one circle, and
+    // rounding would decide between the triangles.
+    const double step = this->Side / static_cast<double>(Finest);
+    return this->Origin + step * RowVector2d(along + 0.50002 * up, (std::sqrt(0.75) - 3e-5) * up);
+  }
+
+  /// A cell from a corner to the two `size` steps along and up, or down where that is negative.
+  void Split(const Node& corner, std::int64_t size, int sense, const Progress& progress)
+  {
+    const std::int64_t signedSize = sense * size;
+    const double third = static_cast<double>(signedSize) / 3.0;
+    const RowVector2d centre =
+      this->Place(static_cast<double>(corner[0]) + third, static_cast<double>(corner[1]) + third);
+    const double side = this->Side * static_cast<double>(size) / static_cast<double>(Finest);
+    const double radius = side / std::sqrt(3.0);
+    if ((centre.array() + radius < this->Low.array()).any() ||
+      (centre.array() - radius > this->High.array()).any())
+    {
+      return;
+    }
+    const double wanted = this->Options.Size(centre) - this->Options.Growth * radius;
+    if (size == 1 || side <= 1e-3 * this->Options.Edge || side <= std::sqrt(2.0) * wanted)
+    {
+      this->Nodes.push_back(corner);
+      this->Nodes.push_back({ corner[0] + signedSize, corner[1] });
+      this->Nodes.push_back({ corner[0], corner[1] + signedSize });
+      if (this->Nodes.size() % 10000 < 3)
+      {
+        progress(0.0);
+      }
+      return;
+    }
+    const std::int64_t half = signedSize / 2;
+    this->Split(corner, size / 2, sense, progress);
+    this->Split({ corner[0] + half, corner[1] }, size / 2, sense, progress);
+    this->Split({ corner[0], corner[1] + half }, size / 2, sense, progress);
+    this->Split({ corner[0] + half, corner[1] + half }, size / 2, -sense, progress);
+  }
+
+  const RowVector2d Low, High;
+  const FlatDiskOptions& Options;
+  double Side; ///< of the first cell
+  RowVector2d Origin;
+  std::vector<Node> Nodes;
+};
+
+/// Whether a triangulation's outline neither crosses nor touches itself; marks the points on it.
+bool IsSimple(
+  const PlanarTriangulation& found, int corners, Eigen::Index given, std::vector<bool>& onOutline)
+{
+  bool isSimple = found.Points.rows() == given; // none was added where it crosses itself
+  for (int i = 0; i < corners; ++i)
+  {
+    isSimple = isSimple && found.SamePoint(i) == i;
+  }
+  for (Eigen::Index i = 0; i < found.Edges.rows() && isSimple; ++i)
+  {
+    const int side = found.EdgeSegments(i);
+    for (const int point : found.Edges.row(i))
+    {
+      isSimple = isSimple && (point >= corners || point == side || point == (side + 1) % corners);
+      onOutline[point] = true;
+    }
+  }
+  return isSimple;
+}
+
+/// A disk, and which of its points lie on the outline or are its corners.
+struct MarkedDisk : FlatDisk
+{
+  std::vector<bool> OnOutline;
+};
+
+/// The Delaunay triangulation of an outline and points; those that are not inside are left out.
+MarkedDisk Triangulated(const Eigen::MatrixXd& outline, const std::vector<RowVector2d>& inside)
+{
+  const auto corners = static_cast<int>(outline.rows());
+  Eigen::MatrixXd points(corners + static_cast<Eigen::Index>(inside.size()), 2);
+  points.topRows(corners) = outline;
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    points.row(corners + static_cast<Eigen::Index>(i)) = inside[i];
+  }
+  Eigen::MatrixXi sides(corners, 2);
+  for (int i = 0; i < corners; ++i)
+  {
+    sides.row(i) << i, (i + 1) % corners;
+  }
+  PlanarDelaunayOptions options;
+  options.Keep = PlanarDelaunayOptions::KeepType::Oddly;
+  options.AddCrossings = true;
+  const PlanarTriangulation found = PlanarDelaunay(points, sides, options);
+  MarkedDisk disk;
+  disk.Points = outline;
+  disk.Triangles.resize(0, 3);
+  std::vector<bool> onOutline(found.Points.rows(), false);
+  if (!IsSimple(found, corners, points.rows(), onOutline))
+  {
+    return disk;
+  }
+  std::vector<int> number(points.rows(), -1), used(corners);
+  std::iota(used.begin(), used.end(), 0);
+  for (const int corner : found.Triangles.reshaped())
+  {
+    number[corner] = 0;
+  }
+  for (int i = corners; i < static_cast<int>(points.rows()); ++i)
+  {
+    if (number[i] == 0)
+    {
+      used.push_back(i);
+    }
+  }
+  disk.Points.resize(static_cast<Eigen::Index>(used.size()), 2);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    number[used[i]] = static_cast<int>(i);
+    disk.Points.row(static_cast<Eigen::Index>(i)) = points.row(used[i]);
+    disk.OnOutline.push_back(onOutline[used[i]]);
+  }
+  disk.Triangles = found.Triangles.unaryExpr([&](int corner) { return number[corner]; });
+  return disk;
+}
+
+/// Points of a disk that are so close to its outline that they make bad triangles there.
+std::vector<bool> TooClose(
+  const MarkedDisk& disk, Eigen::Index corners, const FlatDiskOptions& options)
+{
+  constexpr double close = 0.6; // of the wanted edge
+  std::vector<bool> tooClose = disk.OnOutline;
+  for (const auto& triangle : disk.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int point = triangle(k), next = triangle((k + 1) % 3), last = triangle((k + 2) % 3);
+      if (point < corners)
+      {
+        continue;
+      }
+      const RowVector2d place = disk.Points.row(point);
+      const RowVector2d toNext = disk.Points.row(next) - place;
+      const RowVector2d toLast = disk.Points.row(last) - place;
+      const double wanted = close * options.Size(place);
+      tooClose[point] = tooClose[point] || (next < corners && toNext.norm() < wanted) ||
+        (last < corners && toLast.norm() < wanted) ||
+        (next < corners && last < corners && toNext.dot(toLast) < 0.0);
+    }
+  }
+  return tooClose;
+}
+
+/// The middles of edges inside a disk that must not be there.
+std::vector<RowVector2d> MiddlesOfUnwanted(
+  const FlatDisk& disk, int corners, const FlatDiskOptions& options)
+{
+  const auto isUnwanted = [&](int a, int b)
+  {
+    const int sides = std::min(b - a, corners - (b - a));
+    return sides > 1 &&
+      ((options.IsTaken && options.IsTaken(a, b)) ||
+        (options.IsOutside && sides > 2 && options.IsOutside(a, b)));
+  };
+  std::vector<RowVector2d> middles;
+  for (const auto& triangle : disk.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = triangle(k), b = triangle((k + 1) % 3);
+      // Each edge inside is met from both sides.
+      if (a < b && b < corners && isUnwanted(a, b))
+      {
+        middles.push_back(0.5 * (disk.Points.row(a) + disk.Points.row(b)));
+      }
+    }
+  }
+  return middles;
+}
+
+} // namespace
+
+Eigen::MatrixXd CircleOutline(const Eigen::VectorXd& lengths)
+{
+  Eigen::VectorXd sides = lengths.cwiseMax(1e-3 * lengths.mean());
+  Eigen::Index longest = 0;
+  sides.maxCoeff(&longest);
+  const double others = sides.sum() - sides(longest);
+  sides(longest) = std::min(sides(longest), 0.999 * others);
+  // How far the sides' angles are from closing, with the centre outside, or else inside.
+  const bool isOutside = HalfAngles(sides, 1.0 / sides(longest)).sum() < M_PI;
+  const auto excess = [&](double bend)
+  {
+    const Eigen::VectorXd angles = HalfAngles(sides, bend);
+    return isOutside ? 2.0 * angles(longest) - angles.sum() : angles.sum() - M_PI;
+  };
+  double low = 0.0, high = 1.0 / sides(longest);
+  for (int round = 0; round < 100; ++round)
+  {
+    const double middle = 0.5 * (low + high);
+    (excess(middle) > 0.0 ? high : low) = middle;
+  }
+  const double bend = 0.5 * (low + high);
+  Eigen::VectorXd angles = 2.0 * HalfAngles(sides, bend);
+  if (isOutside)
+  {
+    angles(longest) = -angles(longest);
+  }
+  Eigen::MatrixXd outline(sides.size(), 2);
+  double angle = 0.0;
+  for (Eigen::Index i = 0; i < sides.size(); ++i)
+  {
+    outline.row(i) << 0.5 / bend * std::cos(angle), 0.5 / bend * std::sin(angle);
+    angle += angles(i);
+  }
+  return outline;
+}
+
+FlatDisk TriangulateDisk(
+  const Eigen::MatrixXd& outline, const FlatDiskOptions& options, const Progress& progress)
+{
+  const auto corners = static_cast<int>(outline.rows());
+  const RowVector2d low = outline.colwise().minCoeff(), high = outline.colwise().maxCoeff();
+  const MarkedDisk all = Triangulated(outline, GridPoints(low, high, options).Find(progress));
+  progress(0.5);
+  const std::vector<bool> tooClose = TooClose(all, outline.rows(), options);
+  std::vector<RowVector2d> kept;
+  for (Eigen::Index i = outline.rows(); i < all.Points.rows(); ++i)
+  {
+    if (!tooClose[i])
+    {
+      kept.push_back(all.Points.row(i));
+    }
+  }
+  progress(0.6);
+  FlatDisk disk = all.Triangles.rows() == 0 ? FlatDisk(all) : Triangulated(outline, kept);
+  constexpr int rounds = 10; // a new point may make another such edge
+  for (int round = 0; round < rounds; ++round)
+  {
+    const std::vector<RowVector2d> middles = MiddlesOfUnwanted(disk, corners, options);
+    if (middles.empty())
+    {
+      break;
+    }
+    kept.insert(kept.end(), middles.begin(), middles.end());
+    disk = Triangulated(outline, kept);
+  }
+  if (options.IsOutside)
+  {
+    FlipTips(disk, corners, options.IsOutside, options.IsTaken);
+  }
+  return disk;
+}
+
+} // namespace shape

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+#include "Geometry/Crossings.h"
+
+#include <limits>
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * Where the triangles of `surface` from `first` on meet each other or those before them beyond the
+ * corners and the edge that they share (FindCrossings): pairs of the surface's triangles, of which
+ * Second is one of these. Points at the same place count as shared. Triangles without area count as
+ * if they were not there. Only triangles near them are looked at. It stops soon after it has found
+ * `most` of them. Throws Aborted.
+ */
+std::vector<Crossing> PatchCrossings(const Mesh& surface, int first, const Progress& progress = {},
+  int most = std::numeric_limits<int>::max());
+
+} // namespace shape

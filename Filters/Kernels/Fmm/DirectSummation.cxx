@@ -1,0 +1,100 @@
+#include "Fmm/DirectSummation.h"
+
+#include "Base/Errors.h"
+#include "Base/Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace shape
+{
+
+namespace
+{
+
+constexpr double InverseFourPi = 0.25 / M_PI;
+/// Points of a chunk: a few vectors of the widest processor.
+constexpr int Grain = 64;
+/// Sources of one pass, 200 kB: they stay in the second-level cache for all points of a chunk.
+constexpr int Pass = 4096;
+
+void Check(
+  const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points)
+{
+  if (sources.cols() != 3 || points.cols() != 3 || charges.rows() != sources.rows())
+  {
+    throw InvalidInput("there are " + std::to_string(charges.rows()) + " charges for " +
+      std::to_string(sources.rows()) +
+      " sources, or a place has not three coordinates; give one row of charges for each source");
+  }
+}
+
+/// The power of two that brings the sources' largest coordinate to about one: exact.
+double ScaleFor(const Eigen::MatrixXd& sources)
+{
+  const double largest = sources.size() > 0 ? sources.cwiseAbs().maxCoeff() : 0.0;
+  return largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+}
+
+/// `gradient`: three values for each column of the charges.
+Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
+  const Eigen::MatrixXd& points, bool gradient, RootError error, const Progress& progress)
+{
+  Check(sources, charges, points);
+  const double scale = ScaleFor(sources);
+  const double factor = InverseFourPi * (gradient ? scale * scale : scale);
+  const Eigen::MatrixXd places = scale * points;
+  const int m = static_cast<int>(sources.rows());
+  const int n = static_cast<int>(points.rows());
+  const int k = static_cast<int>(charges.cols());
+  const int valuesPerColumn = gradient ? 3 : 1;
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, valuesPerColumn * k);
+  Eigen::MatrixXd packed;
+  for (int column = 0; column < k; column += 3)
+  {
+    const int columns = std::min(3, k - column);
+    packed.resize(3 + columns, m);
+    packed.topRows(3) = scale * sources.transpose();
+    packed.bottomRows(columns) = factor * charges.middleCols(column, columns).transpose();
+    ParallelFor(
+      n, Grain,
+      [&](int begin, int end)
+      {
+        for (int first = 0; first < m; first += Pass)
+        {
+          const SourceSpan span{ first, std::min(first + Pass, m) };
+          InverseDistanceSum sum;
+          sum.Sources = packed.data();
+          sum.Columns = columns;
+          sum.Spans = &span;
+          sum.SpanCount = 1;
+          sum.Points = places.data() + begin;
+          sum.PointStride = n;
+          sum.PointCount = end - begin;
+          sum.Values = values.data() + begin + valuesPerColumn * column * std::ptrdiff_t(n);
+          sum.ValueStride = n;
+          sum.Error = error;
+          gradient ? AddGradients(sum) : AddPotentials(sum);
+        }
+      },
+      progress.Part(static_cast<double>(column) / k, static_cast<double>(column + columns) / k));
+  }
+  return values;
+}
+
+} // namespace
+
+Eigen::MatrixXd DirectPotentials(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
+  const Eigen::MatrixXd& points, RootError error, const Progress& progress)
+{
+  return Sum(sources, charges, points, false, error, progress);
+}
+
+Eigen::MatrixXd DirectGradients(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
+  const Eigen::MatrixXd& points, const Progress& progress)
+{
+  return Sum(sources, charges, points, true, RootError::Rounding, progress);
+}
+
+} // namespace shape

@@ -1,0 +1,102 @@
+#include "Geodesics/ExactGeodesics.h"
+
+#include "Base/Parallel.h"
+#include "Mesh/Topology.h"
+#include "Geodesics/Private/SideFrames.h"
+#include "Geodesics/Private/WindowPropagation.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+constexpr int StepsBetween = 4096; ///< a few milliseconds
+constexpr std::chrono::milliseconds Slice(100);
+
+/// What works on one pair after the other, and stops in the middle of one.
+struct Worker
+{
+  WindowPropagation Paths;
+  int Pair = -1;
+};
+
+} // namespace
+
+Eigen::VectorXd ExactGeodesics(
+  const Mesh& mesh, const ClosestPoints& seeds, const Progress& progress)
+{
+  const SideFrames frames(mesh);
+  WindowPropagation propagation(mesh, frames);
+  for (Eigen::Index i = 0; i < seeds.Triangles.size(); ++i)
+  {
+    propagation.AddSeed(seeds.Triangles(i), seeds.Barycentrics.row(i));
+  }
+  while (!propagation.Run(StepsBetween))
+  {
+    progress(propagation.Done());
+  }
+  progress(1.0);
+  return propagation.Distances();
+}
+
+Eigen::VectorXd ExactGeodesicsBetween(
+  const Mesh& mesh, const PreciseMap& from, const PreciseMap& to, const Progress& progress)
+{
+  const int count = static_cast<int>(from.Triangles.size());
+  const SideFrames frames(mesh);
+  const Eigen::VectorXi component = SurfaceTopology(mesh).ComponentId;
+  Eigen::VectorXd distances(count);
+  std::vector<Worker> workers(
+    std::clamp(ThreadCount(), 1, std::max(count, 1)), { { mesh, frames }, -1 });
+  std::atomic<int> taken{ 0 }, done{ 0 };
+  // Which worker takes a pair, and where it is interrupted, changes nothing of its distance.
+  const auto work = [&](Worker& worker)
+  {
+    const auto until = std::chrono::steady_clock::now() + Slice;
+    while (std::chrono::steady_clock::now() < until)
+    {
+      if (worker.Pair < 0)
+      {
+        const int pair = taken++;
+        if (pair >= count)
+        {
+          return;
+        }
+        if (component(mesh.Triangles(from.Triangles(pair), 0)) !=
+          component(mesh.Triangles(to.Triangles(pair), 0)))
+        {
+          distances(pair) = std::numeric_limits<double>::infinity(); // not found out by a search
+          ++done;
+          continue;
+        }
+        worker.Pair = pair;
+        worker.Paths.SetGoal(to.Triangles(pair), to.Barycentrics.row(pair));
+        worker.Paths.AddSeed(from.Triangles(pair), from.Barycentrics.row(pair));
+      }
+      if (worker.Paths.Run(StepsBetween))
+      {
+        distances(worker.Pair) = worker.Paths.GoalDistance();
+        worker.Paths.Clear();
+        worker.Pair = -1;
+        ++done;
+      }
+    }
+  };
+  while (done < count)
+  {
+    ParallelFor(static_cast<int>(workers.size()), 1,
+      [&](int begin, int end)
+      { std::for_each(&workers[begin], &workers[begin] + (end - begin), work); });
+    progress(static_cast<double>(done) / count);
+  }
+  progress(1.0);
+  return distances;
+}
+
+} // namespace shape

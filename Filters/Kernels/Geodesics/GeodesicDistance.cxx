@@ -1,0 +1,76 @@
+#include "Geodesics/GeodesicDistance.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Geodesics/EdgeGeodesics.h"
+#include "Geodesics/ExactGeodesics.h"
+#include "Geodesics/HeatGeodesics.h"
+
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+using MethodType = GeodesicDistanceOptions::MethodType;
+
+/// The corners of the triangles that places lie in, and how far they are.
+EdgeSeeds CornersAround(const Mesh& mesh, const ClosestPoints& places)
+{
+  EdgeSeeds seeds;
+  seeds.Distances.resize(3 * places.Triangles.size());
+  for (Eigen::Index i = 0; i < places.Triangles.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int point = mesh.Triangles(places.Triangles(i), k);
+      seeds.Distances(3 * i + k) = (mesh.Points.row(point) - places.Positions.row(i)).norm();
+      seeds.Points.push_back(point);
+    }
+  }
+  return seeds;
+}
+
+Eigen::VectorXd Distances(
+  const Mesh& mesh, const ClosestPoints& seeds, MethodType method, const Progress& progress)
+{
+  switch (method)
+  {
+    case MethodType::Exact:
+      return ExactGeodesics(mesh, seeds, progress);
+    case MethodType::Dijkstra:
+      return EdgeGeodesics(mesh, CornersAround(mesh, seeds), progress);
+    case MethodType::Heat:
+      break;
+  }
+  return HeatGeodesics(mesh, progress).Distances(seeds);
+}
+
+} // namespace
+
+GeodesicDistanceResult GeodesicDistance(const Mesh& mesh, const Eigen::MatrixXd& seeds,
+  const GeodesicDistanceOptions& options, const Progress& progress)
+{
+  RequireManifold(mesh, "the surface");
+  RequireFinite(seeds, "the Seeds");
+  if (seeds.rows() == 0)
+  {
+    throw InvalidInput("the Seeds have no points; give at least one place to measure from");
+  }
+  const ClosestPoints places = SurfaceLocator(mesh).Find(seeds, progress.Part(0.0, 0.1));
+  GeodesicDistanceResult result;
+  result.Distances = Distances(mesh, places, options.Method, progress.Part(0.1, 1.0));
+  for (double& distance : result.Distances)
+  {
+    if (std::isinf(distance))
+    {
+      distance = -1.0;
+      ++result.Unreached;
+    }
+  }
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,217 @@
+#include "Geodesics/HeatGeodesics.h"
+
+#include "Mesh/HalfEdges.h"
+#include "Base/Parallel.h"
+#include "Mesh/Topology.h"
+#include "Laplacian/CotangentWeights.h"
+#include "Geodesics/EdgeGeodesics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// 1; 0 at the ends of edges with one triangle.
+Eigen::VectorXd InsideOf(const Mesh& mesh)
+{
+  Eigen::VectorXd inside = Eigen::VectorXd::Ones(mesh.Points.rows());
+  const std::vector<int> twins = SideTwins(mesh.Triangles, mesh.Points.rows());
+  for (int side = 0; side < static_cast<int>(twins.size()); ++side)
+  {
+    if (twins[side] < 0)
+    {
+      inside(mesh.Triangles(side / 3, side % 3)) = 0.0;
+      inside(mesh.Triangles(side / 3, NextSide(side) % 3)) = 0.0;
+    }
+  }
+  return inside;
+}
+
+/// The farthest that a point of a component is from its first point along edges.
+double Extent(const Mesh& mesh, const Eigen::VectorXi& componentId)
+{
+  std::vector<int> firsts;
+  for (int point = 0; point < componentId.size(); ++point)
+  {
+    if (componentId(point) == static_cast<int>(firsts.size()))
+    {
+      firsts.push_back(point);
+    }
+  }
+  const Eigen::VectorXd distances = EdgeGeodesics(
+    mesh, { firsts, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(firsts.size())) });
+  double extent = 0.0;
+  for (const double distance : distances)
+  {
+    extent = std::isinf(distance) ? extent : std::max(extent, distance);
+  }
+  return extent;
+}
+
+/// stiffness * time + diagonal; 1 where no triangle is.
+Eigen::SparseMatrix<double> Shifted(
+  const Eigen::SparseMatrix<double>& stiffness, double time, const Eigen::VectorXd& diagonal)
+{
+  Eigen::SparseMatrix<double> matrix = time * stiffness;
+  for (Eigen::Index i = 0; i < diagonal.size(); ++i)
+  {
+    matrix.coeffRef(i, i) += diagonal(i) > 0.0 ? diagonal(i) : 1.0;
+  }
+  return matrix;
+}
+
+} // namespace
+
+HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
+  : Given(mesh.Triangles)
+  , Flat(IntrinsicDelaunay(mesh))
+  , ComponentId(SurfaceTopology(mesh).ComponentId)
+  , Inside(InsideOf(mesh))
+{
+  this->Corners.resize(this->Flat.Sides.rows(), 3);
+  for (Eigen::Index t = 0; t < this->Corners.rows(); ++t)
+  {
+    const double a = this->Flat.Sides(t, 0), b = this->Flat.Sides(t, 1), c = this->Flat.Sides(t, 2);
+    const double x = (c * c + (b - a) * (b + a)) / (2.0 * c);
+    this->Corners.row(t) << c, x, std::sqrt(std::max(b * b - x * x, 0.0));
+  }
+  progress(0.2);
+  constexpr double share = 1.0 / 300.0, rest = 1e-9;
+  const Eigen::Index points = mesh.Points.rows();
+  const TriangleAngles angles = AnglesOfSides(this->Flat.Sides);
+  const Eigen::SparseMatrix<double> stiffness =
+    CotangentStiffness(this->Flat.Triangles, angles.Cotangents, points);
+  const Eigen::VectorXd masses = LumpedMasses(this->Flat.Triangles, angles.Areas, points);
+  const double side =
+    std::max(this->Flat.Sides.mean(), share * 2.0 * Extent(mesh, this->ComponentId));
+  const double time = side * side;
+  this->Heat.Factorize(Shifted(stiffness, time, masses));
+  progress(0.5);
+  // Constants are free in each component: a little of the masses settles them.
+  this->Poisson.Factorize(Shifted(stiffness, 1.0, (rest / masses.sum()) * masses));
+  progress(0.8);
+  if (this->Inside.minCoeff() == 0.0)
+  {
+    const Eigen::VectorXd border = Eigen::VectorXd::Ones(points) - this->Inside;
+    const Eigen::SparseMatrix<double> kept =
+      this->Inside.asDiagonal() * stiffness * this->Inside.asDiagonal();
+    const Eigen::VectorXd diagonal = this->Inside.cwiseProduct(masses) + border;
+    this->HeatWithin.emplace();
+    this->HeatWithin->Factorize(Shifted(kept, time, diagonal));
+  }
+  progress(1.0);
+}
+
+Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
+{
+  Eigen::VectorXd divergence = Eigen::VectorXd::Zero(heat.size());
+  for (Eigen::Index t = 0; t < this->Flat.Triangles.rows(); ++t)
+  {
+    const int p = this->Flat.Triangles(t, 0), q = this->Flat.Triangles(t, 1),
+              r = this->Flat.Triangles(t, 2);
+    // The third corner is at (x, y), the second at (c, 0). Twice-area gradients of the hat
+    // functions are the opposite sides, turned inwards.
+    const double c = this->Corners(t, 0), x = this->Corners(t, 1), y = this->Corners(t, 2);
+    const double across = y * (heat(q) - heat(p));
+    const double along = c * (heat(r) - heat(p)) - x * (heat(q) - heat(p));
+    const double largest = std::max(std::abs(across), std::abs(along));
+    if (largest > 0.0)
+    {
+      // Far from the seeds the squares of what is left of the heat would be 0.
+      const double u = across / largest, v = along / largest;
+      const double half = 0.5 / std::sqrt(u * u + v * v);
+      divergence(p) += half * (y * u + (c - x) * v);
+      divergence(q) -= half * (y * u - x * v);
+      divergence(r) -= half * (c * v);
+    }
+  }
+  return divergence;
+}
+
+Eigen::VectorXd HeatGeodesics::Distances(const PreciseMap& seeds) const
+{
+  return this->Distances(Pushed(
+    seeds, this->Given, Eigen::VectorXd::Ones(seeds.Triangles.size()), this->ComponentId.size()));
+}
+
+Eigen::MatrixXd HeatGeodesics::Distances(const Eigen::MatrixXd& seeds) const
+{
+  Eigen::MatrixXd heat = this->Heat.Solve(seeds);
+  if (this->HeatWithin)
+  {
+    heat = 0.5 * (heat + this->HeatWithin->Solve(this->Inside.asDiagonal() * seeds));
+  }
+  constexpr int grain = 4;
+  const int sets = static_cast<int>(seeds.cols());
+  ParallelFor(sets, grain,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        heat.col(k) = this->Divergence(heat.col(k));
+      }
+    });
+  Eigen::MatrixXd distances = this->Poisson.Solve(heat);
+  ParallelFor(sets, grain,
+    [&](int begin, int end)
+    {
+      for (int k = begin; k < end; ++k)
+      {
+        this->Begin(seeds.col(k), distances.col(k));
+      }
+    });
+  return distances;
+}
+
+void HeatGeodesics::Begin(
+  const Eigen::Ref<const Eigen::VectorXd>& seeds, Eigen::Ref<Eigen::VectorXd> distances) const
+{
+  const int components = this->ComponentId.maxCoeff() + 1;
+  std::vector<double> least(components, Infinity);
+  std::vector<char> hasSeed(components, 0);
+  for (Eigen::Index point = 0; point < seeds.size(); ++point)
+  {
+    const int component = this->ComponentId(point);
+    if (component >= 0)
+    {
+      least[component] = std::min(least[component], distances(point));
+      hasSeed[component] |= seeds(point) > 0.0;
+    }
+  }
+  for (Eigen::Index point = 0; point < seeds.size(); ++point)
+  {
+    const int component = this->ComponentId(point);
+    distances(point) =
+      component >= 0 && hasSeed[component] ? distances(point) - least[component] : Infinity;
+  }
+}
+
+Eigen::MatrixXd HeatDistances(
+  const Mesh& mesh, const std::vector<int>& points, const Progress& progress)
+{
+  constexpr int batch = 32; // sets that one pass over the factors serves
+  const HeatGeodesics geodesics(mesh, progress.Part(0.0, 0.1));
+  const int count = static_cast<int>(points.size());
+  Eigen::MatrixXd distances(mesh.Points.rows(), count);
+  for (int first = 0; first < count; first += batch)
+  {
+    const int size = std::min(batch, count - first);
+    Eigen::MatrixXd seeds = Eigen::MatrixXd::Zero(mesh.Points.rows(), size);
+    for (int k = 0; k < size; ++k)
+    {
+      seeds(points[first + k], k) = 1.0;
+    }
+    distances.middleCols(first, size) = geodesics.Distances(seeds);
+    progress(0.1 + 0.9 * (first + size) / count);
+  }
+  return distances;
+}
+
+} // namespace shape

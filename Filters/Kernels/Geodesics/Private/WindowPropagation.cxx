@@ -1,0 +1,324 @@
+#include "Geodesics/Private/WindowPropagation.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+/// In lengths of the edge: what is narrower, or nearer by less, is rounding.
+constexpr double Rounding = 1e-10;
+/// By how much a point's angle may be less than 2 pi and paths still turn there.
+constexpr double AngleRounding = 1e-6;
+
+/// How far from `from` on the way to `to` the line from `eye` through (x, 0) crosses.
+double Crossing(
+  const Eigen::Vector2d& eye, double x, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+{
+  const Eigen::Vector2d ray(x - eye(0), -eye(1)), way = to - from, there = eye - from;
+  const double across = way(0) * ray(1) - way(1) * ray(0);
+  const double share = (there(0) * ray(1) - there(1) * ray(0)) / across;
+  return std::isfinite(share) ? std::clamp(share, 0.0, 1.0) * way.norm() : 0.0;
+}
+
+/// A place in the frame of the side from `from` to `to`.
+Eigen::Vector2d InFrame(
+  const Eigen::Vector2d& place, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+{
+  const Eigen::Vector2d along = (to - from).normalized(), there = place - from;
+  return { along.dot(there), along(0) * there(1) - along(1) * there(0) };
+}
+
+} // namespace
+
+double WindowPropagation::Window::DistanceAt(double x) const
+{
+  return this->Behind + std::hypot(this->Eye(0) - x, this->Eye(1));
+}
+
+double WindowPropagation::Window::Least() const
+{
+  return this->DistanceAt(std::clamp(this->Eye(0), this->Begin, this->End));
+}
+
+WindowPropagation::WindowPropagation(const Mesh& mesh, const SideFrames& frames)
+  : Surface(mesh)
+  , Frames(frames)
+  , Lengths(Eigen::VectorXd::Constant(mesh.Points.rows(), Infinity))
+  , CornerDistances(mesh.Triangles.size(), Infinity)
+  , CornerEntries(mesh.Triangles.size(), 0.0)
+{
+}
+
+void WindowPropagation::Clear()
+{
+  for (const int point : this->ReachedPoints)
+  {
+    this->Lengths(point) = Infinity;
+  }
+  for (const int corner : this->ReachedCorners)
+  {
+    this->CornerDistances[corner] = Infinity;
+  }
+  this->ReachedPoints.clear();
+  this->ReachedCorners.clear();
+  this->Queue = {};
+  this->Goal = {};
+}
+
+void WindowPropagation::SetGoal(int triangle, const Eigen::RowVector3d& weights)
+{
+  this->Goal.Triangle = triangle;
+  this->Goal.Weights = weights;
+  this->Goal.Position = weights * Corners(this->Surface, triangle);
+}
+
+void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (weights(k) >= 1.0 - Rounding)
+    {
+      this->Reach(this->Frames.Begin(3 * triangle + k), 0.0, true);
+      return;
+    }
+  }
+  this->SeeFrom(triangle, weights);
+  for (int k = 0; k < 3; ++k)
+  {
+    // On the side from corner k: it sees the other triangle, too.
+    const int twin = this->Frames.Twin(3 * triangle + k);
+    if (weights((k + 2) % 3) == 0.0 && twin >= 0)
+    {
+      Eigen::RowVector3d there = Eigen::RowVector3d::Zero();
+      there(twin % 3) = weights((k + 1) % 3);
+      there((twin + 1) % 3) = weights(k);
+      this->SeeFrom(twin / 3, there);
+    }
+  }
+}
+
+bool WindowPropagation::Run(int steps)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    if (this->Queue.empty() || this->Queue.top().Key >= this->Goal.Nearest)
+    {
+      return true;
+    }
+    const Event event = this->Queue.top();
+    this->Queue.pop();
+    if (event.Point < 0)
+    {
+      this->Carry(event.Seen);
+    }
+    else if (event.Distance <= this->Lengths(event.Point))
+    {
+      this->SendOut(event.Point);
+    }
+  }
+  return false;
+}
+
+double WindowPropagation::Done() const
+{
+  return static_cast<double>(this->ReachedPoints.size()) /
+    static_cast<double>(this->Lengths.size());
+}
+
+/// No path from a point to the goal is shorter.
+double WindowPropagation::Ahead(int point) const
+{
+  return this->Goal.Triangle < 0 ? 0.0
+                                 : (this->Surface.Points.row(point) - this->Goal.Position).norm();
+}
+
+/// The same from any place of a side.
+double WindowPropagation::AheadOfSide(int side) const
+{
+  if (this->Goal.Triangle < 0)
+  {
+    return 0.0;
+  }
+  const Eigen::RowVector3d begin = this->Surface.Points.row(this->Frames.Begin(side)),
+                           way = this->Surface.Points.row(this->Frames.End(side)) - begin,
+                           there = this->Goal.Position - begin;
+  const double square = way.squaredNorm();
+  const double share = square > 0.0 ? std::clamp(way.dot(there) / square, 0.0, 1.0) : 0.0;
+  return (there - share * way).norm();
+}
+
+/// A place in the triangle of a side, in the side's frame.
+Eigen::Vector2d WindowPropagation::PlaceInFrame(int side, const Eigen::RowVector3d& weights) const
+{
+  return weights(NextSide(side) % 3) * Eigen::Vector2d(this->Frames.Length(side), 0.0) +
+    weights(PreviousSide(side) % 3) * this->Frames.Opposite(side);
+}
+
+/// Sees the three sides from a place in their triangle.
+void WindowPropagation::SeeFrom(int triangle, const Eigen::RowVector3d& weights)
+{
+  if (triangle == this->Goal.Triangle)
+  {
+    this->Goal.Nearest = std::min(this->Goal.Nearest,
+      (weights * Corners(this->Surface, triangle) - this->Goal.Position).norm());
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    const int side = 3 * triangle + k;
+    const Eigen::Vector2d place = this->PlaceInFrame(side, weights);
+    this->Reach(this->Frames.Begin(side), place.norm(), false);
+    if (weights((k + 2) % 3) > 0.0)
+    {
+      this->See(side, 0.0, this->Frames.Length(side), place, 0.0);
+    }
+  }
+}
+
+/// Makes a window on the other side of an edge, where it is not useless. begin, end, eye: in the
+/// frame of `side`, from which it is seen.
+void WindowPropagation::See(
+  int side, double begin, double end, const Eigen::Vector2d& eye, double behind)
+{
+  const int twin = this->Frames.Twin(side);
+  if (twin < 0)
+  {
+    return;
+  }
+  const double length = this->Frames.Length(side);
+  Window window;
+  window.Side = twin;
+  window.Begin = std::max(length - end, 0.0);
+  window.End = std::min(length - begin, length);
+  window.Eye = { length - eye(0), -eye(1) };
+  window.Behind = behind;
+  const double least = window.Least(), key = least + this->AheadOfSide(twin);
+  if (this->IsUseful(window) && key < this->Goal.Nearest)
+  {
+    this->Queue.push({ key, least, -1, window });
+  }
+}
+
+bool WindowPropagation::IsUseful(const Window& window) const
+{
+  const double length = this->Frames.Length(window.Side), slack = Rounding * length;
+  const double begin = this->Lengths(this->Frames.Begin(window.Side)),
+               end = this->Lengths(this->Frames.End(window.Side));
+  return window.End - window.Begin > slack &&
+    window.DistanceAt(window.End) < begin + window.End + slack &&
+    window.DistanceAt(window.Begin) < end + (length - window.Begin) + slack;
+}
+
+/// Shortens the distance of a point; one where paths may turn, or a seed, sends out windows.
+void WindowPropagation::Reach(int point, double distance, bool isSeed)
+{
+  if (distance >= this->Lengths(point))
+  {
+    return;
+  }
+  if (std::isinf(this->Lengths(point)))
+  {
+    this->ReachedPoints.push_back(point);
+  }
+  this->Lengths(point) = distance;
+  const double ahead = this->Ahead(point);
+  for (int k = 0; k < 3 && this->Goal.Triangle >= 0; ++k)
+  {
+    if (this->Frames.Begin(3 * this->Goal.Triangle + k) == point)
+    {
+      this->Goal.Nearest = std::min(this->Goal.Nearest, distance + ahead);
+    }
+  }
+  const bool turns = isSeed || this->Frames.IsOnBorder(point) ||
+    this->Frames.Angle(point) > 2.0 * M_PI - AngleRounding;
+  if (turns && distance + ahead < this->Goal.Nearest)
+  {
+    this->Queue.push({ distance + ahead, distance, point, {} });
+  }
+}
+
+/// The way to the goal, in the window's triangle, that is shortest among those through the window.
+void WindowPropagation::SeeGoal(const Window& window)
+{
+  const Eigen::Vector2d place = this->PlaceInFrame(window.Side, this->Goal.Weights),
+                        &eye = window.Eye;
+  const double height = place(1) - eye(1);
+  const double entry = height > 0.0 ? eye(0) - (place(0) - eye(0)) * eye(1) / height : place(0);
+  const double nearest = std::clamp(entry, window.Begin, window.End);
+  this->Goal.Nearest = std::min(
+    this->Goal.Nearest, window.DistanceAt(nearest) + std::hypot(place(0) - nearest, place(1)));
+}
+
+void WindowPropagation::SendOut(int point)
+{
+  const double distance = this->Lengths(point);
+  for (const int side : this->Frames.SidesFrom(point))
+  {
+    const int opposite = NextSide(side);
+    this->Reach(this->Frames.End(side), distance + this->Frames.Length(side), false);
+    const int back = PreviousSide(side);
+    this->Reach(this->Frames.Begin(back), distance + this->Frames.Length(back), false);
+    this->See(
+      opposite, 0.0, this->Frames.Length(opposite), this->Frames.Opposite(opposite), distance);
+  }
+}
+
+/// Carries a window across its triangle onto the two other sides.
+void WindowPropagation::Carry(const Window& window)
+{
+  if (!this->IsUseful(window))
+  {
+    return;
+  }
+  const int side = window.Side, next = NextSide(side), previous = PreviousSide(side);
+  if (side / 3 == this->Goal.Triangle)
+  {
+    this->SeeGoal(window); // a shortest path ends where it enters this triangle
+    return;
+  }
+  const Eigen::Vector2d &corner = this->Frames.Opposite(side), &eye = window.Eye;
+  // Where the line from the eye to the corner enters the triangle.
+  const double entry = eye(0) - (corner(0) - eye(0)) * eye(1) / (corner(1) - eye(1));
+  const double slack = Rounding * this->Frames.Length(side);
+  bool left = entry > window.Begin, right = entry < window.End;
+  if (entry >= window.Begin - slack && entry <= window.End + slack)
+  {
+    const double distance = window.Behind + (corner - eye).norm();
+    double &nearest = this->CornerDistances[previous], &at = this->CornerEntries[previous];
+    if (distance < nearest)
+    {
+      if (std::isinf(nearest))
+      {
+        this->ReachedCorners.push_back(previous);
+      }
+      nearest = distance;
+      at = entry;
+    }
+    else if (std::abs(entry - at) > slack)
+    {
+      // What sees the corner from nearer sees all that is beyond it better.
+      left = left && entry < at;
+      right = right && entry > at;
+    }
+    this->Reach(this->Frames.Begin(previous), distance, false);
+  }
+  const Eigen::Vector2d first(0.0, 0.0), second(this->Frames.Length(side), 0.0);
+  if (left)
+  {
+    // From the corner to the begin of the side.
+    this->See(previous, Crossing(eye, std::min(entry, window.End), corner, first),
+      Crossing(eye, window.Begin, corner, first), InFrame(eye, corner, first), window.Behind);
+  }
+  if (right)
+  {
+    this->See(next, Crossing(eye, window.End, second, corner),
+      Crossing(eye, std::max(entry, window.Begin), second, corner), InFrame(eye, second, corner),
+      window.Behind);
+  }
+}
+
+} // namespace shape

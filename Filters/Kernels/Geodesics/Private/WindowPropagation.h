@@ -1,0 +1,99 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Geodesics/Private/SideFrames.h"
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * Carries windows across a surface in the order of the shortest path that may lead through them:
+ * see ExactGeodesics.h. Used for one computation after the other; Clear comes between.
+ */
+class WindowPropagation
+{
+public:
+  /// Keeps references to both, which are of one surface.
+  WindowPropagation(const Mesh& mesh, const SideFrames& frames);
+
+  /// A place, by its barycentric coordinates in a triangle.
+  void AddSeed(int triangle, const Eigen::RowVector3d& weights);
+
+  /// Looks for the path to this place alone, first where it can be shortest by the straight
+  /// distances that are left (Hart, Nilsson and Raphael 1968). Before AddSeed.
+  void SetGoal(int triangle, const Eigen::RowVector3d& weights);
+
+  /// Goes on for as many windows and points. Returns whether all is done.
+  bool Run(int steps);
+
+  /// Of the points, the share that is reached.
+  double Done() const;
+
+  /// n: with a goal, of the points on the way only.
+  const Eigen::VectorXd& Distances() const { return this->Lengths; }
+
+  /// To the goal; infinite where no path leads.
+  double GoalDistance() const { return this->Goal.Nearest; }
+
+  /// Forgets the seeds and the goal, in a time that the last computation's is longer than.
+  void Clear();
+
+private:
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+  /// An interval of a side that is seen from a place: in the side's frame, below the x axis.
+  struct Window
+  {
+    int Side = -1; ///< of the triangle that it is carried into
+    double Begin = 0.0, End = 0.0;
+    Eigen::Vector2d Eye = Eigen::Vector2d::Zero();
+    double Behind = 0.0; ///< the distance of the eye
+
+    double DistanceAt(double x) const;
+    double Least() const;
+  };
+
+  /// What is done next: a window is carried on, or a point sends out windows.
+  struct Event
+  {
+    double Key; ///< no path by way of it to the goal, or to anywhere, is shorter
+    double Distance;
+    int Point; ///< or -1
+    Window Seen;
+    bool operator<(const Event& other) const { return this->Key > other.Key; }
+  };
+
+  struct GoalPlace
+  {
+    int Triangle = -1;
+    Eigen::RowVector3d Weights = Eigen::RowVector3d::Zero(), Position = Eigen::RowVector3d::Zero();
+    double Nearest = Infinity;
+  };
+
+  double Ahead(int point) const;
+  double AheadOfSide(int side) const;
+  Eigen::Vector2d PlaceInFrame(int side, const Eigen::RowVector3d& weights) const;
+  void SeeFrom(int triangle, const Eigen::RowVector3d& weights);
+  void See(int side, double begin, double end, const Eigen::Vector2d& eye, double behind);
+  bool IsUseful(const Window& window) const;
+  void Reach(int point, double distance, bool isSeed);
+  void SeeGoal(const Window& window);
+  void SendOut(int point);
+  void Carry(const Window& window);
+
+  const Mesh& Surface;
+  const SideFrames& Frames;
+  Eigen::VectorXd Lengths;
+  std::vector<double> CornerDistances, CornerEntries; ///< of the window nearest to each corner
+  std::vector<int> ReachedPoints, ReachedCorners;     ///< that have a distance
+  std::priority_queue<Event> Queue;
+  GoalPlace Goal;
+};
+
+} // namespace shape

@@ -1,0 +1,249 @@
+#include "Geodesics/SurfacePath.h"
+
+#include "Base/Errors.h"
+#include "Mesh/HalfEdges.h"
+#include "Geodesics/TriangleStrip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+using Eigen::RowVector3d;
+
+/// Like SideTwins of any triangles: where an edge has other than two that run through it in
+/// opposite senses there are none.
+std::vector<int> TwinsOf(const Mesh& surface)
+{
+  std::vector<int> twins(surface.Triangles.size(), -1);
+  const std::vector<HalfEdge> edges = SortedHalfEdges(surface.Triangles, surface.Points.rows());
+  for (std::size_t first = 0, next = 0; first < edges.size(); first = next)
+  {
+    while (next < edges.size() && edges[next].Low() == edges[first].Low() &&
+      edges[next].High() == edges[first].High())
+    {
+      ++next;
+    }
+    const HalfEdge &one = edges[first], &other = edges[next - 1];
+    if (next - first == 2 && one.Begin == other.End)
+    {
+      const int side = 3 * one.Triangle + one.Corner, twin = 3 * other.Triangle + other.Corner;
+      twins[side] = twin;
+      twins[twin] = side;
+    }
+  }
+  return twins;
+}
+
+RowVector3d PositionOf(const Mesh& surface, const SurfacePlace& place)
+{
+  return place.Barycentric * Corners(surface, place.Triangle);
+}
+
+} // namespace
+
+/// The sides that lead from one place to another, each crossed where it is on the shortest way from
+/// the crossing before it to the target (A* search: Hart, Nilsson and Raphael 1968).
+class SurfacePaths::StripSearch
+{
+public:
+  StripSearch(const Mesh& surface, const std::vector<int>& twins)
+    : Surface(surface)
+    , Twins(twins)
+    , Bounds(twins.size(), std::numeric_limits<double>::infinity())
+    , Distances(twins.size())
+    , Crossings(twins.size())
+    , Before(twins.size(), -1)
+    , IsDone(twins.size(), 0)
+  {
+  }
+
+  /// from, to: the triangles that the places lie in. Returns the first triangle and the sides;
+  /// -1 where no way leads.
+  std::pair<int, std::vector<int>> Find(const std::vector<int>& from, const RowVector3d& start,
+    const std::vector<int>& to, const RowVector3d& target, const Progress& progress)
+  {
+    this->Clear();
+    this->Target = target;
+    for (const int triangle : from)
+    {
+      if (std::find(to.begin(), to.end(), triangle) != to.end())
+      {
+        return { triangle, {} };
+      }
+      for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
+      {
+        this->Reach(side, -1, start, 0.0);
+      }
+    }
+    double best = std::numeric_limits<double>::infinity();
+    int last = -1;
+    for (int steps = 0; !this->Queue.empty() && this->Queue.top().first < best; ++steps)
+    {
+      const auto [bound, side] = this->Queue.top();
+      this->Queue.pop();
+      if (steps % 1024 == 0)
+      {
+        progress(0.0);
+      }
+      if (this->IsDone[side] != 0)
+      {
+        continue;
+      }
+      this->IsDone[side] = 1;
+      const int twin = this->Twins[side];
+      if (std::find(to.begin(), to.end(), twin / 3) != to.end())
+      {
+        best = bound;
+        last = side;
+        continue;
+      }
+      const RowVector3d from = this->Crossings[side];
+      for (const int next : { NextSide(twin), PreviousSide(twin) })
+      {
+        this->Reach(next, side, from, this->Distances[side]);
+      }
+    }
+    std::vector<int> sides;
+    for (int side = last; side >= 0; side = this->Before[side])
+    {
+      sides.push_back(side);
+    }
+    std::reverse(sides.begin(), sides.end());
+    return { sides.empty() ? -1 : sides.front() / 3, sides };
+  }
+
+private:
+  /// Forgets the last search.
+  void Clear()
+  {
+    for (const int side : this->Reached)
+    {
+      this->Bounds[side] = std::numeric_limits<double>::infinity();
+      this->IsDone[side] = 0;
+    }
+    this->Reached.clear();
+    this->Queue = {};
+  }
+
+  /// Where a side is crossed by the shortest way from a place to the target, straight on both sides
+  /// of it.
+  RowVector3d CrossingOf(int side, const RowVector3d& from) const
+  {
+    const int next = NextSide(side);
+    const RowVector3d begin = this->Surface.Points.row(this->Surface.Triangles(side / 3, side % 3));
+    const RowVector3d edge =
+      this->Surface.Points.row(this->Surface.Triangles(next / 3, next % 3)) - begin;
+    const double squared = edge.squaredNorm();
+    if (!(squared > 0.0))
+    {
+      return begin;
+    }
+    const auto foot = [&](const RowVector3d& place) { return (place - begin).dot(edge) / squared; };
+    const double near = foot(from), far = foot(this->Target);
+    const double height = (from - begin - near * edge).norm();
+    const double both = height + (this->Target - begin - far * edge).norm();
+    const double share = both > 0.0 ? near + (far - near) * height / both : near;
+    return begin + std::clamp(share, 0.0, 1.0) * edge;
+  }
+
+  void Reach(int side, int before, const RowVector3d& from, double distance)
+  {
+    if (this->Twins[side] < 0 || this->IsDone[side] != 0)
+    {
+      return;
+    }
+    const RowVector3d crossing = this->CrossingOf(side, from);
+    const double own = distance + (crossing - from).norm();
+    const double left = (this->Target - crossing).norm();
+    if (own + left < this->Bounds[side])
+    {
+      if (std::isinf(this->Bounds[side]))
+      {
+        this->Reached.push_back(side);
+      }
+      this->Bounds[side] = own + left;
+      this->Crossings[side] = crossing;
+      this->Distances[side] = own;
+      this->Before[side] = before;
+      this->Queue.push({ own + left, side });
+    }
+  }
+
+  using Item = std::pair<double, int>;
+
+  const Mesh& Surface;
+  const std::vector<int>& Twins;
+  RowVector3d Target;
+  // Of each side: the least length of a path over it, and up to it; where, and the one before.
+  std::vector<double> Bounds, Distances;
+  std::vector<RowVector3d> Crossings;
+  std::vector<int> Before;
+  std::vector<char> IsDone;
+  std::vector<int> Reached;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> Queue;
+};
+
+SurfacePaths::SurfacePaths(const Mesh& surface)
+  : Surface(surface)
+  , SideTwins(TwinsOf(surface))
+  , Search(std::make_unique<StripSearch>(surface, this->SideTwins))
+{
+}
+
+SurfacePaths::~SurfacePaths() = default;
+
+/// The triangles that a place lies in.
+std::vector<int> SurfacePaths::TrianglesAt(const SurfacePlace& place) const
+{
+  std::vector<int> triangles = { place.Triangle };
+  const PlaceSupport support(this->Surface, place);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    for (int side = 3 * triangles[i]; side < 3 * triangles[i] + 3; ++side)
+    {
+      const int twin = this->SideTwins[side];
+      if (twin >= 0 && support.IsIn(this->Surface.Triangles.row(twin / 3)) &&
+        std::find(triangles.begin(), triangles.end(), twin / 3) == triangles.end())
+      {
+        triangles.push_back(twin / 3);
+      }
+    }
+  }
+  return triangles;
+}
+
+SurfacePath SurfacePaths::Find(
+  const SurfacePlace& from, const SurfacePlace& to, const Progress& progress)
+{
+  auto [first, sides] = this->Search->Find(this->TrianglesAt(from), PositionOf(this->Surface, from),
+    this->TrianglesAt(to), PositionOf(this->Surface, to), progress);
+  if (first < 0)
+  {
+    throw InvalidInput("no path over the surface leads from triangle " +
+      std::to_string(from.Triangle) + " to triangle " + std::to_string(to.Triangle) +
+      "; they lie on parts that are not connected, or whose triangles face different ways: join "
+      "their "
+      "points with Clean, turn them with Generate Surface Normals (Consistency), or stay on one");
+  }
+  TriangleStrip strip(this->Surface, this->SideTwins, from, to, first, std::move(sides));
+  strip.FindPath();
+  double length = std::numeric_limits<double>::infinity();
+  while (strip.Length() < length && strip.LeadAround())
+  {
+    progress(0.5);
+    length = strip.Length();
+    strip.FindPath();
+  }
+  return strip.Path();
+}
+
+} // namespace shape

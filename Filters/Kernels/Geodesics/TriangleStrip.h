@@ -1,0 +1,95 @@
+#pragma once
+
+#include "Geodesics/SurfacePath.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace shape
+{
+
+/// The points of a surface that a place lies between, with their weights: one, two or three.
+struct PlaceSupport
+{
+  PlaceSupport(const Mesh& surface, const SurfacePlace& place);
+
+  /// Whether all of them are corners of a triangle.
+  bool IsIn(const Eigen::RowVector3i& triangle) const;
+  /// Whether all of them are one of two points.
+  bool IsOn(int a, int b) const;
+  /// The place in a triangle that has all of them.
+  SurfacePlace In(const Mesh& surface, int triangle) const;
+
+  int Count = 0;
+  std::array<int, 3> Points = { -1, -1, -1 };
+  std::array<double, 3> Weights = { 0.0, 0.0, 0.0 };
+};
+
+/// A strip of triangles between two places on a surface, and the shortest path within it.
+class TriangleStrip
+{
+public:
+  /// twins: of the surface's sides, -1 on the border. sides: those that the strip crosses, in
+  /// order, as sides of the triangles that it leaves; first: its first triangle, which `from` lies
+  /// in.
+  TriangleStrip(const Mesh& surface, const std::vector<int>& twins, const SurfacePlace& from,
+    const SurfacePlace& to, int first, std::vector<int> sides);
+
+  /// Finds the shortest path within the strip.
+  void FindPath();
+  /// Leads the strip past each point, at which the path turns, that it could be shortened around.
+  /// Whether there were any; then FindPath finds a shorter path.
+  bool LeadAround();
+
+  double Length() const { return this->PathLength; }
+  /// The path that was found last; the strip has not been changed since.
+  SurfacePath Path() const;
+
+private:
+  /// A side that is crossed, laid out in the plane: its end and its begin, as seen on the way.
+  struct Portal
+  {
+    Eigen::RowVector2d Left, Right;
+  };
+  /// A point that the path turns at: from which side on the strip goes around it, and to which.
+  struct Turn
+  {
+    int First, Last;
+    bool IsLeft;
+    int Point;
+    Eigen::RowVector2d Place;
+  };
+
+  int TriangleAt(int step) const;
+  int Begin(int side) const;
+  int End(int side) const;
+  int Apex(int side) const;
+  bool Touches(int side, int point) const;
+  void Trim();
+  void LayOut();
+  Eigen::RowVector2d ApexPlace(
+    int side, const Eigen::RowVector2d& begin, const Eigen::RowVector2d& end) const;
+  Eigen::RowVector2d PlaceOf(const PlaceSupport& support, int side, const Eigen::RowVector2d& begin,
+    const Eigen::RowVector2d& end, const Eigen::RowVector2d& apex) const;
+  void FindTurns();
+  double AngleInStrip(std::size_t turn) const;
+  double AngleAround(int side, int point) const;
+  bool Detour(const Turn& turn, std::vector<int>& sides) const;
+  SurfacePlace Crossing(
+    int step, const Eigen::RowVector2d& before, const Eigen::RowVector2d& after) const;
+  int TriangleOfBoth(const PlaceSupport& a, const PlaceSupport& b, int first, int last) const;
+
+  const Mesh& Surface;
+  const std::vector<int>& Twins;
+  PlaceSupport From, To;
+  int First;
+  std::vector<int> Sides;
+  std::vector<Portal> Portals;
+  Eigen::RowVector2d FromPlace, ToPlace;
+  std::vector<Turn> Turns;
+  double PathLength = 0.0;
+};
+
+} // namespace shape

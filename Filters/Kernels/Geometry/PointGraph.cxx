@@ -1,0 +1,330 @@
+#include "Geometry/PointGraph.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Extent.h"
+#include "Mesh/HalfEdges.h"
+#include "Mesh/Topology.h"
+#include "Search/PointTree.h"
+#include "Geometry/SurfaceWelding.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+void RequireCorners(const Eigen::MatrixXi& elements, Eigen::Index points)
+{
+  if (elements.size() > 0 && (elements.minCoeff() < 0 || elements.maxCoeff() >= points))
+  {
+    const int wrong = elements.minCoeff() < 0 ? elements.minCoeff() : elements.maxCoeff();
+    throw InvalidInput("an element of the shape has the point " + std::to_string(wrong) +
+      ", but there are " + std::to_string(points) + " points; mend the connectivity");
+  }
+}
+
+void Weld(const Eigen::MatrixXd& points, PointGraph& graph, const Progress& progress)
+{
+  const std::vector<int> first = FirstNearby(points, progress);
+  graph.NodeOf.resize(points.rows());
+  for (int i = 0; i < static_cast<int>(first.size()); ++i)
+  {
+    const bool isNew = first[i] == i;
+    graph.NodeOf(i) = isNew ? static_cast<int>(graph.PointOf.size()) : graph.NodeOf(first[i]);
+    if (isNew)
+    {
+      graph.PointOf.push_back(i);
+    }
+  }
+  graph.Places = points(graph.PointOf, Eigen::all);
+}
+
+Eigen::MatrixXi NodesOf(const Eigen::MatrixXi& elements, const Eigen::VectorXi& nodeOf)
+{
+  return elements.unaryExpr([&](int point) { return nodeOf(point); });
+}
+
+void AddLinks(const Eigen::MatrixXi& elements, std::vector<std::pair<int, int>>& links)
+{
+  for (const auto& element : elements.rowwise())
+  {
+    for (Eigen::Index a = 0; a < element.size(); ++a)
+    {
+      for (Eigen::Index b = a + 1; b < element.size(); ++b)
+      {
+        if (element(a) != element(b))
+        {
+          links.emplace_back(element(a), element(b));
+        }
+      }
+    }
+  }
+}
+
+/// Nodes without a link are linked with their nearest ones.
+void LinkLoosePoints(const PointGraph& graph, int nearest, std::vector<std::pair<int, int>>& links,
+  const Progress& progress)
+{
+  std::vector<char> linked(graph.Size(), 0);
+  for (const auto& [a, b] : links)
+  {
+    linked[a] = linked[b] = 1;
+  }
+  if (std::find(linked.begin(), linked.end(), 0) == linked.end())
+  {
+    return;
+  }
+  const PointTree tree(graph.Places);
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    if (i % 65536 == 0)
+    {
+      progress(static_cast<double>(i) / graph.Size());
+    }
+    if (!linked[i])
+    {
+      for (const int j : tree.Nearest(graph.Places.row(i), nearest + 1))
+      {
+        if (j != i)
+        {
+          links.emplace_back(i, j);
+        }
+      }
+    }
+  }
+}
+
+/// All in units of an area: lengths times, and volumes over, the mean length of a link.
+void AddWeights(PointGraph& graph, const Eigen::MatrixXi& lines, const Eigen::MatrixXi& triangles,
+  const Eigen::MatrixXi& tetrahedra)
+{
+  const double length = std::accumulate(graph.Lengths.begin(), graph.Lengths.end(), 0.0) /
+    std::max<double>(1.0, static_cast<double>(graph.Lengths.size()));
+  std::vector<char> used(graph.Size(), 0);
+  graph.Weights = Eigen::VectorXd::Zero(graph.Size());
+  const auto add = [&](const auto& corners, double amount)
+  {
+    for (const int node : corners)
+    {
+      graph.Weights(node) += amount;
+      used[node] = 1;
+    }
+  };
+  const auto side = [&](const auto& corners, int k) -> Eigen::Vector3d
+  { return (graph.Places.row(corners(k)) - graph.Places.row(corners(0))).transpose(); };
+  for (const auto& line : lines.rowwise())
+  {
+    add(line, side(line, 1).norm() * length);
+  }
+  graph.Normals = Eigen::MatrixXd::Zero(graph.Size(), 3);
+  for (const auto& triangle : triangles.rowwise())
+  {
+    const Eigen::Vector3d vector = 0.5 * side(triangle, 1).cross(side(triangle, 2));
+    add(triangle, vector.norm());
+    for (const int node : triangle)
+    {
+      graph.Normals.row(node) += vector.transpose();
+    }
+  }
+  for (const auto& tetrahedron : tetrahedra.rowwise())
+  {
+    const double volume =
+      side(tetrahedron, 1).cross(side(tetrahedron, 2)).dot(side(tetrahedron, 3)) / 6.0;
+    add(tetrahedron, length > 0.0 ? std::abs(volume) / length : 0.0);
+  }
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    const double norm = graph.Normals.row(i).norm();
+    graph.Normals.row(i) /= norm > 0.0 ? norm : 1.0;
+    if (!used[i] && graph.First[i] < graph.First[i + 1])
+    {
+      const double nearest = *std::min_element(
+        graph.Lengths.begin() + graph.First[i], graph.Lengths.begin() + graph.First[i + 1]);
+      graph.Weights(i) = nearest * nearest;
+    }
+  }
+}
+
+/// The angle at a corner with these sides; 0 in a degenerate triangle.
+double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+void AddCurvatures(PointGraph& graph, const Eigen::MatrixXi& triangles)
+{
+  Eigen::VectorXd defects = Eigen::VectorXd::Constant(graph.Size(), 2.0 * M_PI);
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(graph.Size());
+  std::vector<char> inside(graph.Size(), 0);
+  for (const auto& triangle : triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d corner = graph.Places.row(triangle(k)).transpose();
+      const Eigen::Vector3d a = graph.Places.row(triangle((k + 1) % 3)).transpose() - corner;
+      const Eigen::Vector3d b = graph.Places.row(triangle((k + 2) % 3)).transpose() - corner;
+      defects(triangle(k)) -= AngleBetween(a, b);
+      areas(triangle(k)) += a.cross(b).norm() / 6.0;
+      inside[triangle(k)] = 1;
+    }
+  }
+  const std::vector<HalfEdge> sides = SortedHalfEdges(triangles, graph.Size());
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  {
+    while (end < sides.size() && sides[end].Low() == sides[begin].Low() &&
+      sides[end].High() == sides[begin].High())
+    {
+      ++end;
+    }
+    if (end - begin != 2)
+    {
+      inside[sides[begin].Low()] = inside[sides[begin].High()] = 0;
+    }
+  }
+  graph.Curvatures = Eigen::VectorXd::Zero(graph.Size());
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    if (inside[i] && areas(i) > 0.0)
+    {
+      graph.Curvatures(i) = std::abs(defects(i)) / areas(i);
+    }
+  }
+}
+
+/// Triangles of three different nodes.
+Eigen::MatrixXi Unwelded(const Eigen::MatrixXi& triangles)
+{
+  std::vector<int> kept;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    const auto corners = triangles.row(t);
+    if (corners(0) != corners(1) && corners(1) != corners(2) && corners(2) != corners(0))
+    {
+      kept.push_back(static_cast<int>(t));
+    }
+  }
+  return triangles(kept, Eigen::all);
+}
+
+} // namespace
+
+void SetLinks(PointGraph& graph, std::vector<std::pair<int, int>> links)
+{
+  for (auto& [a, b] : links)
+  {
+    if (b < a)
+    {
+      std::swap(a, b);
+    }
+  }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  graph.First.assign(graph.Size() + 1, 0);
+  for (const auto& [a, b] : links)
+  {
+    ++graph.First[a + 1];
+    ++graph.First[b + 1];
+  }
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    graph.First[i + 1] += graph.First[i];
+  }
+  graph.Neighbours.resize(2 * links.size());
+  graph.Lengths.resize(2 * links.size());
+  std::vector<int> next = graph.First;
+  const auto put = [&](int from, int to, double length)
+  {
+    graph.Neighbours[next[from]] = to;
+    graph.Lengths[next[from]++] = length;
+  };
+  // The lower neighbours of each node first: they come in order, and so do the higher ones.
+  for (const bool lower : { true, false })
+  {
+    for (const auto& [a, b] : links)
+    {
+      const double length = (graph.Places.row(a) - graph.Places.row(b)).norm();
+      lower ? put(b, a, length) : put(a, b, length);
+    }
+  }
+}
+
+std::vector<std::pair<int, int>> LinksOf(const PointGraph& graph)
+{
+  std::vector<std::pair<int, int>> links;
+  links.reserve(graph.Neighbours.size() / 2);
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    for (int k = graph.First[i]; k < graph.First[i + 1]; ++k)
+    {
+      if (i < graph.Neighbours[k])
+      {
+        links.emplace_back(i, graph.Neighbours[k]);
+      }
+    }
+  }
+  return links;
+}
+
+double MeanLink(const PointGraph& graph)
+{
+  double sum = 0.0, weights = 0.0, plain = 0.0;
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    const int count = graph.First[i + 1] - graph.First[i];
+    for (int k = graph.First[i]; k < graph.First[i + 1]; ++k)
+    {
+      sum += graph.Weights(i) * graph.Lengths[k] / count;
+      plain += graph.Lengths[k];
+    }
+    weights += count > 0 ? graph.Weights(i) : 0.0;
+  }
+  const double links = std::max<double>(1.0, static_cast<double>(graph.Lengths.size()));
+  return weights > 0.0 ? sum / weights : plain / links;
+}
+
+PointGraph MakePointGraph(
+  const ShapeElements& shape, const PointGraphOptions& options, const Progress& progress)
+{
+  if (shape.Points.rows() == 0)
+  {
+    throw InvalidInput("the shape has no points; give it some");
+  }
+  RequireFinite(shape.Points, "the shape");
+  RequireExtent(shape.Points, "the shape");
+  for (const Eigen::MatrixXi* elements : { &shape.Lines, &shape.Triangles, &shape.Tetrahedra })
+  {
+    RequireCorners(*elements, shape.Points.rows());
+  }
+  progress(0.0);
+  PointGraph graph;
+  graph.Points = shape.Points;
+  Weld(shape.Points, graph, progress.Part(0.0, 0.5));
+  const Eigen::MatrixXi lines = NodesOf(shape.Lines, graph.NodeOf);
+  const Eigen::MatrixXi triangles = NodesOf(shape.Triangles, graph.NodeOf);
+  const Eigen::MatrixXi tetrahedra = NodesOf(shape.Tetrahedra, graph.NodeOf);
+  std::vector<std::pair<int, int>> links;
+  for (const Eigen::MatrixXi* elements : { &lines, &triangles, &tetrahedra })
+  {
+    AddLinks(*elements, links);
+  }
+  LinkLoosePoints(graph, options.Nearest, links, progress.Part(0.5, 0.9));
+  SetLinks(graph, std::move(links));
+  AddWeights(graph, lines, triangles, tetrahedra);
+  AddCurvatures(graph, Unwelded(triangles));
+  graph.MeanLength = MeanLink(graph);
+  progress(1.0);
+  return graph;
+}
+
+PointGraph MakePointGraph(const Mesh& surface, const PointGraphOptions& options)
+{
+  return MakePointGraph(ShapeElements{ surface.Points, {}, surface.Triangles, {} }, options);
+}
+
+} // namespace shape

@@ -1,0 +1,90 @@
+#include "Geometry/SmoothedNormals.h"
+
+#include "Mesh/Mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+using Eigen::RowVector3d;
+
+/// The mean around a node, its own normal included; not yet of unit length.
+RowVector3d MeanAround(const PointGraph& graph, const Eigen::MatrixXd& normals, int node)
+{
+  const int begin = graph.First[node], end = graph.First[node + 1];
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int k = begin; k < end; ++k)
+  {
+    nearest = graph.Lengths[k] > 0.0 ? std::min(nearest, graph.Lengths[k]) : nearest;
+  }
+  RowVector3d mean = normals.row(node);
+  for (int k = begin; k < end; ++k)
+  {
+    mean += std::min(1.0, nearest / graph.Lengths[k]) * normals.row(graph.Neighbours[k]);
+  }
+  return mean;
+}
+
+/// Gives nodes without a normal that of their neighbours, from those that have one outwards.
+void FillNormals(const PointGraph& graph, Eigen::MatrixXd& normals)
+{
+  std::vector<int> without;
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    if (normals.row(i).isZero(0.0))
+    {
+      without.push_back(i);
+    }
+  }
+  while (!without.empty())
+  {
+    Eigen::MatrixXd found(static_cast<Eigen::Index>(without.size()), 3);
+    bool any = false;
+    for (std::size_t k = 0; k < without.size(); ++k)
+    {
+      const RowVector3d mean = MeanAround(graph, normals, without[k]);
+      found.row(static_cast<Eigen::Index>(k)) = mean.normalized();
+      any = any || !mean.isZero(0.0);
+    }
+    std::vector<int> left;
+    for (std::size_t k = 0; k < without.size(); ++k)
+    {
+      const auto row = found.row(static_cast<Eigen::Index>(k));
+      normals.row(without[k]) = any ? RowVector3d(row) : RowVector3d::UnitZ();
+      if (any && row.isZero(0.0))
+      {
+        left.push_back(without[k]);
+      }
+    }
+    without.swap(left);
+  }
+}
+
+} // namespace
+
+Eigen::MatrixXd SmoothedNormals(
+  const PointGraph& graph, const Eigen::MatrixXi& triangles, int rounds, const Progress& progress)
+{
+  Eigen::MatrixXd normals = PointNormals({ graph.Places, triangles });
+  FillNormals(graph, normals);
+  for (int round = 0; round < rounds; ++round)
+  {
+    progress((1.0 + round) / (1.0 + rounds));
+    Eigen::MatrixXd smoothed(normals.rows(), 3);
+    for (int i = 0; i < graph.Size(); ++i)
+    {
+      const RowVector3d mean = MeanAround(graph, normals, i);
+      const double length = mean.norm();
+      smoothed.row(i) = length > 0.0 ? RowVector3d(mean / length) : RowVector3d(normals.row(i));
+    }
+    normals.swap(smoothed);
+  }
+  return normals;
+}
+
+} // namespace shape

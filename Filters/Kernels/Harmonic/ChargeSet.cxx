@@ -1,0 +1,107 @@
+#include "Harmonic/ChargeSet.h"
+
+#include "Base/Parallel.h"
+#include "Fmm/DirectSummation.h"
+#include "Fmm/FastSummation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shape
+{
+
+namespace
+{
+
+constexpr double InverseFourPi = 0.25 / M_PI;
+/// The tolerance of a sum that keeps a map's error, in units of the image's size; large charges of
+/// changing sign, whose potentials cancel, need a smaller one. From 64 places beside the charges:
+/// it does not depend on the points.
+double ToleranceFor(const ChargeSet& set, double error)
+{
+  constexpr int count = 64;
+  const Eigen::RowVector3d middle = set.Points.colwise().mean();
+  Eigen::MatrixXd places(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    places.row(i) = 0.95 * set.Points.row(i * set.Points.rows() / count) + 0.05 * middle;
+  }
+  const Eigen::MatrixXd image = DirectPotentials(set.Points, set.Charges, places) +
+    places * set.Affine.leftCols<3>().transpose();
+  const double size = (image.colwise().maxCoeff() - image.colwise().minCoeff()).maxCoeff();
+  const Eigen::MatrixXd absolute = DirectPotentials(set.Points, set.Charges.cwiseAbs(), places);
+  return error * size / absolute.maxCoeff();
+}
+
+/// The sums over the charges: pair by pair, or by the multipole method where that is faster and
+/// keeps the error.
+Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool gradients,
+  double error, const Progress& progress)
+{
+  constexpr double worthATry = 1e8; // below it the multipole method is not faster
+  const double pairs = static_cast<double>(set.Points.rows()) * points.rows();
+  if (pairs > worthATry && points.allFinite())
+  {
+    const double tolerance = ToleranceFor(set, error);
+    if (tolerance >= FastSummationOptions::LeastTolerance)
+    {
+      FastSummationOptions options;
+      options.Tolerance = std::min(tolerance, 1e-3);
+      const FastSummation fast(set.Points, points, options, progress.Part(0.0, 0.3));
+      return gradients ? fast.Gradients(set.Charges, progress.Part(0.3, 1.0))
+                       : fast.Potentials(set.Charges, progress.Part(0.3, 1.0));
+    }
+  }
+  return gradients
+    ? DirectGradients(set.Points, set.Charges, points, progress)
+    : DirectPotentials(set.Points, set.Charges, points, RootError::Rounding, progress);
+}
+
+} // namespace
+
+Eigen::MatrixXd Evaluate(
+  const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress, double error)
+{
+  Eigen::MatrixXd values = Sums(set, points, false, error, progress);
+  values += points.lazyProduct(set.Affine.leftCols<3>().transpose());
+  values.rowwise() += set.Affine.col(3).transpose();
+  return values;
+}
+
+Eigen::MatrixXd Jacobians(
+  const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress)
+{
+  constexpr double error = 1e-10;
+  Eigen::MatrixXd values = Sums(set, points, true, error, progress);
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      values.col(3 * r + c).array() += set.Affine(r, c);
+    }
+  }
+  return values;
+}
+
+Eigen::MatrixXd PotentialMatrix(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources, const Progress& progress)
+{
+  Eigen::MatrixXd matrix(points.rows(), sources.rows());
+  ParallelFor(
+    static_cast<int>(sources.rows()), 8,
+    [&](int begin, int end)
+    {
+      for (int j = begin; j < end; ++j)
+      {
+        matrix.col(j) = InverseFourPi *
+          ((points.col(0).array() - sources(j, 0)).square() +
+            (points.col(1).array() - sources(j, 1)).square() +
+            (points.col(2).array() - sources(j, 2)).square())
+            .rsqrt();
+      }
+    },
+    progress);
+  return matrix;
+}
+
+} // namespace shape

@@ -1,0 +1,223 @@
+#include "Harmonic/FreeBoundary.h"
+
+#include "Mesh/Cells.h"
+#include "Base/Errors.h"
+#include "Search/ClosestPoint.h"
+#include "Quality/MapQuality.h"
+#include "Untangle/SimplexPatch.h"
+#include "Tetrahedra/Tetrahedralize.h"
+#include "Untangle/Untangle.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+constexpr int Tetrahedron = 10;
+constexpr int MostSteps = 30;
+
+/// Some points stay on a surface, the others are free.
+class OnSurface : public PointConstraint
+{
+public:
+  OnSurface(const Mesh& surface, std::vector<char> held)
+    : Locator(surface)
+    , Held(std::move(held))
+    , Normals(Eigen::MatrixXd::Zero(surface.Points.rows(), 3))
+  {
+    const Eigen::MatrixXd areas = AreaVectors(surface);
+    for (Eigen::Index t = 0; t < areas.rows(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Normals.row(surface.Triangles(t, k)) += areas.row(t);
+      }
+    }
+    this->Normals.rowwise().normalize();
+  }
+
+  int Freedom(int point) const override { return this->Held[point] ? 2 : 3; }
+
+  PointDirections Directions(int, const Eigen::RowVector3d& place) const override
+  {
+    const ClosestPoints closest = this->Locator.Find(place);
+    const Eigen::Vector3d normal = Pulled(closest, this->Locator.Surface().Triangles, this->Normals)
+                                     .row(0)
+                                     .normalized()
+                                     .transpose();
+    PointDirections directions(3, 2);
+    directions.col(0) = normal.unitOrthogonal();
+    directions.col(1) = normal.cross(directions.col(0));
+    return directions;
+  }
+
+  Eigen::RowVector3d Nearest(int, const Eigen::RowVector3d& place) const override
+  {
+    return this->Locator.Find(place).Positions.row(0);
+  }
+
+private:
+  SurfaceLocator Locator;
+  std::vector<char> Held;
+  Eigen::MatrixXd Normals;
+};
+
+Cells ToCells(const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra)
+{
+  const int count = static_cast<int>(tetrahedra.rows());
+  const Eigen::MatrixXi byCell = tetrahedra.transpose();
+  return { points, Eigen::VectorXi::Constant(count, Tetrahedron),
+    Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), byCell.reshaped() };
+}
+
+/// The tetrahedra of an untangled solid with the places at rest of all its points.
+struct Solid
+{
+  Cells Moved;
+  Eigen::MatrixXd Rest;
+};
+
+Solid Untangled(
+  const TetrahedralizeResult& tetrahedra, const Eigen::MatrixXd& moved, const Progress& progress)
+{
+  UntangleResult result =
+    Untangle(ToCells(moved, tetrahedra.Tetrahedra), tetrahedra.Points, {}, progress);
+  if (result.InvertedAfter > 0)
+  {
+    throw SolveFailure("FreeBoundary: " + std::to_string(result.InvertedAfter) +
+      " tetrahedra of the solid stay inverted, so the boundary map folds; mend it, or turn "
+      "FreeBoundary off");
+  }
+  Solid solid{ std::move(result.Solid), Eigen::MatrixXd(0, 3) };
+  const Eigen::Index given = tetrahedra.Points.rows();
+  solid.Rest.resize(solid.Moved.Points.rows(), 3);
+  solid.Rest.topRows(given) = tetrahedra.Points;
+  for (std::size_t i = 0; i < result.Parents.size(); ++i)
+  {
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    int count = 0;
+    for (const int parent : result.Parents[i])
+    {
+      if (parent >= 0)
+      {
+        sum += solid.Rest.row(parent);
+        ++count;
+      }
+    }
+    solid.Rest.row(given + static_cast<Eigen::Index>(i)) = sum / count;
+  }
+  return solid;
+}
+
+/// The mean symmetric Dirichlet energy of a map of the tetrahedra, images scaled.
+double Distortion(const TetrahedralizeResult& solid, const Eigen::MatrixXd& images)
+{
+  CellSimplices cells;
+  for (Eigen::Index t = 0; t < solid.Tetrahedra.rows(); ++t)
+  {
+    const Eigen::RowVector4i corners = solid.Tetrahedra.row(t);
+    cells.Add(CellShape::Tetrahedron, corners.data());
+    cells.EndCell();
+  }
+  const MapQualityResult quality =
+    MapQuality(solid.Points, images, cells, ExtentOf(solid.Points, images, cells));
+  MapQualitySums sums;
+  sums.Add(quality, Eigen::VectorXi::Ones(solid.Tetrahedra.rows()));
+  return sums.Mean(MapMeasure::SymmetricDirichlet);
+}
+
+SimplexPatch WholePatch(const Solid& solid, double size)
+{
+  SimplexPatch patch;
+  std::vector<char> used(solid.Rest.rows(), 0);
+  for (Eigen::Index t = 0; t < solid.Moved.Kinds.size(); ++t)
+  {
+    std::array<int, 4> c;
+    std::copy_n(solid.Moved.Corners.data() + solid.Moved.Offsets(t), 4, c.begin());
+    Eigen::Matrix3d edges;
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.col(k) = size * (solid.Rest.row(c[k + 1]) - solid.Rest.row(c[0])).transpose();
+    }
+    patch.Simplices.push_back({ c, HatGradients(edges) });
+    for (const int point : c)
+    {
+      used[point] = 1;
+    }
+  }
+  for (std::size_t point = 0; point < used.size(); ++point)
+  {
+    if (used[point])
+    {
+      patch.FreePoints.push_back(static_cast<int>(point));
+    }
+  }
+  return patch;
+}
+
+} // namespace
+
+FreeBoundaryResult FreeBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets,
+  const Mesh& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
+  const HarmonicVolumeMapResult& map, const Progress& progress)
+{
+  const TetrahedralizeResult tetrahedra = Tetrahedralize(boundary, {}, {}, progress.Part(0.0, 0.1));
+  // The images that a map gives the tetrahedra, those of the boundary exactly where they belong.
+  const auto carry = [&](const ChargeSet& charges, const Eigen::MatrixXd& values)
+  {
+    Eigen::MatrixXd images = Evaluate(charges, tetrahedra.Points, progress.Part(0.1, 0.15));
+    for (Eigen::Index i = 0; i < images.rows(); ++i)
+    {
+      if (tetrahedra.OriginalPoint(i) >= 0)
+      {
+        images.row(i) = values.row(tetrahedra.OriginalPoint(i));
+      }
+    }
+    return images;
+  };
+  const double size =
+    std::cbrt(std::abs(EnclosedVolume({ targets, boundary.Triangles }) / EnclosedVolume(boundary)));
+  FreeBoundaryResult result{ targets, map, 0.0, 0.0, false };
+  const Eigen::MatrixXd images = carry(map.Map, targets);
+  result.DistortionBefore = Distortion(tetrahedra, images / size);
+  result.DistortionAfter = result.DistortionBefore;
+
+  Solid solid = Untangled(tetrahedra, images, progress.Part(0.15, 0.3));
+  std::vector<char> held(solid.Rest.rows(), 0);
+  for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
+  {
+    held[i] = tetrahedra.OriginalPoint(i) >= 0;
+  }
+  const OnSurface constraint(target, held);
+  PatchOptions steps;
+  steps.MaximumSteps = steps.FurtherSteps = MostSteps;
+  LowerEnergy(
+    solid.Moved.Points, WholePatch(solid, size), &constraint, steps, progress.Part(0.3, 0.6));
+
+  Eigen::MatrixXd freed = targets;
+  for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
+  {
+    if (held[i])
+    {
+      freed.row(tetrahedra.OriginalPoint(i)) = solid.Moved.Points.row(i);
+    }
+  }
+  HarmonicVolumeMapResult again =
+    HarmonicVolumeMap(boundary, freed, features, options, progress.Part(0.6, 0.95));
+  const double after = Distortion(tetrahedra, carry(again.Map, freed) / size);
+  if (after < result.DistortionBefore)
+  {
+    result = { std::move(freed), std::move(again), result.DistortionBefore, after, true };
+  }
+  return result;
+}
+
+} // namespace shape

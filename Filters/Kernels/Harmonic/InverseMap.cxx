@@ -1,0 +1,263 @@
+#include "Harmonic/InverseMap.h"
+
+#include "Base/Errors.h"
+#include "Base/Parallel.h"
+#include "Solids/Nesting.h"
+#include "Harmonic/Private/InverseSearch.h"
+#include "Distance/OutsideDomain.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+using Indices = std::vector<int>;
+
+/// Seeds that are tried for one point, nearest first.
+constexpr int MostStarts = 12;
+
+/// The nearest of `places` (k x 3) to each point, nearest first: n x min(count, k) rows of it.
+Eigen::MatrixXi Nearest(
+  const Eigen::MatrixXd& places, const Eigen::MatrixXd& points, int count, const Progress& progress)
+{
+  const auto k = static_cast<int>(places.rows());
+  Eigen::MatrixXi nearest(points.rows(), std::min(count, k));
+  ParallelFor(
+    static_cast<int>(points.rows()), 64,
+    [&](int begin, int end)
+    {
+      std::vector<std::pair<double, int>> byDistance(k);
+      for (int i = begin; i < end; ++i)
+      {
+        for (int j = 0; j < k; ++j)
+        {
+          byDistance[j] = { (places.row(j) - points.row(i)).squaredNorm(), j };
+        }
+        std::partial_sort(
+          byDistance.begin(), byDistance.begin() + nearest.cols(), byDistance.end());
+        for (Eigen::Index c = 0; c < nearest.cols(); ++c)
+        {
+          nearest(i, c) = byDistance[c].second;
+        }
+      }
+    },
+    progress);
+  return nearest;
+}
+
+/// The points of a lattice over the domain's box that lie inside.
+Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress& progress)
+{
+  const Eigen::MatrixXd& points = domain.Locator().Surface().Points;
+  const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
+  const double spacing = LongestSide(points) / across;
+  const Eigen::RowVector3i counts = ((high - low) / spacing).array().ceil().max(1.0).cast<int>();
+  Eigen::MatrixXd lattice(counts.prod(), 3);
+  for (int i = 0; i < lattice.rows(); ++i)
+  {
+    const Eigen::RowVector3d place(
+      i % counts(0), i / counts(0) % counts(1), i / (counts(0) * counts(1)));
+    lattice.row(i) =
+      low.array() + (place.array() + 0.5) * (high - low).array() / counts.cast<double>().array();
+  }
+  const Eigen::VectorXd distances = domain.Evaluate(lattice, progress).Distances;
+  Indices inside;
+  for (int i = 0; i < distances.size(); ++i)
+  {
+    if (distances(i) < 0.0)
+    {
+      inside.push_back(i);
+    }
+  }
+  return lattice(inside, Eigen::all);
+}
+
+/// How much farther from the image's boundary than the tolerance there a point may lie whose
+/// preimage is within the tolerance of the domain's.
+constexpr double MostStretch = 4.0;
+
+Mesh ImageOf(const ChargeSet& map, const Mesh& domain, const Progress& progress)
+{
+  Mesh image{ Evaluate(map, domain.Points, progress), domain.Triangles };
+  if (!image.Points.allFinite())
+  {
+    throw InvalidInput("the map is not finite at a point of the surface that bounds its domain; "
+                       "move the charges away from it");
+  }
+  return FacingOutwards(std::move(image));
+}
+
+} // namespace
+
+InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest,
+  const InverseMapOptions& options, const Progress& progress)
+  : Map(map)
+  , Options(options)
+  , Farthest(farthest)
+  , Domain(OrientedByNesting(domain, "the surface of the Map"))
+  , Image(ImageOf(map, this->Domain.Locator().Surface(), progress.Part(0.0, 0.2)))
+{
+  if (!(options.Tolerance > 0.0) || options.MaximumIterations < 1 || options.SeedsAcross < 1)
+  {
+    throw InvalidInput("an option of the inverse map is out of range; Tolerance must be greater "
+                       "than 0, MaximumIterations and SeedsAcross at least 1");
+  }
+  this->Seeds = SeedsIn(this->Domain, options.SeedsAcross, progress.Part(0.2, 0.4));
+  this->SeedImages = Evaluate(map, this->Seeds, progress.Part(0.4, 0.6));
+  // A map folds first at its boundary, and in the middle of long triangles, too.
+  constexpr Eigen::Index wanted = 5000;
+  const Eigen::MatrixXd onBoundary = RandomPlaces(
+    domain, static_cast<int>(std::max(wanted - domain.Points.rows(), Eigen::Index(0))), 1);
+  Eigen::MatrixXd sampled(this->Seeds.rows() + domain.Points.rows() + onBoundary.rows(), 3);
+  sampled << this->Seeds, domain.Points, onBoundary;
+  const Eigen::MatrixXd jacobians = Jacobians(map, sampled, progress.Part(0.6, 1.0));
+  int positive = 0, negative = 0;
+  for (Eigen::Index i = 0; i < jacobians.rows(); ++i)
+  {
+    const double determinant = Square(jacobians, i).determinant();
+    positive += determinant > 0.0;
+    negative += determinant < 0.0;
+  }
+  this->DeterminantChangesSign = std::max(positive, negative) < jacobians.rows();
+}
+
+std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& point) const
+{
+  const Mesh& image = this->Image.Locator().Surface();
+  const SignedDistance::Result at = this->Image.Evaluate(point);
+  const double tolerance =
+    DomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity())(0);
+  if (!this->DeterminantChangesSign && at.Distances(0) > MostStretch * tolerance)
+  {
+    return {};
+  }
+  const Eigen::RowVector3d onBoundary =
+    Pulled(at.Closest, image.Triangles, this->Domain.Locator().Surface().Points);
+  if (this->Seeds.rows() == 0)
+  {
+    return onBoundary;
+  }
+  Eigen::Index nearest = 0;
+  const double distance2 =
+    (this->SeedImages.rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
+  if (at.Distances(0) * at.Distances(0) <= distance2)
+  {
+    return onBoundary;
+  }
+  return this->Seeds.row(nearest);
+}
+
+InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  const Mesh& image = this->Image.Locator().Surface();
+  const SignedDistance::Result at = this->Image.Evaluate(points, progress.Part(0.0, 0.15));
+  const Eigen::VectorXd tolerances =
+    DomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity());
+  Result result{ points,
+    Eigen::VectorXi::Constant(points.rows(), static_cast<int>(State::Outside)) };
+  Indices open;
+  for (int i = 0; i < points.rows(); ++i)
+  {
+    // The domain's own tolerance may be stretched by the map: whether the place that is found lies
+    // in the domain decides.
+    if (this->DeterminantChangesSign || at.Distances(i) <= MostStretch * tolerances(i))
+    {
+      open.push_back(i);
+    }
+  }
+
+  // The image's triangles are the domain's: a place on the one is a place on the other.
+  const Eigen::MatrixXd onBoundary =
+    Pulled(at.Closest, image.Triangles, this->Domain.Locator().Surface().Points);
+  const Eigen::MatrixXi nearest =
+    Nearest(this->SeedImages, points, MostStarts, progress.Part(0.15, 0.2));
+  const auto startOf = [&](int i, int attempt) -> Eigen::RowVector3d
+  {
+    const bool onIt = attempt == 0 &&
+      (nearest.cols() == 0 ||
+        std::abs(at.Distances(i)) <= (this->SeedImages.row(nearest(i, 0)) - points.row(i)).norm());
+    return onIt ? onBoundary.row(i) : this->Seeds.row(nearest(i, std::max(0, attempt - 2)));
+  };
+
+  const Limits limits{ this->Options.Tolerance * LongestSide(image.Points),
+    0.25 * LongestSide(this->Domain.Locator().Surface().Points), this->Options.MaximumIterations };
+  Steps steps(progress.Part(0.2, 1.0));
+  // First from the nearest start, then walking from the boundary and from the nearest seed, then
+  // from other seeds: where the map folds, those may lie on the right side of it.
+  const int attempts = 2 + static_cast<int>(nearest.cols());
+  Indices beyond; // of the boundary's image: reached by folds alone, so no straight way leads there
+  for (int attempt = 0; attempt < attempts; ++attempt)
+  {
+    const bool walks = attempt == 1 || attempt == 2;
+    if (attempt == 1)
+    {
+      const auto within = std::stable_partition(
+        open.begin(), open.end(), [&](int i) { return at.Distances(i) <= tolerances(i); });
+      beyond.assign(within, open.end());
+      open.erase(within, open.end());
+    }
+    else if (attempt == 3)
+    {
+      open.insert(open.end(), beyond.begin(), beyond.end());
+    }
+    if (open.empty())
+    {
+      continue;
+    }
+    const Eigen::MatrixXd targets = points(open, Eigen::all);
+    Eigen::MatrixXd starts = onBoundary(open, Eigen::all);
+    for (std::size_t i = 0; i < open.size() && attempt != 1; ++i)
+    {
+      starts.row(i) = startOf(open[i], attempt);
+    }
+    Search search;
+    if (walks)
+    {
+      search = Walk(this->Map, starts, targets, limits, steps);
+    }
+    else
+    {
+      search = StartAt(this->Map, starts, targets, steps.Next());
+      Newton(this->Map, search, limits, steps);
+    }
+    const Eigen::VectorXi outside =
+      OutsideDomain(this->Domain, search.Places, this->Farthest, steps.Next());
+    Indices left;
+    for (std::size_t i = 0; i < open.size(); ++i)
+    {
+      const int id = open[i];
+      const bool solved = search.Misses(i) <= limits.Goal;
+      if (solved && !outside(i))
+      {
+        result.Points.row(id) = search.Places.row(i);
+        result.States(id) = static_cast<int>(State::Found);
+      }
+      // Near the boundary of an image without folds, the one preimage lies outside: no other start
+      // would find a better one.
+      else if (!solved || this->DeterminantChangesSign || at.Distances(id) < -tolerances(id))
+      {
+        left.push_back(id);
+      }
+    }
+    open = std::move(left);
+  }
+  for (const int i : open)
+  {
+    if (at.Distances(i) < -tolerances(i))
+    {
+      result.States(i) = static_cast<int>(State::Missed);
+    }
+  }
+  return result;
+}
+
+} // namespace shape

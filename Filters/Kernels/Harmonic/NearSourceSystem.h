@@ -1,0 +1,65 @@
+#pragma once
+
+#include "Distance/SignedDistance.h"
+#include "Fmm/FastSummation.h"
+#include "Linear/Gmres.h"
+#include "Harmonic/SchwarzPreconditioner.h"
+
+#include <memory>
+
+namespace shape
+{
+
+/**
+ * The equations of charges that sit close to a surface, one outside of each of its points at about
+ * the distance of the neighbouring points, and of a few coarse ones farther out. Set up once for a
+ * surface, it solves for any number of boundary values.
+ */
+class NearSourceSystem
+{
+public:
+  /// Three times the time and memory, for convergence where the surface's triangles are uneven,
+  /// where parts are thin and gaps narrow, and where little is left to be gained.
+  enum class Effort
+  {
+    Little,
+    More
+  };
+  /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
+  /// refinement of it. Throws SolveFailure where no charge has room, Aborted.
+  NearSourceSystem(const SignedDistance& boundary, const Mesh& surface,
+    Effort effort = Effort::Little, const Progress& progress = {});
+
+  /// m x 3: where values are wanted.
+  const Eigen::MatrixXd& Rows() const { return this->System.Rows; }
+  /// Of all charges, the coarse ones last: k x 3.
+  const Eigen::MatrixXd& Sources() const { return this->AllSources; }
+  /// How many points of the surface have no charge: in gaps too narrow, or without a normal.
+  int PointsWithoutCharge() const { return this->WithoutCharge; }
+  /// Of the charges that are closest to the boundary, but for one in a hundred.
+  double Offset() const { return this->NearOffset; }
+
+  /// Charges (Solution: k x 3) for values at Rows() (m x 3). Throws Aborted.
+  GmresResult Solve(const Eigen::MatrixXd& values, const GmresOptions& options,
+    const Progress& progress = {}) const;
+
+  /// The potentials of charges (k x 3) at Rows(). Throws Aborted.
+  Eigen::MatrixXd Values(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
+
+private:
+  TestedSystem System;
+  Eigen::MatrixXd AllSources;
+  double NearOffset = 0.0;
+  int WithoutCharge = 0;
+  std::unique_ptr<SchwarzPreconditioner> Preconditioner;
+  std::unique_ptr<FastSummation> Sums;
+};
+
+/// What is set up once for all targets of a boundary.
+struct AcceleratedSetup
+{
+  Mesh Boundary;
+  std::unique_ptr<NearSourceSystem> System;
+};
+
+} // namespace shape

@@ -1,0 +1,226 @@
+#include "Harmonic/Private/InverseSearch.h"
+
+#include "Base/Parallel.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+using Indices = std::vector<int>;
+
+/// |values - targets| by rows; infinite where it is not a number.
+Eigen::VectorXd Misses(const Eigen::MatrixXd& values, const Eigen::MatrixXd& targets)
+{
+  const Eigen::VectorXd misses = (values - targets).rowwise().norm();
+  return misses.array().isFinite().select(misses, std::numeric_limits<double>::infinity());
+}
+
+/// Newton's steps from places of the search; zero where there is none.
+Eigen::MatrixXd NewtonSteps(const SearchedMap& map, const Search& search, const Indices& active,
+  double maxStep, const Progress& progress)
+{
+  const Eigen::MatrixXd jacobians = map.Jacobians(search.Places(active, Eigen::all), progress);
+  Eigen::MatrixXd steps(active.size(), 3);
+  for (std::size_t i = 0; i < active.size(); ++i)
+  {
+    const Eigen::Matrix3d jacobian = Square(jacobians, i);
+    const Eigen::Vector3d rest =
+      (search.Targets.row(active[i]) - search.Values.row(active[i])).transpose();
+    Eigen::Vector3d step = jacobian.partialPivLu().solve(rest);
+    const double length = step.norm();
+    if (!std::isfinite(length))
+    {
+      step.setZero();
+    }
+    else if (length > maxStep)
+    {
+      step *= maxStep / length;
+    }
+    steps.row(i) = step.transpose();
+  }
+  return steps;
+}
+
+/// Fills a row for each point.
+template <typename Fill>
+Eigen::MatrixXd ByPoint(
+  const Eigen::MatrixXd& points, int columns, const Fill& fill, const Progress& progress)
+{
+  Eigen::MatrixXd rows(points.rows(), columns);
+  ParallelFor(
+    static_cast<int>(points.rows()), 32,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        fill(points.row(i).transpose(), rows.row(i));
+      }
+    },
+    progress);
+  return rows;
+}
+
+} // namespace
+
+SearchedMap::SearchedMap(const PointCharges& map)
+  : Evaluate(
+      [&map](const Eigen::MatrixXd& points, const Progress& progress)
+      {
+        return ByPoint(
+          points, 3,
+          [&map](const Eigen::Vector3d& place, auto row) { row = map.Evaluate(place).transpose(); },
+          progress);
+      })
+  , Jacobians(
+      [&map](const Eigen::MatrixXd& points, const Progress& progress)
+      {
+        return ByPoint(
+          points, 9,
+          [&map](const Eigen::Vector3d& place, auto row)
+          {
+            Eigen::Matrix3d jacobian;
+            map.Evaluate(place, jacobian);
+            row << jacobian.row(0), jacobian.row(1), jacobian.row(2);
+          },
+          progress);
+      })
+{
+}
+
+SearchedMap::SearchedMap(const LayeredMap& map)
+  : Evaluate([&map](const Eigen::MatrixXd& points, const Progress& progress)
+      { return map.Evaluate(points, progress); })
+  , Jacobians([&map](const Eigen::MatrixXd& points, const Progress& progress)
+      { return map.Jacobians(points, progress); })
+{
+}
+
+Eigen::Matrix3d Square(const Eigen::MatrixXd& jacobians, Eigen::Index i)
+{
+  Eigen::Matrix3d square;
+  square << jacobians.block<1, 3>(i, 0), jacobians.block<1, 3>(i, 3), jacobians.block<1, 3>(i, 6);
+  return square;
+}
+
+Search StartAt(const SearchedMap& map, const Eigen::MatrixXd& places,
+  const Eigen::MatrixXd& targets, const Progress& progress)
+{
+  Search search{ places, targets, map.Evaluate(places, progress), {} };
+  search.Misses = Misses(search.Values, targets);
+  return search;
+}
+
+void Newton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress)
+{
+  Indices active;
+  for (int i = 0; i < search.Misses.size(); ++i)
+  {
+    if (std::isfinite(search.Misses(i)) && search.Misses(i) > 0.0)
+    {
+      active.push_back(i);
+    }
+  }
+  for (int iteration = 0; iteration < limits.Iterations && !active.empty(); ++iteration)
+  {
+    const Eigen::MatrixXd steps = NewtonSteps(map, search, active, limits.MaxStep, progress.Next());
+    Indices next, pending(active.size());
+    for (std::size_t i = 0; i < pending.size(); ++i)
+    {
+      pending[i] = static_cast<int>(i);
+    }
+    double share = 1.0;
+    for (int halving = 0; halving < 12 && !pending.empty(); ++halving, share *= 0.5)
+    {
+      Indices ids, farther;
+      for (const int i : pending)
+      {
+        ids.push_back(active[i]);
+      }
+      const Eigen::MatrixXd places =
+        search.Places(ids, Eigen::all) + share * steps(pending, Eigen::all);
+      const Eigen::MatrixXd values = map.Evaluate(places, progress.Next());
+      const Eigen::VectorXd misses = Misses(values, search.Targets(ids, Eigen::all));
+      for (std::size_t i = 0; i < ids.size(); ++i)
+      {
+        const int id = ids[i];
+        const double before = search.Misses(id);
+        if (misses(i) < (1.0 - 1e-4 * share) * before)
+        {
+          search.Places.row(id) = places.row(i);
+          search.Values.row(id) = values.row(i);
+          search.Misses(id) = misses(i);
+          // A step that gains little from a good place is rounding.
+          if (misses(i) > limits.Goal || (misses(i) > 0.0 && misses(i) < 0.1 * before))
+          {
+            next.push_back(id);
+          }
+        }
+        else if (before > limits.Goal)
+        {
+          farther.push_back(pending[i]);
+        }
+      }
+      pending = std::move(farther);
+    }
+    active = std::move(next);
+  }
+}
+
+Search Walk(const SearchedMap& map, const Eigen::MatrixXd& starts, const Eigen::MatrixXd& targets,
+  const Limits& limits, Steps& progress)
+{
+  constexpr double shortest = 1.0 / 1024.0;
+  constexpr int mostRounds = 256;
+  Search search = StartAt(map, starts, targets, progress.Next());
+  const Eigen::MatrixXd images = search.Values;
+  const Eigen::Index n = targets.rows();
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(n), steps = Eigen::VectorXd::Constant(n, 0.25);
+  Indices active;
+  for (int i = 0; i < n; ++i)
+  {
+    if (std::isfinite(search.Misses(i)))
+    {
+      active.push_back(i);
+    }
+  }
+  for (int round = 0; round < mostRounds && !active.empty(); ++round)
+  {
+    const Eigen::VectorXd tried = (shares(active) + steps(active)).cwiseMin(1.0);
+    const Eigen::MatrixXd from = images(active, Eigen::all);
+    const Eigen::MatrixXd to = targets(active, Eigen::all);
+    Search part = StartAt(map, search.Places(active, Eigen::all),
+      from + tried.asDiagonal() * (to - from), progress.Next());
+    Newton(map, part, { limits.Goal, limits.MaxStep, 8 }, progress);
+    Indices next;
+    for (std::size_t i = 0; i < active.size(); ++i)
+    {
+      const int id = active[i];
+      const bool reached = part.Misses(i) <= limits.Goal;
+      if (reached)
+      {
+        search.Places.row(id) = part.Places.row(i);
+        shares(id) = tried(i);
+      }
+      steps(id) *= reached ? 2.0 : 0.5;
+      if (shares(id) < 1.0 && steps(id) >= shortest)
+      {
+        next.push_back(id);
+      }
+    }
+    active = std::move(next);
+  }
+  search = StartAt(map, search.Places, targets, progress.Next());
+  Newton(map, search, limits, progress);
+  return search;
+}
+
+} // namespace shape

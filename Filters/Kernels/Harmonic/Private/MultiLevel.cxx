@@ -1,0 +1,195 @@
+#include "Harmonic/Private/OffsetSurface.h"
+#include "Harmonic/Private/Solvers.h"
+#include "Harmonic/Private/SourceShells.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+/// The first level's collocation points for each of its sources: fewer let the first map swing
+/// between them, which later ones are slow to mend.
+constexpr int CoarseRowsPerSource = 2;
+/// New sources of a level, as a share of a subset.
+constexpr double InsertedShare = 0.1;
+
+/// The sources dealt out along a curve that keeps neighbours together: each subset is spread
+/// evenly. The shell of a small void has too few to be divided: every subset gets all of them.
+std::vector<Eigen::MatrixXd> Deal(const std::vector<Eigen::MatrixXd>& shells, int subsets)
+{
+  std::vector<std::vector<Eigen::MatrixXd>> hands(subsets);
+  Eigen::Index largest = 0;
+  for (const Eigen::MatrixXd& sources : shells)
+  {
+    largest = std::max(largest, sources.rows());
+  }
+  for (const Eigen::MatrixXd& sources : shells)
+  {
+    const bool divided =
+      sources.rows() == largest || sources.rows() >= subsets * SourceShells::Fewest;
+    const Eigen::VectorXi order = SpatialOrder(sources);
+    for (int s = 0; s < subsets; ++s)
+    {
+      std::vector<int> hand;
+      for (Eigen::Index i = divided ? s : 0; i < order.size(); i += divided ? subsets : 1)
+      {
+        hand.push_back(order(i));
+      }
+      hands[s].push_back(sources(hand, Eigen::all));
+    }
+  }
+  std::vector<Eigen::MatrixXd> dealt;
+  for (const std::vector<Eigen::MatrixXd>& hand : hands)
+  {
+    dealt.push_back(Together(hand));
+  }
+  return dealt;
+}
+
+/// Moves sources to `factor` times their distance from the boundary. Those that meet another part
+/// of it on the way stay where they are.
+void MoveAway(
+  Eigen::MatrixXd& sources, const SignedDistance& field, double factor, const Progress& progress)
+{
+  const Eigen::VectorXd wanted =
+    factor * field.Evaluate(sources, progress.Part(0.0, 0.2)).Distances;
+  Eigen::MatrixXd moved = sources;
+  MoveToDistance(moved, field, wanted, progress.Part(0.2, 0.8));
+  const Eigen::VectorXd reached = field.Evaluate(moved, progress.Part(0.8, 1.0)).Distances;
+  constexpr double slack = 0.1; // of the distance
+  const Eigen::Array<bool, Eigen::Dynamic, 1> there =
+    (reached - wanted).array().abs() <= slack * wanted.array();
+  sources = there.replicate(1, 3).select(moved, sources);
+}
+
+/// `points` with a coarse sample of them first.
+Eigen::MatrixXd CoarseFirst(const Eigen::MatrixXd& points, int coarse, double area)
+{
+  if (coarse >= points.rows())
+  {
+    return points;
+  }
+  const Eigen::VectorXi chosen = EliminateSamples(
+    points, Eigen::VectorXd::Constant(points.rows(), PackingRadius(area, coarse)), coarse);
+  std::vector<int> order(chosen.begin(), chosen.end());
+  for (int i = 0; i < points.rows(); ++i)
+  {
+    if (!std::binary_search(chosen.begin(), chosen.end(), i))
+    {
+      order.push_back(i);
+    }
+  }
+  return points(order, Eigen::all);
+}
+
+Eigen::MatrixXd WithoutRows(const Eigen::MatrixXd& matrix, const std::vector<int>& rows)
+{
+  std::vector<int> kept;
+  for (int i = 0; i < matrix.rows(); ++i)
+  {
+    if (!std::binary_search(rows.begin(), rows.end(), i))
+    {
+      kept.push_back(i);
+    }
+  }
+  return matrix(kept, Eigen::all);
+}
+
+void AppendRows(Eigen::MatrixXd& matrix, const Eigen::MatrixXd& rows)
+{
+  matrix.conservativeResize(matrix.rows() + rows.rows(), matrix.cols());
+  matrix.bottomRows(rows.rows()) = rows;
+}
+
+} // namespace
+
+int SubsetCount(const Mesh& boundary, const HarmonicVolumeMapOptions& options)
+{
+  constexpr int fewest = 16; // sources of a subset
+  return std::clamp(
+    options.SourceSubsets, 1, std::max(1, SampleCount(boundary, options.SourceRatio) / fewest));
+}
+
+double Coarseness(int subsets)
+{
+  return std::sqrt(static_cast<double>(subsets));
+}
+
+void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
+  HarmonicVolumeMapResult& result, const Progress& progress)
+{
+  auto start = std::chrono::steady_clock::now();
+  const int rows = SampleCount(problem.Boundary(), options.CollocationRatio);
+  const int sourceCount = SampleCount(problem.Boundary(), options.SourceRatio);
+  const int subsets = SubsetCount(problem.Boundary(), options);
+  problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
+  const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
+  result.OffsetDistance = shells.Nearest();
+  std::vector<Eigen::MatrixXd> sources =
+    Deal(shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)),
+      subsets);
+  for (int s = 0; s + 1 < subsets; ++s)
+  {
+    const double finer = static_cast<double>(s) / (subsets - 1);
+    MoveAway(sources[s], problem.Distance(), std::pow(Coarseness(subsets), 1.0 - finer),
+      progress.Part(0.15 + 0.05 * s / subsets, 0.15 + 0.05 * (s + 1) / subsets));
+  }
+  // With several components their shares are rounded: there may be a point less than asked for.
+  const Eigen::MatrixXd places = SampleBoundary(problem, options, progress.Part(0.2, 0.25));
+  const int coarseRows =
+    static_cast<int>(std::min(places.rows(), CoarseRowsPerSource * sources.front().rows()));
+  problem.Collocate(
+    CoarseFirst(places, coarseRows, PointAreas(problem.Boundary()).sum()), Progress());
+
+  const SurfaceLocator outer(shells.Joined());
+  const double spacing = std::sqrt(shells.Area() / sourceCount);
+  int idle = 0; // levels in a row that gained too little
+  for (int number = 1; number <= options.MaximumLevels; ++number)
+  {
+    const double share = 0.75 / options.MaximumLevels;
+    const Progress part = progress.Part(0.25 + (number - 1) * share, 0.25 + number * share);
+    Eigen::MatrixXd& subset = sources[(number - 1) % subsets];
+    const BoundaryProblem::Fit fit =
+      problem.Solve(number == 1 ? coarseRows : problem.Collocations(), subset, part.Part(0.0, 0.8));
+    const double gain = problem.Add(subset, fit.Charges, part.Part(0.8, 1.0));
+
+    AddLevel(problem, subset.rows(), fit.Rows, gain, start, result);
+    const HarmonicVolumeMapResult::Level& level = result.Levels.back();
+    if (level.RMSEInside <= options.Tolerance)
+    {
+      result.Reason = HarmonicVolumeMapResult::Stop::Tolerance;
+      return;
+    }
+    idle = gain < options.LeastGain ? idle + 1 : 0;
+    if (idle == std::min(2, subsets))
+    {
+      result.Reason = HarmonicVolumeMapResult::Stop::NoImprovement;
+      return;
+    }
+
+    // A subset never runs empty: without a source it could not be fitted again.
+    if (static_cast<Eigen::Index>(fit.Redundant.size()) < subset.rows())
+    {
+      subset = WithoutRows(subset, fit.Redundant);
+      result.DeletedSources += static_cast<int>(fit.Redundant.size());
+    }
+    // After a map that was left out the worst points are those that were treated already.
+    if (level.Kept)
+    {
+      const int inserted = static_cast<int>(InsertedShare * sourceCount / subsets);
+      const Eigen::MatrixXd worst = problem.WorstPoints(inserted, spacing);
+      AppendRows(sources[number % subsets], outer.Find(worst).Positions);
+      problem.Collocate(worst, Progress());
+      result.InsertedSources += static_cast<int>(worst.rows());
+    }
+  }
+  result.Reason = HarmonicVolumeMapResult::Stop::Levels;
+}
+
+} // namespace shape

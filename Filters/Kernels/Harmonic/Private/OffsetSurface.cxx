@@ -1,0 +1,205 @@
+#include "Harmonic/Private/OffsetSurface.h"
+
+#include "Base/Errors.h"
+#include "Solids/IsoSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+/// Cells along one side of the largest blocks that are skipped as a whole, and of the smallest.
+constexpr int LargestBlock = 8, SmallestBlock = 2;
+
+SampledGrid EmptyGrid(
+  const Eigen::MatrixXd& points, double distance, const OffsetSurfaceOptions& options)
+{
+  const Eigen::RowVector3d low = points.colwise().minCoeff();
+  const Eigen::RowVector3d high = points.colwise().maxCoeff();
+  SampledGrid grid;
+  for (grid.Spacing = distance / options.CellsPerDistance;; grid.Spacing *= 1.1)
+  {
+    // Two cells beyond the offset surface, so that it never meets a side; whole blocks.
+    const Eigen::RowVector3d margin = Eigen::RowVector3d::Constant(distance + 2.0 * grid.Spacing);
+    grid.Origin = low - margin;
+    const Eigen::Array3d blocks =
+      ((high - low + 2.0 * margin) / (LargestBlock * grid.Spacing)).array().ceil();
+    if ((LargestBlock * blocks + 1.0).prod() <= options.MaximumSamples)
+    {
+      grid.Counts = (LargestBlock * blocks.cast<int>() + 1).matrix().transpose();
+      return grid;
+    }
+    if (grid.Spacing > distance)
+    {
+      throw InvalidInput("the offset distance is " +
+        std::to_string(distance / LongestSide(points)) +
+        " of the surface's longest side, too small to sample; increase it");
+    }
+  }
+}
+
+/// Calls visit(x, y, z) for each point of the block of `cells` cells a side that begins at `first`.
+template <typename Visit>
+void ForBlock(const Eigen::RowVector3i& first, int cells, const Visit& visit)
+{
+  for (int z = first(2); z <= first(2) + cells; ++z)
+  {
+    for (int y = first(1); y <= first(1) + cells; ++y)
+    {
+      for (int x = first(0); x <= first(0) + cells; ++x)
+      {
+        visit(x, y, z);
+      }
+    }
+  }
+}
+
+/// The first grid points of all blocks of `cells` cells a side.
+std::vector<Eigen::RowVector3i> AllBlocks(const SampledGrid& grid, int cells)
+{
+  std::vector<Eigen::RowVector3i> blocks;
+  for (int z = 0; z + 1 < grid.Counts(2); z += cells)
+  {
+    for (int y = 0; y + 1 < grid.Counts(1); y += cells)
+    {
+      for (int x = 0; x + 1 < grid.Counts(0); x += cells)
+      {
+        blocks.emplace_back(x, y, z);
+      }
+    }
+  }
+  return blocks;
+}
+
+std::vector<Eigen::RowVector3i> Halved(const std::vector<Eigen::RowVector3i>& blocks, int cells)
+{
+  std::vector<Eigen::RowVector3i> halved;
+  halved.reserve(8 * blocks.size());
+  for (const Eigen::RowVector3i& block : blocks)
+  {
+    ForBlock(Eigen::RowVector3i::Zero(), 1,
+      [&](int x, int y, int z)
+      { halved.emplace_back(block + cells / 2 * Eigen::RowVector3i(x, y, z)); });
+  }
+  return halved;
+}
+
+/// Of `blocks`, those that the level may pass through. The points of the others get the distance of
+/// their block's centre: a whole block lies on the side of its centre where that is farther from
+/// the level than from the block's corners.
+std::vector<Eigen::RowVector3i> NearBlocks(SampledGrid& grid,
+  const std::vector<Eigen::RowVector3i>& blocks, int cells, const SignedDistance& field,
+  double distance, const Progress& progress)
+{
+  Eigen::MatrixXd centres(blocks.size(), 3);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    centres.row(b) =
+      grid.Origin + grid.Spacing * (blocks[b].cast<double>().array() + 0.5 * cells).matrix();
+  }
+  const Eigen::VectorXd atCentre = field.Evaluate(centres, progress).Distances;
+  const double reach = 1.001 * std::sqrt(0.75) * cells * grid.Spacing;
+  std::vector<Eigen::RowVector3i> nearBlocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    if (std::abs(atCentre(b) - distance) <= reach)
+    {
+      nearBlocks.push_back(blocks[b]);
+      continue;
+    }
+    ForBlock(blocks[b], cells,
+      [&](int x, int y, int z) { grid.Values(grid.Index(x, y, z)) = atCentre(b); });
+  }
+  return nearBlocks;
+}
+
+void Sample(
+  SampledGrid& grid, const SignedDistance& field, double distance, const Progress& progress)
+{
+  grid.Values.resize(grid.Counts.prod());
+  std::vector<Eigen::RowVector3i> blocks = AllBlocks(grid, LargestBlock);
+  int cells = LargestBlock;
+  double done = 0.0;
+  for (;; cells /= 2)
+  {
+    blocks = NearBlocks(grid, blocks, cells, field, distance, progress.Part(done, done + 0.2));
+    done += 0.2;
+    if (cells == SmallestBlock)
+    {
+      break;
+    }
+    blocks = Halved(blocks, cells);
+  }
+  // Last, so that points shared with a skipped block have their own distance.
+  std::vector<char> isNear(grid.Values.size(), 0);
+  std::vector<Eigen::RowVector3i> places;
+  for (const Eigen::RowVector3i& block : blocks)
+  {
+    ForBlock(block, cells,
+      [&](int x, int y, int z)
+      {
+        char& seen = isNear[grid.Index(x, y, z)];
+        if (!seen)
+        {
+          seen = 1;
+          places.emplace_back(x, y, z);
+        }
+      });
+  }
+  Eigen::MatrixXd points(places.size(), 3);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    points.row(i) = grid.Point(places[i](0), places[i](1), places[i](2));
+  }
+  const Eigen::VectorXd exact = field.Evaluate(points, progress.Part(done, 1.0)).Distances;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    grid.Values(grid.Index(places[i](0), places[i](1), places[i](2))) = exact(i);
+  }
+}
+
+} // namespace
+
+Mesh OffsetSurface(const SignedDistance& field, double distance,
+  const OffsetSurfaceOptions& options, const Progress& progress)
+{
+  if (!(distance > 0.0) || !std::isfinite(distance))
+  {
+    throw InvalidInput("the offset distance must be greater than 0");
+  }
+  SampledGrid grid = EmptyGrid(field.Locator().Surface().Points, distance, options);
+  Sample(grid, field, distance, progress);
+  return IsoSurface(grid, distance);
+}
+
+void MoveToDistance(Eigen::MatrixXd& points, const SignedDistance& field,
+  const Eigen::VectorXd& distances, const Progress& progress)
+{
+  // The closest point changes with the move where the surface is concave: few rounds settle it.
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds && points.rows() > 0; ++round)
+  {
+    const SignedDistance::Result at = field.Evaluate(
+      points, progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds));
+    if (((at.Distances - distances).array().abs() < 1e-9 * distances.array()).all())
+    {
+      return;
+    }
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    {
+      if (at.Distances(i) != 0.0)
+      {
+        points.row(i) = at.Closest.Positions.row(i) +
+          distances(i) / at.Distances(i) * (points.row(i) - at.Closest.Positions.row(i));
+      }
+    }
+  }
+}
+
+} // namespace shape

@@ -1,0 +1,90 @@
+#include "Harmonic/Private/SourceShells.h"
+
+#include "Mesh/Topology.h"
+#include "Harmonic/Private/OffsetSurface.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+/// How far from its wall the inside of a void reaches, by a lattice of points in its box.
+double Depth(const Mesh& component, const SignedDistance& field, const Progress& progress)
+{
+  constexpr int side = 16;
+  const Eigen::MatrixXd corners = component.Points(component.Triangles.reshaped(), Eigen::all);
+  const Eigen::RowVector3d low = corners.colwise().minCoeff();
+  const Eigen::RowVector3d step = (corners.colwise().maxCoeff() - low) / side;
+  Eigen::MatrixXd lattice(side * side * side, 3);
+  for (int i = 0; i < lattice.rows(); ++i)
+  {
+    const Eigen::RowVector3d cell(i % side, i / side % side, i / (side * side));
+    lattice.row(i) = low + step.cwiseProduct((cell.array() + 0.5).matrix());
+  }
+  return field.Evaluate(lattice, progress).Distances.maxCoeff();
+}
+
+} // namespace
+
+SourceShells::SourceShells(const Mesh& boundary, double offset, const Progress& progress)
+  : Offset(offset)
+{
+  const std::vector<Mesh> components = SplitComponents(boundary);
+  const double share = 1.0 / static_cast<double>(components.size());
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    const SignedDistance field(components[c]);
+    const Progress part = progress.Part(share * c, share * (c + 1));
+    double distance = offset;
+    if (EnclosedVolume(components[c]) < 0.0) // a void
+    {
+      distance = std::min(offset, 0.5 * Depth(components[c], field, part.Part(0.0, 0.2)));
+      this->Offset = std::min(this->Offset, distance);
+    }
+    this->Shells.push_back(
+      OffsetSurface(field, distance, OffsetSurfaceOptions(), part.Part(0.2, 1.0)));
+  }
+}
+
+double SourceShells::Area() const
+{
+  double area = 0.0;
+  for (const Mesh& shell : this->Shells)
+  {
+    area += ComputeArea(shell);
+  }
+  return area;
+}
+
+std::vector<Eigen::MatrixXd> SourceShells::Sample(
+  int count, SamplingMode mode, unsigned int seed, const Progress& progress) const
+{
+  return SampleSurfaces(this->Shells, count, Fewest, mode, seed, progress);
+}
+
+Mesh SourceShells::Joined() const
+{
+  Eigen::Index points = 0, triangles = 0;
+  for (const Mesh& shell : this->Shells)
+  {
+    points += shell.Points.rows();
+    triangles += shell.Triangles.rows();
+  }
+  Mesh all{ Eigen::MatrixXd(points, 3), Eigen::MatrixXi(triangles, 3) };
+  points = triangles = 0;
+  for (const Mesh& shell : this->Shells)
+  {
+    all.Points.middleRows(points, shell.Points.rows()) = shell.Points;
+    all.Triangles.middleRows(triangles, shell.Triangles.rows()) =
+      shell.Triangles.array() + static_cast<int>(points);
+    points += shell.Points.rows();
+    triangles += shell.Triangles.rows();
+  }
+  return all;
+}
+
+} // namespace shape

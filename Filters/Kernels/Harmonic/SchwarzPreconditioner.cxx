@@ -1,0 +1,286 @@
+#include "Harmonic/SchwarzPreconditioner.h"
+
+#include "Base/Parallel.h"
+#include "Harmonic/ChargeSet.h"
+#include "Fmm/DirectSummation.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <nanoflann.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace shape
+{
+
+namespace
+{
+
+using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using Tree = nanoflann::KDTreeEigenMatrixAdaptor<PointRows, 3>;
+using Means = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// 1 / (4 pi r), sources' count x points' count, by one thread. In single precision, the places are
+/// taken from the first source: they are close to each other.
+template <typename Real>
+Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> LocalPotentials(
+  const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points)
+{
+  const Eigen::RowVector3d origin = sources.row(0);
+  const Eigen::Array<Real, Eigen::Dynamic, 3> from =
+    (sources.rowwise() - origin).template cast<Real>().array();
+  const Eigen::Array<Real, Eigen::Dynamic, 3> to =
+    (points.rowwise() - origin).template cast<Real>().array();
+  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> matrix(sources.rows(), points.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    matrix.col(i) = static_cast<Real>(0.25 / M_PI) *
+      ((from.col(0) - to(i, 0)).square() + (from.col(1) - to(i, 1)).square() +
+        (from.col(2) - to(i, 2)).square())
+        .rsqrt();
+  }
+  return matrix;
+}
+
+/// The rows that the tests of some sites look at, ascending.
+std::vector<int> TestedRows(const Means& tests, const std::vector<int>& sites)
+{
+  std::vector<int> rows;
+  for (const int site : sites)
+  {
+    for (Means::InnerIterator entry(tests, site); entry; ++entry)
+    {
+      rows.push_back(static_cast<int>(entry.col()));
+    }
+  }
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
+/// The means over the sites of each cluster: clusters' count x sites' count.
+Means MeansOver(const Eigen::VectorXi& clusters, Eigen::Index count)
+{
+  Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count);
+  for (const int cluster : clusters)
+  {
+    sizes(cluster) += 1.0;
+  }
+  Means means(count, clusters.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < clusters.size(); ++i)
+  {
+    entries.emplace_back(clusters(i), static_cast<int>(i), 1.0 / sizes(clusters(i)));
+  }
+  means.setFromTriplets(entries.begin(), entries.end());
+  return means;
+}
+
+/// Sites near the centre of `own` that are not among them, nearest first.
+std::vector<int> SitesAround(
+  const Tree& tree, const Eigen::MatrixXd& sites, const std::vector<int>& own, int count)
+{
+  const Eigen::RowVector3d centre = sites(own, Eigen::all).colwise().mean();
+  const auto wanted = std::min<Eigen::Index>(sites.rows(), own.size() + count);
+  std::vector<Eigen::Index> found(wanted);
+  std::vector<double> squares(wanted);
+  nanoflann::KNNResultSet<double, Eigen::Index> nearest(wanted);
+  nearest.init(found.data(), squares.data());
+  tree.index->findNeighbors(nearest, centre.data(), nanoflann::SearchParams());
+  std::vector<int> around;
+  for (const Eigen::Index site : found)
+  {
+    if (!std::binary_search(own.begin(), own.end(), static_cast<int>(site)))
+    {
+      around.push_back(static_cast<int>(site));
+    }
+  }
+  return around;
+}
+
+} // namespace
+
+std::vector<std::vector<int>> MedianClusters(const Eigen::MatrixXd& points, int most)
+{
+  std::vector<std::vector<int>> done, open(1, std::vector<int>(points.rows()));
+  std::iota(open.front().begin(), open.front().end(), 0);
+  while (!open.empty())
+  {
+    std::vector<int> part = std::move(open.back());
+    open.pop_back();
+    if (static_cast<int>(part.size()) <= most)
+    {
+      std::sort(part.begin(), part.end());
+      done.push_back(std::move(part));
+      continue;
+    }
+    const Eigen::MatrixXd places = points(part, Eigen::all);
+    Eigen::Index axis = 0;
+    (places.colwise().maxCoeff() - places.colwise().minCoeff()).maxCoeff(&axis);
+    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+    std::nth_element(part.begin(), middle, part.end(),
+      [&](int a, int b)
+      { return std::make_pair(points(a, axis), a) < std::make_pair(points(b, axis), b); });
+    open.emplace_back(middle, part.end());
+    open.emplace_back(part.begin(), middle);
+  }
+  return done;
+}
+
+SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
+  const Eigen::MatrixXd& coarseSources, const Eigen::VectorXi& clusters,
+  const SchwarzOptions& options, const Progress& progress)
+  : Tests(system.Tests)
+  , CoarseSources(coarseSources)
+  , ClusterMeans(MeansOver(clusters, coarseSources.rows()))
+{
+  const BlasThreads single(false); // the blocks are shared out among the threads
+  const std::vector<std::vector<int>> parts = MedianClusters(system.Sites, options.Own);
+  const PointRows sites = system.Sites;
+  const Tree tree(3, std::cref(sites), 16);
+  this->Blocks.resize(parts.size());
+  ParallelFor(
+    static_cast<int>(parts.size()), 1,
+    [&](int begin, int end)
+    {
+      for (int p = begin; p < end; ++p)
+      {
+        this->Blocks[p] = MakeBlock(system, parts[p],
+          SitesAround(tree, system.Sites, parts[p], options.Around), options.MostAmplified);
+      }
+    },
+    progress.Part(0.0, 0.8));
+  this->GatherPlaces(system);
+  this->SetUpCoarse(progress.Part(0.8, 1.0));
+}
+
+void SchwarzPreconditioner::GatherPlaces(const TestedSystem& system)
+{
+  const auto sites = static_cast<int>(system.Sites.rows());
+  std::vector<int> number(system.Rows.rows(), -1);
+  for (Block& block : this->Blocks)
+  {
+    for (int& input : block.Inputs)
+    {
+      if (block.TakesRows)
+      {
+        if (number[input] < 0)
+        {
+          number[input] = sites + static_cast<int>(this->Rows.size());
+          this->Rows.push_back(input);
+        }
+        input = number[input];
+      }
+    }
+  }
+  this->Places.resize(sites + static_cast<Eigen::Index>(this->Rows.size()), 3);
+  this->Places << system.Tests * system.Rows, system.Rows(this->Rows, Eigen::all);
+}
+
+void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
+{
+  const Eigen::Index count = this->CoarseSources.rows();
+  Eigen::MatrixXd coarse(count, count); // transposed
+  for (Eigen::Index c = 0; c < count; ++c)
+  {
+    progress(static_cast<double>(c) / static_cast<double>(count));
+    // A mean of potentials is the potential of a charge that is shared out among the places.
+    std::vector<int> sites;
+    std::vector<double> shares;
+    for (Means::InnerIterator entry(this->ClusterMeans, c); entry; ++entry)
+    {
+      sites.push_back(static_cast<int>(entry.col()));
+      shares.push_back(entry.value());
+    }
+    coarse.col(c) = DirectPotentials(this->Places(sites, Eigen::all),
+      Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size())),
+      this->CoarseSources);
+  }
+  // In narrow gaps coarse charges are nearly redundant: the ridge keeps them small.
+  constexpr double ridge = 1e-4;
+  Eigen::MatrixXd normal = coarse * coarse.transpose();
+  normal.diagonal().array() += ridge * normal.diagonal().mean();
+  this->CoarseInverse = normal.llt().solve(coarse);
+}
+
+SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem& system,
+  const std::vector<int>& own, const std::vector<int>& around, double mostAmplified)
+{
+  Block block;
+  block.Own = own;
+  std::vector<int> sites = own;
+  sites.insert(sites.end(), around.begin(), around.end());
+  const auto all = static_cast<Eigen::Index>(sites.size());
+  const auto count = static_cast<Eigen::Index>(own.size());
+  const std::vector<int> rows = TestedRows(system.Tests, sites);
+  const Eigen::MatrixXd sources = system.Sources(sites, Eigen::all);
+  const Eigen::MatrixXd places = system.Rows(rows, Eigen::all);
+  // Own columns of a transposed inverse are own rows of the inverse.
+  if (mostAmplified > 0.0)
+  {
+    const Eigen::MatrixXf potentials = LocalPotentials<float>(sources, places);
+    Eigen::MatrixXf tested = Eigen::MatrixXf::Zero(all, all); // transposed
+    for (Eigen::Index i = 0; i < all; ++i)
+    {
+      for (Means::InnerIterator entry(system.Tests, sites[i]); entry; ++entry)
+      {
+        const auto row = std::lower_bound(rows.begin(), rows.end(), static_cast<int>(entry.col()));
+        tested.col(i) += static_cast<float>(entry.value()) * potentials.col(row - rows.begin());
+      }
+    }
+    const Eigen::MatrixXf inverse =
+      tested.partialPivLu().solve(Eigen::MatrixXf::Identity(all, count));
+    if (inverse.colwise().norm().maxCoeff() * tested.rowwise().norm().maxCoeff() < mostAmplified)
+    {
+      block.Inputs = sites;
+      block.Inverse = inverse.transpose();
+      return block;
+    }
+  }
+  // RMSE inside triangles, data A of Testing/Benchmarks, at ridges 1e-2, 1e-3, 1e-4, 1e-6: turbine
+  // 9.7e-4, 4.6e-4, 5.0e-4, 7.8e-4; cheese 1.5e-3, 2.9e-3, 3.4e-3, 7.6e-2.
+  constexpr double ridge = 3e-3;
+  const Eigen::MatrixXd potentials = LocalPotentials<double>(sources, places);
+  const Eigen::MatrixXd weighted = potentials * system.Weights(rows).asDiagonal();
+  Eigen::MatrixXd normal = weighted * potentials.transpose();
+  normal.diagonal() *= 1.0 + ridge;
+  block.TakesRows = true;
+  block.Inputs = rows;
+  block.Inverse =
+    (normal.ldlt().solve(Eigen::MatrixXd::Identity(all, count)).transpose() * weighted)
+      .cast<float>();
+  return block;
+}
+
+Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) const
+{
+  const BlasThreads single(false);
+  const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
+  Eigen::MatrixXd left(this->Places.rows(), residual.cols());
+  left.topRows(n) = this->Tests * residual;
+  left.bottomRows(left.rows() - n) = residual(this->Rows, Eigen::all);
+  Eigen::MatrixXd charges(n + c, residual.cols());
+  charges.bottomRows(c) = this->CoarseInverse * (this->ClusterMeans * left.topRows(n));
+  // Across a test the potentials of charges so far away hardly change: they count as at its site.
+  left -=
+    DirectPotentials(this->CoarseSources, charges.bottomRows(c), this->Places, RootError::Small);
+  ParallelFor(static_cast<int>(this->Blocks.size()), 16,
+    [&](int begin, int end)
+    {
+      for (int b = begin; b < end; ++b)
+      {
+        const Block& block = this->Blocks[b];
+        // Double again: rounding of the inputs to float would make it a little less than linear.
+        const Eigen::MatrixXd inputs = left(block.Inputs, Eigen::all);
+        charges(block.Own, Eigen::all) = block.Inverse.cast<double>() * inputs;
+      }
+    });
+  return charges;
+}
+
+} // namespace shape

@@ -1,0 +1,153 @@
+#include "Harmonic/VolumeTransform.h"
+
+#include "Base/Parallel.h"
+#include "Distance/OutsideDomain.h"
+
+#include <Eigen/LU>
+
+namespace shape
+{
+
+using State = InverseMap::State;
+
+namespace
+{
+
+template <typename Function>
+std::vector<VolumeTransform::Result> ByAllThreads(
+  const Eigen::MatrixXd& points, const Function& function)
+{
+  std::vector<VolumeTransform::Result> results(points.rows());
+  ParallelFor(static_cast<int>(points.rows()), 64,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        results[i] = function(points.row(i).transpose());
+      }
+    });
+  return results;
+}
+
+} // namespace
+
+VolumeTransform::VolumeTransform(const LayeredCharges& charges, bool withInverse)
+  : Map(std::make_shared<const LayeredMap>(charges))
+{
+  for (const ChargeSet& map : charges.Maps)
+  {
+    this->Charges.emplace_back(map);
+  }
+  if (withInverse)
+  {
+    this->Inverse = std::make_unique<const LayeredInverse>(this->Map);
+  }
+}
+
+Eigen::Vector3d VolumeTransform::Evaluate(
+  const Eigen::Vector3d& place, Eigen::Matrix3d& jacobian) const
+{
+  if (this->Charges.size() == 1)
+  {
+    return this->Charges.front().Evaluate(place, jacobian);
+  }
+  const LayeredMap::Places at = this->Map->Locate(place.transpose());
+  const int region = at.Regions(0);
+  Eigen::Vector3d value = this->Charges[region].Evaluate(place, jacobian);
+  if (const double share = at.Shares(0); share > 0.0)
+  {
+    Eigen::Matrix3d otherJacobian;
+    const Eigen::Vector3d difference =
+      this->Charges[this->Map->Parent(region)].Evaluate(place, otherJacobian) - value;
+    value += share * difference;
+    jacobian += share * (otherJacobian - jacobian) + difference * at.Slopes.row(0);
+  }
+  return value;
+}
+
+bool VolumeTransform::IsOutside(const Eigen::Vector3d& place) const
+{
+  return OutsideDomain(this->Map->Domain(), place.transpose(), this->Map->Farthest())(0) != 0;
+}
+
+VolumeTransform::Result VolumeTransform::Forward(const Eigen::Vector3d& point) const
+{
+  Result result{ point };
+  if (!point.allFinite() || this->IsOutside(point))
+  {
+    result.State = State::Outside;
+    return result;
+  }
+  result.Place = this->Evaluate(point, result.Jacobian);
+  return result;
+}
+
+VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) const
+{
+  Result result{ point, State::Outside };
+  if (!point.allFinite())
+  {
+    return result;
+  }
+  // Newton's method as InverseSearch has it, but that it gives up as soon as a full step does not
+  // come closer: then all means are needed.
+  const double goal = this->Inverse->GoalOfMisses();
+  bool searched = false;
+  for (int region = 0; region < this->Map->RegionCount(); ++region)
+  {
+    const auto start = this->Inverse->OfRegion(region).Start(point.transpose());
+    if (!start)
+    {
+      continue;
+    }
+    searched = true;
+    Eigen::Vector3d place = start->transpose();
+    Eigen::Matrix3d jacobian;
+    Eigen::Vector3d rest = point - this->Evaluate(place, jacobian);
+    for (double before = rest.norm(); before > goal;)
+    {
+      const Eigen::Vector3d next = place + jacobian.partialPivLu().solve(rest);
+      Eigen::Matrix3d nextJacobian;
+      const Eigen::Vector3d nextRest = point - this->Evaluate(next, nextJacobian);
+      const double miss = nextRest.norm();
+      if (!(miss < 0.75 * before))
+      {
+        break;
+      }
+      place = next;
+      rest = nextRest;
+      jacobian = nextJacobian;
+      before = miss;
+    }
+    if (rest.norm() <= goal && !this->IsOutside(place))
+    {
+      return { place, State::Found, jacobian };
+    }
+  }
+  if (!searched)
+  {
+    return result;
+  }
+  const InverseMap::Result found = this->Inverse->Find(Eigen::MatrixXd(point.transpose()));
+  result.State = static_cast<State>(found.States(0));
+  if (result.State == State::Found)
+  {
+    result.Place = found.Points.row(0).transpose();
+    this->Evaluate(result.Place, result.Jacobian);
+  }
+  return result;
+}
+
+std::vector<VolumeTransform::Result> VolumeTransform::Forward(const Eigen::MatrixXd& points) const
+{
+  return ByAllThreads(
+    points, [this](const Eigen::Vector3d& point) { return this->Forward(point); });
+}
+
+std::vector<VolumeTransform::Result> VolumeTransform::Backward(const Eigen::MatrixXd& points) const
+{
+  return ByAllThreads(
+    points, [this](const Eigen::Vector3d& point) { return this->Backward(point); });
+}
+
+} // namespace shape

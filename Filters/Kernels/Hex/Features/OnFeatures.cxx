@@ -1,0 +1,116 @@
+#include "Hex/Features/OnFeatures.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace shape
+{
+namespace
+{
+
+struct PolylinePlace
+{
+  Eigen::RowVector3d Position;
+  Eigen::Index Segment;
+};
+
+/// The place of a polyline (k x 3, k >= 1) closest to another one.
+PolylinePlace NearestOn(const Eigen::MatrixXd& line, const Eigen::RowVector3d& place)
+{
+  PolylinePlace nearest{ line.row(0), 0 };
+  double least = (line.row(0) - place).squaredNorm();
+  for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
+  {
+    const Eigen::RowVector3d along = line.row(i + 1) - line.row(i);
+    const double length = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
+    const double share = std::clamp((place - line.row(i)).dot(along) / length, 0.0, 1.0);
+    const Eigen::RowVector3d position = line.row(i) + share * along;
+    if (const double distance = (position - place).squaredNorm(); distance < least)
+    {
+      least = distance;
+      nearest = { position, i };
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+OnFeatures::OnFeatures(const Mesh& surface, const SurfaceFeatures& features,
+  const PatchedBoundary& boundary, Eigen::Index points)
+  : PlaceOf(points, Free)
+  , FreedomOf(points, 3)
+  , Guesses(points, -1)
+{
+  for (const Mesh& patch : PatchMeshes(surface, features))
+  {
+    this->Places.emplace_back(patch);
+    this->Normals.emplace_back(AreaVectors(patch).rowwise().normalized());
+  }
+  for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
+  {
+    for (const int point : boundary.Quads.row(q))
+    {
+      this->FreedomOf[point] = 2;
+      this->PlaceOf[point] = boundary.PatchOf(q);
+    }
+  }
+  const auto put = [&](int point, const Eigen::MatrixXd& span)
+  {
+    this->FreedomOf[point] = span.rows() > 1 ? 1 : 0;
+    this->PlaceOf[point] = static_cast<int>(this->Spans.size());
+    this->Spans.push_back(span);
+  };
+  for (const auto& [point, span] : boundary.Spans)
+  {
+    put(point, span);
+  }
+  for (int point = 0; point < static_cast<int>(boundary.CornerOf.size()); ++point)
+  {
+    if (const int corner = boundary.CornerOf[point]; corner >= 0)
+    {
+      put(point, surface.Points.row(features.Corners[corner]));
+    }
+  }
+}
+
+int OnFeatures::Freedom(int point) const
+{
+  return this->FreedomOf[point];
+}
+
+PointDirections OnFeatures::Directions(int point, const Eigen::RowVector3d& place) const
+{
+  const int id = this->PlaceOf[point];
+  if (this->FreedomOf[point] == 1)
+  {
+    const Eigen::MatrixXd& span = this->Spans[id];
+    const Eigen::Index segment = NearestOn(span, place).Segment;
+    return (span.row(segment + 1) - span.row(segment)).normalized().transpose();
+  }
+  const Eigen::Vector3d normal =
+    this->Normals[id].row(this->FindOnPatch(point, place).Triangle).transpose();
+  const Eigen::Vector3d one = normal.unitOrthogonal();
+  Eigen::Matrix<double, 3, 2> directions;
+  directions << one, normal.cross(one);
+  return directions;
+}
+
+Eigen::RowVector3d OnFeatures::Nearest(int point, const Eigen::RowVector3d& place) const
+{
+  const int id = this->PlaceOf[point];
+  return this->FreedomOf[point] < 2 ? NearestOn(this->Spans[id], place).Position
+                                    : this->FindOnPatch(point, place).Position;
+}
+
+ClosestPlace OnFeatures::FindOnPatch(int point, const Eigen::RowVector3d& place) const
+{
+  const ClosestPlace found =
+    this->Places[this->PlaceOf[point]].FindOne(place, this->Guesses[point]);
+  this->Guesses[point] = found.Triangle;
+  return found;
+}
+
+} // namespace shape

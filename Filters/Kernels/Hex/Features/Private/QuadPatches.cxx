@@ -1,0 +1,171 @@
+#include "Hex/Features/Private/QuadPatches.h"
+
+#include "Hex/Features/Private/CornerGathering.h"
+#include "Hex/Features/CornerRings.h"
+#include "Hex/Features/Private/PatchPinches.h"
+#include "Hex/Features/PatchedBoundary.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// The quads across the four edges of each quad (q x 4).
+Eigen::MatrixXi NeighboursOf(const Eigen::MatrixXi& quads)
+{
+  const std::map<QuadEdge, int> quadOf = QuadsOfEdges(quads);
+  Eigen::MatrixXi neighbours(quads.rows(), 4);
+  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      neighbours(q, k) = quadOf.at({ quads(q, (k + 1) % 4), quads(q, k) });
+    }
+  }
+  return neighbours;
+}
+
+/// Of each patch's quads keeps the largest piece; the other quads get -1.
+void KeepLargestPieces(const Eigen::MatrixXi& neighbours, int patches, Eigen::VectorXi& patchOf)
+{
+  std::vector<std::vector<int>> largest(patches);
+  std::vector<char> seen(patchOf.size(), 0);
+  for (int first = 0; first < static_cast<int>(patchOf.size()); ++first)
+  {
+    if (seen[first])
+    {
+      continue;
+    }
+    std::vector<int> piece = { first };
+    seen[first] = 1;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+    {
+      for (const int next : neighbours.row(piece[i]))
+      {
+        if (!seen[next] && patchOf(next) == patchOf(first))
+        {
+          seen[next] = 1;
+          piece.push_back(next);
+        }
+      }
+    }
+    std::vector<int>& best = largest[patchOf(first)];
+    if (piece.size() > best.size())
+    {
+      best = std::move(piece);
+    }
+  }
+  Eigen::VectorXi kept = Eigen::VectorXi::Constant(patchOf.size(), -1);
+  for (int patch = 0; patch < patches; ++patch)
+  {
+    for (const int quad : largest[patch])
+    {
+      kept(quad) = patch;
+    }
+  }
+  patchOf.swap(kept);
+}
+
+} // namespace
+
+Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+  const SurfaceLocator& surface, const SurfaceFeatures& features)
+{
+  if (features.Patches == 1)
+  {
+    return Eigen::VectorXi::Zero(quads.rows());
+  }
+  Eigen::MatrixXd middles(quads.rows(), 3);
+  for (Eigen::Index q = 0; q < quads.rows(); ++q)
+  {
+    middles.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
+  }
+  const Eigen::MatrixXi neighbours = NeighboursOf(quads);
+  Eigen::VectorXi patchOf = features.PatchOf(surface.Find(middles).Triangles);
+  KeepLargestPieces(neighbours, features.Patches, patchOf);
+  // Distances to single patches, for the quads that are reached from them.
+  std::vector<SurfaceLocator> locators;
+  for (const Mesh& patch : PatchMeshes(surface.Surface(), features))
+  {
+    locators.emplace_back(patch);
+  }
+  using Candidate = std::tuple<double, int, int>; // distance, quad, patch
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
+  const auto offer = [&](int quad, int patch)
+  { open.emplace(locators[patch].Find(middles.row(quad)).Distances(0), quad, patch); };
+  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+  {
+    for (const int next : neighbours.row(q))
+    {
+      if (patchOf(q) < 0 && patchOf(next) >= 0)
+      {
+        offer(q, patchOf(next));
+      }
+    }
+  }
+  while (!open.empty())
+  {
+    const auto [distance, quad, patch] = open.top();
+    open.pop();
+    if (patchOf(quad) >= 0)
+    {
+      continue;
+    }
+    patchOf(quad) = patch;
+    for (const int next : neighbours.row(quad))
+    {
+      if (patchOf(next) < 0)
+      {
+        offer(next, patch);
+      }
+    }
+  }
+  if (patchOf.minCoeff() < 0)
+  {
+    return {}; // a component of the boundary is reached from no patch
+  }
+  // A quad with three edges in a row on a curve could never be good.
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+    {
+      std::map<int, int> edges;
+      for (const int next : neighbours.row(q))
+      {
+        ++edges[patchOf(next)];
+      }
+      for (const auto& [patch, count] : edges)
+      {
+        if (patch != patchOf(q) && count >= 3)
+        {
+          patchOf(q) = patch;
+          changed = true;
+          break;
+        }
+      }
+    }
+  }
+  GatherCorners(points, quads, surface.Surface(), features, patchOf);
+  OpenPinches(
+    quads, RingsOfCorners(surface.Surface(), features),
+    [&](int quad, int patch) { return locators[patch].Find(middles.row(quad)).Distances(0); },
+    patchOf);
+  std::vector<char> present(features.Patches, 0);
+  for (const int patch : patchOf)
+  {
+    present[patch] = 1;
+  }
+  return std::find(present.begin(), present.end(), 0) == present.end() ? patchOf
+                                                                       : Eigen::VectorXi();
+}
+
+} // namespace shape

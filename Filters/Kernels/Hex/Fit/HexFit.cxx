@@ -1,0 +1,181 @@
+#include "Hex/Fit/HexFit.h"
+
+#include "Hex/Fit/Private/BoundaryLayers.h"
+#include "Hex/Features/GivenFreedoms.h"
+#include "Hex/Optimize/HexOptimization.h"
+#include "Hex/Fit/Private/LayerPlan.h"
+#include "Hex/Features/OnFeatures.h"
+#include "Hex/Features/PatchedBoundary.h"
+#include "Hex/Optimize/Releasing.h"
+#include "Distance/HausdorffDistance.h"
+#include "Quality/ScaledJacobian.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// The worst scaled Jacobian that is enough not to spend more sweeps on it.
+constexpr double RaisedTo = 0.55;
+
+/// The layers that creases ask for. False where these are more hexahedra than there may be, or the
+/// creases of the result are not the surface's.
+bool AddLayers(HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, int most,
+  PatchedBoundary& boundary)
+{
+  for (const std::vector<int>& patches : PlanLayers(surface, features, boundary))
+  {
+    PadPatches(mesh, patches, boundary);
+  }
+  return (features.Curves.empty() || mesh.Hexahedra.rows() <= most) &&
+    MatchCurves(mesh, surface, features, boundary);
+}
+
+void Judge(HexFit& fit)
+{
+  const Eigen::VectorXd quality = ScaledJacobians(fit.Solid);
+  fit.LeastScaledJacobian = quality.minCoeff();
+  fit.MeanScaledJacobian = quality.mean();
+  fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
+}
+
+void Measure(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
+{
+  fit.Distance =
+    HausdorffDistance(surface.Surface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress)
+      .Larger();
+}
+
+/// With these features, if they are found on the hexahedra.
+std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface,
+  const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
+  const Progress& progress)
+{
+  progress(0.0);
+  std::optional<PatchedBoundary> boundary = MatchFeatures(core, surface, features);
+  progress(0.0);
+  if (!boundary)
+  {
+    return std::nullopt;
+  }
+  HexFit fit;
+  fit.Solid = core;
+  const InterfaceLayers interfaceLayers(fit.Solid, interfaces, options.PaddingLayers);
+  for (int layer = 1; layer < options.PaddingLayers; ++layer)
+  {
+    PadBoundary(fit.Solid, *boundary);
+  }
+  if (!AddLayers(fit.Solid, surface.Surface(), features, options.MaximumHexahedra, *boundary))
+  {
+    return std::nullopt;
+  }
+  const Eigen::Index points = fit.Solid.Points.rows();
+  fit.Constraint = std::make_shared<OnSurfaces>(
+    OnFeatures(surface.Surface(), features, *boundary, points), interfaces, points);
+  const PointConstraint& constraint = *fit.Constraint;
+  for (const auto& [point, place] : boundary->Starts)
+  {
+    fit.Solid.Points.row(point) = place;
+  }
+  // Layers along creases begin without thickness: what is tangled then takes long to untangle.
+  const int smoothings = features.Curves.empty() ? 2 : 30;
+  SmoothHexahedra(fit.Solid, constraint, smoothings, progress.Part(0.0, 0.1));
+  SpreadLayers(*boundary, fit.Solid.Points);
+  interfaceLayers.Spread(fit.Solid.Points);
+  SmoothInverted(fit.Solid, constraint, progress.Part(0.1, 0.15));
+  HexOptimizationOptions optimization;
+  optimization.RaiseTo = RaisedTo;
+  optimization.RaiseAgainFrom = options.RaisedFrom;
+  OptimizeHexahedra(fit.Solid, constraint, optimization, progress.Part(0.15, 0.95));
+  Judge(fit);
+  fit.Quads = std::move(boundary->Quads);
+  fit.PatchOf = std::move(boundary->PatchOf);
+  Measure(fit, surface, progress.Part(0.95, 1.0));
+  fit.CreasesKept = true;
+  fit.RegionOf = interfaceLayers.Regions(fit.Solid.Hexahedra.rows());
+  if (interfaces.Count() > 0)
+  {
+    fit.Interfaces = interfaces.Cells->Interfaces;
+    fit.InnerDistance = InnerDistance(fit.Solid.Points, fit.Interfaces, *interfaces.Surfaces);
+  }
+  return fit;
+}
+
+} // namespace
+
+HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
+  const SurfaceFeatures& features, const HexFitOptions& options, const Progress& progress,
+  const InnerInterfaces& interfaces)
+{
+  std::optional<HexFit> fit =
+    FitWith(core, surface, features, options, interfaces, progress.Part(0.0, 0.6));
+  if (!fit || (!features.Curves.empty() && fit->LeastScaledJacobian < options.LeastWithCreases))
+  {
+    std::optional<HexFit> smooth =
+      FitWith(core, surface, WithoutCurves(features), options, interfaces, progress.Part(0.6, 1.0));
+    if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
+    {
+      fit = std::move(smooth);
+      fit->CreasesKept = features.Curves.empty();
+    }
+  }
+  fit->Creases =
+    CompareCreases(surface.Surface(), features, fit->Solid.Points, fit->Quads, fit->PatchOf);
+  return std::move(fit.value());
+}
+
+void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOptions& options,
+  const Progress& progress)
+{
+  fit.Distance = SnapToFarPlaces(fit.Solid, fit.Quads, surface, *fit.Constraint, options, progress);
+  Judge(fit);
+}
+
+void RaiseWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
+{
+  if (fit.LeastScaledJacobian < RaisedTo)
+  {
+    HexOptimizationOptions optimization;
+    optimization.Sweeps = 0;
+    optimization.RaiseTo = RaisedTo;
+    OptimizeHexahedra(fit.Solid, *fit.Constraint, optimization, progress.Part(0.0, 0.9));
+    Judge(fit);
+    Measure(fit, surface, progress.Part(0.9, 1.0));
+  }
+}
+
+void ReleaseBad(
+  HexFit& fit, const SurfaceLocator& surface, double mostDistance, const Progress& progress)
+{
+  const auto released = std::make_shared<GivenFreedoms>(fit.Constraint, fit.Solid.Points.rows());
+  GivenFreedoms& freedoms = *released;
+  ReleaseInverted(fit.Solid, freedoms, progress.Part(0.0, 0.4));
+  Judge(fit);
+  if (fit.Inverted == 0)
+  {
+    Measure(fit, surface, progress.Part(0.4, 0.45));
+    constexpr double slack = 1.05;
+    const double most = std::max(mostDistance, slack * fit.Distance);
+    const auto accepts = [&](const HexMesh& mesh)
+    {
+      return HausdorffDistance(surface.Surface(), { mesh.Points, SplitQuads(fit.Quads) })
+               .Larger() <= most;
+    };
+    ReleaseWorst(fit.Solid, freedoms, RaisedTo, accepts, progress.Part(0.45, 0.95));
+    Judge(fit);
+  }
+  Measure(fit, surface, progress.Part(0.95, 1.0));
+  for (int point = 0; point < static_cast<int>(freedoms.Freedoms.size()); ++point)
+  {
+    fit.Released += freedoms.Freedom(point) > fit.Constraint->Freedom(point) ? 1 : 0;
+  }
+  fit.Constraint = released;
+}
+
+} // namespace shape

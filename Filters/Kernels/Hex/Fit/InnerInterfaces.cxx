@@ -1,0 +1,176 @@
+#include "Hex/Fit/InnerInterfaces.h"
+
+#include "Hex/Fit/Private/BoundaryLayers.h"
+#include "Hex/Fit/Private/Padding.h"
+#include "Distance/HausdorffDistance.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+std::array<int, 4> Sorted(const Eigen::RowVector4i& quad)
+{
+  std::array<int, 4> corners{ quad(0), quad(1), quad(2), quad(3) };
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// For each quad the hexahedron that has it, among some.
+std::vector<int> HexahedraAt(
+  const Eigen::MatrixXi& hexahedra, const std::vector<int>& rows, const Eigen::MatrixXi& quads)
+{
+  std::map<std::array<int, 4>, int> quadOf;
+  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+  {
+    quadOf[Sorted(quads.row(q))] = q;
+  }
+  std::vector<int> found(quads.rows(), -1);
+  for (const int row : rows)
+  {
+    for (const auto& face : HexFaces)
+    {
+      Eigen::RowVector4i corners;
+      for (int k = 0; k < 4; ++k)
+      {
+        corners(k) = hexahedra(row, face[k]);
+      }
+      const auto quad = quadOf.find(Sorted(corners));
+      if (quad != quadOf.end())
+      {
+        found[quad->second] = row;
+      }
+    }
+  }
+  return found;
+}
+
+} // namespace
+
+InterfaceLayers::InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers)
+{
+  if (interfaces.Count() == 0)
+  {
+    return;
+  }
+  const RegionCells& cells = *interfaces.Cells;
+  this->RegionOf.assign(cells.RegionOf.begin(), cells.RegionOf.end());
+  for (std::size_t i = 0; i < interfaces.Count(); ++i)
+  {
+    // Layers of other interfaces have none of this one's points.
+    std::vector<char> outside(cells.Inside[i].size());
+    std::transform(cells.Inside[i].begin(), cells.Inside[i].end(), outside.begin(),
+      [](char inside) { return static_cast<char>(inside == 0); });
+    this->PadSide(mesh, cells.Inside[i], cells.Interfaces[i], layers);
+    this->PadSide(mesh, outside, cells.Interfaces[i].rowwise().reverse(), layers);
+  }
+}
+
+void InterfaceLayers::PadSide(
+  HexMesh& mesh, const std::vector<char>& side, const Eigen::MatrixXi& quads, int layers)
+{
+  std::vector<int> rows;
+  for (int hex = 0; hex < static_cast<int>(side.size()); ++hex)
+  {
+    if (side[hex])
+    {
+      rows.push_back(hex);
+    }
+  }
+  const std::vector<int> beside = HexahedraAt(mesh.Hexahedra, rows, quads);
+  PatchedBoundary copies;
+  copies.Quads = quads;
+  HexMesh part{ mesh.Points, mesh.Hexahedra(rows, Eigen::all) };
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    PadBoundary(part, copies);
+    for (const int hex : beside)
+    {
+      this->RegionOf.push_back(int(this->RegionOf[hex]));
+    }
+  }
+  const auto own = static_cast<Eigen::Index>(rows.size()), before = mesh.Hexahedra.rows();
+  const Eigen::Index added = part.Hexahedra.rows() - own;
+  mesh.Points = std::move(part.Points);
+  mesh.Hexahedra.conservativeResize(before + added, 8);
+  mesh.Hexahedra(rows, Eigen::all) = part.Hexahedra.topRows(own);
+  mesh.Hexahedra.bottomRows(added) = part.Hexahedra.bottomRows(added);
+  this->Sides.push_back(std::move(copies));
+}
+
+Eigen::VectorXi InterfaceLayers::Regions(Eigen::Index hexahedra) const
+{
+  Eigen::VectorXi regions = Eigen::VectorXi::Zero(hexahedra);
+  std::copy(this->RegionOf.begin(), this->RegionOf.end(), regions.begin());
+  return regions;
+}
+
+void InterfaceLayers::Spread(Eigen::MatrixXd& points) const
+{
+  for (const PatchedBoundary& side : this->Sides)
+  {
+    SpreadLayers(side, points);
+  }
+}
+
+OnSurfaces::OnSurfaces(OnFeatures outer, const InnerInterfaces& interfaces, Eigen::Index points)
+  : Outer(std::move(outer))
+  , SurfaceOf(points, -1)
+{
+  for (std::size_t i = 0; i < interfaces.Count(); ++i)
+  {
+    const Mesh& surface = (*interfaces.Surfaces)[i].Surface();
+    const Eigen::MatrixXi& quads = interfaces.Cells->Interfaces[i];
+    SurfaceFeatures features;
+    features.Patches = 1;
+    features.PatchOf = Eigen::VectorXi::Zero(surface.Triangles.rows());
+    const PatchedBoundary smooth{ quads, Eigen::VectorXi::Zero(quads.rows()),
+      std::vector<int>(points, -1), std::vector<int>(points, -1), {}, {}, {} };
+    this->Inner.emplace_back(surface, features, smooth, points);
+    for (const int point : quads.reshaped())
+    {
+      this->SurfaceOf[point] = static_cast<int>(i);
+    }
+  }
+}
+
+const PointConstraint& OnSurfaces::Of(int point) const
+{
+  const int surface = this->SurfaceOf[point];
+  return surface < 0 ? this->Outer : this->Inner[surface];
+}
+
+int OnSurfaces::Freedom(int point) const
+{
+  return this->Of(point).Freedom(point);
+}
+
+PointDirections OnSurfaces::Directions(int point, const Eigen::RowVector3d& place) const
+{
+  return this->Of(point).Directions(point, place);
+}
+
+Eigen::RowVector3d OnSurfaces::Nearest(int point, const Eigen::RowVector3d& place) const
+{
+  return this->Of(point).Nearest(point, place);
+}
+
+double InnerDistance(const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXi>& interfaces,
+  const std::vector<SurfaceLocator>& surfaces, const Progress& progress)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+  {
+    largest = std::max(largest,
+      HausdorffDistance(surfaces[i].Surface(), { points, SplitQuads(interfaces[i]) }, progress)
+        .Larger());
+  }
+  return largest;
+}
+
+} // namespace shape

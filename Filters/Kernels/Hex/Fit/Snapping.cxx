@@ -1,0 +1,232 @@
+#include "Hex/Fit/Snapping.h"
+
+#include "Hex/Features/GivenFreedoms.h"
+#include "Hex/Optimize/HexOptimization.h"
+#include "Distance/HausdorffDistance.h"
+#include "Quality/ScaledJacobian.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// By how much raising the worst hexahedra has been seen to raise them.
+constexpr double MostRaised = 0.15;
+
+/// Where the surfaces are far from each other.
+struct FarPlace
+{
+  Eigen::RowVector3d OnSurface, OnBoundary;
+  double Distance = 0.0;
+};
+
+class Snapper
+{
+public:
+  Snapper(HexMesh& mesh, const Eigen::MatrixXi& quads, const SurfaceLocator& surface,
+    const PointConstraint& constraint, double wanted)
+    : Solid(mesh)
+    , Quads(quads)
+    , Triangles(SplitQuads(quads))
+    , Surface(surface)
+    , Given(constraint)
+    , Constraint(constraint, mesh.Points.rows())
+    , Share(mesh.Points.rows(), 1.0)
+    , Wanted(wanted)
+    , QuadsAround(mesh.Points.rows())
+  {
+    for (Eigen::Index q = 0; q < quads.rows(); ++q)
+    {
+      const auto points = quads.row(q);
+      std::for_each(points.begin(), points.end(),
+        [&](int point) { this->QuadsAround[point].push_back(static_cast<int>(q)); });
+    }
+    // Points on creases stay.
+    std::vector<char>& freedoms = this->Constraint.Freedoms;
+    std::replace(freedoms.begin(), freedoms.end(), char(1), char(0));
+    this->Compare({});
+  }
+
+  double Distance() const { return this->Reached; }
+
+  /// Puts points on the places that are far; where this makes hexahedra too bad all is undone, and
+  /// the points that did are put less far the next time. False where nothing is gained by one more
+  /// round.
+  bool Round(const SnappingOptions& options, const Progress& progress)
+  {
+    const Eigen::MatrixXd before = this->Solid.Points;
+    const std::vector<char> freedoms = this->Constraint.Freedoms;
+    const double reached = this->Reached;
+    const double least = Floor(options, ScaledJacobians(this->Solid).minCoeff());
+    std::vector<char> marked = this->Snap();
+    if (marked.empty())
+    {
+      return false;
+    }
+    constexpr int rings = 3;
+    GrowRings(this->Solid.Hexahedra, rings, marked);
+    HexOptimizationOptions optimization;
+    optimization.Marked = std::move(marked);
+    optimization.RaiseFrom = least - MostRaised;
+    const HexOptimizationResult result =
+      OptimizeHexahedra(this->Solid, this->Constraint, optimization, progress.Part(0.0, 0.8));
+    const bool isBad = result.LeastAfter < least;
+    const bool hasCulprits = isBad && this->HalveCulprits(freedoms, least);
+    this->Compare(progress.Part(0.8, 0.9));
+    if (isBad || this->Reached >= reached)
+    {
+      this->Solid.Points = before;
+      this->Constraint.Freedoms = freedoms;
+      this->Compare(progress.Part(0.9, 1.0));
+      return hasCulprits;
+    }
+    return true;
+  }
+
+private:
+  static double Floor(const SnappingOptions& options, double least)
+  {
+    const auto found = std::find_if(options.ScaledJacobians.begin(), options.ScaledJacobians.end(),
+      [&](double value) { return value <= least; });
+    return found == options.ScaledJacobians.end() ? least : *found;
+  }
+
+  void Compare(const Progress& progress)
+  {
+    const SurfaceLocator boundary({ this->Solid.Points, this->Triangles });
+    this->Far.clear();
+    this->Reached = 0.0;
+    this->Add(
+      DistancesBetween(this->Surface.Surface(), boundary, ComparedPlaces, progress.Part(0.0, 0.5)),
+      &PlacesAndDistances::Places, &PlacesAndDistances::Nearest);
+    this->Add(
+      DistancesBetween(boundary.Surface(), this->Surface, ComparedPlaces, progress.Part(0.5, 1.0)),
+      &PlacesAndDistances::Nearest, &PlacesAndDistances::Places);
+    std::stable_sort(this->Far.begin(), this->Far.end(),
+      [](const FarPlace& a, const FarPlace& b) { return a.Distance > b.Distance; });
+  }
+
+  void Add(const PlacesAndDistances& places, Eigen::MatrixXd PlacesAndDistances::*onSurface,
+    Eigen::MatrixXd PlacesAndDistances::*onBoundary)
+  {
+    this->Reached = std::max(this->Reached, places.Distances.maxCoeff());
+    for (Eigen::Index i = 0; i < places.Distances.size(); ++i)
+    {
+      if (places.Distances(i) > this->Wanted)
+      {
+        this->Far.push_back(
+          { (places.*onSurface).row(i), (places.*onBoundary).row(i), places.Distances(i) });
+      }
+    }
+  }
+
+  /// Points of bad hexahedra, or of such next to them, that were not held before are put only half
+  /// as far in the next rounds. False where there are none.
+  bool HalveCulprits(const std::vector<char>& freedoms, double least)
+  {
+    std::vector<char> near = PointsOfBad(this->Solid, least);
+    GrowRings(this->Solid.Hexahedra, 1, near);
+    bool found = false;
+    for (std::size_t point = 0; point < freedoms.size(); ++point)
+    {
+      if (near[point] && this->Constraint.Freedoms[point] < freedoms[point])
+      {
+        this->Share[point] *= 0.5;
+        found = true;
+      }
+    }
+    return found;
+  }
+
+  /// Of each place that is far the nearest point of the quad there.
+  std::vector<int> NearestPoints() const
+  {
+    Eigen::MatrixXd places(this->Far.size(), 3);
+    for (std::size_t i = 0; i < this->Far.size(); ++i)
+    {
+      places.row(static_cast<Eigen::Index>(i)) = this->Far[i].OnBoundary;
+    }
+    const Eigen::VectorXi triangles =
+      SurfaceLocator({ this->Solid.Points, this->Triangles }).Find(places).Triangles;
+    std::vector<int> nearest;
+    for (std::size_t i = 0; i < this->Far.size(); ++i)
+    {
+      const auto quad = this->Quads.row(triangles(static_cast<Eigen::Index>(i)) / 2);
+      const auto distance = [&](int point)
+      { return (this->Solid.Points.row(point) - this->Far[i].OnSurface).squaredNorm(); };
+      nearest.push_back(*std::min_element(
+        quad.begin(), quad.end(), [&](int a, int b) { return distance(a) < distance(b); }));
+    }
+    return nearest;
+  }
+
+  /// Puts the nearest point of the boundary on each place that is far, farthest first, but for
+  /// points next to another one that is put, and holds them. Marks these; none where there are
+  /// none.
+  std::vector<char> Snap()
+  {
+    constexpr double leastShare = 0.2;
+    const std::vector<int> nearest = this->NearestPoints();
+    std::vector<char> marked, taken(this->Solid.Points.rows(), 0);
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+    {
+      const int point = nearest[i];
+      const Eigen::RowVector3d& there = this->Far[i].OnSurface;
+      if (taken[point] || this->Given.Freedom(point) != 2 || this->Share[point] < leastShare ||
+        (this->Constraint.Nearest(point, there) - there).norm() > 0.5 * this->Far[i].Distance)
+      {
+        continue;
+      }
+      const Eigen::RowVector3d here = this->Solid.Points.row(point);
+      this->Solid.Points.row(point) =
+        this->Constraint.Nearest(point, here + this->Share[point] * (there - here));
+      this->Constraint.Freedoms[point] = 0;
+      marked.resize(taken.size(), 0);
+      marked[point] = 1;
+      for (const int q : this->QuadsAround[point])
+      {
+        const auto around = this->Quads.row(q);
+        std::for_each(around.begin(), around.end(), [&](int other) { taken[other] = 1; });
+      }
+    }
+    return marked;
+  }
+
+  HexMesh& Solid;
+  const Eigen::MatrixXi& Quads;
+  const Eigen::MatrixXi Triangles;
+  const SurfaceLocator& Surface;
+  const PointConstraint& Given;
+  GivenFreedoms Constraint;
+  std::vector<double> Share; ///< of the way that a point is put
+  const double Wanted;
+  std::vector<std::vector<int>> QuadsAround; ///< of each point
+  double Reached = 0.0;
+  std::vector<FarPlace> Far;
+};
+
+} // namespace
+
+double SnapToFarPlaces(HexMesh& mesh, const Eigen::MatrixXi& quads, const SurfaceLocator& surface,
+  const PointConstraint& constraint, const SnappingOptions& options, const Progress& progress)
+{
+  Snapper snapper(mesh, quads, surface, constraint, options.WantedDistance);
+  for (int round = 0; round < options.Rounds && snapper.Distance() > options.WantedDistance;
+       ++round)
+  {
+    const Progress part =
+      progress.Part(static_cast<double>(round) / options.Rounds, (round + 1.0) / options.Rounds);
+    if (!snapper.Round(options, part))
+    {
+      break;
+    }
+  }
+  progress(1.0);
+  return snapper.Distance();
+}
+
+} // namespace shape

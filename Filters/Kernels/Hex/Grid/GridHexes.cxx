@@ -1,0 +1,496 @@
+#include "Hex/Grid/GridHexes.h"
+
+#include "Base/Errors.h"
+#include "Search/ClosestPoint.h"
+#include "Hex/Voxels/PlacesToMagnify.h"
+#include "Hex/Voxels/RegionCubes.h"
+#include "Hex/Grid/Private/SeparateSolids.h"
+#include "Remesh/SurfaceFeatures.h"
+#include "Distance/HausdorffDistance.h"
+#include "Quality/ScaledJacobian.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// By which cells become smaller where they have not the solid's topology.
+constexpr double Shrinkage = 0.85;
+/// By which there are more hexahedra in the next grids with an automatic size, and where most of
+/// the solid asks for smaller cells.
+constexpr double Growth = 1.4, LargeGrowth = 3.0;
+/// The area of the smallest patch with borders of its own, in faces of cells.
+constexpr double LeastPatch = 4.0;
+/// What is good enough not to go on to smaller cells everywhere.
+constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
+/// The worst scaled Jacobian that may well become an accepted one by more time spent on it.
+constexpr double RaisedFrom = 0.4;
+/// What is farther by more than so many times is not snapped to, but asks for another grid.
+constexpr double SnappedFrom = 2.0;
+/// How much better smaller cells must make the result for still smaller ones to be tried.
+constexpr double LeastGain = 0.02;
+/// After so many rounds without such a gain no more are made.
+constexpr int MostIdle = 2;
+
+class GridSearch
+{
+public:
+  GridSearch(const Mesh& surface, const std::vector<Mesh>& innerSurfaces,
+    const GridHexesOptions& options, const Progress& progress)
+    : Options(options)
+    , Regions(surface, innerSurfaces, progress)
+    , Cubes(this->Regions.Outer())
+    , Bounding(this->Cubes.Boundary().Surface)
+    , Diagonal(
+        options.Diagonal > 0.0 ? options.Diagonal : BoxDiagonal(this->Cubes.Surface().Points))
+    , AllFeatures(FindFeatures(this->Bounding.Surface(), options.FeatureAngle, 0.0))
+  {
+    for (const SolidCubes& inner : this->Regions.Inner())
+    {
+      this->InnerBounding.emplace_back(inner.Surface());
+    }
+  }
+
+  double LeastSize(const GridWarp& warp = GridWarp()) const
+  {
+    return this->Cubes.CellSizeFor(this->Options.MaximumHexahedra, warp);
+  }
+
+  /// Rounds of grids, each finer where the one before was not good enough. size: of the cells in
+  /// the first; where it is 0, such that there are about `hexahedra` in each. By what to grow for
+  /// the next.
+  double Refine(double size, double hexahedra, int rounds, const Progress& progress)
+  {
+    std::vector<Magnifier> magnifiers = this->Options.Magnifiers;
+    double growth = Growth;
+    double reached = -std::numeric_limits<double>::infinity();
+    int idle = 0; // rounds without a gain
+    for (int round = 0; round < rounds; ++round)
+    {
+      const GridWarp warp(magnifiers);
+      const Progress part =
+        progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
+      const double first = size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp);
+      std::optional<GridHexesResult> result =
+        this->Fill(std::min(first, this->LargestSize), warp, part.Part(0.0, 0.8));
+      if (!result)
+      {
+        break;
+      }
+      this->LargestSize = result->CellSize / Shrinkage;
+      const std::size_t before = magnifiers.size();
+      bool isSnapped = this->IsAsWanted(*result);
+      if (!isSnapped)
+      {
+        if (this->Magnify(*result, magnifiers))
+        {
+          growth = LargeGrowth;
+        }
+        isSnapped = this->IsWorthSnapping(*result);
+        if (isSnapped)
+        {
+          this->Snap(*result, part.Part(0.8, 1.0));
+        }
+      }
+      // Where nothing is magnified the next grid would be the same.
+      const bool isLast =
+        magnifiers.size() == before || this->IsAsWanted(*result) || growth > Growth;
+      ++this->Rounds;
+      const double score = this->Score(*result);
+      idle = score < reached + LeastGain ? idle + 1 : 0;
+      reached = std::max(reached, score);
+      if (score > this->BestScore())
+      {
+        this->Best = std::move(*result);
+        this->BestIsSnapped = isSnapped;
+      }
+      if (isLast || idle >= MostIdle)
+      {
+        break;
+      }
+    }
+    if (this->Best && !this->BestIsSnapped && (size > 0.0 || this->IsNear(*this->Best)))
+    {
+      this->Snap(*this->Best, progress.Part(0.9, 1.0));
+      this->BestIsSnapped = true;
+    }
+    return growth;
+  }
+
+  /// Grids of the Euler number and number of components that come out, where the surface crosses
+  /// itself and there is nothing yet.
+  void TakeAnyTopology(const Progress& progress)
+  {
+    if (!this->Best && this->Cubes.Boundary().Crossings > 0)
+    {
+      constexpr double share = 0.25; // of the most
+      this->Regions.Outer().TakeAnyTopology();
+      this->Refine(0.0, share * this->Options.MaximumHexahedra, 1, progress);
+      if (this->Best)
+      {
+        this->Best->TopologyAgreed = false;
+      }
+    }
+  }
+
+  bool IsAccepted() const
+  {
+    return this->Best &&
+      (this->Reaches(*this->Best, AcceptedScaledJacobian, AcceptedDistance) ||
+        this->AreOnlyCornersBad(*this->Best));
+  }
+
+  /// Minus infinity where there is nothing yet.
+  double BestScore() const
+  {
+    return this->Best ? this->Score(*this->Best) : -std::numeric_limits<double>::infinity();
+  }
+
+  GridHexesResult Result(const Progress& progress)
+  {
+    if (!this->Best)
+    {
+      const Topology& topology = this->Cubes.SurfaceTopology();
+      throw SolveFailure("no grid of " + std::to_string(this->Options.MaximumHexahedra) +
+        " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
+        " and number of components " + std::to_string(topology.Components) +
+        (this->InnerBounding.empty() ? "" : ", and those of the inner surfaces, apart") +
+        ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
+    }
+    const HexFit& fit = this->Best->Fit;
+    if (fit.Inverted == 0 && fit.LeastScaledJacobian < AcceptedScaledJacobian)
+    {
+      this->Raise(*this->Best, progress.Part(0.0, 0.3));
+    }
+    this->Release(*this->Best, progress.Part(0.3, 0.5));
+    if (!this->Reaches(*this->Best, 0.0, AcceptedDistance) && this->IsNear(*this->Best))
+    {
+      this->SnapAndRelease(*this->Best, progress.Part(0.5, 1.0));
+    }
+    this->Best->Rounds = this->Rounds;
+    progress(1.0);
+    return std::move(*this->Best);
+  }
+
+private:
+  /// The hexahedra that cells of this size make, or of a smaller one that has the topology.
+  std::optional<GridHexesResult> Fill(double size, const GridWarp& warp, const Progress& progress)
+  {
+    const double least = this->LeastSize(warp);
+    for (; size >= least * (1.0 - 1e-9); size *= Shrinkage)
+    {
+      if (const std::optional<RegionCells> cells =
+            this->Regions.Fill(size, warp, progress.Part(0.0, 0.1)))
+      {
+        GridHexesResult result;
+        result.CellSize = size;
+        result.Crossings = this->Cubes.Boundary().Crossings;
+        result.Features = FindFeatures(
+          this->Bounding.Surface(), this->Options.FeatureAngle, LeastPatch * size * size);
+        result.InnerCreasesKept =
+          std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
+            [&](const SurfaceLocator& inner)
+            {
+              return FindFeatures(
+                inner.Surface(), this->Options.FeatureAngle, LeastPatch * size * size)
+                .Curves.empty();
+            });
+        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, this->FitOptions(),
+          progress.Part(0.1, 1.0), { &*cells, &this->InnerBounding });
+        return result;
+      }
+    }
+    return std::nullopt;
+  }
+
+  HexFitOptions FitOptions() const
+  {
+    HexFitOptions options;
+    options.PaddingLayers = this->Options.PaddingLayers;
+    options.MaximumHexahedra = this->Options.MaximumHexahedra;
+    options.RaisedFrom = RaisedFrom;
+    return options;
+  }
+
+  bool IsAsWanted(const GridHexesResult& result) const
+  {
+    return this->Reaches(
+             result, this->Options.WantedScaledJacobian, this->Options.WantedDistance) &&
+      this->HasWantedCreases(result);
+  }
+
+  bool HasWantedCreases(const GridHexesResult& result) const
+  {
+    return result.Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
+  }
+
+  /// Whether all is good enough but for hexahedra at corners that are kept, of which other grids
+  /// have the same.
+  bool AreOnlyCornersBad(const GridHexesResult& result) const
+  {
+    return this->Reaches(result, 0.0, AcceptedDistance) && this->HasWantedCreases(result) &&
+      LeastScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
+      AcceptedScaledJacobian;
+  }
+
+  /// Where the boundary's points were moved, those of interfaces near them were, too.
+  void MeasureInner(HexFit& fit) const
+  {
+    fit.InnerDistance = InnerDistance(fit.Solid.Points, fit.Interfaces, this->InnerBounding);
+  }
+
+  /// Puts the boundary on what is farther than wanted.
+  void Snap(
+    GridHexesResult& result, const Progress& progress, double least = AcceptedScaledJacobian) const
+  {
+    SnappingOptions options;
+    options.WantedDistance = this->Options.WantedDistance * this->Diagonal;
+    options.ScaledJacobians = { this->Options.WantedScaledJacobian, least };
+    if (this->Options.Snap && result.Fit.Inverted == 0 &&
+      result.Fit.Distance > options.WantedDistance)
+    {
+      SnapToSurface(result.Fit, this->Bounding, options, progress);
+      this->MeasureInner(result.Fit);
+    }
+  }
+
+  /// Lets points leave the surface at bad hexahedra; but next to creases, whose corners may well be
+  /// why these are bad, and with inner surfaces, which points would leave too, only at inverted
+  /// ones.
+  void Release(GridHexesResult& result, const Progress& progress) const
+  {
+    const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
+    const bool isSmooth = !hasCreases && this->InnerBounding.empty();
+    if (result.Fit.Inverted > 0 ||
+      (isSmooth && result.Fit.LeastScaledJacobian < AcceptedScaledJacobian))
+    {
+      ReleaseBad(
+        result.Fit, this->Bounding, AcceptedDistance * this->Diagonal, progress.Part(0.0, 0.9));
+      this->MeasureInner(result.Fit);
+    }
+  }
+
+  /// Snaps at the cost of hexahedra, whose points leave the surface then, unless that costs more
+  /// than it gains.
+  void SnapAndRelease(GridHexesResult& result, const Progress& progress) const
+  {
+    constexpr double least = 0.2;
+    GridHexesResult snapped = result;
+    this->Snap(snapped, progress.Part(0.0, 0.7), least);
+    this->Release(snapped, progress.Part(0.7, 1.0));
+    if (this->Score(snapped) > this->Score(result))
+    {
+      result = std::move(snapped);
+    }
+  }
+
+  /// Spends more time on the worst hexahedra, unless that costs more than it gains.
+  void Raise(GridHexesResult& result, const Progress& progress) const
+  {
+    GridHexesResult raised = result;
+    RaiseWorst(raised.Fit, this->Bounding, progress);
+    this->MeasureInner(raised.Fit);
+    if (this->Score(raised) > this->Score(result))
+    {
+      result = std::move(raised);
+    }
+  }
+
+  /// Whether snapping may well make it what is wanted, or what is accepted where nothing is yet.
+  bool IsWorthSnapping(const GridHexesResult& result) const
+  {
+    return this->Reaches(result,
+      this->IsAccepted() ? this->Options.WantedScaledJacobian : AcceptedScaledJacobian,
+      SnappedFrom * AcceptedDistance);
+  }
+
+  /// That the search is for.
+  static double Distance(const GridHexesResult& result)
+  {
+    return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
+                                   : result.Fit.Distance;
+  }
+
+  bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance) const
+  {
+    return result.Fit.LeastScaledJacobian >= scaledJacobian &&
+      Distance(result) <= distance * this->Diagonal;
+  }
+
+  /// Whether snapping may well reach the accepted distance.
+  bool IsNear(const GridHexesResult& result) const
+  {
+    return this->Reaches(result, 0.0, SnappedFrom * AcceptedDistance);
+  }
+
+  /// The greater, the better. Creases count most among what is not inverted, then what is accepted.
+  double Score(const GridHexesResult& result) const
+  {
+    const HexFit& fit = result.Fit;
+    if (fit.Inverted > 0)
+    {
+      return -fit.Inverted;
+    }
+    const bool accepted = this->Reaches(result, AcceptedScaledJacobian, AcceptedDistance);
+    return std::min(fit.LeastScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
+      std::min(this->Options.WantedDistance * this->Diagonal / Distance(result), 1.0) +
+      std::min(this->Options.WantedCreaseDistance * this->Diagonal / fit.Creases.Distance, 1.0) +
+      (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
+  }
+
+  /// Adds magnifiers where the surfaces or their creases are far from each other, at corners that
+  /// patches too small for the cells have, and at bad hexahedra. Whether these are for most of the
+  /// solid.
+  bool Magnify(const GridHexesResult& result, std::vector<Magnifier>& magnifiers) const
+  {
+    const HexMesh& solid = result.Fit.Solid;
+    PlacesToMagnify places(result.CellSize);
+    const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
+    {
+      places.AddFar(DistancesBetween(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
+        this->Options.WantedDistance * this->Diagonal);
+    };
+    addFarOnSurface(this->Bounding.Surface(), result.Fit.Quads);
+    for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
+    {
+      addFarOnSurface(this->InnerBounding[i].Surface(), result.Fit.Interfaces[i]);
+    }
+    if (result.Fit.CreasesKept)
+    {
+      places.AddFar(DistancesOfCurves(this->Bounding.Surface(), result.Features, solid.Points,
+                      result.Fit.Quads, result.Fit.PatchOf),
+        this->Options.WantedCreaseDistance * this->Diagonal);
+    }
+    for (const int corner : this->AllFeatures.Corners)
+    {
+      if (!result.Features.Curves.empty() &&
+        !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
+      {
+        places.Add(this->Bounding.Surface().Points.row(corner));
+      }
+    }
+    places.AddBad(solid, AcceptedScaledJacobian);
+    magnifiers.insert(magnifiers.end(), places.Magnifiers().begin(), places.Magnifiers().end());
+    return places.AreMostOf(solid.Hexahedra.rows());
+  }
+
+  const GridHexesOptions& Options;
+  RegionCubes Regions;
+  const SolidCubes& Cubes;       ///< of the whole solid
+  const SurfaceLocator Bounding; ///< what bounds it
+  std::vector<SurfaceLocator> InnerBounding;
+  const double Diagonal;
+  const SurfaceFeatures AllFeatures; ///< patches of any size
+  /// Larger cells did not have the topology.
+  double LargestSize = std::numeric_limits<double>::infinity();
+  std::optional<GridHexesResult> Best;
+  bool BestIsSnapped = false;
+  int Rounds = 0;
+};
+
+void RequireInRange(const GridHexesOptions& options)
+{
+  RequireOption(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize",
+    options.CellSize, "positive, or 0 for an automatic one");
+  RequireOption(
+    options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
+  RequireOption(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
+  RequireOption(options.Rounds >= 1, "Rounds", options.Rounds, "at least 1");
+  RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
+    options.FeatureAngle, "in (0, 180]");
+  RequireOption(options.WantedCreaseDistance > 0.0, "WantedCreaseDistance",
+    options.WantedCreaseDistance, "positive");
+  RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
+}
+
+GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
+  const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+{
+  GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
+  if (options.CellSize > 0.0)
+  {
+    const double least = search.LeastSize(GridWarp(options.Magnifiers));
+    if (options.CellSize < least)
+    {
+      throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
+        ", which makes more than " + std::to_string(options.MaximumHexahedra) +
+        " hexahedra; at least " + std::to_string(least) +
+        " is needed, or a greater MaximumHexahedra");
+    }
+    search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
+    return search.Result(progress.Part(0.95, 1.0));
+  }
+  double begin = 0.05, before = -std::numeric_limits<double>::infinity();
+  double hexahedra = std::min<double>(options.FirstHexahedra, options.MaximumHexahedra);
+  int rounds = options.Rounds, idle = 0; // idle: grids without a gain
+  while (hexahedra <= options.MaximumHexahedra && idle < MostIdle)
+  {
+    const double end = 0.5 * (begin + 0.95);
+    const double growth = search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
+    hexahedra *= growth;
+    if (search.IsAccepted())
+    {
+      break;
+    }
+    const double score = search.BestScore();
+    idle = std::isfinite(score) && score < before + LeastGain ? idle + 1 : 0;
+    before = std::max(before, score);
+    begin = end;
+    rounds = growth > Growth ? 1 : (rounds + 1) / 2;
+  }
+  search.TakeAnyTopology(progress.Part(begin, 0.95));
+  return search.Result(progress.Part(0.95, 1.0));
+}
+
+GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& solids,
+  const GridHexesOptions& options, const Progress& progress)
+{
+  const std::vector<double> shares = SharesOfSolids(solids);
+  std::vector<HexFit> fits;
+  std::vector<SurfaceFeatures> features;
+  GridHexesResult result;
+  double begin = 0.0;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    GridHexesOptions own = options;
+    own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : BoxDiagonal(surface.Points);
+    own.FirstHexahedra = shares[i] * options.FirstHexahedra;
+    own.MaximumHexahedra = std::max(1, static_cast<int>(shares[i] * options.MaximumHexahedra));
+    GridHexesResult one = OfOneGrid(solids[i], own, progress.Part(begin, begin + shares[i]), {});
+    begin += shares[i];
+    fits.push_back(std::move(one.Fit));
+    features.push_back(std::move(one.Features));
+    result.CellSize = std::max(result.CellSize, one.CellSize);
+    result.Rounds = std::max(result.Rounds, one.Rounds);
+  }
+  result.Fit = JoinedFit(fits);
+  result.Features = JoinedFeatures(features, solids);
+  return result;
+}
+
+} // namespace
+
+GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options,
+  const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+{
+  RequireInRange(options);
+  if (innerSurfaces.empty())
+  {
+    const std::vector<Mesh> solids = SeparateSolids(surface, progress.Part(0.0, 0.02));
+    if (!solids.empty())
+    {
+      return OfSeveralGrids(surface, solids, options, progress.Part(0.02, 1.0));
+    }
+  }
+  return OfOneGrid(surface, options, progress.Part(0.02, 1.0), innerSurfaces);
+}
+
+} // namespace shape

@@ -1,0 +1,164 @@
+#include "Hex/Grid/Private/SeparateSolids.h"
+
+#include "Mesh/Topology.h"
+#include "Solids/Nesting.h"
+#include "Solids/SolidBoundary.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace shape
+{
+namespace
+{
+
+void Append(Mesh& mesh, const Mesh& other)
+{
+  const Eigen::Index points = mesh.Points.rows(), triangles = mesh.Triangles.rows();
+  mesh.Points.conservativeResize(points + other.Points.rows(), 3);
+  mesh.Points.bottomRows(other.Points.rows()) = other.Points;
+  mesh.Triangles.conservativeResize(triangles + other.Triangles.rows(), 3);
+  mesh.Triangles.bottomRows(other.Triangles.rows()) =
+    other.Triangles.array() + static_cast<int>(points);
+}
+
+/// Appends rows of numbers, each greater by an offset.
+void Append(Eigen::MatrixXi& numbers, const Eigen::MatrixXi& others, Eigen::Index offset)
+{
+  const Eigen::Index rows = numbers.rows();
+  numbers.conservativeResize(rows + others.rows(), others.cols());
+  numbers.bottomRows(others.rows()) = others.array() + static_cast<int>(offset);
+}
+
+void Append(Eigen::VectorXi& numbers, const Eigen::VectorXi& others, Eigen::Index offset)
+{
+  const Eigen::Index rows = numbers.size();
+  numbers.conservativeResize(rows + others.size());
+  numbers.tail(others.size()) = others.array() + static_cast<int>(offset);
+}
+
+} // namespace
+
+std::vector<Mesh> SeparateSolids(const Mesh& surface, const Progress& progress)
+{
+  const Mesh outward = FacingOutwards(surface);
+  if (RequireClosedSurface(outward, "the surface").Components == 1 ||
+    SolidBoundary(outward, progress.Part(0.0, 0.5)).Crossings > 0 ||
+    OrientedByNesting(outward, "the surface", progress.Part(0.5, 1.0)).Triangles !=
+      outward.Triangles)
+  {
+    return {};
+  }
+  std::vector<Mesh> outer, voids;
+  for (Mesh& component : SplitComponents(outward))
+  {
+    (EnclosedVolume(component) > 0.0 ? outer : voids).push_back(std::move(component));
+  }
+  if (outer.size() < 2)
+  {
+    return {};
+  }
+  std::sort(outer.begin(), outer.end(),
+    [](const Mesh& a, const Mesh& b) { return EnclosedVolume(a) < EnclosedVolume(b); });
+  std::vector<Mesh> solids = outer;
+  for (const Mesh& hole : voids)
+  {
+    const auto around = std::find_if(outer.begin(), outer.end(),
+      [&](const Mesh& solid)
+      {
+        constexpr double half = 0.5;
+        return WindingNumber(solid.Points, solid.Triangles, hole.Points.row(0)) > half;
+      });
+    Append(solids[around - outer.begin()], hole);
+  }
+  return solids;
+}
+
+HexFit JoinedFit(const std::vector<HexFit>& fits)
+{
+  HexFit joined = fits.front();
+  const auto count = [](const HexFit& fit) { return fit.Solid.Hexahedra.rows(); };
+  double sum = joined.MeanScaledJacobian * static_cast<double>(count(joined));
+  for (std::size_t i = 1; i < fits.size(); ++i)
+  {
+    const HexFit& fit = fits[i];
+    const Eigen::Index points = joined.Solid.Points.rows();
+    joined.Solid.Points.conservativeResize(points + fit.Solid.Points.rows(), 3);
+    joined.Solid.Points.bottomRows(fit.Solid.Points.rows()) = fit.Solid.Points;
+    Append(joined.Solid.Hexahedra, fit.Solid.Hexahedra, points);
+    Append(joined.Quads, fit.Quads, points);
+    Append(joined.PatchOf, fit.PatchOf, joined.PatchOf.maxCoeff() + 1);
+    Append(joined.RegionOf, fit.RegionOf, 0);
+    joined.LeastScaledJacobian = std::min(joined.LeastScaledJacobian, fit.LeastScaledJacobian);
+    sum += fit.MeanScaledJacobian * static_cast<double>(count(fit));
+    joined.Inverted += fit.Inverted;
+    joined.Released += fit.Released;
+    joined.Distance = std::max(joined.Distance, fit.Distance);
+    joined.CreasesKept = joined.CreasesKept && fit.CreasesKept;
+    joined.Creases.Distance = std::max(joined.Creases.Distance, fit.Creases.Distance);
+    for (const int point : fit.Creases.CornerPoints)
+    {
+      joined.Creases.CornerPoints.push_back(static_cast<int>(points) + point);
+    }
+  }
+  joined.MeanScaledJacobian = sum / static_cast<double>(count(joined));
+  return joined;
+}
+
+SurfaceFeatures JoinedFeatures(
+  const std::vector<SurfaceFeatures>& features, const std::vector<Mesh>& solids)
+{
+  SurfaceFeatures joined;
+  int points = 0;
+  for (std::size_t i = 0; i < features.size(); ++i)
+  {
+    Append(joined.PatchOf, features[i].PatchOf, joined.Patches);
+    for (FeatureCurve curve : features[i].Curves)
+    {
+      for (int& point : curve.Points)
+      {
+        point += points;
+      }
+      for (int& patch : curve.Patches)
+      {
+        patch += joined.Patches;
+      }
+      joined.Curves.push_back(std::move(curve));
+    }
+    for (const int corner : features[i].Corners)
+    {
+      joined.Corners.push_back(corner + points);
+    }
+    joined.CreaseLength += features[i].CreaseLength;
+    joined.CurveLength += features[i].CurveLength;
+    joined.Patches += features[i].Patches;
+    points += static_cast<int>(solids[i].Points.rows());
+  }
+  return joined;
+}
+
+std::vector<double> SharesOfSolids(const std::vector<Mesh>& solids)
+{
+  // So many for all that are small.
+  constexpr double small = 0.25;
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (const Mesh& solid : solids)
+  {
+    shares.push_back(EnclosedVolume(solid));
+    sum += shares.back();
+  }
+  double all = 0.0;
+  for (double& share : shares)
+  {
+    share = std::max(share / sum, small / static_cast<double>(solids.size()));
+    all += share;
+  }
+  for (double& share : shares)
+  {
+    share /= all;
+  }
+  return shares;
+}
+
+} // namespace shape

@@ -1,0 +1,242 @@
+#include "Hex/Optimize/HexOptimization.h"
+
+#include "Base/Errors.h"
+#include "Hex/Optimize/Private/HexSweeps.h"
+#include "Hex/Optimize/Private/HexUntangling.h"
+#include "Quality/ScaledJacobian.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+const std::vector<double> GentleSharpnesses = { 2, 4, 6 };
+const std::vector<double> Sharpnesses = { 2, 4, 6, 8, 10, 12, 16, 20 };
+const std::vector<double> WorstSharpnesses = { 25, 30, 40, 60, 90 };
+
+/// Keeps the points of the best of several states: the fewest inverted, then the best worst one.
+class Best
+{
+public:
+  explicit Best(HexMesh& mesh)
+    : Mesh(mesh)
+    , Values(ScaledJacobians(mesh))
+  {
+  }
+
+  void Offer(Eigen::MatrixXd places)
+  {
+    places.swap(this->Mesh.Points);
+    Eigen::VectorXd values = ScaledJacobians(this->Mesh);
+    const int inverted = Count(values), before = this->Inverted();
+    if (inverted < before || (inverted == before && values.minCoeff() >= this->Values.minCoeff()))
+    {
+      this->Values.swap(values);
+    }
+    else
+    {
+      places.swap(this->Mesh.Points);
+    }
+  }
+
+  int Inverted() const { return Count(this->Values); }
+  double Least() const { return this->Values.minCoeff(); }
+
+private:
+  static int Count(const Eigen::VectorXd& values)
+  {
+    return static_cast<int>((values.array() <= 0.0).count());
+  }
+
+  HexMesh& Mesh;
+  Eigen::VectorXd Values;
+};
+
+/// Sweeps over the points that move; the best state on the way is offered.
+void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
+  const std::vector<double>& sharpnesses, const HexOptimizationOptions& options, Best& best,
+  const Progress& progress)
+{
+  const int count = options.Sweeps;
+  HexSweeps sweeps(mesh, constraint);
+  const double steps = static_cast<double>(sharpnesses.size()) * count;
+  double done = 0.0;
+  for (const double sharpness : sharpnesses)
+  {
+    for (int sweep = 0; sweep < count; ++sweep)
+    {
+      sweeps.Lower(sharpness, options.Marked, progress.Part(done / steps, (done + 1.0) / steps));
+      ++done;
+    }
+    best.Offer(sweeps.Places());
+  }
+}
+
+/// Of the marks leaves those that are in others, too, where there are any.
+void LeaveMarked(const std::vector<char>& others, std::vector<char>& marked)
+{
+  for (std::size_t point = 0; point < std::min(marked.size(), others.size()); ++point)
+  {
+    marked[point] = static_cast<char>(marked[point] && others[point]);
+  }
+}
+
+/// Sweeps over the points of bad hexahedra.
+void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
+  const HexOptimizationOptions& options, Best& best, const Progress& progress)
+{
+  HexSweeps sweeps(mesh, constraint);
+  const double steps = static_cast<double>(WorstSharpnesses.size()) * options.WorstSweeps;
+  double done = 0.0;
+  for (const double sharpness : WorstSharpnesses)
+  {
+    std::vector<char> marked;
+    for (int sweep = 0; sweep < options.WorstSweeps; ++sweep)
+    {
+      constexpr int between = 5; // which are bad changes little by one sweep
+      if (sweep % between == 0)
+      {
+        marked = PointsOfBad({ sweeps.Places(), mesh.Hexahedra }, options.Bad);
+        LeaveMarked(options.Marked, marked);
+      }
+      if (marked.empty())
+      {
+        break;
+      }
+      sweeps.Lower(sharpness, marked, progress.Part(done / steps, (done + 1.0) / steps));
+      ++done;
+    }
+    best.Offer(sweeps.Places());
+  }
+}
+
+/// Sweeps over the points of bad hexahedra, and longer ones near those that are still too bad.
+void Raise(const HexMesh& mesh, const PointConstraint& constraint,
+  const HexOptimizationOptions& options, Best& best, const Progress& progress)
+{
+  LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
+  constexpr double leastGain = 0.01, share = 0.2;
+  constexpr double most = 0.1; // of the points: where more are concerned it helps too little
+  constexpr int attempts = 3, rings = 3;
+  HexOptimizationOptions longer = options;
+  longer.WorstSweeps *= 3;
+  double before = options.RaiseAgainFrom - leastGain;
+  for (int attempt = 0;
+       attempt < attempts && best.Least() < options.RaiseTo && best.Least() >= before + leastGain;
+       ++attempt)
+  {
+    const double begin = 0.4 + share * attempt;
+    before = best.Least();
+    longer.Marked = PointsOfBad(mesh, options.RaiseTo);
+    GrowRings(mesh.Hexahedra, rings, longer.Marked);
+    LeaveMarked(options.Marked, longer.Marked);
+    if (static_cast<double>(std::count(longer.Marked.begin(), longer.Marked.end(), 1)) >
+      most * static_cast<double>(mesh.Points.rows()))
+    {
+      break;
+    }
+    LowerWorst(mesh, constraint, longer, best, progress.Part(begin, begin + share));
+  }
+}
+
+/// A few gentle sweeps turn most of what is inverted; the rest is untangled before sharper ones,
+/// which turn little, are spent on it.
+void Turn(HexMesh& mesh, const PointConstraint& constraint, const HexOptimizationOptions& options,
+  Best& best, const Progress& progress)
+{
+  LowerAll(mesh, constraint, GentleSharpnesses, options, best, progress.Part(0.0, 0.3));
+  if (best.Inverted() > 0)
+  {
+    HexMesh untangled = mesh;
+    UntangleHexahedra(untangled, constraint, progress.Part(0.3, 1.0));
+    best.Offer(std::move(untangled.Points));
+  }
+}
+
+void RequireIndices(const HexMesh& mesh)
+{
+  if (mesh.Hexahedra.size() > 0 &&
+    (mesh.Hexahedra.minCoeff() < 0 || mesh.Hexahedra.maxCoeff() >= mesh.Points.rows()))
+  {
+    throw InvalidInput("a hexahedron has a point that is not there");
+  }
+}
+
+} // namespace
+
+void SmoothHexahedra(
+  HexMesh& mesh, const PointConstraint& constraint, int sweeps, const Progress& progress)
+{
+  RequireIndices(mesh);
+  HexSweeps mover(mesh, constraint);
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    mover.Smooth({}, progress.Part(static_cast<double>(sweep) / sweeps, (sweep + 1.0) / sweeps));
+  }
+  mover.Project();
+  mesh.Points = mover.Places();
+}
+
+void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
+{
+  RequireIndices(mesh);
+  HexSweeps mover(mesh, constraint);
+  constexpr int rounds = 10;
+  for (int round = 0; round < rounds; ++round)
+  {
+    std::vector<char> marked = PointsOfBad(mesh, 0.0);
+    if (marked.empty())
+    {
+      break;
+    }
+    GrowRings(mesh.Hexahedra, round, marked);
+    mover.Smooth(
+      marked, progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds));
+    mesh.Points = mover.Places();
+  }
+}
+
+HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
+  const HexOptimizationOptions& options, const Progress& progress)
+{
+  if (options.Sweeps < 0 || options.WorstSweeps < 0)
+  {
+    throw InvalidInput("Sweeps and WorstSweeps must not be negative");
+  }
+  RequireIndices(mesh);
+  if (mesh.Hexahedra.size() == 0)
+  {
+    return {};
+  }
+  Best best(mesh);
+  HexOptimizationResult result;
+  result.LeastBefore = best.Least();
+  result.InvertedBefore = best.Inverted();
+  // Sweeps over all points free some of what untangling alone does not.
+  constexpr double worstFrom = 0.8; // of the progress
+  constexpr int attempts = 2;
+  for (int attempt = 0; attempt < attempts && (attempt == 0 || best.Inverted() > 0); ++attempt)
+  {
+    const Progress part =
+      progress.Part(worstFrom * attempt / attempts, worstFrom * (attempt + 1.0) / attempts);
+    if (best.Inverted() > 0)
+    {
+      Turn(mesh, constraint, options, best, part.Part(0.0, 0.4));
+    }
+    LowerAll(mesh, constraint, Sharpnesses, options, best, part.Part(0.4, 1.0));
+  }
+  if (best.Least() > options.RaiseFrom)
+  {
+    Raise(mesh, constraint, options, best, progress.Part(worstFrom, 1.0));
+  }
+  result.LeastAfter = best.Least();
+  result.InvertedAfter = best.Inverted();
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,222 @@
+#include "Hex/Optimize/Private/HexSweeps.h"
+
+#include "Base/Parallel.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <iterator>
+
+namespace shape
+{
+namespace
+{
+
+/// Of a point's reach: shorter steps are not made, and by less nothing has moved.
+constexpr double Negligible = 1e-4;
+
+/// Moves a point along some directions where that lowers the energy, and tells whether it did.
+bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double sharpness,
+  const StarEnergy::Expansion& here, const PointDirections& directions,
+  const PointConstraint& constraint, int id)
+{
+  const Eigen::Vector3d x = point;
+  Eigen::MatrixXd curvature = directions.transpose() * here.Curvature * directions;
+  constexpr double ridge = 1e-6;
+  curvature.diagonal().array() += ridge * curvature.trace();
+  Eigen::Vector3d step =
+    -directions * curvature.ldlt().solve(directions.transpose() * here.Gradient);
+  if (!step.allFinite())
+  {
+    return false;
+  }
+  // The expansion says nothing about places beyond the neighbours.
+  const double longest = 0.5 * star.Reach(x), length = step.norm();
+  if (length < Negligible * longest)
+  {
+    return false;
+  }
+  step *= length > longest ? longest / length : 1.0;
+  for (double share = 1.0; share > 0.02; share *= 0.4)
+  {
+    Eigen::Vector3d place = x + share * step;
+    if (constraint.Freedom(id) < 3)
+    {
+      place = constraint.Nearest(id, place.transpose()).transpose();
+    }
+    if (star.Value(place, sharpness) < here.Value)
+    {
+      point = place;
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
+  : Hexahedra(mesh.Hexahedra)
+  , LeastSquares(StarEnergy::LeastSquares(mesh))
+  , Points(mesh.Points.transpose())
+  , Constraint(constraint)
+  , Around(mesh.Points.rows())
+  , MovedAt(mesh.Points.rows(), 0)
+  , LookedAt(mesh.Points.rows(), 0)
+{
+  for (int hex = 0; hex < this->Hexahedra.rows(); ++hex)
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      this->Around[this->Hexahedra(hex, corner)].push_back({ hex, corner });
+    }
+  }
+  this->FindIndependentSets();
+}
+
+void HexSweeps::Lower(double sharpness, const std::vector<char>& marked, const Progress& progress)
+{
+  if (sharpness != this->Sharpness)
+  {
+    std::fill(this->LookedAt.begin(), this->LookedAt.end(), 0);
+    this->Sharpness = sharpness;
+  }
+  this->ForAll(marked, progress,
+    [&](int point)
+    {
+      if (!this->IsAtRest(point))
+      {
+        this->LookedAt[point] = this->Now;
+        this->Move(point, sharpness);
+      }
+    });
+}
+
+void HexSweeps::Smooth(const std::vector<char>& marked, const Progress& progress)
+{
+  this->ForAll(marked, progress, [&](int point) { this->MoveTowardsMean(point); });
+}
+
+void HexSweeps::Project()
+{
+  this->ForAll({}, {},
+    [&](int point)
+    {
+      if (this->Constraint.Freedom(point) < 3)
+      {
+        this->Points.col(point) =
+          this->Constraint.Nearest(point, this->Points.col(point).transpose()).transpose();
+      }
+    });
+}
+
+/// Points without a common hexahedron, greedily.
+void HexSweeps::FindIndependentSets()
+{
+  std::vector<int> setOf(this->Around.size(), -1);
+  for (std::size_t point = 0; point < this->Around.size(); ++point)
+  {
+    std::vector<char> taken(this->IndependentSets.size() + 1, 0);
+    for (const auto& incidence : this->Around[point])
+    {
+      for (const int other : this->Hexahedra.row(incidence[0]))
+      {
+        if (setOf[other] >= 0)
+        {
+          taken[setOf[other]] = 1;
+        }
+      }
+    }
+    const auto set = std::find(taken.begin(), taken.end(), 0) - taken.begin();
+    if (set == static_cast<std::ptrdiff_t>(this->IndependentSets.size()))
+    {
+      this->IndependentSets.emplace_back();
+    }
+    setOf[point] = static_cast<int>(set);
+    if (!this->Around[point].empty() && this->Constraint.Freedom(static_cast<int>(point)) > 0)
+    {
+      this->IndependentSets[set].push_back(static_cast<int>(point));
+    }
+  }
+}
+
+template <typename Body>
+void HexSweeps::ForAll(const std::vector<char>& marked, const Progress& progress, const Body& body)
+{
+  const auto count = static_cast<double>(this->IndependentSets.size());
+  double done = 0.0;
+  for (const std::vector<int>& set : this->IndependentSets)
+  {
+    ++this->Now;
+    std::vector<int> points;
+    std::copy_if(set.begin(), set.end(), std::back_inserter(points),
+      [&](int point) { return marked.empty() || marked[point]; });
+    ParallelFor(
+      static_cast<int>(points.size()), 64,
+      [&](int begin, int end)
+      { std::for_each(&points[begin], &points[begin] + end - begin, body); },
+      progress.Part(done / count, (done + 1.0) / count));
+    ++done;
+  }
+}
+
+bool HexSweeps::IsAtRest(int point) const
+{
+  const int looked = this->LookedAt[point];
+  return looked > 0 &&
+    std::all_of(this->Around[point].begin(), this->Around[point].end(),
+      [&](const auto& incidence)
+      {
+        const auto corners = this->Hexahedra.row(incidence[0]);
+        return std::all_of(
+          corners.begin(), corners.end(), [&](int other) { return this->MovedAt[other] < looked; });
+      });
+}
+
+void HexSweeps::MoveTowardsMean(int point)
+{
+  const int freedom = this->Constraint.Freedom(point);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (const auto& [hex, corner] : this->Around[point])
+  {
+    for (const int end : HexNeighbours[corner])
+    {
+      const int neighbour = this->Hexahedra(hex, end);
+      if (this->Constraint.Freedom(neighbour) <= freedom)
+      {
+        sum += this->Points.col(neighbour);
+        ++count;
+      }
+    }
+  }
+  if (count > 0)
+  {
+    const Eigen::Vector3d mean = 0.5 * (this->Points.col(point) + sum / count);
+    this->Points.col(point) =
+      freedom == 3 ? mean : this->Constraint.Nearest(point, mean.transpose()).transpose();
+  }
+}
+
+/// A Newton step along the directions that the constraint allows; where these lead nowhere, as at a
+/// ridge of the surface, one in any direction and back to where the point may be.
+void HexSweeps::Move(int point, double sharpness)
+{
+  const Eigen::Vector3d x = this->Points.col(point);
+  const StarEnergy star(this->Points, this->Hexahedra, this->LeastSquares, this->Around[point]);
+  const StarEnergy::Expansion here = star.Expand(x, sharpness);
+  const bool free = this->Constraint.Freedom(point) == 3;
+  const PointDirections all = Eigen::Matrix3d::Identity();
+  const PointDirections allowed = free ? all : this->Constraint.Directions(point, x.transpose());
+  if (!Step(this->Points.col(point), star, sharpness, here, allowed, this->Constraint, point) &&
+    !free)
+  {
+    Step(this->Points.col(point), star, sharpness, here, all, this->Constraint, point);
+  }
+  if ((this->Points.col(point) - x).norm() > Negligible * star.Reach(x))
+  {
+    this->MovedAt[point] = this->Now;
+  }
+}
+
+} // namespace shape

@@ -1,0 +1,204 @@
+#include "Hex/Polycube/GivenPolycube.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Search/ClosestPoint.h"
+#include "Solids/GridWinding.h"
+#include "Hex/Polycube/Private/PolycubeMap.h"
+#include "Hex/Voxels/VoxelSolid.h"
+#include "Harmonic/HarmonicVolumeMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// What counts as the same coordinate, as a share of the polycube's size.
+constexpr double Flatness = 1e-6;
+/// How far from the surface sources may lie, as a share of its diagonal.
+constexpr double FarthestSource = 0.02;
+
+/// The coordinates of faces along each axis, ascending. Throws where a triangle is across none.
+std::vector<double> FaceCoordinates(const Mesh& polycube, double size, int axis)
+{
+  std::vector<double> all;
+  for (Eigen::Index t = 0; t < polycube.Triangles.rows(); ++t)
+  {
+    const Eigen::Matrix3d corners = Corners(polycube, t);
+    if (corners.col(axis).maxCoeff() - corners.col(axis).minCoeff() <= Flatness * size)
+    {
+      all.push_back(corners.col(axis).mean());
+    }
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<double> coordinates;
+  for (const double value : all)
+  {
+    if (coordinates.empty() || value - coordinates.back() > 2.0 * Flatness * size)
+    {
+      coordinates.push_back(value);
+    }
+  }
+  return coordinates;
+}
+
+void RequireAcrossAxes(const Mesh& polycube, double size)
+{
+  int count = 0;
+  Eigen::Index first = -1;
+  for (Eigen::Index t = 0; t < polycube.Triangles.rows(); ++t)
+  {
+    const Eigen::Matrix3d corners = Corners(polycube, t);
+    const Eigen::RowVector3d extent = corners.colwise().maxCoeff() - corners.colwise().minCoeff();
+    if (extent.minCoeff() > Flatness * size)
+    {
+      first = first < 0 ? t : first;
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    throw InvalidInput("the Polycube has " + std::to_string(count) +
+      " triangles that do not lie across an axis (first triangle " + std::to_string(first) +
+      "); give the second output of Shape Polycube, or a surface of such faces");
+  }
+}
+
+/// The greatest length that faces are at whole multiples of. Throws where there is none.
+double UnitOf(const Mesh& polycube, double size)
+{
+  constexpr double least = 1e-3; // of the size: a thousand cells along it
+  double unit = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double> coordinates = FaceCoordinates(polycube, size, axis);
+    for (std::size_t i = 1; i < coordinates.size(); ++i)
+    {
+      // Euclid's algorithm, with remainders around 0.
+      double other = coordinates[i] - coordinates[0];
+      while (other > 0.1 * least * size)
+      {
+        const double remainder = std::abs(std::remainder(unit, other));
+        unit = other;
+        other = remainder;
+      }
+    }
+  }
+  if (unit < least * size)
+  {
+    throw InvalidInput("the Polycube's faces are not at whole multiples of one length, of at least "
+                       "a thousandth of its longest side; move them there");
+  }
+  return unit;
+}
+
+/// The grid of cells in the polycube's box, with a layer around them.
+SampledGrid GridIn(const Mesh& polycube, double cell)
+{
+  const Eigen::RowVector3d low = polycube.Points.colwise().minCoeff();
+  const Eigen::RowVector3d sides = polycube.Points.colwise().maxCoeff() - low;
+  SampledGrid grid;
+  grid.Spacing = cell;
+  grid.Origin = low.array() - 0.5 * cell;
+  grid.Counts = (sides / cell).array().round().cast<int>() + 2;
+  return grid;
+}
+
+std::vector<char> CellsInside(const Mesh& polycube, const SampledGrid& grid)
+{
+  const Eigen::VectorXi windings = GridWindingNumbers(polycube, grid);
+  const auto twice = (windings.array() > 1).count();
+  if (twice > 0)
+  {
+    throw InvalidInput("the Polycube overlaps itself in " + std::to_string(twice) +
+      " cells; try Shape Polycube with another Compactness");
+  }
+  std::vector<char> inside(windings.size());
+  std::transform(windings.begin(), windings.end(), inside.begin(),
+    [](int winding) { return static_cast<char>(winding > 0); });
+  return inside;
+}
+
+void RequireTopology(const HexMesh& cells, const Mesh& surface)
+{
+  const Topology wanted = SurfaceTopology(surface);
+  const Topology found = SurfaceTopology({ cells.Points, SplitQuads(BoundaryQuads(cells)) });
+  if (found.NonManifoldEdges > 0 || found.NonManifoldPoints > 0)
+  {
+    throw InvalidInput("the Polycube touches itself in an edge or a point; move its parts apart");
+  }
+  if (found.EulerNumber != wanted.EulerNumber || found.Components != wanted.Components)
+  {
+    throw InvalidInput("the Polycube has the Euler number " + std::to_string(found.EulerNumber) +
+      " and " + std::to_string(found.Components) + " components, and the Surface " +
+      std::to_string(wanted.EulerNumber) + " and " + std::to_string(wanted.Components) +
+      "; give the polycube of this surface");
+  }
+}
+
+void RequireSourcesOn(const Eigen::MatrixXd& sources, const Mesh& surface)
+{
+  const double diagonal = BoxDiagonal(surface.Points);
+  Eigen::Index farthest = 0;
+  const double distance = SurfaceLocator(surface).Find(sources).Distances.maxCoeff(&farthest);
+  if (distance > FarthestSource * diagonal)
+  {
+    throw InvalidInput("the Polycube's SourcePosition lies up to " + std::to_string(distance) +
+      " away from the Surface (at point " + std::to_string(farthest) +
+      "); give the polycube of this surface");
+  }
+}
+
+} // namespace
+
+GivenPolycubeCells CellsOfPolycube(const GivenPolycube& polycube, const Mesh& surface,
+  double cellSize, int most, const Progress& progress)
+{
+  RequireClosedSurface(polycube.Surface, "the Polycube");
+  if (polycube.Sources.rows() != polycube.Surface.Points.rows() || polycube.Sources.cols() != 3)
+  {
+    throw InvalidInput("the Polycube's SourcePosition must be 3 numbers for each of its points");
+  }
+  RequireFinite(polycube.Sources, "the Polycube's SourcePosition");
+  RequireSourcesOn(polycube.Sources, surface);
+  const Mesh outer = FacingOutwards(polycube.Surface);
+  const double size = LongestSide(outer.Points);
+  RequireAcrossAxes(outer, size);
+  const double unit = UnitOf(outer, size), volume = EnclosedVolume(outer);
+  // The polycube may be drawn at another scale than the surface.
+  const double scale = std::cbrt(volume / std::abs(EnclosedVolume(surface)));
+  const double wanted = cellSize > 0.0 ? cellSize * scale : std::cbrt(volume / AutomaticCells);
+  const double cell = unit / std::max(1.0, std::round(unit / wanted));
+  if (volume / (cell * cell * cell) > most)
+  {
+    throw InvalidInput("the Polycube's unit " + std::to_string(unit) + " makes more than " +
+      std::to_string(most) + " cells; give one with a greater unit (TargetEdgeLength)");
+  }
+  const SampledGrid grid = GridIn(outer, cell);
+  GivenPolycubeCells cells{ VoxelHexahedra(grid, CellsInside(outer, grid)), cell / scale };
+  RequireTopology(cells.Solid, surface);
+
+  HarmonicVolumeMapOptions options;
+  options.MaximumLevels = 3;
+  const HarmonicVolumeMapResult map =
+    HarmonicVolumeMap(outer, polycube.Sources, {}, options, progress.Part(0.0, 0.9));
+  Eigen::MatrixXd carried = Evaluate(map.Map, cells.Solid.Points);
+  const Eigen::MatrixXi quads = BoundaryQuads(cells.Solid);
+  std::vector<int> onBoundary(quads.data(), quads.data() + quads.size());
+  std::sort(onBoundary.begin(), onBoundary.end());
+  onBoundary.erase(std::unique(onBoundary.begin(), onBoundary.end()), onBoundary.end());
+  carried(onBoundary, Eigen::all) =
+    Pulled(SurfaceLocator(outer).Find(cells.Solid.Points(onBoundary, Eigen::all)), outer.Triangles,
+      polycube.Sources);
+  cells.Solid.Points = std::move(carried);
+  progress(1.0);
+  return cells;
+}
+
+} // namespace shape

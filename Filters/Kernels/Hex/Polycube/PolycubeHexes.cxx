@@ -1,0 +1,221 @@
+#include "Hex/Polycube/PolycubeHexes.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Search/ClosestPoint.h"
+#include "Hex/Polycube/Private/Charts.h"
+#include "Hex/Polycube/Private/IntegerMapHexes.h"
+#include "Hex/Polycube/Polycube.h"
+#include "Hex/Polycube/Private/PolycubeMap.h"
+#include "Hex/Polycube/Private/VoxelPolycube.h"
+#include "Quality/ScaledJacobian.h"
+#include "Harmonic/HarmonicVolumeMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// The area of the smallest patch with borders of its own, in faces of cells.
+constexpr double LeastPatch = 4.0;
+/// Where the worst hexahedron of a polycube with charts is worse, that of a grid is tried, too.
+constexpr double LeastAccepted = 0.2;
+
+/// Hexahedra of a polycube before they are optimised.
+struct Cubes
+{
+  HexMesh Solid;
+  Eigen::MatrixXd Places; ///< n x 3: on the polycube
+  double CellSize;
+  PolycubeHexesResult::MapType Map;
+  bool Overlaps;
+};
+
+int CountInverted(const HexMesh& mesh)
+{
+  return static_cast<int>((ScaledJacobians(mesh).array() <= 0.0).count());
+}
+
+std::vector<char> OnBoundary(const HexMesh& mesh)
+{
+  std::vector<char> on(mesh.Points.rows(), 0);
+  const Eigen::MatrixXi quads = BoundaryQuads(mesh);
+  for (const int point : quads.reshaped())
+  {
+    on[point] = 1;
+  }
+  return on;
+}
+
+/// The cells of the polycube, by the better one of two maps.
+Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
+{
+  IntegerMapHexesResult hexes = IntegerMapHexes(map.Solid.Points, map.Places, map.Solid.Tetrahedra);
+  Cubes cubes{ std::move(hexes.Solid), std::move(hexes.Places), map.CellSize,
+    PolycubeHexesResult::MapType::Tetrahedra, hexes.Overlaps };
+  if (cubes.Overlaps)
+  {
+    return cubes;
+  }
+  HarmonicVolumeMapOptions options;
+  options.MaximumLevels = 3;
+  const HarmonicVolumeMapResult harmonic = HarmonicVolumeMap(
+    map.Solid.Surface(map.Places), map.Solid.Surface().Points, {}, options, progress);
+  const Eigen::MatrixXd carried = Evaluate(harmonic.Map, cubes.Places);
+  HexMesh other{ cubes.Solid.Points, cubes.Solid.Hexahedra };
+  const std::vector<char> outer = OnBoundary(other);
+  for (Eigen::Index i = 0; i < other.Points.rows(); ++i)
+  {
+    if (!outer[i] && carried.row(i).allFinite())
+    {
+      other.Points.row(i) = carried.row(i);
+    }
+  }
+  if (CountInverted(other) <= CountInverted(cubes.Solid))
+  {
+    cubes.Solid = std::move(other);
+    cubes.Map = PolycubeHexesResult::MapType::Harmonic;
+  }
+  return cubes;
+}
+
+bool HasTopology(const HexMesh& mesh, const Topology& wanted)
+{
+  const Topology topology = SurfaceTopology({ mesh.Points, SplitQuads(BoundaryQuads(mesh)) });
+  return topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components &&
+    topology.NonManifoldEdges == 0 && topology.NonManifoldPoints == 0;
+}
+
+/// Those of a polycube with charts; none, and `why`, where there are none that will do.
+std::optional<Cubes> CubesOfCharts(const Mesh& surface, const PolycubeHexesOptions& options,
+  std::string& why, const Progress& progress)
+{
+  const Topology wanted = RequireClosedSurface(surface, "the surface");
+  try
+  {
+    PolycubeMapOptions mapOptions;
+    mapOptions.Compactness = options.Compactness;
+    mapOptions.CellSize = options.CellSize;
+    const PolycubeMap map = FindPolycubeMap(surface, mapOptions, progress.Part(0.0, 0.8));
+    Cubes cubes = CubesOfMap(map, progress.Part(0.8, 1.0));
+    if (HasTopology(cubes.Solid, wanted) &&
+      cubes.Solid.Hexahedra.rows() <= options.MaximumHexahedra)
+    {
+      return cubes;
+    }
+    why = "the polycube's cells are too many, or have not the topology of the surface";
+  }
+  catch (const SolveFailure& failure)
+  {
+    why = failure.what();
+  }
+  return std::nullopt;
+}
+
+Cubes CubesOfVoxels(
+  const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+{
+  const double cells = options.CellSize > 0.0
+    ? EnclosedVolume(surface) / std::pow(options.CellSize, 3)
+    : AutomaticCells;
+  VoxelPolycube voxels = FindVoxelPolycube(surface, options.Compactness,
+    static_cast<int>(std::clamp<double>(cells, 1.0, options.MaximumHexahedra)),
+    options.MaximumHexahedra, progress);
+  return { std::move(voxels.Solid), std::move(voxels.Places), voxels.CellSize,
+    PolycubeHexesResult::MapType::Voxels, false };
+}
+
+/// The points that triangles use, and the triangles with their numbers.
+Mesh Compacted(const Eigen::MatrixXd& points, Eigen::MatrixXi triangles, Eigen::VectorXi& used)
+{
+  std::vector<int> number(points.rows(), -1), kept;
+  for (Eigen::Index i = 0; i < triangles.size(); ++i)
+  {
+    int& point = triangles.data()[i];
+    if (number[point] < 0)
+    {
+      number[point] = static_cast<int>(kept.size());
+      kept.push_back(point);
+    }
+    point = number[point];
+  }
+  used = Eigen::Map<const Eigen::VectorXi>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+  return { points(used, Eigen::all), std::move(triangles) };
+}
+
+PolycubeHexesResult FitCubes(const Cubes& cubes, const SurfaceLocator& locator,
+  const PolycubeHexesOptions& options, const Progress& progress)
+{
+  PolycubeHexesResult result;
+  const double size = cubes.CellSize;
+  result.Features = FindFeatures(locator.Surface(), options.FeatureAngle, LeastPatch * size * size);
+  result.Fit = FitHexahedra(cubes.Solid, locator, result.Features,
+    { options.PaddingLayers, options.MaximumHexahedra }, progress);
+  // Points of the boundary stay points of the boundary.
+  Eigen::VectorXi points;
+  result.Polycube = Compacted(cubes.Places, SplitQuads(BoundaryQuads(cubes.Solid)), points);
+  result.Targets = result.Fit.Solid.Points(points, Eigen::all);
+  Eigen::VectorXi labels(result.Polycube.Triangles.rows());
+  for (Eigen::Index f = 0; f < labels.size(); ++f)
+  {
+    labels(f) = PolygonLabel(Corners(result.Polycube, f));
+  }
+  const Charts charts = FindCharts(result.Polycube, labels);
+  result.Charts = charts.Count();
+  result.Corners = static_cast<int>(std::count_if(charts.AtPoint.begin(), charts.AtPoint.end(),
+    [](const std::vector<int>& around) { return around.size() > 2; }));
+  result.CellSize = cubes.CellSize;
+  result.Map = cubes.Map;
+  result.Overlaps = cubes.Overlaps;
+  return result;
+}
+
+} // namespace
+
+PolycubeHexesResult PolycubeHexes(
+  const Mesh& given, const PolycubeHexesOptions& options, const Progress& progress)
+{
+  const Mesh surface = FacingOutwards(given);
+  if (options.MaximumHexahedra < 1)
+  {
+    throw InvalidInput("MaximumHexahedra must be at least 1");
+  }
+  std::string why;
+  const std::optional<Cubes> cubes = CubesOfCharts(surface, options, why, progress.Part(0.0, 0.4));
+  const SurfaceLocator locator(surface);
+  std::optional<PolycubeHexesResult> result;
+  if (cubes)
+  {
+    result = FitCubes(*cubes, locator, options, progress.Part(0.4, 0.7));
+  }
+  if (!result || result->Fit.LeastScaledJacobian < LeastAccepted)
+  {
+    try
+    {
+      const Cubes voxels = CubesOfVoxels(surface, options, progress.Part(0.7, 0.8));
+      PolycubeHexesResult other = FitCubes(voxels, locator, options, progress.Part(0.8, 1.0));
+      if (!result || other.Fit.LeastScaledJacobian > result->Fit.LeastScaledJacobian)
+      {
+        result = std::move(other);
+      }
+    }
+    catch (const SolveFailure& failure)
+    {
+      if (!result)
+      {
+        throw SolveFailure(why + "; " + failure.what());
+      }
+    }
+  }
+  progress(1.0);
+  return std::move(*result);
+}
+
+} // namespace shape

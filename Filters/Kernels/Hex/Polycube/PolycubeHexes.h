@@ -1,0 +1,57 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+#include "Hex/Fit/HexFit.h"
+#include "Remesh/SurfaceFeatures.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+struct PolycubeHexesOptions
+{
+  double CellSize = 0.0;    ///< in the surface's units; 0: what gives about 16,000 hexahedra
+  double Compactness = 3.0; ///< see FindPolycubeMap
+  int MaximumHexahedra = 200000;
+  int PaddingLayers = 1;      ///< of hexahedra around the polycube's cells; >= 1
+  double FeatureAngle = 40.0; ///< between normals, in degrees: what is sharper is a crease
+};
+
+struct PolycubeHexesResult
+{
+  HexFit Fit;
+  SurfaceFeatures Features; ///< creases that were looked for, patches at least 4 cells large
+  /// The polycube's surface in cells, its unit squares cut in two, and where its points went: on
+  /// the boundary of the hexahedra.
+  Mesh Polycube;
+  Eigen::MatrixXd Targets;
+  enum class MapType
+  {
+    Harmonic = 0,   ///< the harmonic map of the polycube's boundary map
+    Tetrahedra = 1, ///< the inverse of the tetrahedra's deformation
+    Voxels = 2      ///< of a grid, see FindVoxelPolycube: better, or no other was found
+  };
+  MapType Map = MapType::Tetrahedra; ///< what carried the grid
+  int Charts = 0;                    ///< flat parts of the polycube
+  int Corners = 0;                   ///< points where three or more of them meet
+  bool Overlaps = false;             ///< the polycube overlaps itself
+  double CellSize = 0.0;             ///< the one that was used
+};
+
+/**
+ * Hexahedra inside a closed surface: the unit cells of a polycube of the solid (FindPolycubeMap),
+ * brought back by the harmonic map of the polycube's boundary onto the surface (HarmonicVolumeMap)
+ * where that turns no more hexahedra over than the inverse of the tetrahedra's own map, which needs
+ * no polycube that is free of overlaps; with layers around them whose boundary lies on the surface
+ * and has its creases (FitHexahedra).
+ *
+ * The boundary has the Euler number and the components of the surface. Throws InvalidInput as
+ * Tetrahedralize, and where options are out of range; SolveFailure where neither a polycube nor a
+ * grid of the surface's topology is found; Aborted.
+ */
+PolycubeHexesResult PolycubeHexes(
+  const Mesh& surface, const PolycubeHexesOptions& options = {}, const Progress& progress = {});
+
+} // namespace shape

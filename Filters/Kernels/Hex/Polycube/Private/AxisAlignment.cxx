@@ -1,0 +1,329 @@
+#include "Hex/Polycube/Private/AxisAlignment.h"
+
+#include "Base/Parallel.h"
+#include "Linear/SparseSolve.h"
+#include "Untangle/EllipticEnergy.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+constexpr int RotationTrials = 400;
+constexpr double LeastRotationGain = 0.01;
+constexpr int AlignmentRounds = 16;
+constexpr int FlatteningRounds = 6;
+/// How far the wish of a triangle reaches along the surface, in edges: from the first round to the
+/// last.
+constexpr double FarthestReach = 8.0, NearestReach = 1.0;
+/// The weight of flatness against rigidity, in units of the one over an edge.
+constexpr double LeastFlatness = 0.2, GreatestFlatness = 100.0;
+constexpr int AlignmentGrain = 512;
+
+/// The rotation closest to a matrix.
+Eigen::Matrix3d Rotation(const Eigen::Matrix3d& matrix)
+{
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() < 0.0)
+  {
+    u.col(2) = -u.col(2);
+  }
+  return u * svd.matrixV().transpose();
+}
+
+Eigen::Matrix3d FromVector(const Eigen::Vector3d& vector)
+{
+  const double angle = vector.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
+                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
+/// The smallest rotation of a unit vector to the closest axis, as axis times angle.
+Eigen::Vector3d ToAxis(const Eigen::Vector3d& normal)
+{
+  Eigen::Index k;
+  normal.cwiseAbs().maxCoeff(&k);
+  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k) * (normal(k) < 0.0 ? -1.0 : 1.0);
+  const Eigen::Vector3d across = normal.cross(axis);
+  const double sine = across.norm();
+  return sine > 0.0 ? Eigen::Vector3d(across / sine * std::atan2(sine, normal.dot(axis)))
+                    : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+/// The shape of tetrahedra that are turned: linear finite elements.
+class Shape
+{
+public:
+  explicit Shape(const WorkingSolid& solid)
+    : Solid(solid)
+  {
+    const int tetrahedra = static_cast<int>(solid.Tetrahedra.rows());
+    this->Hats.resize(tetrahedra);
+    this->Volumes.resize(tetrahedra);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int t = 0; t < tetrahedra; ++t)
+    {
+      const Eigen::Matrix3d edges = this->EdgesOf(t, solid.Points);
+      this->Hats[t] = HatGradients(edges);
+      this->Volumes(t) = edges.determinant() / 6.0;
+      for (int a = 0; a < 4; ++a)
+      {
+        for (int b = 0; b < 4; ++b)
+        {
+          entries.emplace_back(solid.Tetrahedra(t, a), solid.Tetrahedra(t, b),
+            this->Volumes(t) * this->Hats[t].row(a).dot(this->Hats[t].row(b)));
+        }
+      }
+    }
+    const Eigen::Index points = solid.Points.rows();
+    this->Stiffness.resize(points, points);
+    this->Stiffness.setFromTriplets(entries.begin(), entries.end());
+    double length = 0.0;
+    for (const auto& triangle : solid.Triangles.rowwise())
+    {
+      length += (solid.Points.row(triangle(0)) - solid.Points.row(triangle(1))).norm();
+    }
+    this->EdgeLength = length / static_cast<double>(solid.Triangles.rows());
+  }
+
+  Eigen::Matrix3d JacobianOf(int t, const Eigen::MatrixXd& places) const
+  {
+    return this->EdgesOf(t, places) * this->Hats[t].bottomRows<3>();
+  }
+
+  /// The rotations closest to the Jacobians, times one more each, as the right side of the
+  /// equations for the shape that has them.
+  Eigen::MatrixXd RightSide(
+    const Eigen::MatrixXd& places, const std::function<Eigen::Matrix3d(int)>& further) const
+  {
+    const int tetrahedra = static_cast<int>(this->Hats.size());
+    std::vector<Eigen::Matrix<double, 4, 3>> parts(tetrahedra);
+    ParallelFor(tetrahedra, AlignmentGrain,
+      [&](int begin, int end)
+      {
+        for (int t = begin; t < end; ++t)
+        {
+          const Eigen::Matrix3d wanted = further(t) * Rotation(this->JacobianOf(t, places));
+          parts[t] = this->Volumes(t) * this->Hats[t] * wanted.transpose();
+        }
+      });
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(places.rows(), 3);
+    for (int t = 0; t < tetrahedra; ++t)
+    {
+      for (int a = 0; a < 4; ++a)
+      {
+        right.row(this->Solid.Tetrahedra(t, a)) += parts[t].row(a);
+      }
+    }
+    return right;
+  }
+
+  const WorkingSolid& Solid;
+  std::vector<Eigen::Matrix<double, 4, 3>> Hats;
+  Eigen::VectorXd Volumes;
+  Eigen::SparseMatrix<double> Stiffness;
+  double EdgeLength = 0.0;
+
+private:
+  Eigen::Matrix3d EdgesOf(int t, const Eigen::MatrixXd& places) const
+  {
+    Eigen::Matrix3d edges;
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.col(k) =
+        (places.row(this->Solid.Tetrahedra(t, k + 1)) - places.row(this->Solid.Tetrahedra(t, 0)))
+          .transpose();
+    }
+    return edges;
+  }
+};
+
+/// The sum of area-weighted wishes of the triangles at the points.
+Eigen::MatrixXd Wishes(
+  const WorkingSolid& solid, const Eigen::MatrixXd& places, const Eigen::VectorXd& areas)
+{
+  const Eigen::MatrixXd normals = AreaVectors(solid.Surface(places)).rowwise().normalized();
+  Eigen::MatrixXd wishes = Eigen::MatrixXd::Zero(places.rows(), 3);
+  for (Eigen::Index f = 0; f < normals.rows(); ++f)
+  {
+    const Eigen::Vector3d normal = normals.row(f).transpose();
+    if (normal.allFinite())
+    {
+      const Eigen::RowVector3d wish = areas(f) / 3.0 * ToAxis(normal).transpose();
+      for (int k = 0; k < 3; ++k)
+      {
+        wishes.row(solid.Triangles(f, k)) += wish;
+      }
+    }
+  }
+  return wishes;
+}
+
+Eigen::SparseMatrix<double> Diagonal(const Eigen::VectorXd& values)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < values.size(); ++i)
+  {
+    entries.emplace_back(i, i, values(i));
+  }
+  Eigen::SparseMatrix<double> matrix(values.size(), values.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+double Misalignment(const Eigen::MatrixXd& vectors, const Eigen::Matrix3d& rotation)
+{
+  return (vectors * rotation.transpose()).cwiseAbs().sum();
+}
+
+} // namespace
+
+Eigen::RowVector3d LabelAxis(int label)
+{
+  return Eigen::RowVector3d::Unit(label / 2) * (label % 2 == 0 ? 1.0 : -1.0);
+}
+
+Eigen::Matrix3d AxisRotation(const Mesh& surface)
+{
+  const Eigen::MatrixXd vectors = AreaVectors(surface);
+  Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
+  const double before = Misalignment(vectors, best);
+  double least = before;
+  // Rotations spread evenly (a Halton sequence through Shoemake's uniform quaternions), then ever
+  // smaller ones around the best.
+  const auto halton = [](int i, int base)
+  {
+    double fraction = 1.0, value = 0.0;
+    for (; i > 0; i /= base)
+    {
+      fraction /= base;
+      value += fraction * (i % base);
+    }
+    return value;
+  };
+  for (int trial = 1; trial <= RotationTrials; ++trial)
+  {
+    const double u = halton(trial, 2), v = 2.0 * M_PI * halton(trial, 3),
+                 w = 2.0 * M_PI * halton(trial, 5);
+    const Eigen::Quaterniond q(std::sqrt(1.0 - u) * std::sin(v), std::sqrt(1.0 - u) * std::cos(v),
+      std::sqrt(u) * std::sin(w), std::sqrt(u) * std::cos(w));
+    const Eigen::Matrix3d rotation = q.toRotationMatrix();
+    const double value = Misalignment(vectors, rotation);
+    if (value < least)
+    {
+      least = value;
+      best = rotation;
+    }
+  }
+  for (double angle = 0.2; angle > 1e-4; angle *= 0.7)
+  {
+    for (int k = 0; k < 6; ++k)
+    {
+      const Eigen::Matrix3d rotation = FromVector(angle * LabelAxis(k).transpose()) * best;
+      const double value = Misalignment(vectors, rotation);
+      if (value < least)
+      {
+        least = value;
+        best = rotation;
+      }
+    }
+  }
+  return least < (1.0 - LeastRotationGain) * before ? best
+                                                    : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
+Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progress)
+{
+  const Shape shape(solid);
+  const Eigen::VectorXd areas = 0.5 * AreaVectors(solid.Surface()).rowwise().norm();
+  Eigen::VectorXd pointAreas = Eigen::VectorXd::Zero(solid.Points.rows());
+  pointAreas.head(solid.SurfacePoints) = PointAreas(solid.Surface());
+  Eigen::VectorXd pin = Eigen::VectorXd::Zero(solid.Points.rows());
+  pin.array() += 1e-9 * shape.Stiffness.diagonal().mean();
+  SparseCholesky poisson;
+  const Eigen::SparseMatrix<double> pinned = shape.Stiffness + Diagonal(pin);
+  poisson.Factorize(pinned);
+  SparseCholesky smoothing;
+  Eigen::MatrixXd places = solid.Points;
+  for (int round = 0; round < AlignmentRounds; ++round)
+  {
+    progress(static_cast<double>(round) / AlignmentRounds);
+    const double reach =
+      shape.EdgeLength * std::max(NearestReach, FarthestReach * std::pow(0.85, round));
+    const Eigen::SparseMatrix<double> smooth = pinned + Diagonal(pointAreas / reach);
+    smoothing.Factorize(smooth);
+    const Eigen::MatrixXd turns = smoothing.Solve(Wishes(solid, places, areas) / reach);
+    const auto further = [&](int t)
+    {
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (int k = 0; k < 4; ++k)
+      {
+        mean += 0.25 * turns.row(solid.Tetrahedra(t, k)).transpose();
+      }
+      return FromVector(mean);
+    };
+    places = poisson.Solve(shape.RightSide(places, further) + pin.asDiagonal() * places);
+  }
+  return places;
+}
+
+Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorXi& labels,
+  const Eigen::MatrixXd& start, const Progress& progress)
+{
+  const Shape shape(solid);
+  const Eigen::VectorXd areas = 0.5 * AreaVectors(solid.Surface()).rowwise().norm();
+  std::array<std::vector<Eigen::Triplet<double>>, 3> flat;
+  for (Eigen::Index f = 0; f < solid.Triangles.rows(); ++f)
+  {
+    // The square of a triangle's gradient along its axis, for an equilateral one.
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = solid.Triangles(f, k), b = solid.Triangles(f, (k + 1) % 3);
+      auto& entries = flat[labels(f) / 2];
+      const double weight = 1.0 / std::sqrt(3.0);
+      entries.emplace_back(a, a, weight);
+      entries.emplace_back(b, b, weight);
+      entries.emplace_back(a, b, -weight);
+      entries.emplace_back(b, a, -weight);
+    }
+  }
+  Eigen::VectorXd pin = Eigen::VectorXd::Zero(solid.Points.rows());
+  pin.array() += 1e-9 * shape.Stiffness.diagonal().mean();
+  std::array<SparseCholesky, 3> factors;
+  std::array<Eigen::SparseMatrix<double>, 3> penalties;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    penalties[axis].resize(solid.Points.rows(), solid.Points.rows());
+    penalties[axis].setFromTriplets(flat[axis].begin(), flat[axis].end());
+  }
+  Eigen::MatrixXd places = start;
+  const auto none = [](int) { return Eigen::Matrix3d(Eigen::Matrix3d::Identity()); };
+  for (int round = 0; round < FlatteningRounds; ++round)
+  {
+    progress(static_cast<double>(round) / FlatteningRounds);
+    const double flatness = shape.EdgeLength * LeastFlatness *
+      std::pow(GreatestFlatness / LeastFlatness, round / (FlatteningRounds - 1.0));
+    const Eigen::MatrixXd right = shape.RightSide(places, none) + pin.asDiagonal() * places;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Eigen::SparseMatrix<double> matrix =
+        shape.Stiffness + Diagonal(pin) + flatness * penalties[axis];
+      factors[axis].Factorize(matrix);
+      places.col(axis) = factors[axis].Solve(right.col(axis));
+    }
+  }
+  return places;
+}
+
+} // namespace shape

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "Hex/Polycube/Private/WorkingSolid.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/**
+ * Labels 0..5 = +x, -x, +y, -y, +z, -z of the triangles of a solid's surface, by the normals that
+ * they have elsewhere, with short borders along creases (Livesu, Vining, Sheffer, Gregson and
+ * Scateni, "PolyCut: monotone graph-cuts for PolyCube base-complex construction", 2013, section 3):
+ * the cost of a label is 1 - exp(-((n . axis - 1) / 0.2)^2 / 2) for a triangle of the mean area,
+ * that of a border compactness exp(-((n . m - 1) / 0.25)^2 / 2) for an edge of the mean length
+ * between triangles whose normals at rest are n and m. Opposite labels are never neighbours.
+ *
+ * places (n x 3): where the normals are taken. further (m x 6): added to the costs, or empty.
+ */
+Eigen::VectorXi FindAxisLabels(const WorkingSolid& solid, const Eigen::MatrixXd& places,
+  double compactness, const Eigen::MatrixXd& further = {});
+
+} // namespace shape

@@ -1,0 +1,145 @@
+#include "Hex/Polycube/Private/IntegerCharts.h"
+
+#include "Hex/Polycube/Private/AxisAlignment.h"
+#include "Hex/Polycube/Private/TetrahedralWalk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+using Pair = std::pair<int, int>;
+
+std::array<int, 3> Sorted(std::array<int, 3> corners)
+{
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// Charts of one axis with a polycube edge between them.
+void AddEnds(const Charts& charts, std::set<Pair>& pairs)
+{
+  for (const Charts::Border& border : charts.Borders)
+  {
+    for (const int a : charts.AtPoint[border.Points.front()])
+    {
+      for (const int b : charts.AtPoint[border.Points.back()])
+      {
+        const int axis = charts.Labels[a] / 2;
+        if (a != b && axis == charts.Labels[b] / 2 && axis != charts.Labels[border.First] / 2 &&
+          axis != charts.Labels[border.Second] / 2)
+        {
+          pairs.insert({ a, b });
+        }
+      }
+    }
+  }
+}
+
+/// Charts that are met first from a triangle, straight through the solid.
+void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::MatrixXd& places,
+  std::set<Pair>& pairs)
+{
+  const TetrahedralWalk walk(places, solid.Tetrahedra);
+  const Eigen::RowVector3d size = places.colwise().maxCoeff() - places.colwise().minCoeff();
+  std::map<std::array<int, 3>, int> triangles;
+  for (int f = 0; f < solid.Triangles.rows(); ++f)
+  {
+    triangles[Sorted({ solid.Triangles(f, 0), solid.Triangles(f, 1), solid.Triangles(f, 2) })] = f;
+  }
+  for (int t = 0; t < solid.Tetrahedra.rows(); ++t)
+  {
+    const auto c = solid.Tetrahedra.row(t);
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto found = triangles.find(Sorted({ c((k + 1) % 4), c((k + 2) % 4), c((k + 3) % 4) }));
+      if (found == triangles.end())
+      {
+        continue;
+      }
+      const int chart = charts.Of(found->second);
+      const Eigen::RowVector3d from = (0.01 * places.row(c(k)) + 0.33 * places.row(c((k + 1) % 4)) +
+        0.33 * places.row(c((k + 2) % 4)) + 0.33 * places.row(c((k + 3) % 4)));
+      const Eigen::RowVector3d to = from - 2.0 * size.maxCoeff() * LabelAxis(charts.Labels[chart]);
+      const auto end = walk.Go(t, from.transpose(), to.transpose());
+      if (end.Arrived || end.Face < 0)
+      {
+        continue;
+      }
+      const auto e = solid.Tetrahedra.row(end.Tetrahedron);
+      const auto other = triangles.find(
+        Sorted({ e((end.Face + 1) % 4), e((end.Face + 2) % 4), e((end.Face + 3) % 4) }));
+      if (other != triangles.end() &&
+        charts.Labels[charts.Of(other->second)] / 2 == charts.Labels[chart] / 2)
+      {
+        pairs.insert({ chart, charts.Of(other->second) });
+      }
+    }
+  }
+}
+
+} // namespace
+
+Eigen::VectorXi IntegerCharts(const WorkingSolid& solid, const Charts& charts,
+  const TiedCoordinates& tied, const Eigen::MatrixXd& places)
+{
+  std::set<Pair> pairs;
+  AddEnds(charts, pairs);
+  AddFacing(solid, charts, places, pairs);
+  // Charts that are tied together have one number.
+  std::vector<int> unknown(charts.Count(), -1);
+  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(charts.Count());
+  for (std::size_t v = 0; v < charts.AtPoint.size(); ++v)
+  {
+    for (const int chart : charts.AtPoint[v])
+    {
+      const int axis = charts.Labels[chart] / 2;
+      unknown[chart] = tied.Unknowns(3 * v + axis);
+      wanted(chart) = places(v, axis);
+    }
+  }
+  std::map<int, std::vector<int>> below; // of each unknown: those that are less
+  for (const auto& [a, b] : pairs)
+  {
+    if (unknown[a] != unknown[b])
+    {
+      const bool first = wanted(a) < wanted(b);
+      below[unknown[first ? b : a]].push_back(unknown[first ? a : b]);
+    }
+  }
+  std::vector<int> order(charts.Count());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&](int a, int b) { return std::pair(wanted(a), a) < std::pair(wanted(b), b); });
+  std::map<int, int> numbers;
+  for (const int chart : order)
+  {
+    if (numbers.count(unknown[chart]) == 0)
+    {
+      int number = static_cast<int>(std::lround(wanted(chart)));
+      for (const int other : below[unknown[chart]])
+      {
+        const auto found = numbers.find(other);
+        number = found == numbers.end() ? number : std::max(number, found->second + 1);
+      }
+      numbers[unknown[chart]] = number;
+    }
+  }
+  Eigen::VectorXi result(charts.Count());
+  for (int chart = 0; chart < charts.Count(); ++chart)
+  {
+    result(chart) = numbers[unknown[chart]];
+  }
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,179 @@
+#include "Hex/Polycube/Private/IntegerMapHexes.h"
+
+#include "Base/DisjointSets.h"
+#include "Base/Errors.h"
+#include "Hex/Polycube/Private/TetrahedralWalk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// Off the middles of cells, so that hardly one lies on the face of a tetrahedron.
+const Eigen::Vector3d Offset(1.1e-4, 1.7e-4, 2.3e-4);
+
+/// The corners of a cell in the order of HexMesh.
+constexpr int CornerPlaces[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+  { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+
+using Cell = std::array<int, 3>;
+
+/// A cell of the grid as it is met in one tetrahedron.
+struct Visit
+{
+  Cell Where;
+  int Tetrahedron;
+};
+
+Eigen::Vector3d Centre(const Cell& cell)
+{
+  return Eigen::Vector3d(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5) + Offset;
+}
+
+std::vector<Visit> FindCells(
+  const Eigen::MatrixXd& images, const Eigen::MatrixXi& tetrahedra, const TetrahedralWalk& walk)
+{
+  std::vector<Visit> visits;
+  for (int t = 0; t < tetrahedra.rows(); ++t)
+  {
+    Eigen::Vector3d low = images.row(tetrahedra(t, 0)).transpose(), high = low;
+    for (int k = 1; k < 4; ++k)
+    {
+      low = low.cwiseMin(images.row(tetrahedra(t, k)).transpose());
+      high = high.cwiseMax(images.row(tetrahedra(t, k)).transpose());
+    }
+    Cell first, last;
+    for (int k = 0; k < 3; ++k)
+    {
+      first[k] = static_cast<int>(std::ceil(low(k) - 0.5 - Offset(k)));
+      last[k] = static_cast<int>(std::floor(high(k) - 0.5 - Offset(k)));
+    }
+    for (int z = first[2]; z <= last[2]; ++z)
+    {
+      for (int y = first[1]; y <= last[1]; ++y)
+      {
+        for (int x = first[0]; x <= last[0]; ++x)
+        {
+          const Cell cell = { x, y, z };
+          if (walk.Weights(t, Centre(cell)).minCoeff() > 0.0)
+          {
+            visits.push_back({ cell, t });
+          }
+        }
+      }
+    }
+  }
+  std::sort(visits.begin(), visits.end(),
+    [](const Visit& a, const Visit& b)
+    { return std::tie(a.Where, a.Tetrahedron) < std::tie(b.Where, b.Tetrahedron); });
+  return visits;
+}
+
+/// The cell beside `visit` along an axis, or -1 where the boundary is in between.
+int CellBeside(
+  const std::vector<Visit>& visits, const Visit& visit, int axis, const TetrahedralWalk& walk)
+{
+  Cell next = visit.Where;
+  ++next[axis];
+  const auto place = walk.Go(visit.Tetrahedron, Centre(visit.Where), Centre(next));
+  if (!place.Arrived)
+  {
+    return -1;
+  }
+  const auto found =
+    std::lower_bound(visits.begin(), visits.end(), Visit{ next, place.Tetrahedron },
+      [](const Visit& a, const Visit& b)
+      { return std::tie(a.Where, a.Tetrahedron) < std::tie(b.Where, b.Tetrahedron); });
+  if (found != visits.end() && found->Where == next && found->Tetrahedron == place.Tetrahedron)
+  {
+    return static_cast<int>(found - visits.begin());
+  }
+  throw SolveFailure("a walk through the polycube ends in no cell: its map is not good enough");
+}
+
+} // namespace
+
+IntegerMapHexesResult IntegerMapHexes(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const Eigen::MatrixXi& tetrahedra)
+{
+  const TetrahedralWalk walk(images, tetrahedra);
+  const std::vector<Visit> visits = FindCells(images, tetrahedra, walk);
+  if (visits.empty())
+  {
+    throw SolveFailure("the polycube has no cell");
+  }
+  const int cells = static_cast<int>(visits.size());
+  DisjointSets joined(8 * cells);
+  for (int cell = 0; cell < cells; ++cell)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int other = CellBeside(visits, visits[cell], axis, walk);
+      for (int corner = 0; other >= 0 && corner < 8; ++corner)
+      {
+        if (CornerPlaces[corner][axis] == 1)
+        {
+          Cell opposite = { CornerPlaces[corner][0], CornerPlaces[corner][1],
+            CornerPlaces[corner][2] };
+          opposite[axis] = 0;
+          const int same = static_cast<int>(
+            std::find_if(std::begin(CornerPlaces), std::end(CornerPlaces),
+              [&](const int* at) { return std::equal(opposite.begin(), opposite.end(), at); }) -
+            std::begin(CornerPlaces));
+          joined.Merge(8 * other + same, 8 * cell + corner);
+        }
+      }
+    }
+  }
+  IntegerMapHexesResult result;
+  result.Solid.Hexahedra.resize(cells, 8);
+  std::vector<int> number(8 * cells, -1);
+  std::vector<std::array<int, 2>> corners;
+  for (int i = 0; i < 8 * cells; ++i)
+  {
+    int& point = number[joined.Find(i)];
+    if (point < 0)
+    {
+      point = static_cast<int>(corners.size());
+      corners.push_back({ i / 8, i % 8 });
+    }
+    result.Solid.Hexahedra(i / 8, i % 8) = point;
+  }
+  const Eigen::Index count = static_cast<Eigen::Index>(corners.size());
+  result.Solid.Points.resize(count, 3);
+  result.Places.resize(count, 3);
+  result.Tetrahedra.resize(count);
+  result.Weights.resize(count, 4);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    const auto [cell, corner] = corners[i];
+    Eigen::Vector3d place;
+    for (int k = 0; k < 3; ++k)
+    {
+      place(k) = visits[cell].Where[k] + CornerPlaces[corner][k];
+    }
+    const auto there = walk.Go(visits[cell].Tetrahedron, Centre(visits[cell].Where), place);
+    result.Places.row(i) = place.transpose();
+    result.Tetrahedra(i) = there.Tetrahedron;
+    result.Weights.row(i) = there.Weights.transpose();
+    result.Solid.Points.row(i).setZero();
+    for (int k = 0; k < 4; ++k)
+    {
+      result.Solid.Points.row(i) += there.Weights(k) * points.row(tetrahedra(there.Tetrahedron, k));
+    }
+  }
+  for (int i = 1; i < cells; ++i)
+  {
+    result.Overlaps = result.Overlaps || visits[i].Where == visits[i - 1].Where;
+  }
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,359 @@
+#include "Hex/Polycube/Private/PolycubeMap.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Hex/Polycube/Private/AxisAlignment.h"
+#include "Hex/Polycube/Private/AxisLabels.h"
+#include "Hex/Polycube/Private/IntegerCharts.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// What is tried: a factor of the compactness, and whether with the axes turned to nowhere special,
+/// which breaks ties of symmetric shapes.
+struct Trial
+{
+  double Factor;
+  bool Turned;
+};
+constexpr Trial Trials[] = { { 1.0, false }, { 0.5, false }, { 0.25, false }, { 1.0, true },
+  { 0.4, true } };
+const Eigen::Vector3d Turn(0.5, 0.3, 0.2); ///< axis times angle
+constexpr int Flattenings = 3;
+constexpr int Repairs = 2;
+/// Newton steps after which a deformation with as many negative tetrahedra is given up.
+constexpr int FirstSteps = 8, Hopeless = 60;
+/// No more trials are begun after so many deformed tetrahedra.
+constexpr int MostWork = 150000;
+/// What a label costs more where it did not work, for a triangle of the mean area.
+constexpr double Dearer = 1.0, Forbidden = 50.0;
+/// Charts of a greater share of the area are not given up.
+constexpr double GreatestGivenUp = 0.03;
+/// A chart of which a greater share is turned over is folded.
+constexpr double Folded = 0.1;
+constexpr int QuantisationAttempts = 4;
+constexpr double QuantisationShrinkage = 0.75;
+
+/// A try: the solid with its labels, and how it was deformed.
+struct Attempt
+{
+  WorkingSolid Solid;
+  Eigen::MatrixXd Places;
+  Eigen::VectorXi Labels;
+  shape::Charts Charts;
+  TiedCoordinates Tied;
+  std::vector<ChartFault> Faults;
+  PatchResult Result;
+  Eigen::Matrix3d Rotation; ///< of the solid from the surface's place
+};
+
+double MeanEdge(const WorkingSolid& solid)
+{
+  return std::sqrt(
+    4.0 / std::sqrt(3.0) * 0.5 * AreaVectors(solid.Surface()).rowwise().norm().mean());
+}
+
+PatchOptions TiedOptions()
+{
+  PatchOptions options;
+  options.MaximumSteps = 20;
+  options.FirstEpsilon = 0.1;
+  options.FromSmoothest = false;
+  return options;
+}
+
+/// Makes tied coordinates equal: their mean.
+void Tie(const TiedCoordinates& tied, Eigen::MatrixXd& places)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(tied.Count), counts = sums;
+  for (Eigen::Index i = 0; i < tied.Unknowns.size(); ++i)
+  {
+    sums(tied.Unknowns(i)) += places(i / 3, i % 3);
+    counts(tied.Unknowns(i)) += 1.0;
+  }
+  for (Eigen::Index i = 0; i < tied.Unknowns.size(); ++i)
+  {
+    places(i / 3, i % 3) = sums(tied.Unknowns(i)) / counts(tied.Unknowns(i));
+  }
+}
+
+/// The triangles of charts that are folded over: of others, a few may be turned still.
+std::vector<char> FoldedOver(const Attempt& attempt)
+{
+  std::vector<char> turned = TurnedOver(attempt.Solid.Surface(attempt.Places), attempt.Labels);
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(attempt.Charts.Count()), all = counts;
+  for (Eigen::Index f = 0; f < attempt.Labels.size(); ++f)
+  {
+    counts(attempt.Charts.Of(f)) += turned[f];
+    all(attempt.Charts.Of(f)) += 1.0;
+  }
+  for (Eigen::Index f = 0; f < attempt.Labels.size(); ++f)
+  {
+    const int chart = attempt.Charts.Of(f);
+    turned[f] = turned[f] && counts(chart) > Folded * all(chart);
+  }
+  return turned;
+}
+
+int CountFolded(const Attempt& attempt)
+{
+  const std::vector<char> folded = FoldedOver(attempt);
+  return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
+}
+
+/// Deforms the solid with these labels.
+Attempt Deform(const WorkingSolid& solid, const Eigen::VectorXi& labels,
+  const Eigen::MatrixXd& start, const Progress& progress)
+{
+  Attempt attempt{ solid, start, labels, FindCharts(solid.Surface(), labels), {}, {}, {}, {} };
+  attempt.Tied = TieCharts(attempt.Charts, solid.Points.rows());
+  attempt.Faults = FindChartFaults(attempt.Charts, start, 0.5 * MeanEdge(solid));
+  SplitSurfaceEdges(attempt.Solid, TiedEdges(solid.Triangles, attempt.Charts, attempt.Tied),
+    attempt.Places, attempt.Labels);
+  attempt.Charts = FindCharts(attempt.Solid.Surface(), attempt.Labels);
+  attempt.Tied = TieCharts(attempt.Charts, attempt.Solid.Points.rows());
+  Tie(attempt.Tied, attempt.Places);
+  PatchOptions options = TiedOptions();
+  options.MaximumSteps = FirstSteps;
+  attempt.Result = LowerTiedEnergy(attempt.Places, attempt.Solid, attempt.Tied, options, progress);
+  if (attempt.Result.Negative > 0 && attempt.Result.Negative < Hopeless)
+  {
+    attempt.Result =
+      LowerTiedEnergy(attempt.Places, attempt.Solid, attempt.Tied, TiedOptions(), progress);
+  }
+  return attempt;
+}
+
+bool IsPositive(const WorkingSolid& solid, const Eigen::MatrixXd& places, Eigen::Index t)
+{
+  const auto c = solid.Tetrahedra.row(t);
+  Eigen::Matrix3d edges;
+  for (int k = 0; k < 3; ++k)
+  {
+    edges.col(k) = (places.row(c(k + 1)) - places.row(c(0))).transpose();
+  }
+  return edges.determinant() > 0.0;
+}
+
+/// Adds to the costs of labels that did not work: of charts with too few neighbours, and around
+/// tetrahedra that stayed negative, and triangles turned over where they have to face their labels.
+/// `before`: labels of the triangles that costs are for.
+void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const Attempt& attempt,
+  bool isFacing, Eigen::MatrixXd& costs)
+{
+  const Charts charts = FindCharts(solid.Surface(), before);
+  const double area = charts.Areas.sum();
+  std::vector<char> givenUp(charts.Count(), 0);
+  for (const ChartFault& fault : attempt.Faults)
+  {
+    givenUp[fault.Chart] |= fault.What == ChartFault::Kind::FewNeighbours &&
+      charts.Areas(fault.Chart) < GreatestGivenUp * area;
+  }
+  std::vector<char> near(attempt.Solid.SurfacePoints, 0);
+  if (isFacing)
+  {
+    const std::vector<char> folded = FoldedOver(attempt);
+    for (Eigen::Index f = 0; f < attempt.Solid.Triangles.rows(); ++f)
+    {
+      for (const int v : attempt.Solid.Triangles.row(f))
+      {
+        near[v] |= folded[f];
+      }
+    }
+  }
+  for (Eigen::Index t = 0; t < attempt.Solid.Tetrahedra.rows(); ++t)
+  {
+    if (!IsPositive(attempt.Solid, attempt.Places, t))
+    {
+      for (const int v : attempt.Solid.Tetrahedra.row(t))
+      {
+        if (v < attempt.Solid.SurfacePoints)
+        {
+          near[v] = 1;
+        }
+      }
+    }
+  }
+  for (Eigen::Index f = 0; f < solid.Triangles.rows(); ++f)
+  {
+    const auto c = solid.Triangles.row(f);
+    if (givenUp[charts.Of(f)])
+    {
+      costs(f, before(f)) += Forbidden;
+    }
+    else if (near[c(0)] || near[c(1)] || near[c(2)])
+    {
+      costs(f, before(f)) += Dearer;
+    }
+  }
+}
+
+/// The best of several tries with one compactness. work: counts the tetrahedra deformed.
+Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned,
+  double compactness, bool isFacing, int& work, const Progress& progress)
+{
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(solid.Triangles.rows(), 6);
+  Eigen::MatrixXd places = aligned;
+  Eigen::VectorXi labels = FindAxisLabels(solid, places, compactness);
+  for (int round = 0; round < Flattenings; ++round)
+  {
+    places = FlattenAlongAxes(solid, labels, places, progress);
+    if (round + 1 < Flattenings)
+    {
+      labels = FindAxisLabels(solid, places, compactness);
+    }
+  }
+  Attempt best;
+  best.Result.Negative = std::numeric_limits<int>::max();
+  for (int repair = 0; repair <= Repairs; ++repair)
+  {
+    Attempt attempt = Deform(solid, labels, places, progress);
+    work += static_cast<int>(attempt.Solid.Tetrahedra.rows());
+    RaiseCosts(solid, labels, attempt, isFacing, costs);
+    attempt.Result.Negative += isFacing ? CountFolded(attempt) : 0;
+    if (attempt.Result.Negative < best.Result.Negative)
+    {
+      best = std::move(attempt);
+    }
+    if (best.Result.Negative == 0 || repair == Repairs)
+    {
+      break;
+    }
+    const Eigen::VectorXi next = FindAxisLabels(solid, places, compactness, costs);
+    labels = next;
+    places = FlattenAlongAxes(solid, labels, places, progress);
+  }
+  return best;
+}
+
+/// Moves the charts to whole numbers. Returns whether every tetrahedron is positive then.
+bool MoveToIntegers(Attempt& attempt, const Progress& progress)
+{
+  const Eigen::VectorXi numbers =
+    IntegerCharts(attempt.Solid, attempt.Charts, attempt.Tied, attempt.Places);
+  TiedCoordinates fixed = attempt.Tied;
+  for (std::size_t v = 0; v < attempt.Charts.AtPoint.size(); ++v)
+  {
+    for (const int chart : attempt.Charts.AtPoint[v])
+    {
+      const int axis = attempt.Charts.Labels[chart] / 2;
+      attempt.Places(v, axis) = numbers(chart);
+      fixed.Unknowns(3 * v + axis) = -1;
+    }
+  }
+  std::vector<int> renumbered(fixed.Count, -1);
+  fixed.Count = 0;
+  for (int& unknown : fixed.Unknowns)
+  {
+    if (unknown >= 0)
+    {
+      int& number = renumbered[unknown];
+      number = number < 0 ? fixed.Count++ : number;
+      unknown = number;
+    }
+  }
+  attempt.Result = LowerTiedEnergy(attempt.Places, attempt.Solid, fixed, TiedOptions(), progress);
+  return attempt.Result.Negative == 0;
+}
+
+} // namespace
+
+std::vector<char> TurnedOver(const Mesh& polycube, const Eigen::VectorXi& labels)
+{
+  const Eigen::MatrixXd vectors = AreaVectors(polycube);
+  std::vector<char> turned(labels.size());
+  for (Eigen::Index f = 0; f < labels.size(); ++f)
+  {
+    turned[f] = !(vectors.row(f).dot(LabelAxis(labels(f))) > 0.0);
+  }
+  return turned;
+}
+
+PolycubeMap FindPolycubeMap(
+  const Mesh& surface, const PolycubeMapOptions& options, const Progress& progress)
+{
+  if (!(options.Compactness > 0.0) || !std::isfinite(options.Compactness))
+  {
+    throw InvalidInput("Compactness must be positive");
+  }
+  if (!(options.CellSize >= 0.0) || !std::isfinite(options.CellSize))
+  {
+    throw InvalidInput("the cell size must be positive, or 0 for an automatic one");
+  }
+  RequireClosedSurface(surface, "the surface");
+  WorkingSolid solid = MakeWorkingSolid(surface, options.Triangles, progress.Part(0.0, 0.1));
+  const Eigen::MatrixXd places = solid.Points;
+  const Eigen::Matrix3d straight = AxisRotation(solid.Surface());
+  Attempt best;
+  best.Result.Negative = std::numeric_limits<int>::max();
+  int work = 0;
+  for (const bool turned : { false, true })
+  {
+    const Eigen::Matrix3d rotation = turned
+      ? Eigen::AngleAxisd(Turn.norm(), Turn.normalized()).toRotationMatrix() * straight
+      : straight;
+    solid.Points = places * rotation.transpose();
+    const Eigen::MatrixXd aligned = AlignWithAxes(solid, progress.Part(0.1, 0.2));
+    for (const Trial& trial : Trials)
+    {
+      if (trial.Turned != turned || best.Result.Negative == 0 || work > MostWork)
+      {
+        continue;
+      }
+      Attempt attempt = TryCompactness(solid, aligned, trial.Factor * options.Compactness,
+        options.Facing, work, progress.Part(0.2, 0.8));
+      attempt.Rotation = rotation;
+      if (attempt.Result.Negative < best.Result.Negative)
+      {
+        best = std::move(attempt);
+      }
+    }
+  }
+  if (best.Result.Negative > 0)
+  {
+    throw SolveFailure("no valid polycube was found: of " + std::to_string(best.Charts.Count()) +
+      " charts, " +
+      (best.Faults.empty() ? "none is at fault by itself" : Describe(best.Faults, best.Charts)) +
+      "; " + std::to_string(best.Result.Negative) + " of " +
+      std::to_string(best.Solid.Tetrahedra.rows()) + " tetrahedra stay inverted" +
+      (options.Facing ? " or are under folded charts" : "") + "; try another Compactness");
+  }
+  double size = options.CellSize > 0.0
+    ? options.CellSize
+    : std::cbrt(EnclosedVolume(best.Solid.Surface()) / AutomaticCells);
+  for (int attempt = 0; attempt < QuantisationAttempts; ++attempt, size *= QuantisationShrinkage)
+  {
+    Attempt whole = best;
+    whole.Solid.Points /= size;
+    whole.Places /= size;
+    if (MoveToIntegers(whole, progress.Part(0.8, 1.0)) &&
+      (!options.Facing || CountFolded(whole) == 0))
+    {
+      PolycubeMap map;
+      map.Solid = std::move(whole.Solid);
+      map.Solid.Points = size * map.Solid.Points * whole.Rotation;
+      map.Places = std::move(whole.Places);
+      map.Labels = std::move(whole.Labels);
+      map.Charts = std::move(whole.Charts);
+      map.CellSize = size;
+      map.Distortion = whole.Result.EnergyAfter;
+      return map;
+    }
+  }
+  throw SolveFailure("the charts of the polycube cannot be moved to whole cells of " +
+    std::to_string(size / QuantisationShrinkage) + "; use a smaller TargetEdgeLength");
+}
+
+} // namespace shape

@@ -1,0 +1,219 @@
+#include "Hex/Polycube/Private/VoxelPolycube.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Search/CellLocator.h"
+#include "Distance/SignedDistance.h"
+#include "Hex/Polycube/Private/AxisAlignment.h"
+#include "Hex/Polycube/Private/AxisLabels.h"
+#include "Hex/Voxels/VoxelSolid.h"
+#include "Hex/Polycube/Private/WorkingSolid.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+constexpr int WorkingTriangles = 3000;
+constexpr int VoxelFlattenings = 3;
+constexpr double Reaches[] = { 0.1, 0.0, 0.25, -0.1 };
+constexpr double CellShrinkage = 0.85;
+constexpr int OffsetTrials = 16;
+/// The share of the volume that may be turned inside out: it is mended when all is back.
+constexpr double MostFolded = 0.02;
+
+/// Where the lines of a grid should be, in cells: as far from the surface's flat parts as can be
+/// in the middle of cells, so that these are not cut into steps.
+Eigen::RowVector3d BestOffset(const Mesh& surface, const Eigen::VectorXi& labels, double size)
+{
+  const Eigen::VectorXd areas = AreaVectors(surface).rowwise().norm();
+  const Eigen::MatrixXd centroids = Centroids(surface) / size;
+  Eigen::RowVector3d best;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double least = std::numeric_limits<double>::max();
+    for (int trial = 0; trial < OffsetTrials; ++trial)
+    {
+      const double offset = static_cast<double>(trial) / OffsetTrials;
+      double sum = 0.0;
+      for (Eigen::Index f = 0; f < labels.size(); ++f)
+      {
+        if (labels(f) / 2 == axis)
+        {
+          const double place = centroids(f, axis) - offset;
+          const double off = place - std::round(place);
+          sum += areas(f) * off * off;
+        }
+      }
+      if (sum < least)
+      {
+        least = sum;
+        best(axis) = offset;
+      }
+    }
+  }
+  return best;
+}
+
+SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVector3d& offset,
+  double size, const Progress& progress)
+{
+  const Eigen::MatrixXd& points = distance.Locator().Surface().Points;
+  const Eigen::RowVector3d low =
+    (points.colwise().minCoeff() / size - offset).array().floor().matrix();
+  const Eigen::RowVector3d high =
+    (points.colwise().maxCoeff() / size - offset).array().ceil().matrix();
+  SampledGrid grid;
+  grid.Spacing = size;
+  constexpr double margin = 1.5; // cells: on the grid's sides there are none of the solid
+  grid.Counts = (high - low).cast<int>().array() + 4;
+  grid.Origin = size * (low + offset - Eigen::RowVector3d::Constant(margin));
+  Eigen::MatrixXd centres(grid.Counts.prod(), 3);
+  for (int z = 0; z < grid.Counts(2); ++z)
+  {
+    for (int y = 0; y < grid.Counts(1); ++y)
+    {
+      for (int x = 0; x < grid.Counts(0); ++x)
+      {
+        centres.row(grid.Index(x, y, z)) = grid.Point(x, y, z);
+      }
+    }
+  }
+  grid.Values = distance.Evaluate(centres, progress).Distances;
+  return grid;
+}
+
+std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wanted)
+{
+  for (const double reach : Reaches)
+  {
+    SampledGrid levels = distances;
+    levels.Values.array() -= reach * levels.Spacing;
+    VoxelSolid solid = FindVoxelSolid(levels);
+    if (solid.Pinched > 0)
+    {
+      continue;
+    }
+    KeepLargestParts(levels, wanted.Components, solid.Inside);
+    HexMesh cubes = VoxelHexahedra(levels, solid.Inside);
+    if (cubes.Hexahedra.rows() > 0)
+    {
+      const Topology topology = SurfaceTopology({ cubes.Points, SplitQuads(BoundaryQuads(cubes)) });
+      if (topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components)
+      {
+        return cubes;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// The volume of tetrahedra that are turned inside out, as a share of what they have at rest.
+double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& places)
+{
+  double folded = 0.0, all = 0.0;
+  for (const auto& c : solid.Tetrahedra.rowwise())
+  {
+    const auto volume = [&](const Eigen::MatrixXd& points)
+    {
+      const Eigen::Vector3d a = (points.row(c(1)) - points.row(c(0))).transpose();
+      const Eigen::Vector3d b = (points.row(c(2)) - points.row(c(0))).transpose();
+      const Eigen::Vector3d d = (points.row(c(3)) - points.row(c(0))).transpose();
+      return a.cross(b).dot(d);
+    };
+    const double rest = volume(solid.Points);
+    all += rest;
+    folded += volume(places) <= 0.0 ? rest : 0.0;
+  }
+  return folded / all;
+}
+
+/// The places of a solid bent towards the axes: flattened, or only aligned where that folds.
+Eigen::MatrixXd Bent(
+  const WorkingSolid& solid, double compactness, Eigen::VectorXi& labels, const Progress& progress)
+{
+  const Eigen::MatrixXd aligned = AlignWithAxes(solid, progress.Part(0.0, 0.5));
+  Eigen::MatrixXd places = aligned;
+  for (int round = 0; round < VoxelFlattenings; ++round)
+  {
+    labels = FindAxisLabels(solid, places, compactness);
+    places = FlattenAlongAxes(solid, labels, places, progress.Part(0.5, 1.0));
+  }
+  if (FoldedShare(solid, places) <= MostFolded)
+  {
+    return places;
+  }
+  const double folded = FoldedShare(solid, aligned);
+  if (folded > MostFolded)
+  {
+    throw SolveFailure("the solid cannot be bent towards the axes: " +
+      std::to_string(100.0 * folded) + " % of it would be turned inside out");
+  }
+  labels = FindAxisLabels(solid, aligned, compactness);
+  return aligned;
+}
+
+Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& places)
+{
+  const Eigen::Index count = solid.Tetrahedra.rows();
+  Cells cells;
+  cells.Points = places;
+  cells.Kinds = Eigen::VectorXi::Constant(count, 10);
+  cells.Offsets = Eigen::VectorXi::LinSpaced(count + 1, 0, static_cast<int>(4 * count));
+  const Eigen::MatrixXi corners = solid.Tetrahedra.transpose();
+  cells.Corners = corners.reshaped();
+  return cells;
+}
+
+} // namespace
+
+VoxelPolycube FindVoxelPolycube(
+  const Mesh& surface, double compactness, int cells, int most, const Progress& progress)
+{
+  const Topology topology = RequireClosedSurface(surface, "the surface");
+  const WorkingSolid original =
+    MakeWorkingSolid(surface, WorkingTriangles, progress.Part(0.0, 0.2));
+  WorkingSolid solid = original;
+  solid.Points = original.Points * AxisRotation(original.Surface()).transpose();
+  Eigen::VectorXi labels;
+  const Eigen::MatrixXd places = Bent(solid, compactness, labels, progress.Part(0.2, 0.7));
+  const Mesh bent = solid.Surface(places);
+  const double volume = EnclosedVolume(bent);
+  const SignedDistance distance(bent);
+  double size = std::cbrt(volume / cells);
+  const double least = std::cbrt(volume / most);
+  std::optional<HexMesh> cubes;
+  SampledGrid grid;
+  for (; !cubes; size *= CellShrinkage)
+  {
+    if (size < least)
+    {
+      throw SolveFailure("no grid of " + std::to_string(most) +
+        " cells in the solid bent towards the axes has the surface's topology (Euler number " +
+        std::to_string(topology.EulerNumber) + ")");
+    }
+    grid = SampleDistance(distance, BestOffset(bent, labels, size), size, progress.Part(0.7, 0.9));
+    cubes = CubesOf(grid, topology);
+  }
+  VoxelPolycube result;
+  result.CellSize = size / CellShrinkage;
+  result.Solid = std::move(*cubes);
+  const CellPlaces found =
+    CellLocator(TetrahedraAt(solid, places)).Find(result.Solid.Points, progress.Part(0.9, 1.0));
+  // Corners are half a cell off the samples.
+  result.Places = ((result.Solid.Points.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
+  result.Places = result.Places.array().round().matrix().eval();
+  result.Solid.Points = found.Weights * original.Points;
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "Mesh/HexMesh.h"
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+#include "Hex/Voxels/GridWarp.h"
+#include "Hex/Voxels/SolidCubes.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace shape
+{
+
+/// Cells of a solid in regions.
+struct RegionCells
+{
+  HexMesh Solid;
+  /// m: i + 1 inside inner surface i (the innermost around the cell), 0 where none is around.
+  Eigen::VectorXi RegionOf;
+  std::vector<std::vector<char>> Inside;   ///< of each inner surface: whether a cell is inside
+  std::vector<Eigen::MatrixXi> Interfaces; ///< and its quads, counter-clockwise seen from outside
+};
+
+/**
+ * The cells of grids that fill a solid, as SolidCubes finds them, cut into regions by inner
+ * surfaces: borders between materials. The cells inside each of them have its topology, and no two
+ * surfaces share a point of the grid, so each region's boundary is a manifold.
+ */
+class RegionCubes
+{
+public:
+  /// innerSurfaces: closed, inside the solid, also inside one another. Throws InvalidInput where
+  /// one is not so, or surfaces cross or touch, or have flat triangles; Aborted.
+  RegionCubes(
+    const Mesh& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress = {});
+
+  SolidCubes& Outer() { return this->Whole; }
+  const SolidCubes& Outer() const { return this->Whole; }
+  const std::vector<SolidCubes>& Inner() const { return this->Parts; }
+
+  /// The cells of a uniform grid in the warped space, carried back; nothing where they are too
+  /// coarse for the surfaces. Throws as SolidCubes::Fill.
+  std::optional<RegionCells> Fill(double size, const GridWarp& warp, const Progress& progress = {});
+
+private:
+  SolidCubes Whole;
+  std::vector<SolidCubes> Parts; ///< inside each inner surface
+};
+
+} // namespace shape

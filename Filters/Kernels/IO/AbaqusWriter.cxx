@@ -1,0 +1,215 @@
+#include "IO/AbaqusWriter.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+using namespace cell_kind;
+
+constexpr std::size_t Columns = 20; ///< of a number, as Abaqus reads it
+constexpr int PerLine = 16;         ///< numbers at most in a line of a set
+
+/// A number without the zeros that say nothing: 0.5 is .5, 1e-05 is 1e-5. A whole one gets a point.
+std::string Shortened(std::string_view digits)
+{
+  std::string text(digits);
+  if (const auto zero = text.find("0."); zero == 0 || (zero == 1 && text[0] == '-'))
+  {
+    text.erase(zero, 1);
+  }
+  const auto exponent = text.find('e');
+  if (exponent == std::string::npos)
+  {
+    return text.find('.') == std::string::npos ? text + '.' : text;
+  }
+  if (text[exponent + 1] == '+')
+  {
+    text.erase(exponent + 1, 1);
+  }
+  const auto digit = text.find_first_of("0123456789", exponent);
+  if (text[digit] == '0' && digit + 1 < text.size())
+  {
+    text.erase(digit, 1);
+  }
+  return text;
+}
+
+/// The shortest text that is read as this number; rounded where that is too long.
+std::string ToShortText(double value)
+{
+  char buffer[40];
+  const auto text = [&](const std::to_chars_result& end)
+  { return Shortened(std::string_view(buffer, end.ptr - buffer)); };
+  std::string best = text(std::to_chars(buffer, buffer + sizeof buffer, value));
+  for (int precision = 16; best.size() > Columns; --precision)
+  {
+    best = text(std::to_chars(
+      buffer, buffer + sizeof buffer, value, std::chars_format::scientific, precision));
+  }
+  return best;
+}
+
+struct ElementKind
+{
+  int Kind;
+  const char* Type;
+  const char* Set;
+};
+
+std::vector<ElementKind> ElementKinds(HexahedronType hexahedra)
+{
+  const char* const types[] = { "C3D8", "C3D8R", "C3D8I" };
+  return { { Hexahedron, types[static_cast<int>(hexahedra)], "Hexahedra" },
+    { Tetrahedron, "C3D4", "Tetrahedra" }, { Wedge, "C3D6", "Wedges" },
+    { Pyramid, "C3D5", "Pyramids" }, { Quadrilateral, "S4", "Quadrilaterals" },
+    { Triangle, "S3", "Triangles" }, { Line, "T3D2", "Lines" } };
+}
+
+/// What Abaqus calls the faces of FacesOf(kind).
+int AbaqusFace(int kind, int face)
+{
+  constexpr int hexahedron[] = { 6, 4, 3, 5, 1, 2 }, tetrahedron[] = { 2, 3, 4, 1 };
+  return kind == Hexahedron ? hexahedron[face] : kind == Tetrahedron ? tetrahedron[face] : face + 1;
+}
+
+void WriteNodes(std::ostream& file, const Eigen::MatrixXd& points, const Progress& progress)
+{
+  file << "*NODE\n";
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    file << i + 1;
+    for (int k = 0; k < 3; ++k)
+    {
+      file << ", " << ToShortText(points(i, k));
+    }
+    file << '\n';
+    if (i % 65536 == 0)
+    {
+      progress(static_cast<double>(i) / static_cast<double>(points.rows()));
+    }
+  }
+}
+
+void WriteElements(
+  std::ostream& file, const Cells& mesh, HexahedronType hexahedra, const Progress& progress)
+{
+  for (const auto& [kind, type, set] : ElementKinds(hexahedra))
+  {
+    bool begun = false;
+    for (Eigen::Index cell = 0; cell < mesh.Kinds.size(); ++cell)
+    {
+      if (mesh.Kinds(cell) != kind)
+      {
+        continue;
+      }
+      if (!begun)
+      {
+        file << "*ELEMENT, TYPE=" << type << ", ELSET=" << set << '\n';
+        begun = true;
+      }
+      file << cell + 1;
+      for (int k = mesh.Offsets(cell); k < mesh.Offsets(cell + 1); ++k)
+      {
+        file << ", " << mesh.Corners(k) + 1;
+      }
+      file << '\n';
+      if (cell % 65536 == 0)
+      {
+        progress(0.0);
+      }
+    }
+  }
+}
+
+/// "*NSET, NSET=" and the like with the set's name, and ids + 1.
+void WriteSet(std::ostream& file, const std::string& keyword, const std::vector<int>& ids)
+{
+  if (ids.empty())
+  {
+    return;
+  }
+  file << keyword << '\n';
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const bool last = i + 1 == ids.size() || (i + 1) % PerLine == 0;
+    file << ids[i] + 1 << (last ? "\n" : ", ");
+  }
+}
+
+void WriteRegions(std::ostream& file, const MeshSets& sets)
+{
+  std::map<int, std::vector<int>> cells;
+  std::vector<int> points;
+  for (int cell = 0; cell < sets.Mesh.Kinds.size(); ++cell)
+  {
+    if (sets.Mesh.Kinds(cell) == Vertex)
+    {
+      points.push_back(sets.Mesh.Corners(sets.Mesh.Offsets(cell)));
+    }
+    else if (DimensionOf(sets.Mesh.Kinds(cell)) == sets.Dimension)
+    {
+      cells[sets.Regions(cell)].push_back(cell);
+    }
+  }
+  for (const auto& [region, members] : cells)
+  {
+    WriteSet(file, "*ELSET, ELSET=Region" + std::to_string(region), members);
+  }
+  WriteSet(file, "*NSET, NSET=Points", points);
+}
+
+std::vector<int> All(const SolidFaces& faces)
+{
+  std::vector<int> all(faces.Cell.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+void WriteBoundary(std::ostream& file, const MeshSets& sets)
+{
+  const SolidFaces& boundary = sets.Boundary;
+  WriteSet(file, "*NSET, NSET=Boundary", PointsOf(boundary.Corners, All(boundary)));
+  int patch = 0;
+  for (const std::vector<int>& faces : FacesOfPatches(sets))
+  {
+    const std::string number = std::to_string(patch++);
+    WriteSet(file, "*NSET, NSET=Patch" + number, PointsOf(boundary.Corners, faces));
+    file << "*SURFACE, NAME=PatchSurface" << number << ", TYPE=ELEMENT\n";
+    for (const int face : faces)
+    {
+      const int cell = boundary.Cell(face);
+      file << cell + 1 << ", S" << AbaqusFace(sets.Mesh.Kinds(cell), boundary.Face(face)) << '\n';
+    }
+  }
+  for (const RegionInterface& between : sets.Interfaces)
+  {
+    WriteSet(file,
+      "*NSET, NSET=Interface" + std::to_string(between.Lower) + "_" + std::to_string(between.Upper),
+      PointsOf(between.Faces.Corners, All(between.Faces)));
+  }
+}
+
+} // namespace
+
+void WriteAbaqus(std::ostream& file, const MeshSets& sets, const AbaqusWriterOptions& options,
+  const Progress& progress)
+{
+  file << "** Written by ShapeMap: node = point + 1, element = cell + 1\n";
+  WriteNodes(file, sets.Mesh.Points, progress.Part(0.0, 0.4));
+  WriteElements(file, sets.Mesh, options.HexahedronType, progress.Part(0.4, 0.8));
+  WriteRegions(file, sets);
+  progress(0.9);
+  WriteBoundary(file, sets);
+  progress(1.0);
+}
+
+} // namespace shape

@@ -1,0 +1,136 @@
+#include "Laplacian/CotangentWeights.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// How far two sides must exceed the third, in longest sides.
+constexpr double Slack = 1e-6;
+
+std::array<double, 3> Mollified(std::array<double, 3> sides)
+{
+  const double longest = *std::max_element(sides.begin(), sides.end());
+  const double excess = sides[0] + sides[1] + sides[2] - 2.0 * longest;
+  const double raise = std::max(0.0, Slack * longest - excess);
+  for (double& side : sides)
+  {
+    side += raise;
+  }
+  return sides;
+}
+
+/// Heron's formula in Kahan's order: accurate for needles. Sides in any order.
+double AreaOfSides(std::array<double, 3> sides)
+{
+  std::sort(sides.begin(), sides.end());
+  const auto [c, b, a] = sides;
+  return 0.25 *
+    std::sqrt(std::max(0.0, (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))));
+}
+
+} // namespace
+
+TriangleAngles AnglesOfTriangles(const Mesh& mesh)
+{
+  Eigen::MatrixXd sides(mesh.Triangles.rows(), 3);
+  for (Eigen::Index t = 0; t < sides.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      sides(t, corner) = (mesh.Points.row(mesh.Triangles(t, (corner + 1) % 3)) -
+        mesh.Points.row(mesh.Triangles(t, (corner + 2) % 3)))
+                           .norm();
+    }
+  }
+  return AnglesOfSides(sides);
+}
+
+TriangleAngles AnglesOfSides(const Eigen::MatrixXd& lengths)
+{
+  const Eigen::Index count = lengths.rows();
+  TriangleAngles angles{ Eigen::MatrixXd(count, 3), Eigen::VectorXd(count) };
+  for (Eigen::Index t = 0; t < count; ++t)
+  {
+    const std::array<double, 3> sides = Mollified({ lengths(t, 0), lengths(t, 1), lengths(t, 2) });
+    const double area = AreaOfSides(sides);
+    angles.Areas(t) = area;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const double a = sides[corner];
+      const double b = sides[(corner + 1) % 3];
+      const double c = sides[(corner + 2) % 3];
+      angles.Cotangents(t, corner) =
+        area > 0.0 ? (b * b + (c - a) * (c + a)) / (4.0 * area) : 1.0 / std::sqrt(3.0);
+    }
+  }
+  return angles;
+}
+
+Eigen::SparseMatrix<double> CotangentStiffness(
+  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& cotangents, Eigen::Index points)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(12 * triangles.rows() + points);
+  for (Eigen::Index i = 0; i < points; ++i)
+  {
+    entries.emplace_back(i, i, 0.0);
+  }
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int i = triangles(t, (corner + 1) % 3);
+      const int j = triangles(t, (corner + 2) % 3);
+      const double weight = 0.5 * cotangents(t, corner);
+      entries.emplace_back(i, j, -weight);
+      entries.emplace_back(j, i, -weight);
+      entries.emplace_back(i, i, weight);
+      entries.emplace_back(j, j, weight);
+    }
+  }
+  Eigen::SparseMatrix<double> stiffness(points, points);
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  return stiffness;
+}
+
+Eigen::VectorXd LumpedMasses(
+  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points)
+{
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(points);
+  for (Eigen::Index t = 0; t < areas.size(); ++t)
+  {
+    for (const int point : triangles.row(t))
+    {
+      masses(point) += areas(t) / 3.0;
+    }
+  }
+  return masses;
+}
+
+Eigen::SparseMatrix<double> PositiveStiffness(
+  const Eigen::SparseMatrix<double>& stiffness, double least)
+{
+  Eigen::SparseMatrix<double> positive = stiffness;
+  for (int column = 0; column < positive.outerSize(); ++column)
+  {
+    double sum = 0.0;
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(positive, column); entry; ++entry)
+    {
+      if (entry.row() != column)
+      {
+        entry.valueRef() = std::min(entry.value(), -least);
+        sum -= entry.value();
+      }
+    }
+    positive.coeffRef(column, column) = sum;
+  }
+  return positive;
+}
+
+} // namespace shape

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+
+#include <Eigen/SparseCore>
+
+namespace shape
+{
+
+/// The shape of each triangle, whatever the triangle: rows are triangles, columns their corners.
+struct TriangleAngles
+{
+  Eigen::MatrixXd Cotangents; ///< m x 3: of the angle at each corner; within a few million
+  Eigen::VectorXd Areas;      ///< m, in the model's units squared
+};
+
+/**
+ * Cotangents of the corner angles, from edge lengths.
+ *
+ * Where a triangle is nearly flat, all three of its lengths are raised by the least that makes
+ * every two of them exceed the third by 1e-6 of the longest: "intrinsic mollification" of Sharp &
+ * Crane 2020, section 4.5, triangle by triangle. So each triangle's Dirichlet form is positive
+ * semi-definite and finite even for needles, caps and triangles without area; a triangle whose
+ * corners coincide counts as equilateral.
+ */
+TriangleAngles AnglesOfTriangles(const Mesh& mesh);
+
+/// The same from the lengths of the sides (m x 3) opposite each corner.
+TriangleAngles AnglesOfSides(const Eigen::MatrixXd& sides);
+
+/**
+ * The cotangent stiffness matrix (n x n, both triangles stored, positive semi-definite):
+ * L_ij = -(cot a + cot b) / 2 over the two angles opposite the edge ij, rows sum to zero; x^T L x /
+ * 2 is the Dirichlet energy (Pinkall & Polthier 1993). Every diagonal entry is stored.
+ */
+Eigen::SparseMatrix<double> CotangentStiffness(
+  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& cotangents, Eigen::Index points);
+
+/// The masses of points (n): a third of the area of the triangles around each, in their units
+/// squared; 0 where there is none.
+Eigen::VectorXd LumpedMasses(
+  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points);
+
+/**
+ * `stiffness` with every edge weight -L_ij raised to `least` and the diagonal to match: an
+ * M-matrix, whose solutions obey the maximum principle where obtuse angles break it. Not conformal
+ * there.
+ */
+Eigen::SparseMatrix<double> PositiveStiffness(
+  const Eigen::SparseMatrix<double>& stiffness, double least);
+
+} // namespace shape

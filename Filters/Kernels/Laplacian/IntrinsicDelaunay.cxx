@@ -1,0 +1,214 @@
+#include "Laplacian/IntrinsicDelaunay.h"
+
+#include "Base/Errors.h"
+#include "Mesh/HalfEdges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// By how much every two sides exceed the third at least, in mean sides.
+constexpr double DelaunaySlack = 1e-6;
+/// How negative an edge's weight may be: rounding must not flip an edge back and forth.
+constexpr double LeastWeight = -1e-9;
+constexpr int None = -1;
+
+/// Side 3 t + k is that of triangle t from its corner k to the next one.
+class Flipper
+{
+public:
+  explicit Flipper(const Mesh& mesh)
+    : Begins(mesh.Triangles.size())
+    , Twins(SideTwins(mesh.Triangles, mesh.Points.rows()))
+    , Lengths(mesh.Triangles.size())
+  {
+    for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const std::size_t side = 3 * t + k;
+        this->Begins[side] = mesh.Triangles(t, k);
+        this->Lengths[side] =
+          (mesh.Points.row(mesh.Triangles(t, (k + 1) % 3)) - mesh.Points.row(mesh.Triangles(t, k)))
+            .norm();
+      }
+    }
+    this->Mollify();
+  }
+
+  void FlipAll()
+  {
+    std::vector<int> queue;
+    std::vector<char> waits(this->Begins.size(), 1);
+    for (int side = static_cast<int>(this->Begins.size()) - 1; side >= 0; --side)
+    {
+      queue.push_back(side);
+    }
+    // Far more than any surface is known to need.
+    std::size_t left = 1000 * this->Begins.size() + 1000;
+    while (!queue.empty())
+    {
+      const int side = queue.back();
+      queue.pop_back();
+      waits[side] = 0;
+      if (!this->IsFlippable(side) || this->Weight(side) >= LeastWeight)
+      {
+        continue;
+      }
+      if (left-- == 0)
+      {
+        throw SolveFailure("edges are flipped without end on the way to a Delaunay triangulation; "
+                           "remesh the surface");
+      }
+      const int twin = this->Twins[side];
+      this->Flip(side);
+      for (const int near :
+        { NextSide(side), PreviousSide(side), NextSide(twin), PreviousSide(twin) })
+      {
+        if (!waits[near])
+        {
+          waits[near] = 1;
+          queue.push_back(near);
+        }
+      }
+    }
+  }
+
+  IntrinsicTriangles Triangles() const
+  {
+    const Eigen::Index count = static_cast<Eigen::Index>(this->Begins.size()) / 3;
+    IntrinsicTriangles result{ Eigen::MatrixXi(count, 3), Eigen::MatrixXd(count, 3) };
+    for (Eigen::Index t = 0; t < count; ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        result.Triangles(t, k) = this->Begins[3 * t + k];
+        result.Sides(t, k) = this->Lengths[3 * t + (k + 1) % 3];
+      }
+    }
+    return result;
+  }
+
+private:
+  void Mollify()
+  {
+    double sum = 0.0;
+    for (const double length : this->Lengths)
+    {
+      sum += length;
+    }
+    const double slack = DelaunaySlack * sum / static_cast<double>(this->Lengths.size());
+    double raise = 0.0;
+    for (std::size_t t = 0; t < this->Lengths.size(); t += 3)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const double excess =
+          this->Lengths[t + (k + 1) % 3] + this->Lengths[t + (k + 2) % 3] - this->Lengths[t + k];
+        raise = std::max(raise, slack - excess);
+      }
+    }
+    for (double& length : this->Lengths)
+    {
+      length += raise;
+    }
+  }
+
+  /// Not where it is on the border, or a triangle is glued to itself there: two angles of one
+  /// triangle are less than pi.
+  bool IsFlippable(int side) const
+  {
+    const int twin = this->Twins[side];
+    return twin != None && twin / 3 != side / 3;
+  }
+
+  /// The cosine of the angle between a side and the previous one, where the side begins.
+  double Cosine(int side) const
+  {
+    const double a = this->Lengths[side], b = this->Lengths[PreviousSide(side)],
+                 c = this->Lengths[NextSide(side)];
+    return std::clamp((a * a + (b - c) * (b + c)) / (2.0 * a * b), -1.0, 1.0);
+  }
+
+  double Cotangent(int side) const
+  {
+    const double cosine = this->Cosine(PreviousSide(side));
+    return cosine / std::sqrt(std::max(1.0 - cosine * cosine, 1e-24));
+  }
+
+  /// Of the edge: the mean of the cotangents of both opposite angles.
+  double Weight(int side) const
+  {
+    return 0.5 * (this->Cotangent(side) + this->Cotangent(this->Twins[side]));
+  }
+
+  /// From the other diagonal of the two triangles.
+  ///
+  ///          c                     c            side: a -> b, twin: b -> a
+  ///        /   \                 / | \          becomes d -> c and c -> d, opposite a and b
+  ///       a --- b      ->       a  |  b
+  ///        \   /                 \ | /
+  ///          d                     d
+  void Flip(int side)
+  {
+    const int twin = this->Twins[side];
+    const int bc = NextSide(side), ca = PreviousSide(side), ad = NextSide(twin),
+              db = PreviousSide(twin);
+    const double cosine = this->Cosine(side), other = this->Cosine(ad);
+    const double sines = std::sqrt((1.0 - cosine * cosine) * (1.0 - other * other));
+    const double ac = this->Lengths[ca], length = this->Lengths[ad];
+    const double across = std::sqrt(
+      std::max(ac * ac + length * length - 2.0 * ac * length * (cosine * other - sines), 0.0));
+    const int a = this->Begins[side], b = this->Begins[twin], c = this->Begins[ca],
+              d = this->Begins[db];
+    const std::array<int, 4> outside = { this->Twins[bc], this->Twins[ca], this->Twins[ad],
+      this->Twins[db] };
+    const std::array<double, 4> lengths = { this->Lengths[bc], this->Lengths[ca], this->Lengths[ad],
+      this->Lengths[db] };
+    // Triangle of `side`: d -> c, c -> a, a -> d; that of `twin`: c -> d, d -> b, b -> c.
+    const std::array<int, 4> places = { PreviousSide(twin), NextSide(side), PreviousSide(side),
+      NextSide(twin) };
+    const std::array<int, 4> begins = { b, c, a, d };
+    this->Begins[side] = d;
+    this->Begins[twin] = c;
+    this->Lengths[side] = this->Lengths[twin] = across;
+    const std::array<int, 4> before = { bc, ca, ad, db };
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Begins[places[i]] = begins[i];
+      this->Lengths[places[i]] = lengths[i];
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      // Sides of the two triangles may be glued to each other.
+      const auto own = std::find(before.begin(), before.end(), outside[i]);
+      const int twinOf = own == before.end() ? outside[i] : places[own - before.begin()];
+      this->Twins[places[i]] = twinOf;
+      if (twinOf != None)
+      {
+        this->Twins[twinOf] = places[i];
+      }
+    }
+  }
+
+  std::vector<int> Begins; ///< of each side, the point
+  std::vector<int> Twins;  ///< of each side
+  std::vector<double> Lengths;
+};
+
+} // namespace
+
+IntrinsicTriangles IntrinsicDelaunay(const Mesh& mesh)
+{
+  Flipper flipper(mesh);
+  flipper.FlipAll();
+  return flipper.Triangles();
+}
+
+} // namespace shape

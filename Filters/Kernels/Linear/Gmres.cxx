@@ -1,0 +1,104 @@
+#include "Linear/Gmres.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <vector>
+
+namespace shape
+{
+
+GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
+  const Eigen::VectorXd& weights, const GmresOptions& options, const Progress& progress)
+{
+  const Eigen::Index columns = rightSide.cols();
+  const Eigen::VectorXd shares = weights / weights.sum();
+  // Mean products over the rows: a norm is a root mean square.
+  const auto inner = [&](const Eigen::MatrixXd& u, const Eigen::MatrixXd& v)
+  {
+    Eigen::RowVectorXd products(columns);
+    for (Eigen::Index c = 0; c < columns; ++c)
+    {
+      products(c) = (shares.array() * u.col(c).array() * v.col(c).array()).sum();
+    }
+    return products;
+  };
+  // Columns without anything left become zero and stay so.
+  const auto normalized = [](const Eigen::MatrixXd& v, const Eigen::RowVectorXd& norms)
+  {
+    return Eigen::MatrixXd(
+      v * (norms.array() > 0.0).select(norms.cwiseInverse(), 0.0).matrix().asDiagonal());
+  };
+
+  const int most = options.MaximumIterations;
+  const Eigen::RowVectorXd start = inner(rightSide, rightSide).cwiseSqrt();
+  GmresResult result;
+  result.Residuals = start;
+  std::vector<Eigen::MatrixXd> basis{ normalized(rightSide, start) };
+  std::vector<Eigen::MatrixXd> hessenbergs(columns, Eigen::MatrixXd::Zero(most + 1, most));
+  std::vector<Eigen::VectorXd> factors(columns), rests(columns);
+  for (Eigen::Index c = 0; c < columns; ++c)
+  {
+    rests[c] = start.segment(c, 1);
+  }
+  // Iterations in a row: a plateau far from the goal is often left again.
+  constexpr int patience = 3, patienceNear = 2;
+  constexpr double nearGoal = 4.0;
+  int idle = 0;
+  while (result.Iterations < most && result.Residuals.maxCoeff() > options.Tolerance)
+  {
+    const int k = result.Iterations;
+    progress(static_cast<double>(k) / most);
+    Eigen::MatrixXd next = a(b(basis[k]));
+    const Eigen::RowVectorXd before = inner(next, next).cwiseSqrt();
+    for (int i = 0; i <= k; ++i)
+    {
+      const Eigen::RowVectorXd product = inner(basis[i], next);
+      next -= basis[i] * product.asDiagonal();
+      for (Eigen::Index c = 0; c < columns; ++c)
+      {
+        hessenbergs[c](i, k) = product(c);
+      }
+    }
+    // What is left of rounding is no direction.
+    constexpr double rounding = 1e-14;
+    Eigen::RowVectorXd norms = inner(next, next).cwiseSqrt();
+    norms = (norms.array() > rounding * before.array()).select(norms, 0.0);
+    basis.push_back(normalized(next, norms));
+    const Eigen::RowVectorXd last = result.Residuals;
+    for (Eigen::Index c = 0; c < columns; ++c)
+    {
+      hessenbergs[c](k + 1, k) = norms(c);
+      const Eigen::MatrixXd h = hessenbergs[c].topLeftCorner(k + 2, k + 1);
+      const Eigen::VectorXd wanted = start(c) * Eigen::VectorXd::Unit(k + 2, 0);
+      factors[c] = h.completeOrthogonalDecomposition().solve(wanted);
+      rests[c] = wanted - h * factors[c];
+      result.Residuals(c) = rests[c].norm();
+    }
+    ++result.Iterations;
+    idle =
+      (result.Residuals.array() > (1.0 - options.LeastGain) * last.array()).all() ? idle + 1 : 0;
+    if (idle >=
+      (result.Residuals.maxCoeff() > nearGoal * options.Tolerance ? patience : patienceNear))
+    {
+      break;
+    }
+  }
+  const auto combined = [&](const std::vector<Eigen::VectorXd>& weightsOfBasis)
+  {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(rightSide.rows(), columns);
+    for (Eigen::Index c = 0; c < columns; ++c)
+    {
+      for (Eigen::Index i = 0; i < weightsOfBasis[c].size(); ++i)
+      {
+        sum.col(c) += weightsOfBasis[c](i) * basis[i].col(c);
+      }
+    }
+    return sum;
+  };
+  result.Solution = b(combined(factors));
+  result.Left = combined(rests);
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,71 @@
+#include "Mesh/DiskGrowth.h"
+
+#include "Mesh/HalfEdges.h"
+
+#include <functional>
+#include <queue>
+
+namespace shape
+{
+
+std::vector<int> GrownDisk(const Eigen::MatrixXi& triangles, Eigen::Index points)
+{
+  const std::vector<int> twins = SideTwins(triangles, points);
+  const auto count = static_cast<int>(triangles.rows());
+  std::vector<bool> isIn(count, false), isMet(points, false);
+  const auto joins = [&](int triangle)
+  {
+    int shared = 0, sharedSide = -1;
+    for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
+    {
+      if (twins[side] >= 0 && isIn[twins[side] / 3])
+      {
+        ++shared;
+        sharedSide = side;
+      }
+    }
+    // Along one side: the corner across must be new, or the disk would touch itself there. Along
+    // two, the corner between them comes inside. With all three it would become a sphere.
+    return shared == 2 ||
+      (shared == 1 && !isMet[triangles(triangle, PreviousSide(sharedSide) % 3)]);
+  };
+  // Those next to the disk; one that cannot join waits for its next neighbour.
+  std::priority_queue<int, std::vector<int>, std::greater<>> front;
+  const auto add = [&](int triangle)
+  {
+    isIn[triangle] = true;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      isMet[triangles(triangle, corner)] = true;
+      const int twin = twins[3 * triangle + corner];
+      if (twin >= 0 && !isIn[twin / 3])
+      {
+        front.push(twin / 3);
+      }
+    }
+  };
+  if (count > 0)
+  {
+    add(0);
+  }
+  while (!front.empty())
+  {
+    const int triangle = front.top();
+    front.pop();
+    if (!isIn[triangle] && joins(triangle))
+    {
+      add(triangle);
+    }
+  }
+  std::vector<int> rows;
+  for (int triangle = 0; triangle < count; ++triangle)
+  {
+    if (isIn[triangle])
+    {
+      rows.push_back(triangle);
+    }
+  }
+  return rows;
+}
+
+} // namespace shape

@@ -1,0 +1,184 @@
+#include "Mesh/Mesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace shape
+{
+
+double LongestSide(const Eigen::MatrixXd& points)
+{
+  return points.rows() == 0
+    ? 0.0
+    : (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+}
+
+double BoxDiagonal(const Eigen::MatrixXd& points)
+{
+  return points.rows() == 0 ? 0.0
+                            : (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
+Eigen::MatrixXd AreaVectors(const Mesh& mesh)
+{
+  Eigen::MatrixXd vectors(mesh.Triangles.rows(), 3);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = mesh.Points.row(mesh.Triangles(t, 0));
+    const Eigen::RowVector3d b = mesh.Points.row(mesh.Triangles(t, 1));
+    const Eigen::RowVector3d c = mesh.Points.row(mesh.Triangles(t, 2));
+    vectors.row(t) = (b - a).cross(c - a);
+  }
+  return vectors;
+}
+
+Eigen::MatrixXd PointNormals(const Mesh& mesh)
+{
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::Matrix3d corners = Corners(mesh, t);
+    const Eigen::RowVector3d first = corners.row(1) - corners.row(0);
+    const Eigen::RowVector3d normal =
+      first.cross(corners.row(2) - corners.row(0)).stableNormalized();
+    for (int k = 0; k < 3 && normal.squaredNorm() > 0.0; ++k)
+    {
+      const Eigen::RowVector3d a = corners.row((k + 1) % 3) - corners.row(k);
+      const Eigen::RowVector3d b = corners.row((k + 2) % 3) - corners.row(k);
+      normals.row(mesh.Triangles(t, k)) += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;
+    }
+  }
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    normals.row(i) = normals.row(i).stableNormalized();
+  }
+  return normals;
+}
+
+double ComputeArea(const Mesh& mesh)
+{
+  return 0.5 * AreaVectors(mesh).rowwise().norm().sum();
+}
+
+Eigen::VectorXd PointAreas(const Mesh& mesh)
+{
+  const Eigen::VectorXd sixths = AreaVectors(mesh).rowwise().norm() / 6.0;
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.Points.rows());
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      areas(mesh.Triangles(t, corner)) += sixths(t);
+    }
+  }
+  return areas;
+}
+
+double EnclosedVolume(const Mesh& mesh)
+{
+  // Tetrahedra over the first point instead of the origin: no cancellation far from the origin.
+  if (mesh.Triangles.rows() == 0)
+  {
+    return 0.0;
+  }
+  const Eigen::RowVector3d apex = mesh.Points.row(0);
+  double sixVolumes = 0.0;
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = mesh.Points.row(mesh.Triangles(t, 0)) - apex;
+    const Eigen::RowVector3d b = mesh.Points.row(mesh.Triangles(t, 1)) - apex;
+    const Eigen::RowVector3d c = mesh.Points.row(mesh.Triangles(t, 2)) - apex;
+    sixVolumes += a.dot(b.cross(c));
+  }
+  return sixVolumes / 6.0;
+}
+
+double WindingNumber(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles, const Eigen::RowVector3d& place)
+{
+  double halfAngles = 0.0;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = points.row(triangles(t, 0)) - place;
+    const Eigen::RowVector3d b = points.row(triangles(t, 1)) - place;
+    const Eigen::RowVector3d c = points.row(triangles(t, 2)) - place;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    halfAngles +=
+      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return halfAngles / (2.0 * M_PI);
+}
+
+Mesh FacingOutwards(Mesh mesh)
+{
+  if (EnclosedVolume(mesh) < 0.0)
+  {
+    mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
+  }
+  return mesh;
+}
+
+Eigen::MatrixXd Centroids(const Mesh& mesh)
+{
+  return CornerMeans(mesh.Triangles, mesh.Points);
+}
+
+Eigen::MatrixXd OffCentres(const Mesh& mesh)
+{
+  return AtOffCentres(mesh, mesh.Points);
+}
+
+Eigen::MatrixXd AtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values)
+{
+  constexpr std::array<double, 3> shares = { 0.08, 0.27, 0.65 };
+  Eigen::MatrixXd places(mesh.Triangles.rows(), values.cols());
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    std::array<int, 3> corners = { mesh.Triangles(t, 0), mesh.Triangles(t, 1),
+      mesh.Triangles(t, 2) };
+    std::sort(corners.begin(), corners.end(),
+      [&](int a, int b)
+      {
+        const auto p = mesh.Points.row(a), q = mesh.Points.row(b);
+        return std::array<double, 3>{ p(0), p(1), p(2) } <
+          std::array<double, 3>{ q(0), q(1), q(2) };
+      });
+    places.row(t) = shares[0] * values.row(corners[0]) + shares[1] * values.row(corners[1]) +
+      shares[2] * values.row(corners[2]);
+  }
+  return places;
+}
+
+Eigen::MatrixXd RandomPlaces(const Mesh& mesh, int count, unsigned int seed)
+{
+  const Eigen::VectorXd areas = AreaVectors(mesh).rowwise().norm();
+  std::mt19937 random(seed);
+  std::discrete_distribution<int> triangle(areas.begin(), areas.end());
+  std::uniform_real_distribution<double> uniform;
+  Eigen::MatrixXd places(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    const Eigen::Matrix3d corners = Corners(mesh, triangle(random));
+    const double root = std::sqrt(uniform(random)), along = uniform(random);
+    places.row(i) = Eigen::RowVector3d(1.0 - root, root * (1.0 - along), root * along) * corners;
+  }
+  return places;
+}
+
+Eigen::MatrixXd CornerMeans(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
+{
+  Eigen::MatrixXd means(triangles.rows(), values.cols());
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    means.row(t) =
+      (values.row(triangles(t, 0)) + values.row(triangles(t, 1)) + values.row(triangles(t, 2))) /
+      3.0;
+  }
+  return means;
+}
+
+} // namespace shape

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace shape
+{
+
+/// What kind of surface a mesh is. Points that no triangle uses do not count.
+struct Topology
+{
+  int EulerNumber = 0;         ///< points - edges + triangles
+  int Components = 0;          ///< pieces that share no point
+  int OpenLoops = 0;           ///< chains of edges with one triangle
+  int FirstOpenPoint = -1;     ///< a point of the first of them, or -1
+  int NonManifoldEdges = 0;    ///< edges with three or more triangles
+  int FirstNonManifold = -1;   ///< a point of the first of them, or -1
+  int NonManifoldPoints = 0;   ///< points where two fans of triangles touch
+  int FirstPinchedPoint = -1;  ///< the first of them, or -1
+  int MisorientedEdges = 0;    ///< edges that both triangles run through in the same sense
+  int FirstMisoriented = -1;   ///< a point of the first of them, or -1
+  Eigen::VectorXi ComponentId; ///< n: 0, 1, ... in order of the first point; -1 at unused points
+};
+
+/// Throws InvalidInput where a triangle has an index out of range or uses a point twice.
+Topology SurfaceTopology(const Mesh& mesh);
+
+/// The components of a surface in the order of ComponentId, each with the points it uses, in order.
+std::vector<Mesh> SplitComponents(const Mesh& mesh);
+
+/// Throws InvalidInput unless `mesh` has triangles, every coordinate is finite, its longest side is
+/// between 1e-50 and 1e50 and it is a consistently oriented 2-manifold, open or closed. `name` is
+/// what the message calls it.
+Topology RequireManifold(const Mesh& mesh, const std::string& name);
+
+/**
+ * The same, and closed: `name` is what the message calls it: "the boundary", "the surface".
+ */
+Topology RequireClosedSurface(const Mesh& mesh, const std::string& name);
+
+/// Throws InvalidInput where `values` has a NaN or an infinity: "`name` has 3 values that are not
+/// finite (first at point 17)".
+void RequireFinite(const Eigen::MatrixXd& values, const std::string& name);
+
+} // namespace shape

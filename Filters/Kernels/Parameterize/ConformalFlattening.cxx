@@ -1,0 +1,94 @@
+#include "Parameterize/ConformalFlattening.h"
+
+#include "Laplacian/CotangentWeights.h"
+#include "Linear/DirichletProblem.h"
+#include "Laplacian/IntrinsicDelaunay.h"
+#include "Mesh/OpenLoops.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// 2 pi less the angles around each point, for points of the loop pi less them.
+Eigen::VectorXd Curvatures(const IntrinsicTriangles& flat, const Eigen::MatrixXd& cotangents,
+  Eigen::Index points, const std::vector<int>& loop)
+{
+  Eigen::VectorXd curvatures = Eigen::VectorXd::Constant(points, 2.0 * M_PI);
+  curvatures(loop).array() = M_PI;
+  for (Eigen::Index t = 0; t < flat.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      curvatures(flat.Triangles(t, corner)) -= std::atan2(1.0, cotangents(t, corner));
+    }
+  }
+  return curvatures;
+}
+
+/// The places of a closed polygon (k x 2) that turns by turns(i) at its point i, its sides as near
+/// to `lengths` as they can be: the squares of what each gives up, over its length, are least.
+Eigen::MatrixXd ClosedPolygon(const Eigen::VectorXd& lengths, const Eigen::VectorXd& turns)
+{
+  const Eigen::Index count = lengths.size();
+  Eigen::MatrixXd directions(count, 2);
+  double angle = 0.0;
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    angle += i > 0 ? turns(i) : 0.0;
+    directions.row(i) << std::cos(angle), std::sin(angle);
+  }
+  const Eigen::Matrix2d gram = directions.transpose() * lengths.asDiagonal() * directions;
+  const Eigen::Vector2d gap = directions.transpose() * lengths;
+  const Eigen::VectorXd closed =
+    lengths - lengths.cwiseProduct(directions * gram.fullPivLu().solve(gap));
+  Eigen::MatrixXd places = Eigen::MatrixXd::Zero(count, 2);
+  for (Eigen::Index i = 1; i < count; ++i)
+  {
+    places.row(i) = places.row(i - 1) + closed(i - 1) * directions.row(i - 1);
+  }
+  return places;
+}
+
+} // namespace
+
+Eigen::MatrixXd ConformalFlattening(const Mesh& surface, const Progress& progress)
+{
+  progress(0.0);
+  RequireOpenSurface(surface, LoopCount::AtLeastOne);
+  const std::vector<std::vector<int>> loops = OpenLoops(surface);
+  const std::vector<int>& loop = loops.front();
+  const Mesh filled = FilledWithFans(surface, { loops.begin() + 1, loops.end() });
+  const Eigen::Index points = filled.Points.rows();
+  const IntrinsicTriangles flat = IntrinsicDelaunay(filled);
+  progress(0.3);
+  const Eigen::MatrixXd cotangents = AnglesOfSides(flat.Sides).Cotangents;
+  const Eigen::SparseMatrix<double> stiffness =
+    CotangentStiffness(flat.Triangles, cotangents, points);
+  const DirichletProblem problem(stiffness, loop);
+  progress(0.8);
+
+  const Eigen::MatrixXd curvatures = Curvatures(flat, cotangents, points, loop);
+  Eigen::MatrixXd scale = Eigen::MatrixXd::Zero(points, 1);
+  problem.Solve(scale, -curvatures);
+  const Eigen::VectorXd turns = (curvatures + stiffness * scale)(loop, 0);
+  Eigen::VectorXd lengths(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const int next = loop[(i + 1) % loop.size()];
+    lengths(static_cast<Eigen::Index>(i)) =
+      (surface.Points.row(next) - surface.Points.row(loop[i])).norm();
+  }
+  Eigen::MatrixXd image = Eigen::MatrixXd::Zero(points, 2);
+  image(loop, Eigen::all) = ClosedPolygon(lengths, turns);
+  problem.Solve(image, Eigen::MatrixXd::Zero(points, 2));
+  progress(1.0);
+  return image.topRows(surface.Points.rows());
+}
+
+} // namespace shape

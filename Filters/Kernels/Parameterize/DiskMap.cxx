@@ -1,0 +1,232 @@
+#include "Parameterize/DiskMap.h"
+
+#include "Base/Errors.h"
+#include "Geometry/Orientation.h"
+#include "Mesh/OpenLoops.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+/// Edges of the loop must be longer than this, in lengths of the loop: shorter ones have one angle.
+constexpr double ShortestLoopEdge = 1e-14;
+
+/// Turns the loop so that the point with the greatest coordinates comes first, and of several at
+/// one place the first by number.
+void StartAtGreatest(std::vector<int>& loop, const Eigen::MatrixXd& points)
+{
+  const auto comesBefore = [&](int a, int b)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (points(a, axis) != points(b, axis))
+      {
+        return points(a, axis) > points(b, axis);
+      }
+    }
+    return a < b;
+  };
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), comesBefore), loop.end());
+}
+
+/// The length along the loop from its first point to each, and round to it again (k + 1).
+Eigen::VectorXd ArcLengths(const std::vector<int>& loop, const Eigen::MatrixXd& points)
+{
+  Eigen::VectorXd lengths(loop.size() + 1);
+  lengths(0) = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const int next = loop[(i + 1) % loop.size()];
+    lengths(i + 1) = lengths(i) + (points.row(next) - points.row(loop[i])).norm();
+  }
+  int flat = 0, first = -1;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    if (!(lengths(i + 1) - lengths(i) > ShortestLoopEdge * lengths(loop.size())))
+    {
+      first = flat++ == 0 ? loop[i] : first;
+    }
+  }
+  if (flat > 0)
+  {
+    throw InvalidInput("the surface's open loop has " + std::to_string(flat) +
+      (flat == 1 ? " edge" : " edges") + " without length (first at point " +
+      std::to_string(first) + "); merge its duplicate points with Clean");
+  }
+  return lengths;
+}
+
+Eigen::MatrixXd OnCircle(const Eigen::VectorXd& lengths)
+{
+  const Eigen::Index count = lengths.size() - 1;
+  Eigen::MatrixXd places(count, 2);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * M_PI * lengths(i) / lengths(count);
+    places.row(i) << std::cos(angle), std::sin(angle);
+  }
+  return places;
+}
+
+/// The loop's points (rows of `lengths`) that go to the corners (1, 1), (-1, 1), (-1, -1), (1, -1),
+/// and the count of rows.
+std::array<int, 5> Corners(const Eigen::VectorXd& lengths)
+{
+  const int count = static_cast<int>(lengths.size()) - 1;
+  if (count < 4)
+  {
+    throw InvalidInput("the surface's open loop has " + std::to_string(count) +
+      " points, one less than a square has corners; use the outline Circle");
+  }
+  std::array<int, 5> corners{ 0, 0, 0, 0, count };
+  for (int k = 1; k < 4; ++k)
+  {
+    // One point at least is left for each corner to come.
+    int best = corners[k - 1] + 1;
+    for (int i = best + 1; i <= count - 4 + k; ++i)
+    {
+      const double quarter = 0.25 * k * lengths(count);
+      best = std::abs(lengths(i) - quarter) < std::abs(lengths(best) - quarter) ? i : best;
+    }
+    corners[k] = best;
+  }
+  return corners;
+}
+
+Eigen::MatrixXd OnSquare(const Eigen::VectorXd& lengths, const std::array<int, 5>& corners)
+{
+  const Eigen::Matrix<double, 5, 2> ends =
+    (Eigen::Matrix<double, 5, 2>() << 1, 1, -1, 1, -1, -1, 1, -1, 1, 1).finished();
+  Eigen::MatrixXd places(lengths.size() - 1, 2);
+  for (int side = 0; side < 4; ++side)
+  {
+    const double begin = lengths(corners[side]);
+    const double length = lengths(corners[side + 1]) - begin;
+    for (int i = corners[side]; i < corners[side + 1]; ++i)
+    {
+      const double share = (lengths(i) - begin) / length;
+      // From the end that one coordinate shares with this point, so that it stays 1 or -1 exactly.
+      places.row(i) = ends.row(side) + share * (ends.row(side + 1) - ends.row(side));
+    }
+  }
+  return places;
+}
+
+/// Whatever an edge between two points of one side cuts off would go to that side, and lose its
+/// area (Floater 2003, "One-to-one piecewise linear mappings over triangulations", theorem 4.1).
+void RequireNoEdgeAcrossASide(
+  const Mesh& surface, const std::vector<int>& loop, const std::array<int, 5>& corners)
+{
+  const int count = static_cast<int>(loop.size());
+  std::vector<int> row(surface.Points.rows(), -1);
+  std::vector<int> sidesOf(surface.Points.rows(), 0); // one bit for each side
+  for (int i = 0; i < count; ++i)
+  {
+    row[loop[i]] = i;
+  }
+  for (int side = 0; side < 4; ++side)
+  {
+    for (int i = corners[side]; i <= corners[side + 1]; ++i)
+    {
+      sidesOf[loop[i % count]] |= 1 << side;
+    }
+  }
+  int edges = 0;
+  std::array<int, 2> first{ -1, -1 };
+  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int a = surface.Triangles(t, corner);
+      const int b = surface.Triangles(t, (corner + 1) % 3);
+      const bool crosses = (sidesOf[a] & sidesOf[b]) != 0 && (row[a] + 1) % count != row[b];
+      // Seen once from each of its triangles.
+      if (crosses && a < b)
+      {
+        first = edges++ == 0 ? std::array<int, 2>{ a, b } : first;
+      }
+    }
+  }
+  if (edges > 0)
+  {
+    throw InvalidInput("the surface has " + std::to_string(edges) + " inner " +
+      (edges == 1 ? "edge that joins" : "edges that join") +
+      " two points of one side of the square (first from point " + std::to_string(first[0]) +
+      " to " + std::to_string(first[1]) + "), which would lose area; use the outline Circle");
+  }
+}
+
+void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, CombinationWeights weights)
+{
+  std::vector<int> flipped;
+  for (int t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corners = surface.Triangles.row(t);
+    if (Orientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <= 0)
+    {
+      flipped.push_back(t);
+    }
+  }
+  if (flipped.empty())
+  {
+    return;
+  }
+  const std::string count = std::to_string(flipped.size()) + " of " +
+    std::to_string(surface.Triangles.rows()) + " triangles (first triangle " +
+    std::to_string(flipped[0]) + ")";
+  if (weights == CombinationWeights::Cotangent)
+  {
+    throw SolveFailure("Cotangent weights flip " + count +
+      ", as they can where angles are obtuse; use MeanValue weights");
+  }
+  throw SolveFailure("on the disk " + count +
+    " are smaller than double precision can tell: a limb shrinks exponentially with its length "
+    "over its girth; cut it off with Shape Cut Feature, or fill the hole with Shape Fill Holes and "
+    "map onto the Sphere with an AreaWeight");
+}
+
+} // namespace
+
+DiskMapResult DiskMap(const Mesh& surface, const DiskMapOptions& options, const Progress& progress)
+{
+  progress(0.0);
+  RequireOpenSurface(surface, LoopCount::One);
+  progress(0.1);
+  DiskMapResult result;
+  result.Loop = OpenLoops(surface).front();
+  StartAtGreatest(result.Loop, surface.Points);
+  const double size = LongestSide(surface.Points);
+  Mesh scaled = surface;
+  scaled.Points.rowwise() -= surface.Points.row(result.Loop[0]);
+  scaled.Points /= size > 0.0 ? size : 1.0;
+  const Eigen::VectorXd lengths = ArcLengths(result.Loop, scaled.Points);
+  result.LoopLength = size * lengths(result.Loop.size());
+
+  Eigen::MatrixXd places;
+  if (options.Outline == DiskOutline::Circle)
+  {
+    places = OnCircle(lengths);
+  }
+  else
+  {
+    const std::array<int, 5> corners = Corners(lengths);
+    RequireNoEdgeAcrossASide(surface, result.Loop, corners);
+    places = OnSquare(lengths, corners);
+  }
+  progress(0.2);
+  const Eigen::MatrixXd image =
+    ConvexCombination(scaled, options.Weights, result.Loop, places, progress.Part(0.2, 0.9));
+  RequireNoFlip(surface, image, options.Weights);
+  result.Points = Eigen::MatrixXd::Zero(surface.Points.rows(), 3);
+  result.Points.leftCols(2) = image;
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

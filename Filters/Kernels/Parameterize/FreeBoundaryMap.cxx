@@ -1,0 +1,147 @@
+#include "Parameterize/FreeBoundaryMap.h"
+
+#include "Base/Errors.h"
+#include "Geometry/Orientation.h"
+#include "Parameterize/ConformalFlattening.h"
+#include "Parameterize/ConvexCombination.h"
+#include "Mesh/OpenLoops.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+std::string CountOf(const std::vector<int>& flipped, const Mesh& surface)
+{
+  return std::to_string(flipped.size()) + " of " + std::to_string(surface.Triangles.rows()) +
+    " triangles (first triangle " + std::to_string(flipped[0]) + ")";
+}
+
+double ComputePlanarArea(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& image)
+{
+  Mesh flat{ Eigen::MatrixXd::Zero(image.rows(), 3), triangles };
+  flat.Points.leftCols(2) = image;
+  return ComputeArea(flat);
+}
+
+/// Tutte's map with the longest loop on the unit circle.
+Eigen::MatrixXd CircularMap(
+  const Mesh& surface, const std::vector<std::vector<int>>& loops, const Progress& progress)
+{
+  const std::vector<int>& loop = loops.front();
+  Eigen::MatrixXd places(loop.size(), 2);
+  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  {
+    const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(places.rows());
+    places.row(i) << std::cos(angle), std::sin(angle);
+  }
+  const Mesh filled = FilledWithFans(surface, { loops.begin() + 1, loops.end() });
+  return ConvexCombination(filled, CombinationWeights::Uniform, loop, places, progress)
+    .topRows(surface.Points.rows());
+}
+
+/// The image turned, and moved, to where it lies whatever its place was.
+void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
+{
+  Mesh flat{ Eigen::MatrixXd::Zero(image.rows(), 3), triangles };
+  flat.Points.leftCols(2) = image;
+  const Eigen::VectorXd weights = PointAreas(flat);
+  image.rowwise() -= (weights.transpose() * image / weights.sum()).eval();
+  const Eigen::Matrix2d moments = image.transpose() * weights.asDiagonal() * image;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
+  constexpr double clear = 1e-6; // as a share: less than this is rounding
+  const double size = std::sqrt(solver.eigenvalues().sum() / weights.sum());
+  Eigen::Index first = 0; // the lowest number that is off the middle
+  while (first + 1 < image.rows() && image.row(first).norm() < 0.1 * size)
+  {
+    ++first;
+  }
+  Eigen::Vector2d axis = solver.eigenvectors().col(1);
+  if (solver.eigenvalues()(1) - solver.eigenvalues()(0) < clear * solver.eigenvalues()(1))
+  {
+    axis = image.row(first).normalized();
+  }
+  const Eigen::ArrayXd along = (image * axis).array();
+  const double third = (weights.array() * along.cube()).sum() / weights.sum();
+  const double sense =
+    std::abs(third) > clear * size * size * size ? third : static_cast<double>(along(first));
+  axis *= sense < 0.0 ? -1.0 : 1.0;
+  Eigen::Matrix2d axes;
+  axes << axis(0), -axis(1), axis(1), axis(0);
+  image *= axes;
+}
+
+} // namespace
+
+FreeBoundaryMapResult FreeBoundaryMap(
+  const Mesh& surface, const FreeBoundaryMapOptions& options, const Progress& progress)
+{
+  progress(0.0);
+  const double area = ComputeArea(surface);
+  if (!(area > 0.0))
+  {
+    RequireOpenSurface(surface, LoopCount::AtLeastOne);
+    throw InvalidInput("the surface has no area; check its points");
+  }
+  Mesh unit = surface;
+  unit.Points.rowwise() -= surface.Points.row(0);
+  unit.Points /= std::sqrt(area);
+
+  FreeBoundaryMapResult result;
+  Eigen::MatrixXd image = ConformalFlattening(unit, progress.Part(0.0, 0.2));
+  const std::vector<std::vector<int>> loops = OpenLoops(surface);
+  for (std::size_t i = 0; i < loops.front().size(); ++i)
+  {
+    const int next = loops.front()[(i + 1) % loops.front().size()];
+    result.LoopLength += (surface.Points.row(next) - surface.Points.row(loops.front()[i])).norm();
+  }
+  std::vector<int> flipped = TurnedOver(surface.Triangles, image);
+  if (!flipped.empty() && !options.Refine)
+  {
+    throw SolveFailure("the conformal map flips " + CountOf(flipped, surface) +
+      "; set Refine to SymmetricDirichlet");
+  }
+  if (!flipped.empty())
+  {
+    result.IsConformal = false;
+    image = CircularMap(unit, loops, progress.Part(0.2, 0.3));
+    flipped = TurnedOver(surface.Triangles, image);
+    if (!flipped.empty())
+    {
+      throw SolveFailure("Tutte's map of the longest open loop to a circle leaves " +
+        CountOf(flipped, surface) +
+        " smaller than double precision can tell: a limb shrinks exponentially with its length "
+        "over its girth; cut the surface open along its limbs, or cut them off with Shape Cut "
+        "Feature");
+    }
+  }
+  image /= std::sqrt(ComputePlanarArea(surface.Triangles, image));
+  if (options.Refine)
+  {
+    const InjectiveRefinementResult refined =
+      RefineInjectively(unit, image, {}, options.Refinement, progress.Part(0.3, 1.0));
+    image = refined.Points;
+    result.Iterations = refined.Iterations;
+  }
+  Settle(surface.Triangles, image);
+  flipped = TurnedOver(surface.Triangles, image);
+  if (!flipped.empty())
+  {
+    throw SolveFailure("rounding flips " + CountOf(flipped, surface) +
+      ", which are smaller than double precision can tell; " +
+      (options.Refine ? "cut the surface open along its limbs"
+                      : "set Refine to SymmetricDirichlet"));
+  }
+  result.Points = Eigen::MatrixXd::Zero(image.rows(), 3);
+  result.Points.leftCols(2) = std::sqrt(area) * image;
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

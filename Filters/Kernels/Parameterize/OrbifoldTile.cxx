@@ -1,0 +1,106 @@
+#include "Parameterize/OrbifoldTile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shape
+{
+namespace
+{
+
+using Complex = std::complex<double>;
+
+/// The motion by `turn` around `fixed`.
+PlaneMotion TurnAround(Complex fixed, Complex turn)
+{
+  return { turn, fixed - turn * fixed };
+}
+
+PlaneMotion Inverse(const PlaneMotion& motion)
+{
+  return { std::conj(motion.Turn), -std::conj(motion.Turn) * motion.Shift };
+}
+
+bool AreSame(const PlaneMotion& a, const PlaneMotion& b)
+{
+  constexpr double rounding = 1e-6; // different ones of these groups differ by 0.1 at least
+  return std::abs(a.Turn - b.Turn) < rounding && std::abs(a.Shift - b.Shift) < rounding;
+}
+
+} // namespace
+
+int ConeCount(OrbifoldType type)
+{
+  return type == OrbifoldType::Rectangle ? 4 : 3;
+}
+
+OrbifoldTile MakeOrbifoldTile(OrbifoldType type)
+{
+  const double height = std::sqrt(0.75);
+  const Complex sixth(0.5, height), third(-0.5, height), quarter(0.0, 1.0), half(-1.0, 0.0);
+  OrbifoldTile tile;
+  tile.Type = type;
+  switch (type)
+  {
+    case OrbifoldType::Square:
+      tile.There = { 0.0, 1.0, { 1.0, 1.0 } };
+      tile.Back = { 0.0, quarter, { 1.0, 1.0 } };
+      tile.Legs = { TurnAround(0.0, quarter), TurnAround({ 1.0, 1.0 }, -quarter) };
+      break;
+    case OrbifoldType::Rhombus:
+      tile.There = { 0.0, 1.0, sixth };
+      tile.Back = { 0.0, third, sixth };
+      tile.Legs = { TurnAround(0.0, third), TurnAround(sixth, std::conj(third)) };
+      break;
+    case OrbifoldType::Triangle:
+      tile.There = { 0.0, 1.0, 0.5 * (1.0 + sixth) };
+      tile.Back = { 0.0, sixth, 0.5 * (1.0 + sixth) };
+      tile.Legs = { TurnAround(0.0, sixth), TurnAround(0.5 * (1.0 + sixth), half) };
+      break;
+    case OrbifoldType::Rectangle:
+      tile.There = { 0.0, { 0.0, -0.5 }, { 1.0, -0.5 }, 1.0 };
+      tile.Back = { 0.0, { 0.0, 0.5 }, { 1.0, 0.5 }, 1.0 };
+      tile.Legs = { TurnAround(0.0, half), { 1.0, quarter }, TurnAround(1.0, half) };
+      break;
+  }
+  return tile;
+}
+
+std::vector<PlaneMotion> OrbifoldMotions(
+  const OrbifoldTile& tile, std::complex<double> centre, double radius)
+{
+  std::vector<PlaneMotion> generators;
+  for (const PlaneMotion& leg : tile.Legs)
+  {
+    generators.push_back(leg);
+    generators.push_back(Inverse(leg));
+  }
+  // One generator moves a place near the tile by less than this; so no wanted motion is cut off
+  // from the identity by unwanted ones.
+  constexpr double slack = 4.0;
+  const auto moved = [&](const PlaneMotion& motion) { return std::abs(motion(centre) - centre); };
+  std::vector<PlaneMotion> found = { PlaneMotion() };
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    for (const PlaneMotion& generator : generators)
+    {
+      const PlaneMotion next = found[i].After(generator);
+      if (moved(next) <= radius + slack &&
+        std::none_of(found.begin(), found.end(),
+          [&](const PlaneMotion& other) { return AreSame(next, other); }))
+      {
+        found.push_back(next);
+      }
+    }
+  }
+  found.erase(std::remove_if(found.begin() + 1, found.end(),
+                [&](const PlaneMotion& motion) { return moved(motion) > radius; }),
+    found.end());
+  // The order in which they were found does not depend on rounding.
+  std::stable_sort(found.begin() + 1, found.end(),
+    [&](const PlaneMotion& a, const PlaneMotion& b) { return moved(a) < moved(b) - 1e-6; });
+  return found;
+}
+
+} // namespace shape

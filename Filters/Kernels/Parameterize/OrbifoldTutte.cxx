@@ -1,0 +1,282 @@
+#include "Parameterize/OrbifoldTutte.h"
+
+#include "Base/Errors.h"
+#include "Geometry/Orientation.h"
+#include "Linear/SparseSolve.h"
+#include "Mesh/Topology.h"
+#include "Laplacian/CotangentWeights.h"
+#include "Mesh/OpenLoops.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+using Complex = std::complex<double>;
+
+/// The least weight of an edge: with positive weights nothing flips.
+constexpr double LeastWeight = 1e-2;
+
+void RequireSphere(const Mesh& surface)
+{
+  const Topology topology = RequireClosedSurface(surface, "the surface");
+  if (topology.Components > 1)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
+      " components; keep one with Connectivity / Extract Largest");
+  }
+  if (topology.EulerNumber != 2)
+  {
+    throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
+      " (genus " + std::to_string((2 - topology.EulerNumber) / 2) +
+      "); an orbifold needs genus 0: cut its handles and fill the holes");
+  }
+  const auto unused = (topology.ComponentId.array() < 0).count();
+  if (unused > 0)
+  {
+    throw InvalidInput("the surface has " + std::to_string(unused) +
+      (unused == 1 ? " point that no triangle uses" : " points that no triangle uses") +
+      "; remove with Clean");
+  }
+}
+
+void RequireCones(const Mesh& surface, const std::vector<int>& cones, OrbifoldType type)
+{
+  if (static_cast<int>(cones.size()) != ConeCount(type))
+  {
+    throw InvalidInput("the orbifold has " + std::to_string(ConeCount(type)) + " cones, but " +
+      std::to_string(cones.size()) + " are given; give 3 or 4 Landmarks");
+  }
+  for (std::size_t i = 0; i < cones.size(); ++i)
+  {
+    if (cones[i] < 0 || cones[i] >= surface.Points.rows())
+    {
+      throw InvalidInput("cone " + std::to_string(i) + " is point " + std::to_string(cones[i]) +
+        ", which the surface has not; it has " + std::to_string(surface.Points.rows()));
+    }
+    const auto own = cones.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto same = std::find(cones.begin(), own, cones[i]);
+    if (same != own)
+    {
+      throw InvalidInput("cones " + std::to_string(same - cones.begin()) + " and " +
+        std::to_string(i) + " are the same point, " + std::to_string(cones[i]) +
+        "; move one of them away from the other");
+    }
+  }
+}
+
+/// Where a point of the cut surface is seen: moved from the unknown place of a point, or given.
+struct Place
+{
+  int Unknown = -1;
+  PlaneMotion Motion; ///< of the unknown; without one, Shift is the place
+};
+
+/// Places of the cut surface's points, and the number of unknowns.
+std::pair<std::vector<Place>, int> PlacesOf(
+  const CutSurface& cut, const EdgePath& path, const OrbifoldTile& tile)
+{
+  // The border runs along the path to its end, and back.
+  std::vector<int> loop = OpenLoops(cut.Surface).front();
+  std::rotate(loop.begin(),
+    std::find_if(loop.begin(), loop.end(),
+      [&](int point) { return cut.Originals[point] == path.Points.front(); }),
+    loop.end());
+  std::vector<Place> places(cut.Originals.size());
+  std::vector<char> isDone(cut.Originals.size(), 0);
+  const auto count = static_cast<int>(loop.size());
+  const auto twin = [&](int i) { return loop[(count - i) % count]; };
+  const auto last = static_cast<int>(path.Stops.size()) - 1;
+  for (int stop = 0; stop <= last; ++stop)
+  {
+    const int i = path.Stops[stop];
+    places[loop[i]].Motion = { 0.0, tile.There[stop] };
+    places[twin(i)].Motion = { 0.0, tile.Back[stop] };
+    isDone[loop[i]] = isDone[twin(i)] = 1;
+  }
+  int unknowns = 0;
+  for (int stop = 0; stop < last; ++stop)
+  {
+    for (int i = path.Stops[stop] + 1; i < path.Stops[stop + 1]; ++i)
+    {
+      places[loop[i]] = { unknowns, {} };
+      places[twin(i)] = { unknowns++, tile.Legs[stop] };
+      isDone[loop[i]] = isDone[twin(i)] = 1;
+    }
+  }
+  for (std::size_t point = 0; point < places.size(); ++point)
+  {
+    if (isDone[point] == 0)
+    {
+      places[point] = { unknowns++, {} };
+    }
+  }
+  return { std::move(places), unknowns };
+}
+
+/// The least of the sum of w |p - q|^2 / 2 over the sides of all triangles.
+class MeanEquations
+{
+public:
+  explicit MeanEquations(int unknowns)
+    : Right(Eigen::VectorXd::Zero(2 * unknowns))
+  {
+  }
+
+  /// The derivative by p of w |p - q|^2 / 2, and that by q.
+  void AddSide(const Place& p, const Place& q, double weight)
+  {
+    this->AddHalf(p, q, weight);
+    this->AddHalf(q, p, weight);
+  }
+
+  /// The places of the unknowns.
+  std::vector<Complex> Solve()
+  {
+    if (this->Right.size() == 0)
+    {
+      return {}; // a tetrahedron whose points are all cones
+    }
+    Eigen::SparseMatrix<double> matrix(this->Right.size(), this->Right.size());
+    matrix.setFromTriplets(this->Entries.begin(), this->Entries.end());
+    SparseCholesky solver;
+    solver.Factorize(matrix);
+    const Eigen::VectorXd solution = solver.Solve(this->Right);
+    std::vector<Complex> unknowns;
+    for (Eigen::Index i = 0; i < solution.size(); i += 2)
+    {
+      unknowns.emplace_back(solution(i), solution(i + 1));
+    }
+    return unknowns;
+  }
+
+private:
+  void AddHalf(const Place& p, const Place& q, double weight)
+  {
+    if (p.Unknown < 0)
+    {
+      return;
+    }
+    const Complex back = weight * std::conj(p.Motion.Turn);
+    this->AddBlock(p.Unknown, p.Unknown, weight);
+    if (q.Unknown >= 0)
+    {
+      this->AddBlock(p.Unknown, q.Unknown, -back * q.Motion.Turn);
+    }
+    const Complex right = back * (q.Motion.Shift - p.Motion.Shift);
+    this->Right(2 * p.Unknown) += right.real();
+    this->Right(2 * p.Unknown + 1) += right.imag();
+  }
+
+  /// The product with a complex number, as a real matrix.
+  void AddBlock(int row, int column, Complex factor)
+  {
+    this->Entries.emplace_back(2 * row, 2 * column, factor.real());
+    this->Entries.emplace_back(2 * row + 1, 2 * column + 1, factor.real());
+    if (factor.imag() != 0.0)
+    {
+      this->Entries.emplace_back(2 * row, 2 * column + 1, -factor.imag());
+      this->Entries.emplace_back(2 * row + 1, 2 * column, factor.imag());
+    }
+  }
+
+  std::vector<Eigen::Triplet<double>> Entries;
+  Eigen::VectorXd Right;
+};
+
+void RequireNoFlip(const Mesh& cut, const Eigen::MatrixXd& image)
+{
+  int flipped = 0, first = -1;
+  for (int t = 0; t < cut.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corners = cut.Triangles.row(t);
+    if (Orientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <= 0)
+    {
+      first = flipped++ == 0 ? t : first;
+    }
+  }
+  if (flipped > 0)
+  {
+    throw SolveFailure("on the tile " + std::to_string(flipped) + " of " +
+      std::to_string(cut.Triangles.rows()) + " triangles (first triangle " + std::to_string(first) +
+      ") are smaller than double precision can tell: a limb shrinks exponentially with its length "
+      "over its girth; put Landmarks on the ends of the longest limbs");
+  }
+}
+
+} // namespace
+
+OrbifoldImage OrbifoldTutte(
+  const Mesh& surface, const std::vector<int>& cones, OrbifoldType type, const Progress& progress)
+{
+  progress(0.0);
+  RequireSphere(surface);
+  RequireCones(surface, cones, type);
+  OrbifoldImage image;
+  image.Cones = cones;
+  image.Tile = MakeOrbifoldTile(type);
+  const EdgePath path = PathThrough(surface, cones, progress.Part(0.1, 0.2));
+  std::vector<std::array<int, 2>> edges;
+  for (std::size_t i = 1; i < path.Points.size(); ++i)
+  {
+    edges.push_back({ path.Points[i - 1], path.Points[i] });
+  }
+  image.Cut = CutAlong(surface, edges);
+  progress(0.3);
+
+  const auto [places, unknowns] = PlacesOf(image.Cut, path, image.Tile);
+  const Eigen::SparseMatrix<double> weights =
+    PositiveStiffness(CotangentStiffness(surface.Triangles, AnglesOfTriangles(surface).Cotangents,
+                        surface.Points.rows()),
+      LeastWeight);
+  MeanEquations equations(unknowns);
+  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int next = (corner + 1) % 3;
+      // Half from each of the edge's triangles.
+      equations.AddSide(places[image.Cut.Surface.Triangles(t, corner)],
+        places[image.Cut.Surface.Triangles(t, next)],
+        -0.5 * weights.coeff(surface.Triangles(t, corner), surface.Triangles(t, next)));
+    }
+  }
+  progress(0.4);
+  const std::vector<Complex> solution = equations.Solve();
+  progress(0.9);
+  image.Points.resize(static_cast<Eigen::Index>(places.size()), 2);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const Place& place = places[i];
+    const Complex z =
+      place.Unknown >= 0 ? place.Motion(solution[place.Unknown]) : place.Motion.Shift;
+    image.Points.row(static_cast<Eigen::Index>(i)) << z.real(), z.imag();
+  }
+  RequireNoFlip(image.Cut.Surface, image.Points);
+  progress(1.0);
+  return image;
+}
+
+Eigen::MatrixXd OnBestParallelogram(const OrbifoldImage& image)
+{
+  // The Dirichlet energy of a linear image T is the trace of T D T'; with det T = 1 it is least
+  // where that is a multiple of the identity.
+  const Mesh& cut = image.Cut.Surface;
+  const Eigen::SparseMatrix<double> stiffness =
+    CotangentStiffness(cut.Triangles, AnglesOfTriangles(cut).Cotangents, cut.Points.rows());
+  const Eigen::Matrix2d energy = image.Points.transpose() * stiffness * image.Points;
+  const Eigen::Matrix2d factor = energy.llt().matrixL();
+  // Where D = L L', that is L^-1, which keeps the direction of y.
+  const Eigen::Matrix2d straight = std::sqrt(factor.determinant()) * factor.inverse();
+  return image.Points * straight.transpose();
+}
+
+} // namespace shape

@@ -1,0 +1,268 @@
+#include "Parameterize/Parameterize.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Quality/ConformalDistortion.h"
+#include "Quality/MapQuality.h"
+#include "Parameterize/FreeBoundaryMap.h"
+#include "Parameterize/InjectiveRefinement.h"
+#include "Parameterize/OrbifoldTutte.h"
+#include "Parameterize/Private/PlanarElements.h"
+#include "Parameterize/SphereMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+const char* Word(SphereMapMethod method)
+{
+  switch (method)
+  {
+    case SphereMapMethod::ConformalFlow:
+      return "ConformalFlow";
+    case SphereMapMethod::PositiveFlow:
+      return "PositiveFlow";
+    case SphereMapMethod::GlobalReinsertion:
+      break;
+  }
+  return "GlobalReinsertion";
+}
+
+SphereMapOptions ForSphere(const ParameterizeOptions& options)
+{
+  if (!(options.AreaWeight >= 0.0))
+  {
+    throw InvalidInput("AreaWeight is " + std::to_string(options.AreaWeight) +
+      "; give 0 for angles, or a positive number for areas");
+  }
+  SphereMapOptions sphere;
+  if (options.AreaWeight > 0.0)
+  {
+    sphere.First = SphereMapMethod::GlobalReinsertion;
+    sphere.AreaWeight = options.AreaWeight;
+  }
+  return sphere;
+}
+
+const char* Word(CombinationWeights weights)
+{
+  switch (weights)
+  {
+    case CombinationWeights::Uniform:
+      return "Uniform";
+    case CombinationWeights::Cotangent:
+      return "Cotangent";
+    case CombinationWeights::MeanValue:
+      break;
+  }
+  return "MeanValue";
+}
+
+ParameterizeResult OntoSphere(
+  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+{
+  const SphereMapResult map = SphereMap(surface, ForSphere(options), progress);
+  ParameterizeResult result;
+  result.Positions = map.Points;
+  if (EnclosedVolume(surface) < 0.0)
+  {
+    // The image faces outwards: the map would mirror what is inside.
+    result.Positions.col(2) *= -1.0;
+  }
+  result.Method = Word(map.Method);
+  result.Iterations = map.Iterations;
+  result.ReinsertedPoints = map.Reinserted;
+  return result;
+}
+
+/// By how much the surface is scaled to have its image's area.
+double ScaleTo(const Eigen::MatrixXd& image, const Mesh& surface)
+{
+  return std::sqrt(ComputeArea({ image, surface.Triangles }) / ComputeArea(surface));
+}
+
+bool IsRefined(const ParameterizeOptions& options)
+{
+  return options.Refine == ParameterizeOptions::RefineType::SymmetricDirichlet;
+}
+
+ParameterizeResult OntoDisk(
+  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+{
+  const Progress mapping = progress.Part(0.0, IsRefined(options) ? 0.3 : 1.0);
+  const DiskMapResult map = DiskMap(surface, { options.Weights, options.Outline }, mapping);
+  ParameterizeResult result;
+  result.Positions = map.Points;
+  result.Method = Word(options.Weights);
+  result.FlippedTriangles = map.FlippedTriangles;
+  result.LoopLength = map.LoopLength;
+  if (IsRefined(options))
+  {
+    InjectiveRefinementOptions refinement;
+    refinement.Scale = ScaleTo(map.Points, surface);
+    const InjectiveRefinementResult refined = RefineInjectively(
+      surface, map.Points.leftCols(2), map.Loop, refinement, progress.Part(0.3, 1.0));
+    result.Positions.leftCols(2) = refined.Points;
+    result.Method = "SymmetricDirichlet";
+    result.Iterations = refined.Iterations;
+  }
+  return result;
+}
+
+ParameterizeResult WithFreeBoundary(
+  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+{
+  FreeBoundaryMapOptions own;
+  own.Refine = IsRefined(options);
+  const FreeBoundaryMapResult map = FreeBoundaryMap(surface, own, progress);
+  ParameterizeResult result;
+  result.Positions = map.Points;
+  result.Method = own.Refine ? "SymmetricDirichlet" : "BoundaryFirst";
+  result.Iterations = map.Iterations;
+  result.LoopLength = map.LoopLength;
+  return result;
+}
+
+std::string Word(OrbifoldType type)
+{
+  switch (type)
+  {
+    case OrbifoldType::Square:
+      return "Square";
+    case OrbifoldType::Rhombus:
+      return "Rhombus";
+    case OrbifoldType::Triangle:
+      return "Triangle";
+    case OrbifoldType::Rectangle:
+      break;
+  }
+  return "Parallelogram";
+}
+
+/// The points of the surface that are nearest to the landmarks.
+std::vector<int> NearestPoints(const Mesh& surface, const Eigen::MatrixXd& landmarks)
+{
+  RequireFinite(landmarks, "the Landmarks");
+  RequireFinite(surface.Points, "the surface");
+  std::vector<int> points;
+  for (const auto& landmark : landmarks.rowwise())
+  {
+    Eigen::Index nearest = 0;
+    (surface.Points.rowwise() - landmark).rowwise().squaredNorm().minCoeff(&nearest);
+    points.push_back(static_cast<int>(nearest));
+  }
+  return points;
+}
+
+ParameterizeResult OntoOrbifold(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+  const ParameterizeOptions& options, const Progress& progress)
+{
+  if (landmarks.rows() != 3 && landmarks.rows() != 4)
+  {
+    throw InvalidInput("the Orbifold has 3 or 4 cones, but there are " +
+      std::to_string(landmarks.rows()) + " Landmarks; give 3 or 4 points near the surface");
+  }
+  const OrbifoldType type = landmarks.rows() == 4 ? OrbifoldType::Rectangle : options.Tile;
+  OrbifoldImage image = OrbifoldTutte(surface, NearestPoints(surface, landmarks), type, progress);
+  if (type == OrbifoldType::Rectangle)
+  {
+    image.Points = OnBestParallelogram(image);
+  }
+  ParameterizeResult result;
+  result.CutPositions = Eigen::MatrixXd::Zero(image.Points.rows(), 3);
+  result.CutPositions.leftCols(2) = image.Points;
+  result.Positions = result.CutPositions.topRows(surface.Points.rows());
+  result.Cut = std::move(image.Cut);
+  result.FlippedTriangles = image.FlippedTriangles;
+  result.Method = Word(type);
+  return result;
+}
+
+/// Where the domain does not fit the surface, one that does is named.
+void RequireDomain(const Mesh& surface, ParameterizeOptions::DomainType domain)
+{
+  using Domain = ParameterizeOptions::DomainType;
+  const Topology topology = RequireManifold(surface, "the surface");
+  const bool isForClosed = domain == Domain::Sphere || domain == Domain::Orbifold;
+  if (topology.Components > 1)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
+      " components; keep one with Connectivity / Extract Largest, or merge points at the same "
+      "place "
+      "with Clean");
+  }
+  if (!isForClosed && topology.OpenLoops == 0)
+  {
+    throw InvalidInput("the surface is closed; take the Domain Sphere or Orbifold, or cut it open "
+                       "first, as with Clip");
+  }
+  if (topology.OpenLoops > (isForClosed ? 0 : 1) && domain != Domain::FreeBoundary)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.OpenLoops) +
+      (topology.OpenLoops == 1 ? " open loop" : " open loops") + " (first at point " +
+      std::to_string(topology.FirstOpenPoint) + "), and the Domain has " +
+      (isForClosed
+          ? "none; take FreeBoundary, close it with Fill Holes, or merge its duplicate points with "
+            "Clean"
+          : "one; take FreeBoundary, or close all but the outer one with Fill Holes"));
+  }
+}
+
+ParameterizeResult Onto(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+  const ParameterizeOptions& options, const Progress& progress)
+{
+  using Domain = ParameterizeOptions::DomainType;
+  if (options.Domain != Domain::Orbifold && landmarks.rows() > 0)
+  {
+    throw InvalidInput(
+      "Landmarks are the cones of the Orbifold; choose that Domain, or leave Landmarks empty");
+  }
+  RequireDomain(surface, options.Domain);
+  switch (options.Domain)
+  {
+    case Domain::Disk:
+      return OntoDisk(surface, options, progress);
+    case Domain::FreeBoundary:
+      return WithFreeBoundary(surface, options, progress);
+    case Domain::Orbifold:
+      return OntoOrbifold(surface, landmarks, options, progress);
+    case Domain::Sphere:
+      break;
+  }
+  return OntoSphere(surface, options, progress);
+}
+
+} // namespace
+
+ParameterizeResult Parameterize(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+  const ParameterizeOptions& options, const Progress& progress)
+{
+  ParameterizeResult result = Onto(surface, landmarks, options, progress);
+  const bool isCut = options.Domain == ParameterizeOptions::DomainType::Orbifold;
+  const Mesh& mapped = isCut ? result.Cut.Surface : surface;
+  const Eigen::MatrixXd& image = isCut ? result.CutPositions : result.Positions;
+  const Eigen::VectorXd areas = AreaVectors(mapped).rowwise().norm();
+  result.ConformalDistortion = areas.dot(ConformalDistortion(mapped, image)) / areas.sum();
+  if (options.Domain != ParameterizeOptions::DomainType::Sphere)
+  {
+    const bool hasOwnSize = options.Domain == ParameterizeOptions::DomainType::FreeBoundary;
+    const PlanarElements elements(mapped, hasOwnSize ? 1.0 : ScaleTo(image, mapped));
+    result.Energy = std::min(
+      LargestMeasure, elements.Energy(image.leftCols(2), Distortion::SymmetricDirichlet, 1.0));
+  }
+  return result;
+}
+
+ParameterizeResult Parameterize(
+  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+{
+  return Parameterize(surface, Eigen::MatrixXd(0, 3), options, progress);
+}
+
+} // namespace shape

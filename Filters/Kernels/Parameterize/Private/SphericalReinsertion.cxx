@@ -1,0 +1,316 @@
+#include "Parameterize/Private/SphericalReinsertion.h"
+
+#include "Base/Errors.h"
+#include "Parameterize/Private/PointRings.h"
+#include "Parameterize/Private/RingKernel.h"
+#include "Parameterize/SphericalRelaxation.h"
+#include "Parameterize/SphericalTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+using Rings = std::vector<std::vector<int>>;
+
+/// The stack of merges, with where each level of the hierarchy begins.
+struct Merges
+{
+  std::vector<int> Order;
+  Rings Kept;
+  std::vector<std::size_t> Levels;
+
+  void Add(PointRings& rings, int point, int into)
+  {
+    this->Kept.push_back(rings.Merge(point, into));
+    this->Order.push_back(point);
+  }
+};
+
+/// The triangles around `point`, wanted equilateral and with areas in proportion to the points that
+/// were merged into their corners (`loads`), compared within the star.
+std::vector<StarTriangle> WantedStar(const PointRings& rings, const std::vector<double>& loads,
+  const Eigen::MatrixXd& points, int point, double areaWeight)
+{
+  const double cotangent = 1.0 / std::sqrt(3.0);
+  const std::vector<int>& ring = rings.Around(point);
+  const auto loadOf = [&](int i) { return loads[i] / rings.Around(i).size(); };
+  std::vector<StarTriangle> star;
+  double area = 0.0, load = 0.0;
+  for (std::size_t k = 0; k < ring.size(); ++k)
+  {
+    const int b = ring[k], c = ring[(k + 1) % ring.size()];
+    const double own = loadOf(point) + loadOf(b) + loadOf(c);
+    star.push_back({ b, c, cotangent, cotangent, cotangent, own });
+    area += SphericalDeterminant(points.row(point), points.row(b), points.row(c));
+    load += own;
+  }
+  for (StarTriangle& t : star)
+  {
+    t.AreaTerm = areaWeight * area * (t.AreaTerm / load) * (t.AreaTerm / load);
+  }
+  return star;
+}
+
+/// The least quality det / (sum of squared sides) of the triangles that merging a point into
+/// ring[0] makes; negative where one does not face outwards.
+double MergedQuality(const Eigen::MatrixXd& points, const std::vector<int>& ring)
+{
+  double least = 1.0;
+  const Eigen::RowVector3d a = points.row(ring[0]);
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k)
+  {
+    const Eigen::RowVector3d b = points.row(ring[k]);
+    const Eigen::RowVector3d c = points.row(ring[k + 1]);
+    if (!FacesOutwards(a, b, c))
+    {
+      return -1.0;
+    }
+    least = std::min(least,
+      SphericalDeterminant(a, b, c) /
+        ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm()));
+  }
+  return least;
+}
+
+/// Merges `point` into the neighbour that makes the best triangles, if one sees its ring.
+bool MergeWhereSeen(PointRings& rings, const Eigen::MatrixXd& points, int point, Merges& merges)
+{
+  int best = -1;
+  double bestQuality = 0.0;
+  for (const int into : rings.Around(point))
+  {
+    const double quality = MergedQuality(points, rings.RingFrom(point, into));
+    if (quality > bestQuality && rings.CanMerge(point, into))
+    {
+      best = into;
+      bestQuality = quality;
+    }
+  }
+  if (best >= 0)
+  {
+    merges.Add(rings, point, best);
+  }
+  return best >= 0;
+}
+
+/// Merges points at and around the flipped triangles until none is left. False where that fails or
+/// takes more than `most` merges.
+bool MergeFlipped(PointRings& rings, const Eigen::MatrixXi& triangles,
+  const Eigen::MatrixXd& points, int most, Merges& merges, const Progress& progress)
+{
+  std::vector<int> suspects;
+  for (const int t : FlippedTriangles(triangles, points))
+  {
+    suspects.insert(suspects.end(), { triangles(t, 0), triangles(t, 1), triangles(t, 2) });
+  }
+  for (int ringsAround = 0; ringsAround < 12 && static_cast<int>(merges.Order.size()) <= most;)
+  {
+    progress(0.0);
+    std::sort(suspects.begin(), suspects.end());
+    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+    std::vector<int> left;
+    bool merged = false;
+    for (const int point : suspects)
+    {
+      if (rings.Contains(point) && !SeesRing(points, points.row(point), rings.Around(point)))
+      {
+        left.push_back(point);
+      }
+    }
+    if (left.empty())
+    {
+      return true;
+    }
+    // The flipped stars first; then whatever was drawn in around them.
+    for (const int point : left)
+    {
+      merged = (rings.Contains(point) && MergeWhereSeen(rings, points, point, merges)) || merged;
+    }
+    for (std::size_t i = 0; !merged && ringsAround > 0 && i < suspects.size(); ++i)
+    {
+      merged = rings.Contains(suspects[i]) && MergeWhereSeen(rings, points, suspects[i], merges);
+    }
+    if (!merged)
+    {
+      ++ringsAround;
+      const std::vector<int> inner = suspects;
+      for (const int point : inner)
+      {
+        const std::vector<int>& around = rings.Around(point);
+        suspects.insert(suspects.end(), around.begin(), around.end());
+      }
+    }
+  }
+  return false;
+}
+
+/// Merges everything down to four points: in each level points that share no ring, those of few
+/// neighbours, so that the levels are few and the rings short.
+void MergeAll(PointRings& rings, Merges& merges, const Progress& progress)
+{
+  std::size_t most = 7;
+  while (rings.Remaining() > 4)
+  {
+    const int before = rings.Remaining();
+    progress(1.0 - static_cast<double>(before) / rings.Size());
+    merges.Levels.push_back(merges.Order.size());
+    std::vector<char> touched(rings.Size(), 0);
+    for (int point = 0; point < rings.Size() && rings.Remaining() > 4; ++point)
+    {
+      if (!rings.Contains(point) || touched[point] || rings.Around(point).size() > most)
+      {
+        continue;
+      }
+      int best = -1;
+      for (const int into : rings.Around(point))
+      {
+        if ((best < 0 || rings.Around(into).size() < rings.Around(best).size()) &&
+          rings.CanMerge(point, into))
+        {
+          best = into;
+        }
+      }
+      if (best >= 0)
+      {
+        merges.Add(rings, point, best);
+        for (const int near : merges.Kept.back())
+        {
+          touched[near] = 1;
+        }
+      }
+    }
+    most = rings.Remaining() == before ? 2 * most : most;
+  }
+}
+
+void PlaceTetrahedron(const PointRings& rings, Eigen::MatrixXd& points)
+{
+  int first = 0;
+  while (!rings.Contains(first))
+  {
+    ++first;
+  }
+  const std::vector<int>& others = rings.Around(first);
+  points.row(first) << 1.0, 1.0, 1.0;
+  points.row(others[0]) << -1.0, 1.0, -1.0;
+  points.row(others[1]) << -1.0, -1.0, 1.0;
+  points.row(others[2]) << 1.0, -1.0, -1.0;
+  for (const int i : { first, others[0], others[1], others[2] })
+  {
+    points.row(i).normalize();
+  }
+}
+
+/// Undoes the merges. Points that were merged, and where there are levels all others, move while
+/// they relax. Returns the point that found no room, or -1.
+int Reinsert(PointRings& rings, const Merges& merges, double areaWeight, Eigen::MatrixXd& points,
+  const Progress& progress)
+{
+  std::vector<double> loads(rings.Size(), 1.0);
+  for (std::size_t i = 0; i < merges.Order.size(); ++i)
+  {
+    loads[merges.Kept[i][0]] += loads[merges.Order[i]];
+  }
+  std::vector<char> movable(rings.Size(), merges.Levels.empty() ? 0 : 1);
+  const auto relax = [&](int point)
+  {
+    if (movable[point])
+    {
+      RelaxPoint(points, point, WantedStar(rings, loads, points, point, areaWeight));
+    }
+  };
+  std::size_t level = merges.Levels.size();
+  for (std::size_t i = merges.Order.size(); i-- > 0;)
+  {
+    const int point = merges.Order[i];
+    rings.Restore(point, merges.Kept[i]);
+    loads[merges.Kept[i][0]] -= loads[point];
+    if (!PlaceInRing(points, point, merges.Kept[i]))
+    {
+      return point;
+    }
+    movable[point] = 1;
+    for (int round = 0; round < 3; ++round)
+    {
+      relax(point);
+      for (const int near : rings.Around(point))
+      {
+        relax(near);
+      }
+    }
+    const bool levelEnds = level > 0 && merges.Levels[level - 1] == i;
+    level -= levelEnds ? 1 : 0;
+    for (int sweep = 0; sweep < (levelEnds ? 5 : 0); ++sweep)
+    {
+      for (int j = 0; j < rings.Size(); ++j)
+      {
+        if (rings.Contains(j))
+        {
+          relax(j);
+        }
+      }
+      progress(1.0 - static_cast<double>(i) / merges.Order.size());
+    }
+    if (i % 256 == 0)
+    {
+      progress(1.0 - static_cast<double>(i) / merges.Order.size());
+    }
+  }
+  return -1;
+}
+
+std::vector<int> Sorted(std::vector<int> list)
+{
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+} // namespace
+
+SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
+  const Eigen::MatrixXd& points, int most, const Progress& progress)
+{
+  SphericalReinsertionResult result;
+  result.Points = points;
+  PointRings rings(triangles, static_cast<int>(points.rows()));
+  Merges merges;
+  if (CoveringDegree(triangles, points) == 1 &&
+    MergeFlipped(rings, triangles, points, most, merges, progress.Part(0.0, 0.5)) &&
+    Reinsert(rings, merges, 0.0, result.Points, progress.Part(0.5, 1.0)) == -1)
+  {
+    result.Reached = FlippedTriangles(triangles, result.Points).empty();
+    result.Reinserted = Sorted(merges.Order);
+  }
+  if (!result.Reached)
+  {
+    result.Points = points;
+  }
+  return result;
+}
+
+SphericalReinsertionResult ReinsertAll(
+  const Eigen::MatrixXi& triangles, int n, double areaWeight, const Progress& progress)
+{
+  SphericalReinsertionResult result;
+  result.Points = Eigen::MatrixXd::Zero(n, 3);
+  PointRings rings(triangles, n);
+  Merges merges;
+  MergeAll(rings, merges, progress.Part(0.0, 0.1));
+  PlaceTetrahedron(rings, result.Points);
+  const int failed = Reinsert(rings, merges, areaWeight, result.Points, progress.Part(0.1, 1.0));
+  if (failed != -1)
+  {
+    throw SolveFailure("rounding leaves no room on the sphere for point " + std::to_string(failed) +
+      "; coarsen the surface or remove its longest and thinnest parts");
+  }
+  result.Reinserted = Sorted(merges.Order);
+  result.Reached = true;
+  return result;
+}
+
+} // namespace shape

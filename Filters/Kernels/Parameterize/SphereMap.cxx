@@ -1,0 +1,329 @@
+#include "Parameterize/SphereMap.h"
+
+#include "Base/Errors.h"
+#include "Linear/SparseSolve.h"
+#include "Mesh/Topology.h"
+#include "Laplacian/CotangentWeights.h"
+#include "Parameterize/Private/MoebiusCentering.h"
+#include "Parameterize/Private/SphericalReinsertion.h"
+#include "Parameterize/SphericalRelaxation.h"
+#include "Parameterize/SphericalTriangles.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+void Check(const Mesh& surface, const SphereMapOptions& options)
+{
+  if (!(options.TimeStep > 0.0) || options.MaximumIterations < 1 || options.FreeIterations < 0 ||
+    !(options.Tolerance >= 0.0 && options.Tolerance < 1.0) || !(options.LargestRepair >= 0.0) ||
+    !(options.AreaWeight >= 0.0) || options.RelaxationSweeps < 0)
+  {
+    throw InvalidInput(
+      "an option of the sphere map is out of range; the time step and the number "
+      "of iterations must be positive, the tolerance less than 1, and none negative");
+  }
+  const Topology topology = RequireClosedSurface(surface, "the surface");
+  if (topology.Components > 1)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
+      " components; keep one with Connectivity / Extract Largest");
+  }
+  if (topology.EulerNumber != 2)
+  {
+    throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
+      " (genus " + std::to_string(1 - topology.EulerNumber / 2) +
+      "); a sphere map needs Euler number 2: cut its handles and fill the holes");
+  }
+  const auto unused = (topology.ComponentId.array() < 0).count();
+  if (unused > 0)
+  {
+    const auto first = std::find(topology.ComponentId.begin(), topology.ComponentId.end(), -1) -
+      topology.ComponentId.begin();
+    throw InvalidInput("the surface has " + std::to_string(unused) +
+      " points that no triangle uses (first at point " + std::to_string(first) +
+      "); remove them with Clean");
+  }
+}
+
+/// The surface with area 1 and its middle at the origin.
+Mesh Normalised(const Mesh& surface)
+{
+  const double size = LongestSide(surface.Points);
+  Mesh mesh = surface;
+  mesh.Points.rowwise() -= surface.Points.colwise().mean();
+  mesh.Points /= size;
+  const double area = PointAreas(mesh).sum();
+  if (!mesh.Points.allFinite() || !(area > 0.0))
+  {
+    throw InvalidInput("the surface has no area that double precision can hold (its longest side "
+                       "is " +
+      std::to_string(size) + "); scale it or check its coordinates");
+  }
+  mesh.Points /= std::sqrt(area);
+  return mesh;
+}
+
+/// The flow from `mesh` to the unit sphere.
+class ConformalFlow
+{
+public:
+  ConformalFlow(Mesh mesh, const Eigen::SparseMatrix<double>& stiffness)
+    : Moving(std::move(mesh))
+    , Stiffness(stiffness)
+  {
+  }
+
+  void Step(double timeStep)
+  {
+    this->Recentre();
+    const Eigen::VectorXd masses = PointAreas(this->Moving);
+    Eigen::SparseMatrix<double> system = timeStep * this->Stiffness;
+    system.diagonal() += masses;
+    this->Solver.Factorize(system);
+    this->Moving.Points = this->Solver.Solve(masses.asDiagonal() * this->Moving.Points);
+    this->Recentre();
+  }
+
+  /// The directions of the points from the origin; a point at the origin keeps no direction: x.
+  Eigen::MatrixXd OnSphere() const
+  {
+    Eigen::MatrixXd sphere = this->Moving.Points;
+    for (Eigen::Index i = 0; i < sphere.rows(); ++i)
+    {
+      const double length = sphere.row(i).norm();
+      sphere.row(i) =
+        length > 0.0 ? Eigen::RowVector3d(sphere.row(i) / length) : Eigen::RowVector3d::UnitX();
+    }
+    return sphere;
+  }
+
+  void Hold(const Eigen::MatrixXd& sphere) { this->Moving.Points = sphere; }
+
+private:
+  /// Area 1, and the area's mean at the origin.
+  void Recentre()
+  {
+    Eigen::MatrixXd& points = this->Moving.Points;
+    const Eigen::VectorXd masses = PointAreas(this->Moving);
+    const Eigen::RowVector3d mean = masses.transpose() * points / masses.sum();
+    points.rowwise() -= mean;
+    points /= std::sqrt(masses.sum());
+    if (!points.allFinite())
+    {
+      throw SolveFailure("the flow to the sphere lost the surface's area; remesh its longest and "
+                         "thinnest triangles");
+    }
+  }
+
+  Mesh Moving;
+  const Eigen::SparseMatrix<double>& Stiffness;
+  SparseCholesky Solver;
+};
+
+/// The mean over the given surface of (s1 / s2 + s2 / s1) / 2, s1 and s2 the map's singular values:
+/// 1 where conformal. A triangle counts for at most 1000, whether flipped or not.
+double MeanDistortion(const Mesh& mesh, const TriangleAngles& angles, const Eigen::MatrixXd& sphere)
+{
+  double sum = 0.0;
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3d a = sphere.row(mesh.Triangles(t, 0));
+    const Eigen::RowVector3d b = sphere.row(mesh.Triangles(t, 1));
+    const Eigen::RowVector3d c = sphere.row(mesh.Triangles(t, 2));
+    const double energy = angles.Cotangents(t, 0) * (c - b).squaredNorm() +
+      angles.Cotangents(t, 1) * (a - c).squaredNorm() +
+      angles.Cotangents(t, 2) * (b - a).squaredNorm();
+    const double area = 2.0 * (b - a).cross(c - a).norm();
+    sum += angles.Areas(t) * (energy < 1000.0 * area ? energy / area : 1000.0);
+  }
+  return sum / angles.Areas.sum();
+}
+
+/// The flow's most conformal image on the sphere. Past it the chords of a coarse surface let the
+/// image contract to a few points.
+Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
+  const Eigen::SparseMatrix<double>& stiffness, const SphereMapOptions& options, int& iterations,
+  const Progress& progress)
+{
+  ConformalFlow flow(mesh, stiffness);
+  Eigen::MatrixXd best;
+  double least = std::numeric_limits<double>::infinity();
+  int idle = 0;
+  for (; idle < 3 && iterations < options.MaximumIterations; ++iterations)
+  {
+    progress(static_cast<double>(iterations) / options.MaximumIterations);
+    flow.Step(options.TimeStep);
+    const Eigen::MatrixXd sphere = flow.OnSphere();
+    const double distortion = MeanDistortion(mesh, angles, sphere);
+    const bool held = iterations + 1 >= options.FreeIterations;
+    // Smaller gains are left: which step has the least of them hangs on rounding.
+    const bool better = distortion < (1.0 - options.Tolerance) * least;
+    idle = better || !held ? 0 : idle + 1;
+    if (better)
+    {
+      least = distortion;
+      best = sphere;
+    }
+    if (held)
+    {
+      flow.Hold(sphere);
+    }
+  }
+  progress(1.0);
+  return best;
+}
+
+/// `points` and two rings around them.
+std::vector<int> Around(const Mesh& mesh, const std::vector<int>& points)
+{
+  std::vector<char> inside(mesh.Points.rows(), 0);
+  for (const int i : points)
+  {
+    inside[i] = 1;
+  }
+  for (int ring = 0; ring < 2; ++ring)
+  {
+    const std::vector<char> before = inside;
+    for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+    {
+      const Eigen::RowVector3i corners = mesh.Triangles.row(t);
+      if (before[corners(0)] || before[corners(1)] || before[corners(2)])
+      {
+        inside[corners(0)] = inside[corners(1)] = inside[corners(2)] = 1;
+      }
+    }
+  }
+  std::vector<int> list;
+  for (int i = 0; i < static_cast<int>(inside.size()); ++i)
+  {
+    if (inside[i])
+    {
+      list.push_back(i);
+    }
+  }
+  return list;
+}
+
+int CountFlips(const Mesh& mesh, const Eigen::MatrixXd& sphere)
+{
+  return static_cast<int>(FlippedTriangles(mesh.Triangles, sphere).size());
+}
+
+/// One method from its beginning to a centred map, or false where flipped triangles are left.
+bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& options,
+  SphereMapResult& result, const Progress& progress)
+{
+  const int n = static_cast<int>(mesh.Points.rows());
+  const TriangleAngles angles = AnglesOfTriangles(mesh);
+  result.Method = method;
+  result.Iterations = 0;
+  result.Reinserted = 0;
+  int most = n;
+  if (method == SphereMapMethod::GlobalReinsertion)
+  {
+    result.Points =
+      ReinsertAll(mesh.Triangles, n, options.AreaWeight, progress.Part(0.0, 0.8)).Points;
+  }
+  else
+  {
+    Eigen::SparseMatrix<double> stiffness =
+      CotangentStiffness(mesh.Triangles, angles.Cotangents, n);
+    if (method == SphereMapMethod::PositiveFlow)
+    {
+      stiffness = PositiveStiffness(stiffness, 0.01);
+    }
+    else
+    {
+      most = std::max(16, static_cast<int>(options.LargestRepair * n));
+    }
+    result.Points =
+      FlowToSphere(mesh, angles, stiffness, options, result.Iterations, progress.Part(0.0, 0.8));
+    if (SolidAngles(mesh.Triangles, result.Points).sum() < 0.0)
+    {
+      result.Points = -result.Points;
+    }
+  }
+  // Centring can flip a triangle again: it keeps circles, but not the straight sides.
+  const Eigen::VectorXd areas = PointAreas(mesh);
+  const int rounds = 8;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const Progress part =
+      progress.Part(0.8 + 0.2 * round / rounds, 0.8 + 0.2 * (round + 1) / rounds);
+    const MoebiusCenteringResult centred =
+      MoebiusCentering(result.Points, areas, {}, part.Part(0.0, 0.1));
+    result.Points = centred.Points;
+    result.MeanLength = centred.MeanLength;
+    const int flips = CountFlips(mesh, result.Points);
+    if (round == 0 && method == options.First)
+    {
+      result.FlipsBeforeRelaxation = flips;
+    }
+    if (flips == 0)
+    {
+      return CoveringDegree(mesh.Triangles, result.Points) == 1;
+    }
+    const SphericalReinsertionResult repaired =
+      ReinsertFlipped(mesh.Triangles, result.Points, most, part.Part(0.1, 0.7));
+    if (!repaired.Reached)
+    {
+      return false;
+    }
+    result.Points = repaired.Points;
+    result.Reinserted += static_cast<int>(repaired.Reinserted.size());
+    RelaxOnSphere(result.Points, mesh.Triangles, angles.Cotangents,
+      Around(mesh, repaired.Reinserted), options.RelaxationSweeps, part.Part(0.7, 1.0));
+  }
+  return false;
+}
+
+} // namespace
+
+SphereMapResult SphereMap(
+  const Mesh& surface, const SphereMapOptions& options, const Progress& progress)
+{
+  Check(surface, options);
+  const Mesh mesh = Normalised(surface);
+  SphereMapResult result;
+  std::string failure;
+  double begin = 0.0;
+  for (const SphereMapMethod method : { SphereMapMethod::ConformalFlow,
+         SphereMapMethod::PositiveFlow, SphereMapMethod::GlobalReinsertion })
+  {
+    if (method < options.First)
+    {
+      continue;
+    }
+    const double end = 0.5 * (1.0 + begin);
+    try
+    {
+      if (Attempt(mesh, method, options, result, progress.Part(begin, end)))
+      {
+        result.SmallestArea = SolidAngles(mesh.Triangles, result.Points).minCoeff();
+        progress(1.0);
+        return result;
+      }
+      const std::vector<int> flipped = FlippedTriangles(mesh.Triangles, result.Points);
+      failure = std::to_string(flipped.size()) + " triangles stay flipped on the sphere" +
+        (flipped.empty() ? "" : " (first at triangle " + std::to_string(flipped[0]) + ")") +
+        "; remesh the surface's longest and thinnest parts";
+    }
+    catch (const SolveFailure& error)
+    {
+      failure = error.what();
+    }
+    begin = end;
+  }
+  throw SolveFailure(failure);
+}
+
+} // namespace shape

@@ -1,0 +1,260 @@
+#include "Planar/PlanarDelaunay.h"
+
+#include "Base/Errors.h"
+#include "Mesh/SamePlaces.h"
+#include "Planar/Private/PlanarTriangles.h"
+#include "Planar/Private/SegmentRecovery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+using KeepType = PlanarDelaunayOptions::KeepType;
+
+void RequireUsable(const Eigen::MatrixXd& points, const Eigen::MatrixXi& segments)
+{
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    if (!points.row(i).allFinite())
+    {
+      throw InvalidInput("point " + std::to_string(i) + " of the plane is not finite");
+    }
+  }
+  const double side = points.rows() > 0
+    ? (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff()
+    : 0.0;
+  RequireOption(side == 0.0 || (side >= 1e-50 && side <= 1e50),
+    "the longest side of the points' box", side, "between 1e-50 and 1e50");
+  for (Eigen::Index i = 0; i < segments.rows(); ++i)
+  {
+    if (segments.row(i).minCoeff() < 0 || segments.row(i).maxCoeff() >= points.rows())
+    {
+      throw InvalidInput("segment " + std::to_string(i) + " has a point that is not there");
+    }
+  }
+}
+
+/// How far along the curve (Hilbert 1891) through a grid of 2^31 x 2^31 cells one of them is.
+std::uint64_t AlongCurve(std::uint32_t x, std::uint32_t y)
+{
+  std::uint64_t along = 0;
+  for (std::uint32_t half = 1U << 30U; half > 0; half >>= 1U)
+  {
+    const bool isRight = (x & half) != 0, isUpper = (y & half) != 0;
+    const unsigned int quarter = isRight ? (isUpper ? 2U : 3U) : (isUpper ? 1U : 0U);
+    along = 4 * along + quarter;
+    if (!isUpper)
+    {
+      if (isRight)
+      {
+        x = ~x;
+        y = ~y;
+      }
+      std::swap(x, y);
+    }
+  }
+  return along;
+}
+
+/// The distinct points, such that the next one is near.
+std::vector<int> InsertionOrder(const Eigen::MatrixXd& points, const Eigen::VectorXi& first)
+{
+  const Eigen::RowVector2d low = points.colwise().minCoeff();
+  const double side = (points.colwise().maxCoeff() - low).maxCoeff();
+  const double cells = side > 0.0 ? 2147483647.0 / side : 0.0;
+  std::vector<std::pair<std::uint64_t, int>> keys;
+  for (int i = 0; i < static_cast<int>(points.rows()); ++i)
+  {
+    if (first(i) == i)
+    {
+      const Eigen::RowVector2d cell = cells * (points.row(i) - low);
+      keys.emplace_back(
+        AlongCurve(static_cast<std::uint32_t>(cell(0)), static_cast<std::uint32_t>(cell(1))), i);
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<int> order;
+  order.reserve(keys.size());
+  for (const auto& [key, point] : keys)
+  {
+    order.push_back(point);
+  }
+  return order;
+}
+
+/// Inserts all points; false where they lie on one line.
+bool InsertAll(PlanarTriangles& plane, const std::vector<int>& order)
+{
+  std::size_t third = 2;
+  while (third < order.size() && plane.Turn(order[0], order[1], order[third]) == 0)
+  {
+    ++third;
+  }
+  if (third >= order.size())
+  {
+    return false;
+  }
+  plane.Start(order[0], order[1], order[third]);
+  for (std::size_t i = 2; i < order.size(); ++i)
+  {
+    if (i != third)
+    {
+      plane.Insert(order[i]);
+    }
+  }
+  return true;
+}
+
+/// Throws InvalidInput unless the segments enter each point as often as they leave it (Wound), or
+/// meet it an even number of times (Oddly).
+void RequireClosed(const Eigen::MatrixXi& segments, const Eigen::VectorXi& first, KeepType keep)
+{
+  Eigen::VectorXi ends = Eigen::VectorXi::Zero(first.size());
+  for (Eigen::Index i = 0; i < segments.rows(); ++i)
+  {
+    ++ends(first(segments(i, 0)));
+    ends(first(segments(i, 1))) += keep == KeepType::Wound ? -1 : 1;
+  }
+  for (Eigen::Index point = 0; point < ends.size(); ++point)
+  {
+    if (keep == KeepType::Wound ? ends(point) != 0 : ends(point) % 2 != 0)
+    {
+      throw InvalidInput("the outlines are not closed: one ends at point " + std::to_string(point) +
+        "; close it, or keep all triangles");
+    }
+  }
+}
+
+/// How often the segments wind around each triangle.
+std::vector<int> Windings(const PlanarTriangles& plane)
+{
+  std::vector<int> windings(plane.Sides() / 3, 0);
+  std::vector<char> isReached(windings.size(), 0);
+  std::vector<int> reached;
+  for (int t = 0; t < static_cast<int>(windings.size()); ++t)
+  {
+    if (plane.IsFar(t))
+    {
+      isReached[t] = 1;
+      reached.push_back(t);
+    }
+  }
+  while (!reached.empty())
+  {
+    const int triangle = reached.back();
+    reached.pop_back();
+    for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
+    {
+      const int beyond = plane.Twin(side) / 3;
+      if (isReached[beyond] == 0)
+      {
+        isReached[beyond] = 1;
+        windings[beyond] = windings[triangle] - plane.Mark(side).Winding;
+        reached.push_back(beyond);
+      }
+    }
+  }
+  return windings;
+}
+
+Eigen::MatrixXi KeptTriangles(const PlanarTriangles& plane, KeepType keep)
+{
+  const std::vector<int> windings = Windings(plane);
+  Eigen::MatrixXi triangles(windings.size(), 3);
+  Eigen::Index kept = 0;
+  for (int t = 0; t < static_cast<int>(windings.size()); ++t)
+  {
+    const bool isInside =
+      keep == KeepType::All || (keep == KeepType::Oddly ? windings[t] % 2 : windings[t]) != 0;
+    if (isInside && !plane.IsFar(t))
+    {
+      triangles.row(kept++) << plane.Begin(3 * t), plane.Begin(3 * t + 1), plane.Begin(3 * t + 2);
+    }
+  }
+  return triangles.topRows(kept);
+}
+
+/// The marked edges, segment by segment and along each.
+void AddEdges(const PlanarTriangles& plane, const Eigen::MatrixXi& segments,
+  const SegmentRecovery& recovery, PlanarTriangulation& result)
+{
+  std::vector<std::tuple<int, double, int>> sides;
+  for (int side = 0; side < plane.Sides(); ++side)
+  {
+    if (plane.Mark(side).Group < 0)
+    {
+      continue;
+    }
+    const int begin = plane.Begin(side), end = plane.End(side);
+    for (const int segment : recovery.Group(plane.Mark(side).Group))
+    {
+      // Coordinates along the longer axis: no rounding.
+      const Eigen::RowVector2d along =
+        plane.Place(segments(segment, 1)) - plane.Place(segments(segment, 0));
+      const int axis = std::abs(along(0)) >= std::abs(along(1)) ? 0 : 1;
+      const double sign = along(axis) < 0.0 ? -1.0 : 1.0;
+      const double from = sign * plane.Place(begin)(axis), to = sign * plane.Place(end)(axis);
+      if (std::make_pair(from, begin) < std::make_pair(to, end))
+      {
+        sides.emplace_back(segment, from, side);
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  result.Edges.resize(static_cast<Eigen::Index>(sides.size()), 2);
+  result.EdgeSegments.resize(result.Edges.rows());
+  for (Eigen::Index i = 0; i < result.Edges.rows(); ++i)
+  {
+    const auto& [segment, from, side] = sides[i];
+    result.Edges.row(i) << plane.Begin(side), plane.End(side);
+    result.EdgeSegments(i) = segment;
+  }
+}
+
+} // namespace
+
+PlanarTriangulation PlanarDelaunay(const Eigen::MatrixXd& points, const Eigen::MatrixXi& segments,
+  const PlanarDelaunayOptions& options)
+{
+  RequireUsable(points, segments);
+  const std::vector<int> first = FirstAtPlace(points);
+  PlanarTriangulation result{ points, Eigen::MatrixXi(0, 3),
+    Eigen::Map<const Eigen::VectorXi>(first.data(), points.rows()), Eigen::MatrixXi(0, 2), {} };
+  const Eigen::Index outlines = options.Outlines < 0
+    ? segments.rows()
+    : std::min<Eigen::Index>(options.Outlines, segments.rows());
+  if (options.Keep != KeepType::All)
+  {
+    RequireClosed(segments.topRows(outlines), result.SamePoint, options.Keep);
+  }
+  PlanarTriangles plane(points, options.Metric);
+  if (points.rows() < 3 || !InsertAll(plane, InsertionOrder(points, result.SamePoint)))
+  {
+    return result;
+  }
+  SegmentRecovery recovery(plane, options.AddCrossings, segments.rows());
+  for (int i = 0; i < static_cast<int>(segments.rows()); ++i)
+  {
+    recovery.Recover(
+      result.SamePoint(segments(i, 0)), result.SamePoint(segments(i, 1)), i, i < outlines ? 1 : 0);
+  }
+  result.Points.conservativeResize(plane.Points(), 2);
+  for (auto i = static_cast<int>(points.rows()); i < plane.Points(); ++i)
+  {
+    result.Points.row(i) = plane.Place(i);
+  }
+  result.Triangles = KeptTriangles(plane, options.Keep);
+  AddEdges(plane, segments, recovery, result);
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,219 @@
+#include "Planar/Private/SegmentRecovery.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+namespace shape
+{
+
+SegmentRecovery::SegmentRecovery(PlanarTriangles& plane, bool addCrossings, Eigen::Index segments)
+  : Plane(plane)
+  , AddsCrossings(addCrossings)
+  , MostPoints(plane.Points() + 16.0 * segments * segments + 1000.0)
+{
+}
+
+void SegmentRecovery::Recover(int begin, int end, int segment, int winding)
+{
+  this->Groups.push_back({ segment });
+  this->Pieces = { { begin, end, { static_cast<int>(this->Groups.size()) - 1, winding } } };
+  while (!this->Pieces.empty())
+  {
+    const Piece piece = this->Pieces.back();
+    this->Pieces.pop_back();
+    for (int at = piece.Begin; at != piece.End;)
+    {
+      at = this->Advance(at, piece);
+    }
+  }
+}
+
+/// Whether c lies on the ray from a through b.
+bool SegmentRecovery::IsAhead(int a, int b, int c) const
+{
+  const Eigen::RowVector2d& from = this->Plane.Place(a);
+  const Eigen::RowVector2d& to = this->Plane.Place(b);
+  const Eigen::RowVector2d& place = this->Plane.Place(c);
+  const int axis = from(0) != to(0) ? 0 : 1;
+  return (from(axis) < to(axis)) == (from(axis) < place(axis)) && this->Plane.Turn(a, b, c) == 0;
+}
+
+/// Makes the piece from one of its points to the next one an edge; returns that point.
+int SegmentRecovery::Advance(int from, const Piece& piece)
+{
+  const int to = piece.End;
+  int side = this->Plane.From(from);
+  while (true)
+  {
+    const int right = this->Plane.End(side), left = this->Plane.Apex(side);
+    if (right != PlanarTriangles::Far)
+    {
+      if (right == to || this->IsAhead(from, to, right))
+      {
+        this->AddMark(side, piece.Mark);
+        return right;
+      }
+      if (left != PlanarTriangles::Far && this->Plane.Turn(from, to, right) < 0 &&
+        this->Plane.Turn(from, to, left) > 0)
+      {
+        return this->Cross(from, piece, this->Plane.Twin(NextSide(side)));
+      }
+    }
+    side = this->Plane.Twin(PreviousSide(side));
+  }
+}
+
+/// The same where edges are crossed. ahead: the first one's side beyond it.
+int SegmentRecovery::Cross(int from, const Piece& piece, int ahead)
+{
+  const int first = ahead;
+  while (true)
+  {
+    if (this->Plane.Mark(ahead).Group >= 0)
+    {
+      this->AddCrossing(from, piece, ahead);
+      return piece.End;
+    }
+    const int next = this->Plane.Apex(ahead);
+    const int turn = next == piece.End ? 0 : this->Plane.Turn(from, piece.End, next);
+    if (turn == 0)
+    {
+      this->AddMark(this->Plane.Twin(this->OpenWay(from, next, first)), piece.Mark);
+      std::vector<int> sides;
+      for (const int triangle : this->Flipped)
+      {
+        sides.insert(sides.end(), { 3 * triangle, 3 * triangle + 1, 3 * triangle + 2 });
+      }
+      this->Plane.MakeDelaunay(std::move(sides));
+      return next;
+    }
+    ahead = this->Plane.Twin(turn > 0 ? NextSide(ahead) : PreviousSide(ahead));
+  }
+}
+
+/// Flips what the way between two points crosses until there is an edge; returns its side that
+/// leads back. The corners left of the way are cut off from it one by one where their chain is
+/// convex: then it always can be done.
+int SegmentRecovery::OpenWay(int from, int to, int ahead)
+{
+  this->Flipped.clear();
+  std::vector<int> chain = { from, this->Plane.Begin(ahead) };
+  while (true)
+  {
+    const int next = this->Plane.Apex(ahead);
+    const int turn = next == to ? 0 : this->Plane.Turn(from, to, next);
+    if (turn < 0)
+    {
+      ahead = this->Plane.Twin(PreviousSide(ahead));
+      continue;
+    }
+    int back = PreviousSide(ahead);
+    ahead = this->Plane.Twin(NextSide(ahead));
+    while (chain.size() > 1 && this->Plane.Turn(chain[chain.size() - 2], chain.back(), next) < 0)
+    {
+      back = this->CutOff(back, chain[chain.size() - 2]);
+      chain.pop_back();
+    }
+    if (turn == 0)
+    {
+      return back;
+    }
+    chain.push_back(next);
+  }
+}
+
+/// Flips the edges of a corner that cross the way, until the corners before and after it share
+/// an edge. back: the side to it from the one after; returns the same of the new edge.
+int SegmentRecovery::CutOff(int back, int before)
+{
+  const int after = this->Plane.Begin(back);
+  int side = NextSide(back);
+  while (this->Plane.End(side) != before)
+  {
+    const int twin = this->Plane.Twin(side);
+    const int previous = this->Plane.Apex(twin), next = this->Plane.Apex(side);
+    if (this->Plane.Turn(previous, this->Plane.End(side), next) <= 0)
+    {
+      side = NextSide(twin);
+      continue;
+    }
+    this->Flipped.insert(this->Flipped.end(), { side / 3, twin / 3 });
+    this->Plane.Flip(side);
+    if (next == after)
+    {
+      back = NextSide(side);
+      side = PreviousSide(side);
+    }
+    else
+    {
+      side = this->Plane.Twin(NextSide(side));
+    }
+  }
+  return this->Plane.Twin(PreviousSide(back));
+}
+
+void SegmentRecovery::AddMark(int side, const PlanarTriangles::SegmentMark& mark)
+{
+  PlanarTriangles::SegmentMark own = this->Plane.Mark(side);
+  if (own.Group < 0)
+  {
+    own.Group = mark.Group;
+  }
+  else if (own.Group != mark.Group)
+  {
+    std::vector<int> both;
+    std::set_union(this->Groups[own.Group].begin(), this->Groups[own.Group].end(),
+      this->Groups[mark.Group].begin(), this->Groups[mark.Group].end(), std::back_inserter(both));
+    if (both.size() > this->Groups[own.Group].size())
+    {
+      own.Group = static_cast<int>(this->Groups.size());
+      this->Groups.push_back(std::move(both));
+    }
+  }
+  own.Winding += mark.Winding;
+  this->Plane.SetMark(side, own);
+}
+
+/// A point where the piece crosses a segment: both are to be recovered anew, through it.
+void SegmentRecovery::AddCrossing(int from, const Piece& piece, int side)
+{
+  const PlanarTriangles::SegmentMark mark = this->Plane.Mark(side);
+  const int begin = this->Plane.Begin(side), end = this->Plane.End(side);
+  const Eigen::RowVector2d a = this->Plane.Place(from), b = this->Plane.Place(piece.End);
+  const Eigen::RowVector2d c = this->Plane.Place(begin), d = this->Plane.Place(end);
+  const Eigen::RowVector2d along = b - a, across = d - c, gap = c - a;
+  const double share =
+    (gap(0) * across(1) - gap(1) * across(0)) / (along(0) * across(1) - along(1) * across(0));
+  const Eigen::RowVector2d place = a + std::clamp(share, 0.0, 1.0) * along;
+  if (!this->AddsCrossings)
+  {
+    const int one = this->Groups[mark.Group].front(),
+              other = this->Groups[piece.Mark.Group].front();
+    std::ostringstream words;
+    words << "segments " << std::min(one, other) << " and " << std::max(one, other) << " cross at ("
+          << place(0) << ", " << place(1) << "); split them there";
+    throw InvalidInput(words.str());
+  }
+  if (this->Plane.Points() > this->MostPoints)
+  {
+    throw SolveFailure("the segments cross again wherever a crossing is rounded; scale the points"
+                       " up, or move apart those that all but coincide");
+  }
+  this->Plane.SetMark(side, {});
+  this->Plane.MakeDelaunay({ side });
+  const int added = this->Plane.AddPlace(place.allFinite() ? place : a);
+  const int point = this->Plane.Insert(added);
+  if (point != added)
+  {
+    this->Plane.RemoveLastPlace();
+  }
+  this->Pieces.insert(this->Pieces.end(),
+    { { point, piece.End, piece.Mark }, { from, point, piece.Mark }, { begin, point, mark },
+      { point, end, mark } });
+}
+
+} // namespace shape

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Mesh/PreciseMap.h"
+#include "Base/Progress.h"
+
+#include <vector>
+
+namespace shape
+{
+
+/// A surface of fewer points and which place of it each point of the finer one has.
+struct CoarseSurface
+{
+  Mesh Surface;
+  std::vector<int> Points; ///< of the finer surface: those of the coarse one, in order
+  PreciseMap Places;       ///< n: of the finer surface's points on the coarse one
+};
+
+/**
+ * Merges points into neighbours (half-edge collapses) until about `points` are left, nearly evenly
+ * spread: first those whose neighbours get the shortest new edges. Merged points are kept on the
+ * triangles that took the place of those around them (after Lee et al., "MAPS: multiresolution
+ * adaptive parameterization of surfaces", 1998), each at the closest place of these few, so that
+ * none lands on another sheet.
+ *
+ * Topology and open loops stay, and so do the points of `kept`; no merge turns a triangle that is
+ * not slim by more than 60 degrees, or makes one slim and slimmer than it was. Where that leaves no
+ * point to merge, more than `points` are left.
+ *
+ * mesh: a consistently oriented 2-manifold, open or closed, with no point that no triangle uses.
+ * points >= 4. Throws InvalidInput, Aborted.
+ */
+CoarseSurface Coarsened(
+  const Mesh& mesh, int points, const std::vector<int>& kept = {}, const Progress& progress = {});
+
+/// Where places of the coarse surface are on the finer one: the nearest that a walk (TriangleWalk)
+/// finds from the nearest of the finer points on the same triangle. Throws Aborted.
+PreciseMap PlacesOnFiner(const CoarseSurface& coarse, const Mesh& finer, const PreciseMap& places,
+  const Progress& progress = {});
+
+} // namespace shape

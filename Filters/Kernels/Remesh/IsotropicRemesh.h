@@ -1,0 +1,31 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+
+namespace shape
+{
+
+struct IsotropicRemeshOptions
+{
+  double EdgeLength = 0.0;   ///< wanted, in the surface's units; > 0
+  double CreaseAngle = 40.0; ///< degrees between the normals at a crease; creases are kept
+  int Rounds = 6;            ///< >= 1
+};
+
+/**
+ * A surface of nearly equilateral triangles of one size near a closed surface: edges that are too
+ * long are split, those too short are collapsed, flips make the valences even, and points slide
+ * along the surface (Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004).
+ *
+ * Creases stay where they are, and so do points where they meet or end. Creases shorter than some
+ * edges are noise and are not kept. The topology stays; whether the result crosses itself is not
+ * checked (Geometry/Crossings.h).
+ *
+ * surface: closed, consistently oriented. Throws InvalidInput where options are out of range,
+ * Aborted.
+ */
+Mesh IsotropicRemesh(
+  const Mesh& surface, const IsotropicRemeshOptions& options, const Progress& progress = {});
+
+} // namespace shape

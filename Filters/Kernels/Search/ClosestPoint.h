@@ -1,0 +1,58 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Mesh/PreciseMap.h"
+#include "Base/Progress.h"
+
+#include <memory>
+
+namespace shape
+{
+
+/// Where on a surface the closest points to n points lie; barycentric coordinates are exactly 0
+/// opposite an edge that a place lies on.
+struct ClosestPoints : PreciseMap
+{
+  Eigen::MatrixXd Positions; ///< n x 3
+  Eigen::VectorXd Distances; ///< n: >= 0
+};
+
+/// Where on a surface the closest point to one point lies.
+struct ClosestPlace
+{
+  int Triangle = -1;
+  Eigen::RowVector3d Barycentric, Position;
+  double Distance = 0.0;
+};
+
+/// Barycentric coordinates of the point of a triangle (one corner a row) closest to `place`; those
+/// opposite an edge that it lies on are exactly 0. The triangle may have no area.
+Eigen::RowVector3d ClosestInTriangle(
+  const Eigen::Matrix3d& corners, const Eigen::RowVector3d& place);
+
+/// Finds the closest points of a triangulated surface; built once, queried from any thread.
+class SurfaceLocator
+{
+public:
+  /// Keeps a copy of `mesh`. Throws InvalidInput where it has no triangle.
+  explicit SurfaceLocator(const Mesh& mesh);
+  ~SurfaceLocator();
+  SurfaceLocator(SurfaceLocator&&) noexcept;
+  SurfaceLocator& operator=(SurfaceLocator&&) noexcept;
+
+  /// points: n x 3, finite. Throws InvalidInput where the square of a distance overflows, Aborted.
+  ClosestPoints Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
+
+  /// The same for one point. guess: a triangle that is likely near, which makes it quicker and is
+  /// taken where no other is nearer, and at once where the point lies on it but for rounding; or
+  /// -1. Throws InvalidInput as above.
+  ClosestPlace FindOne(const Eigen::RowVector3d& point, int guess = -1) const;
+
+  const Mesh& Surface() const; ///< the mesh that is searched
+
+private:
+  struct Locator;
+  std::unique_ptr<Locator> Impl;
+};
+
+} // namespace shape

@@ -1,0 +1,107 @@
+#include "Solids/SolidBoundary.h"
+
+#include "Mesh/HalfEdges.h"
+#include "Geometry/Crossings.h"
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// Triangles that are neighbours across an edge.
+std::vector<std::vector<int>> Neighbours(const Mesh& mesh)
+{
+  std::vector<std::vector<int>> neighbours(mesh.Triangles.rows());
+  const std::vector<HalfEdge> edges = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+  {
+    if (edges[i].Low() == edges[i + 1].Low() && edges[i].High() == edges[i + 1].High())
+    {
+      neighbours[edges[i].Triangle].push_back(edges[i + 1].Triangle);
+      neighbours[edges[i + 1].Triangle].push_back(edges[i].Triangle);
+    }
+  }
+  return neighbours;
+}
+
+} // namespace
+
+SolidBoundaryResult SolidBoundary(const Mesh& mesh, const Progress& progress)
+{
+  SolidBoundaryResult result{ mesh };
+  const Eigen::Index count = mesh.Triangles.rows();
+  // Flat triangles bound nothing, and say nothing about crossings that others do not.
+  std::vector<char> apart(count, 0);
+  for (const int flat : FlatTriangles(mesh))
+  {
+    apart[flat] = 1;
+  }
+  std::vector<int> solid;
+  for (int t = 0; t < count; ++t)
+  {
+    if (!apart[t])
+    {
+      solid.push_back(t);
+    }
+  }
+  const Mesh tested{ mesh.Points, mesh.Triangles(solid, Eigen::all) };
+  const std::vector<Crossing> crossings = FindCrossings(tested, progress.Part(0.0, 0.5));
+  result.Crossings = static_cast<int>(crossings.size());
+  if (crossings.empty())
+  {
+    return result;
+  }
+  for (const Crossing& crossing : crossings)
+  {
+    apart[solid[crossing.First]] = apart[solid[crossing.Second]] = 1;
+  }
+  // All triangles that hang together without crossing others are on one side of them.
+  const std::vector<std::vector<int>> neighbours = Neighbours(mesh);
+  const double step = 1e-6 * LongestSide(mesh.Points);
+  std::vector<int> kept;
+  std::vector<char> seen = apart;
+  for (int first = 0; first < count; ++first)
+  {
+    progress(0.5 + 0.5 * first / static_cast<double>(count));
+    if (apart[first])
+    {
+      kept.push_back(first);
+    }
+    if (seen[first])
+    {
+      continue;
+    }
+    std::vector<int> cluster = { first };
+    seen[first] = 1;
+    for (std::size_t i = 0; i < cluster.size(); ++i)
+    {
+      for (const int next : neighbours[cluster[i]])
+      {
+        if (!seen[next])
+        {
+          seen[next] = 1;
+          cluster.push_back(next);
+        }
+      }
+    }
+    const Eigen::Matrix3d corners = Corners(mesh, first);
+    const Eigen::RowVector3d normal =
+      (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0)).normalized();
+    const double outside =
+      WindingNumber(mesh.Points, mesh.Triangles, corners.colwise().mean() + step * normal);
+    if (outside > -0.5 && outside < 0.5)
+    {
+      kept.insert(kept.end(), cluster.begin(), cluster.end());
+    }
+  }
+  result.Surface.Triangles = mesh.Triangles(kept, Eigen::all);
+  return result;
+}
+
+} // namespace shape

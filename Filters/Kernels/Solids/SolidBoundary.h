@@ -1,0 +1,26 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Base/Progress.h"
+
+namespace shape
+{
+
+/// What bounds the solid that a surface winds around.
+struct SolidBoundaryResult
+{
+  Mesh Surface;      ///< the surface's triangles that bound it, with all of the surface's points
+  int Crossings = 0; ///< pairs of triangles that cross or touch; with none, nothing is left out
+};
+
+/**
+ * The triangles of a closed surface that may cross itself, without those inside the solid that it
+ * winds around at least once (Jacobson, Kavan and Sorkine-Hornung, "Robust inside-outside
+ * segmentation using generalized winding numbers", 2013). Triangles that cross others are kept
+ * whole, so a little of them may lie inside.
+ *
+ * mesh: closed, oriented consistently. Throws Aborted.
+ */
+SolidBoundaryResult SolidBoundary(const Mesh& mesh, const Progress& progress = {});
+
+} // namespace shape

@@ -1,0 +1,229 @@
+#include "Solids/SurfaceComplex.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Geometry/Crossings.h"
+
+#include <algorithm>
+#include <array>
+#include <locale>
+#include <numeric>
+#include <sstream>
+
+namespace shape
+{
+namespace
+{
+
+/// For each point the first one at the same place.
+std::vector<int> FirstAtPlace(const Eigen::MatrixXd& points)
+{
+  const auto place = [&](int i) {
+    return std::array<double, 3>{ points(i, 0), points(i, 1), points(i, 2) };
+  };
+  std::vector<int> order(points.rows());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [&](int a, int b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
+  std::vector<int> first(points.rows());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    first[order[i]] =
+      i > 0 && place(order[i]) == place(order[i - 1]) ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+/// The same triangles over the first points at each place, without those that collapse.
+Mesh Joined(const Mesh& mesh, int& duplicates, int& firstDuplicate)
+{
+  const std::vector<int> first = FirstAtPlace(mesh.Points);
+  Mesh joined{ mesh.Points, mesh.Triangles };
+  for (int& point : joined.Triangles.reshaped())
+  {
+    point = first[point];
+  }
+  for (int i = 0; i < mesh.Points.rows(); ++i)
+  {
+    if (first[i] != i)
+    {
+      firstDuplicate = duplicates++ == 0 ? i : firstDuplicate;
+    }
+  }
+  Eigen::Index kept = 0;
+  for (Eigen::Index t = 0; t < joined.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i c = joined.Triangles.row(t);
+    if (c(0) != c(1) && c(1) != c(2) && c(2) != c(0))
+    {
+      joined.Triangles.row(kept++) = c;
+    }
+  }
+  joined.Triangles.conservativeResize(kept, 3);
+  return joined;
+}
+
+std::string Place(const Eigen::RowVector3d& place)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(8);
+  text << "(" << place(0) << ", " << place(1) << ", " << place(2) << ")";
+  return text.str();
+}
+
+/// The surface that a triangle of the complex belongs to.
+int Owner(const SurfaceComplex& complex, int triangle)
+{
+  const auto after =
+    std::upper_bound(complex.FirstTriangle.begin(), complex.FirstTriangle.end(), triangle);
+  return static_cast<int>(after - complex.FirstTriangle.begin()) - 1;
+}
+
+[[noreturn]] void ReportCrossings(const SurfaceComplex& complex,
+  const std::vector<std::string>& names, double unit, const std::vector<Crossing>& crossings)
+{
+  const int a = Owner(complex, crossings[0].First), b = Owner(complex, crossings[0].Second);
+  std::string places;
+  int count = 0;
+  constexpr int listed = 5;
+  for (const Crossing& crossing : crossings)
+  {
+    if (Owner(complex, crossing.First) != a || Owner(complex, crossing.Second) != b)
+    {
+      continue;
+    }
+    if (count++ < listed)
+    {
+      places += (places.empty() ? "" : ", ") +
+        std::to_string(crossing.First - complex.FirstTriangle[a]) + " and " +
+        std::to_string(crossing.Second - complex.FirstTriangle[b]) + " near " +
+        Place(unit * crossing.Place);
+    }
+  }
+  const std::string pairs = std::to_string(count) + (count == 1 ? " pair" : " pairs") +
+    " of triangles (" + (count > listed ? "the first: " : "") + places + "); ";
+  if (a == b)
+  {
+    throw InvalidInput(names[a] + " crosses or touches itself at " + pairs +
+      "look at these cells with Find Data, and repair the surface there: move its points apart, or "
+      "remesh it");
+  }
+  throw InvalidInput(names[b] + " crosses or touches " + names[a] + " at " + pairs +
+    "the second number is a triangle of " + names[b] + "; move it away or leave it out");
+}
+
+} // namespace
+
+void RequireClosed(const Mesh& surface, const std::string& name)
+{
+  try
+  {
+    RequireClosedSurface(surface, name);
+  }
+  catch (const InvalidInput&)
+  {
+    if (surface.Triangles.rows() == 0 || !surface.Points.allFinite())
+    {
+      throw;
+    }
+    const Topology topology = SurfaceTopology(surface);
+    int duplicates = 0, first = -1;
+    const Mesh joined = Joined(surface, duplicates, first);
+    if (topology.OpenLoops == 0 || duplicates == 0 || joined.Triangles.rows() == 0 ||
+      SurfaceTopology(joined).OpenLoops > 0)
+    {
+      throw;
+    }
+    throw InvalidInput(name + " has " + std::to_string(topology.OpenLoops) +
+      (topology.OpenLoops == 1 ? " open loop" : " open loops") + ", only because " +
+      std::to_string(duplicates) + " of its points lie where others do (first point " +
+      std::to_string(first) + "); merge them with Clean");
+  }
+}
+
+SurfaceComplex JoinSurfaces(const std::vector<Mesh>& surfaces)
+{
+  Eigen::Index points = 0, triangles = 0;
+  SurfaceComplex complex;
+  for (const Mesh& surface : surfaces)
+  {
+    complex.FirstTriangle.push_back(static_cast<int>(triangles));
+    points += surface.Points.rows();
+    triangles += surface.Triangles.rows();
+  }
+  Mesh all{ Eigen::MatrixXd(points, 3), Eigen::MatrixXi(triangles, 3) };
+  points = triangles = 0;
+  for (const Mesh& surface : surfaces)
+  {
+    all.Points.middleRows(points, surface.Points.rows()) = surface.Points;
+    all.Triangles.middleRows(triangles, surface.Triangles.rows()) =
+      surface.Triangles.array() + static_cast<int>(points);
+    points += surface.Points.rows();
+    triangles += surface.Triangles.rows();
+  }
+  // Only points in use take part, so that none stands for them all.
+  std::vector<char> used(points, 0);
+  for (const int point : all.Triangles.reshaped())
+  {
+    used[point] = 1;
+  }
+  std::vector<int> kept;
+  for (int i = 0; i < points; ++i)
+  {
+    if (used[i])
+    {
+      kept.push_back(i);
+    }
+  }
+  const Eigen::MatrixXd places = all.Points(kept, Eigen::all);
+  const std::vector<int> first = FirstAtPlace(places);
+  std::vector<int> distinct, newIndex(points, -1), original;
+  for (int i = 0; i < static_cast<int>(kept.size()); ++i)
+  {
+    if (first[i] == i)
+    {
+      newIndex[kept[i]] = static_cast<int>(distinct.size());
+      distinct.push_back(i);
+      if (kept[i] < surfaces[0].Points.rows())
+      {
+        original.push_back(kept[i]);
+      }
+    }
+    newIndex[kept[i]] = newIndex[kept[first[i]]];
+  }
+  for (int& point : all.Triangles.reshaped())
+  {
+    point = newIndex[point];
+  }
+  complex.Surfaces = { places(distinct, Eigen::all), all.Triangles };
+  complex.OriginalPoint =
+    Eigen::Map<Eigen::VectorXi>(original.data(), static_cast<Eigen::Index>(original.size()));
+  return complex;
+}
+
+void RequireSound(const SurfaceComplex& complex, const std::vector<std::string>& names, double unit,
+  const Progress& progress)
+{
+  const std::vector<int> flat = FlatTriangles(complex.Surfaces);
+  if (!flat.empty())
+  {
+    const int owner = Owner(complex, flat[0]);
+    const auto count =
+      std::count_if(flat.begin(), flat.end(), [&](int t) { return Owner(complex, t) == owner; });
+    const Eigen::RowVector3i corners = complex.Surfaces.Triangles.row(flat[0]);
+    throw InvalidInput(names[owner] + " has " + std::to_string(count) +
+      (count == 1 ? " triangle" : " triangles") + " without area (first triangle " +
+      std::to_string(flat[0] - complex.FirstTriangle[owner]) + " near " +
+      Place(unit * complex.Surfaces.Points(corners, Eigen::all).colwise().mean()) +
+      "); remove them with Clean (a tolerance above 0), or remesh");
+  }
+  progress(0.1);
+  const std::vector<Crossing> crossings = FindCrossings(complex.Surfaces, progress.Part(0.1, 1.0));
+  if (!crossings.empty())
+  {
+    ReportCrossings(complex, names, unit, crossings);
+  }
+}
+
+} // namespace shape

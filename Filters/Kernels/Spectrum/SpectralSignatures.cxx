@@ -1,0 +1,116 @@
+#include "Spectrum/SpectralSignatures.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+/// How many eigenvalues are 0; there are more than these and `others`.
+Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
+{
+  const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
+  if (spectrum.Eigenvalues.size() < zeros + others)
+  {
+    throw InvalidInput("NumberOfEigenpairs is " + std::to_string(spectrum.Eigenvalues.size()) +
+      ", of which " + std::to_string(zeros) +
+      " are constants, one for each component; it must be at least " +
+      std::to_string(zeros + others) +
+      ": raise it, refine a surface of fewer points, or merge points at the same place with Clean");
+  }
+  return zeros;
+}
+
+double Between(double first, double last, int i, int count)
+{
+  return count > 1 ? first + (last - first) * i / (count - 1) : first;
+}
+
+/// How much each eigenfunction counts at each time (k x times); each column's sum is 1.
+Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
+{
+  const Eigen::Index zeros = ZeroCount(spectrum, 1);
+  const double reach = 4.0 * std::log(10.0);
+  const double first = std::log(reach / spectrum.Eigenvalues.tail(1)(0)),
+               last = std::log(reach / spectrum.Eigenvalues(zeros));
+  Eigen::MatrixXd weights(spectrum.Eigenvalues.size(), times);
+  for (int i = 0; i < times; ++i)
+  {
+    weights.col(i) =
+      (-std::exp(Between(first, last, i, times)) * spectrum.Eigenvalues).array().exp();
+  }
+  weights.array().rowwise() /= weights.colwise().sum().array().eval();
+  return weights;
+}
+
+/// And at each energy.
+Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
+{
+  const Eigen::Index zeros = ZeroCount(spectrum, 1);
+  const Eigen::ArrayXd logarithms =
+    spectrum.Eigenvalues.tail(spectrum.Eigenvalues.size() - zeros).array().log();
+  const double first = logarithms(0), last = logarithms.tail(1)(0);
+  const double deviation =
+    std::max(0.07 * (last - first), std::numeric_limits<double>::epsilon()); // if all are equal
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(spectrum.Eigenvalues.size(), energies);
+  for (int i = 0; i < energies; ++i)
+  {
+    const double energy = Between(first + 2.0 * deviation, last - 2.0 * deviation, i, energies);
+    weights.col(i).tail(logarithms.size()) =
+      (-(logarithms - energy).square() / (2.0 * deviation * deviation)).exp();
+  }
+  weights.array().rowwise() /= weights.colwise().sum().array().eval();
+  return weights;
+}
+
+/// The sum over the eigenfunctions of their squares, times the area.
+Eigen::MatrixXd Signature(const LaplaceSpectrum& spectrum, const Eigen::MatrixXd& weights)
+{
+  return spectrum.Masses.sum() * (spectrum.Eigenfunctions.array().square().matrix() * weights);
+}
+
+/// And of their products with their values at a point.
+Eigen::MatrixXd KernelFrom(
+  const LaplaceSpectrum& spectrum, int point, const Eigen::MatrixXd& weights)
+{
+  return spectrum.Masses.sum() *
+    (spectrum.Eigenfunctions *
+      (spectrum.Eigenfunctions.row(point).transpose().asDiagonal() * weights));
+}
+
+} // namespace
+
+Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
+{
+  return Signature(spectrum, HeatWeights(spectrum, times));
+}
+
+Eigen::MatrixXd WaveKernelSignature(const LaplaceSpectrum& spectrum, int energies)
+{
+  return Signature(spectrum, WaveWeights(spectrum, energies));
+}
+
+Eigen::MatrixXd HeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times)
+{
+  return KernelFrom(spectrum, point, HeatWeights(spectrum, times));
+}
+
+Eigen::MatrixXd WaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies)
+{
+  return KernelFrom(spectrum, point, WaveWeights(spectrum, energies));
+}
+
+Eigen::MatrixXd SpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)
+{
+  const Eigen::Index zeros = ZeroCount(spectrum, dimensions);
+  return spectrum.Eigenfunctions.middleCols(zeros, dimensions) *
+    spectrum.Eigenvalues.segment(zeros, dimensions).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+} // namespace shape

@@ -1,0 +1,345 @@
+#include "Tetrahedra/Tetrahedralize.h"
+
+#include "Base/Errors.h"
+#include "Geometry/Orientation.h"
+#include "Solids/SolidRegions.h"
+#include "Solids/SurfaceComplex.h"
+#include "Tetrahedra/Private/TetGen.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+using Eigen::RowVector3d;
+
+void CheckOptions(const TetrahedralizeOptions& options)
+{
+  const double ratio = options.MaximumRadiusEdgeRatio, volume = options.MaximumVolume;
+  if (!(ratio == 0.0 || ratio > 1.0) || std::isinf(ratio))
+  {
+    throw InvalidInput("MaximumRadiusEdgeRatio is " + std::to_string(ratio) +
+      "; give a number greater than 1, such as 2, or 0 for no bound");
+  }
+  if (!(volume >= 0.0) || std::isinf(volume))
+  {
+    throw InvalidInput("MaximumVolume is " + std::to_string(volume) +
+      "; give a positive volume in the model's units cubed, or 0 for no bound");
+  }
+}
+
+/// Progress of a loop that is at item `i` of `count`.
+void ReportEvery(Eigen::Index i, Eigen::Index count, const Progress& progress)
+{
+  if (i % 65536 == 0)
+  {
+    progress(static_cast<double>(i) / count);
+  }
+}
+
+/// Turns all tetrahedra so that they are positive. Throws where they do not all agree.
+void MakePositive(
+  const Eigen::MatrixXd& points, Eigen::MatrixXi& tetrahedra, const Progress& progress)
+{
+  int expected = 0, wrong = 0;
+  for (Eigen::Index i = 0; i < tetrahedra.rows(); ++i)
+  {
+    const int sign = Orientation(points.row(tetrahedra(i, 0)), points.row(tetrahedra(i, 1)),
+      points.row(tetrahedra(i, 2)), points.row(tetrahedra(i, 3)));
+    expected = expected == 0 ? sign : expected;
+    wrong += sign == 0 || sign != expected;
+    ReportEvery(i, tetrahedra.rows(), progress);
+  }
+  if (wrong > 0)
+  {
+    throw SolveFailure("TetGen made " + std::to_string(wrong) +
+      " tetrahedra that are flat or turned inside out; remesh where triangles are thin, or change "
+      "PreserveBoundary");
+  }
+  if (expected < 0)
+  {
+    tetrahedra.col(0).swap(tetrahedra.col(1));
+  }
+}
+
+/// A face of a tetrahedron, or a part of a surface where Tetrahedron is -1.
+struct Face
+{
+  std::array<int, 3> Points; ///< sorted
+  int Tetrahedron;
+};
+
+/// All faces, equal ones side by side, those of surfaces before those of tetrahedra.
+std::vector<Face> SortedFaces(
+  const Eigen::MatrixXi& tetrahedra, const Eigen::MatrixXi& onSurfaces, const Progress& progress)
+{
+  std::vector<Face> faces;
+  faces.reserve(4 * tetrahedra.rows() + onSurfaces.rows());
+  const auto add = [&](int a, int b, int c, int tetrahedron)
+  {
+    faces.push_back({ { a, b, c }, tetrahedron });
+    std::sort(faces.back().Points.begin(), faces.back().Points.end());
+  };
+  for (int i = 0; i < tetrahedra.rows(); ++i)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      add(tetrahedra(i, k), tetrahedra(i, (k + 1) % 4), tetrahedra(i, (k + 2) % 4), i);
+    }
+  }
+  for (Eigen::Index t = 0; t < onSurfaces.rows(); ++t)
+  {
+    add(onSurfaces(t, 0), onSurfaces(t, 1), onSurfaces(t, 2), -1);
+  }
+  // By their first points at once, then among those of each: no single call sorts them all.
+  std::vector<std::size_t> first(2 + std::max(tetrahedra.maxCoeff(), onSurfaces.maxCoeff()), 0);
+  for (const Face& face : faces)
+  {
+    ++first[face.Points[0] + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Face> sorted(faces.size());
+  std::vector<std::size_t> next = first;
+  for (const Face& face : faces)
+  {
+    sorted[next[face.Points[0]]++] = face;
+  }
+  for (std::size_t point = 0; point + 1 < first.size(); ++point)
+  {
+    std::sort(sorted.begin() + first[point], sorted.begin() + first[point + 1],
+      [](const Face& a, const Face& b)
+      { return a.Points != b.Points ? a.Points < b.Points : a.Tetrahedron < b.Tetrahedron; });
+    ReportEvery(point, first.size(), progress);
+  }
+  return sorted;
+}
+
+/// Sets of tetrahedra that no surface separates: the number of each one's set, from 0. Throws where
+/// a part of a surface is no face of a tetrahedron, or the tetrahedra end elsewhere.
+Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
+  const Eigen::MatrixXi& onSurfaces, int& sets, const Progress& progress)
+{
+  const std::vector<Face> faces = SortedFaces(tetrahedra, onSurfaces, progress.Part(0.0, 0.6));
+  std::vector<std::vector<int>> neighbours(tetrahedra.rows());
+  int missing = 0, open = 0;
+  for (std::size_t i = 0; i < faces.size();)
+  {
+    const bool onSurface = faces[i].Tetrahedron == -1;
+    const std::size_t first = i + onSurface;
+    std::size_t next = first;
+    while (next < faces.size() && faces[next].Points == faces[i].Points)
+    {
+      ++next;
+    }
+    missing += next == first;
+    open += !onSurface && next != first + 2;
+    if (!onSurface && next == first + 2)
+    {
+      neighbours[faces[first].Tetrahedron].push_back(faces[first + 1].Tetrahedron);
+      neighbours[faces[first + 1].Tetrahedron].push_back(faces[first].Tetrahedron);
+    }
+    i = next;
+  }
+  if (missing + open > 0)
+  {
+    throw SolveFailure("TetGen's tetrahedra miss " + std::to_string(missing) +
+      " triangles of the surface and end at " + std::to_string(open) +
+      " faces beside it; remesh where triangles are thin, or change PreserveBoundary");
+  }
+  Eigen::VectorXi set = Eigen::VectorXi::Constant(tetrahedra.rows(), -1);
+  std::vector<int> front;
+  for (int seed = 0; seed < tetrahedra.rows(); ++seed)
+  {
+    if (set(seed) == -1)
+    {
+      set(seed) = sets;
+      for (front.assign(1, seed); !front.empty();)
+      {
+        const int here = front.back();
+        front.pop_back();
+        for (const int there : neighbours[here])
+        {
+          if (set(there) == -1)
+          {
+            set(there) = sets;
+            front.push_back(there);
+          }
+        }
+      }
+      ++sets;
+    }
+  }
+  return set;
+}
+
+struct Measures
+{
+  Eigen::VectorXd Volumes;
+  double MinimumScaledJacobian = std::numeric_limits<double>::infinity();
+};
+
+Measures Measure(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra, const Progress& progress)
+{
+  Measures measures{ Eigen::VectorXd(tetrahedra.rows()) };
+  for (Eigen::Index i = 0; i < tetrahedra.rows(); ++i)
+  {
+    double length[4][4];
+    for (int a = 0; a < 4; ++a)
+    {
+      for (int b = 0; b < 4; ++b)
+      {
+        length[a][b] = (points.row(tetrahedra(i, a)) - points.row(tetrahedra(i, b))).norm();
+      }
+    }
+    double largest = 0.0;
+    for (int a = 0; a < 4; ++a)
+    {
+      largest =
+        std::max(largest, length[a][(a + 1) % 4] * length[a][(a + 2) % 4] * length[a][(a + 3) % 4]);
+    }
+    const RowVector3d origin = points.row(tetrahedra(i, 0));
+    const RowVector3d u = points.row(tetrahedra(i, 1)) - origin;
+    const RowVector3d v = points.row(tetrahedra(i, 2)) - origin;
+    const RowVector3d w = points.row(tetrahedra(i, 3)) - origin;
+    const double jacobian = u.cross(v).dot(w);
+    measures.Volumes(i) = jacobian / 6.0;
+    measures.MinimumScaledJacobian =
+      std::min(measures.MinimumScaledJacobian, std::sqrt(2.0) * jacobian / largest);
+    ReportEvery(i, tetrahedra.rows(), progress);
+  }
+  return measures;
+}
+
+/// The region of each tetrahedron. Throws where one lies in a void or a region's volume is wrong.
+Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& onSurfaces,
+  const Eigen::VectorXd& volumes, const SolidRegions& regions, const Progress& progress)
+{
+  int sets = 0;
+  const Eigen::VectorXi set = SetsBetweenSurfaces(mesh.Tetrahedra, onSurfaces, sets, progress);
+  Eigen::VectorXi largest = Eigen::VectorXi::Constant(sets, -1);
+  for (int i = 0; i < set.size(); ++i)
+  {
+    int& best = largest(set(i));
+    best = best == -1 || volumes(i) > volumes(best) ? i : best;
+  }
+  Eigen::VectorXi regionOfSet(sets);
+  for (int s = 0; s < sets; ++s)
+  {
+    const Eigen::RowVector4i corners = mesh.Tetrahedra.row(largest(s));
+    regionOfSet(s) = regions.RegionAt(mesh.Points(corners, Eigen::all).colwise().mean());
+    if (regionOfSet(s) == SolidRegions::Void)
+    {
+      throw SolveFailure(
+        "TetGen filled a part of space that is not solid; remesh where parts of the "
+        "surface nearly touch");
+    }
+  }
+  Eigen::VectorXi region(set.size());
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(regions.Volumes().size());
+  for (Eigen::Index i = 0; i < set.size(); ++i)
+  {
+    region(i) = regionOfSet(set(i));
+    found(region(i)) += volumes(i);
+  }
+  const double total = regions.Volumes().sum();
+  for (Eigen::Index r = 0; r < found.size(); ++r)
+  {
+    if (!(std::abs(found(r) - regions.Volumes()(r)) <= 1e-9 * total))
+    {
+      throw SolveFailure("TetGen's tetrahedra of region " + std::to_string(r) +
+        " have another volume than the surfaces enclose (off by " +
+        std::to_string(100.0 * (found(r) / regions.Volumes()(r) - 1.0)) +
+        " %); remesh where triangles are thin, or change PreserveBoundary");
+    }
+  }
+  return region;
+}
+
+} // namespace
+
+TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>& innerSurfaces,
+  const TetrahedralizeOptions& options, const Progress& progress)
+{
+  CheckOptions(options);
+  std::vector<Mesh> surfaces = { surface };
+  std::vector<std::string> names = { "the Input" };
+  for (std::size_t i = 0; i < innerSurfaces.size(); ++i)
+  {
+    surfaces.push_back(innerSurfaces[i]);
+    names.push_back("inner surface " + std::to_string(i));
+  }
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    RequireClosed(surfaces[s], names[s]);
+  }
+  // TetGen's own tolerances suit a model of size 1; a power of two changes no bit of the mantissas.
+  const double size = LongestSide(surface.Points);
+  const double scale = size > 0.0 ? std::exp2(-std::ilogb(size)) : 1.0;
+  for (Mesh& mesh : surfaces)
+  {
+    mesh.Points *= scale;
+  }
+  const SurfaceComplex complex = JoinSurfaces(surfaces);
+  RequireSound(complex, names, 1.0 / scale, progress.Part(0.02, 0.2));
+  const SolidRegions regions(surfaces, names, progress.Part(0.2, 0.25));
+  const double maximumVolume = options.MaximumVolume * scale * scale * scale;
+  const double byVolume = maximumVolume > 0.0 ? regions.Volumes().sum() / maximumVolume : 0.0;
+  if (byVolume > 1e8)
+  {
+    throw InvalidInput("MaximumVolume asks for more than 100 million tetrahedra; give more than " +
+      std::to_string(regions.Volumes().sum() / (scale * scale * scale) * 1e-8));
+  }
+
+  // Refinement need not end beside very sharp angles, nor soon inside a thin sheet.
+  const int maximumNewPoints =
+    1000000 + static_cast<int>(std::min(1e9, 50.0 * complex.Surfaces.Points.rows() + byVolume));
+  TetGenOutput mesh =
+    RunTetGen({ complex.Surfaces, regions.PlacesInVoids(), options.MaximumRadiusEdgeRatio,
+                maximumVolume, options.PreserveBoundary, maximumNewPoints },
+      progress.Part(0.25, 0.85));
+  const Eigen::Index given = complex.Surfaces.Points.rows();
+  if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
+    mesh.Points.topRows(given) != complex.Surfaces.Points)
+  {
+    throw SolveFailure("TetGen made no tetrahedra, or dropped points of the surface; merge points "
+                       "that nearly coincide with Clean (a tolerance above 0)");
+  }
+  if (mesh.Points.rows() - given >= maximumNewPoints)
+  {
+    throw SolveFailure("TetGen added " + std::to_string(maximumNewPoints) +
+      " points without reaching the bounds, as it does beside sharp angles and in thin parts; "
+      "raise "
+      "MaximumRadiusEdgeRatio, or switch PreserveBoundary on");
+  }
+  MakePositive(mesh.Points, mesh.Tetrahedra, progress.Part(0.85, 0.88));
+  const Measures measures = Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.88, 0.9));
+  TetrahedralizeResult result;
+  result.RegionId =
+    FindRegionIds(mesh, options.PreserveBoundary ? complex.Surfaces.Triangles : mesh.Faces,
+      measures.Volumes, regions, progress.Part(0.9, 0.99));
+  progress(0.99);
+  Eigen::VectorXi used = Eigen::VectorXi::Zero(static_cast<Eigen::Index>(surfaces.size()));
+  used(result.RegionId).setOnes();
+  result.Regions = used.sum();
+  result.OriginalPoint = Eigen::VectorXi::Constant(mesh.Points.rows(), -1);
+  result.OriginalPoint.head(complex.OriginalPoint.size()) = complex.OriginalPoint;
+  result.SteinerPoints = static_cast<int>(mesh.Points.rows() - given);
+  result.Volume = measures.Volumes.sum() / (scale * scale * scale);
+  result.MinimumScaledJacobian = measures.MinimumScaledJacobian;
+  result.Points = mesh.Points / scale;
+  result.Tetrahedra = std::move(mesh.Tetrahedra);
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "Base/Errors.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/PreciseMap.h"
+#include "Transfer/TransferFields.h"
+
+#include <string>
+
+namespace shape
+{
+
+/// A precise map as points carry it: what their arrays of these names hold (n rows).
+struct PreciseArrays
+{
+  Eigen::VectorXd TargetCell;
+  Eigen::MatrixXd TargetBarycentric; ///< n x 3
+  Eigen::MatrixXd TargetPosition;    ///< n x 3
+};
+
+/// The arrays are sound, but were made for another target.
+class MapOfAnotherSurface : public InvalidInput
+{
+public:
+  using InvalidInput::InvalidInput;
+};
+
+/// A surface as TargetCell numbers it.
+struct NumberedSurface
+{
+  Mesh Surface;
+  int First = 0;         ///< the number of its first triangle: vertices and lines come before
+  Eigen::VectorXi Cells; ///< m: the polygon that each triangle is cut from
+};
+
+/**
+ * The map that the arrays hold, into the triangles of `target`. Between sheets that lie close
+ * together it knows which one is meant, where the place closest to TargetPosition does not.
+ *
+ * tolerance: how far that place and TargetPosition may be apart, as a share of the longest side of
+ * the target's box. names: what messages call the points and the target, "the Input". Throws
+ * InvalidInput where a number is not finite, a barycentric coordinate is negative or three do not
+ * sum to 1 (by more than single precision loses); MapOfAnotherSurface where a cell is no triangle
+ * of the target, or the places are farther apart.
+ */
+PreciseMap RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
+  double tolerance, const std::string& pointsName, const std::string& targetName);
+
+/// Where points that go to places on the giver's triangles take their values from; none is outside.
+TransferredPlaces PlacesOnTriangles(const PreciseMap& map, const NumberedSurface& giver);
+
+} // namespace shape

@@ -1,0 +1,82 @@
+#include "Transfer/TransferFields.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Topology.h"
+
+#include <utility>
+
+namespace shape
+{
+
+namespace
+{
+
+/// The giver where its values are looked up.
+Cells InPlace(Cells giver, const Eigen::MatrixXd& map, const TransferFieldsOptions& options)
+{
+  if (!(options.Tolerance >= 0.0))
+  {
+    throw InvalidInput("Tolerance must be 0 or more");
+  }
+  RequireFinite(giver.Points, "the Source");
+  if (options.Direction == TransferFieldsOptions::DirectionType::Push)
+  {
+    RequireFinite(map, "the map array of the Source");
+    giver.Points = map;
+  }
+  return giver;
+}
+
+CellLocator LocatorOf(const Cells& giver, const Progress& progress)
+{
+  try
+  {
+    return CellLocator(giver, progress);
+  }
+  catch (const InvalidInput& error)
+  {
+    throw InvalidInput(std::string("in the Source ") + error.what());
+  }
+}
+
+} // namespace
+
+TransferFields::TransferFields(Cells giver, const Eigen::MatrixXd& map,
+  const TransferFieldsOptions& options, const Progress& progress)
+  : TransferFields(InPlace(std::move(giver), map, options), options, progress)
+{
+}
+
+TransferFields::TransferFields(
+  const Cells& giver, const TransferFieldsOptions& options, const Progress& progress)
+  : Direction(options.Direction)
+  , Farthest(options.Tolerance * LongestSide(giver.Points))
+  , Locator(LocatorOf(giver, progress))
+{
+}
+
+TransferredPlaces TransferFields::Find(
+  const Eigen::MatrixXd& places, const Progress& progress) const
+{
+  const bool pull = this->Direction == TransferFieldsOptions::DirectionType::Pull;
+  RequireFinite(places, pull ? "the map array of the Input" : "the Input");
+  const CellPlaces found = this->Locator.Find(places, progress);
+  TransferredPlaces result{ found.Weights, found.Ids, Eigen::VectorXi(places.rows()),
+    (found.Distances.array() > this->Farthest).cast<int>() };
+  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  {
+    double most = -1.0;
+    for (decltype(found.Weights)::InnerIterator corner(found.Weights, i); corner; ++corner)
+    {
+      if (corner.value() > most)
+      {
+        most = corner.value();
+        result.Nearest(i) = static_cast<int>(corner.col());
+      }
+    }
+  }
+  return result;
+}
+
+} // namespace shape

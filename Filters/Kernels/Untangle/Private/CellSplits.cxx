@@ -1,0 +1,118 @@
+#include "Untangle/Private/CellSplits.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace shape
+{
+
+CellSplits::CellSplits(SolidCells& solid, std::function<bool(int point)> movable)
+  : Solid(solid)
+  , Movable(std::move(movable))
+{
+}
+
+void CellSplits::Impossible(const std::vector<int>& bad)
+{
+  for (const int cell : bad)
+  {
+    const std::vector<int> points = this->Solid.PointsOf(cell);
+    if (points.size() == 4 &&
+      std::none_of(points.begin(), points.end(), [&](int point) { return this->Movable(point); }))
+    {
+      this->SplitLongest(points) || this->SplitFace(points);
+    }
+  }
+}
+
+void CellSplits::Stubborn(const std::vector<int>& bad, int allowed)
+{
+  this->Collared.resize(this->Solid.PointCount(), 0);
+  std::set<int> collar;
+  for (const int cell : bad)
+  {
+    for (const int point : this->Solid.PointsOf(cell))
+    {
+      if (!this->Movable(point) && this->Collared[point] < allowed)
+      {
+        collar.insert(point);
+      }
+    }
+  }
+  std::set<int> touched;
+  for (const int point : collar)
+  {
+    ++this->Collared[point];
+    std::set<int> ends;
+    for (const int cell : this->Solid.CellsOf(point))
+    {
+      ends.insert(this->Solid.PointsOf(cell).begin(), this->Solid.PointsOf(cell).end());
+    }
+    ends.erase(point);
+    for (const int end : ends)
+    {
+      if (this->Solid.CanSplit({ point, end }))
+      {
+        this->Solid.Split({ point, end });
+      }
+    }
+    touched.insert(point);
+  }
+  for (const int cell : bad)
+  {
+    const std::vector<int> points = this->Solid.PointsOf(cell);
+    if (points.size() != 4 ||
+      std::any_of(points.begin(), points.end(), [&](int point) { return touched.count(point); }))
+    {
+      continue;
+    }
+    if (this->SplitLongest(points) || this->SplitFace(points))
+    {
+      touched.insert(this->Solid.PointCount() - 1);
+    }
+  }
+}
+
+bool CellSplits::SplitLongest(const std::vector<int>& points)
+{
+  const Eigen::MatrixXd& places =
+    this->Solid.Rest.rows() > 0 ? this->Solid.Rest : this->Solid.Points;
+  std::pair<int, double> best = { -1, 0.0 };
+  std::vector<int> edge;
+  for (int a = 0; a < 4; ++a)
+  {
+    for (int b = 0; b < a; ++b)
+    {
+      const std::pair<int, double> rank = { !this->Movable(points[a]) + !this->Movable(points[b]),
+        (places.row(points[a]) - places.row(points[b])).norm() };
+      if (rank > best && this->Solid.CanSplit({ points[a], points[b] }))
+      {
+        best = rank;
+        edge = { points[a], points[b] };
+      }
+    }
+  }
+  if (!edge.empty())
+  {
+    this->Solid.Split(edge);
+  }
+  return !edge.empty();
+}
+
+bool CellSplits::SplitFace(const std::vector<int>& points)
+{
+  for (int left = 0; left < 4; ++left)
+  {
+    std::vector<int> face = points;
+    face.erase(face.begin() + left);
+    if (this->Solid.CanSplit(face))
+    {
+      this->Solid.Split(face);
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace shape

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "Untangle/Private/SolidCells.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/**
+ * How large cells should be around each point, as the logarithm of a length over the same length at
+ * rest (or over 1 without one): at the boundary the mean over its edges, and inside as smooth as
+ * can be (the mean of the neighbours), so that inverted cells have no say in it.
+ *
+ * Returns one value for each point of `solid`; points without a boundary in reach get the mean.
+ */
+Eigen::VectorXd LogarithmicSizes(const SolidCells& solid);
+
+} // namespace shape

@@ -1,0 +1,316 @@
+#include "Untangle/Private/SolidCells.h"
+
+#include "Mesh/CellFaces.h"
+#include "Base/Errors.h"
+#include "Geometry/Orientation.h"
+#include "Quality/CellSimplices.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+namespace shape
+{
+namespace
+{
+
+using namespace cell_kind;
+
+/// Edges of length 1 from a corner of the regular cell.
+Eigen::Matrix3d RegularEdges(int kind)
+{
+  Eigen::Matrix3d edges = Eigen::Matrix3d::Identity();
+  const double half = 0.5, height = std::sqrt(0.75);
+  if (kind == Tetrahedron || kind == Wedge)
+  {
+    edges.col(1) << half, height, 0.0;
+  }
+  if (kind == Tetrahedron)
+  {
+    edges.col(2) << half, height / 3.0, std::sqrt(2.0 / 3.0);
+  }
+  else if (kind == Pyramid)
+  {
+    edges.col(2) << half, half, std::sqrt(half);
+  }
+  return edges;
+}
+
+long long KeyOf(int a, int b)
+{
+  return (static_cast<long long>(std::min(a, b)) << 32) | std::max(a, b);
+}
+
+Eigen::Matrix3d EdgesOf(const Eigen::MatrixXd& points, const std::array<int, 4>& corners)
+{
+  Eigen::Matrix3d edges;
+  for (int k = 0; k < 3; ++k)
+  {
+    edges.col(k) = (points.row(corners[k + 1]) - points.row(corners[0])).transpose();
+  }
+  return edges;
+}
+
+} // namespace
+
+SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const std::string& name)
+  : Points(cells.Points)
+  , Rest(rest)
+  , OriginalPointCount(static_cast<int>(cells.Points.rows()))
+{
+  this->PointCells.resize(this->OriginalPointCount);
+  for (int cell = 0; cell < cells.Kinds.size(); ++cell)
+  {
+    const int first = cells.Offsets(cell), count = cells.Offsets(cell + 1) - first;
+    const std::string where = name + "'s cell " + std::to_string(cell);
+    if (FacesOf(cells.Kinds(cell)).empty() || CornerCount(cells.Kinds(cell)) != count)
+    {
+      throw InvalidInput(where + " is no tetrahedron, pyramid, wedge or hexahedron (VTK's type " +
+        std::to_string(cells.Kinds(cell)) +
+        "); take others out with Extract Cells By Type, or cut them with Tetrahedralize");
+    }
+    std::vector<int> corners(cells.Corners.begin() + first, cells.Corners.begin() + first + count);
+    std::vector<int> sorted = corners;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted.front() < 0 || sorted.back() >= this->OriginalPointCount ||
+      std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    {
+      throw InvalidInput(where + " has a point twice or one that is not there; repair it");
+    }
+    for (const int point : corners)
+    {
+      this->PointCells[point].push_back(cell);
+    }
+    this->Kinds.push_back(cells.Kinds(cell));
+    this->Corners.push_back(std::move(corners));
+    this->OriginalCells.push_back(cell);
+  }
+  if (this->Kinds.empty())
+  {
+    throw InvalidInput(name + " has no solid cells; make some with Shape Tetrahedralize");
+  }
+  this->MarkBoundary();
+  this->TurnWedges();
+}
+
+void SolidCells::MarkBoundary()
+{
+  this->Boundary.assign(this->PointCells.size(), 0);
+  const std::vector<CellFace> faces = SortedFaces(this->Result());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (!IsAlone(faces, i))
+    {
+      continue;
+    }
+    std::vector<int> face;
+    for (const int corner : FacesOf(this->Kinds[faces[i].Cell])[faces[i].Face])
+    {
+      face.push_back(this->Corners[faces[i].Cell][corner]);
+    }
+    for (std::size_t k = 0; k < face.size(); ++k)
+    {
+      this->Boundary[face[k]] = 1;
+      this->BoundaryEdges.insert(KeyOf(face[k], face[(k + 1) % face.size()]));
+    }
+    for (std::size_t k = 2; k < face.size(); ++k)
+    {
+      this->Surface.push_back({ face[0], face[k - 1], face[k] });
+    }
+  }
+}
+
+void SolidCells::TurnWedges()
+{
+  // VTK's own sources number wedges both ways round: what most of them do is right.
+  const Eigen::MatrixXd& places = this->Rest.rows() > 0 ? this->Rest : this->Points;
+  int sum = 0;
+  for (int cell = 0; cell < this->CellCount(); ++cell)
+  {
+    if (this->Kinds[cell] == Wedge)
+    {
+      for (const std::array<int, 4>& c : this->SimplicesOf(cell))
+      {
+        sum += Orientation(places.row(c[0]), places.row(c[1]), places.row(c[2]), places.row(c[3]));
+      }
+    }
+  }
+  this->WedgesTurned = sum < 0;
+}
+
+const std::vector<std::array<int, 4>>& SolidCells::SimplicesOf(int cell)
+{
+  const std::vector<int>& corners = this->Corners[cell];
+  const int kind = this->Kinds[cell];
+  this->Scratch.clear();
+  if (kind == Tetrahedron)
+  {
+    this->Scratch.push_back({ corners[0], corners[1], corners[2], corners[3] });
+    return this->Scratch;
+  }
+  CellSimplices simplices;
+  simplices.Add(kind == Pyramid ? CellShape::Pyramid
+      : kind == Wedge           ? CellShape::Wedge
+                                : CellShape::Hexahedron,
+    corners.data());
+  this->Scratch = simplices.Corners;
+  if (kind == Wedge && this->WedgesTurned)
+  {
+    for (std::array<int, 4>& simplex : this->Scratch)
+    {
+      std::swap(simplex[1], simplex[2]);
+    }
+  }
+  return this->Scratch;
+}
+
+bool SolidCells::Inverted(int cell)
+{
+  const Eigen::MatrixXd& x = this->Points;
+  for (const std::array<int, 4>& c : this->SimplicesOf(cell))
+  {
+    if (Orientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Eigen::Matrix3d SolidCells::Reference(int cell, int k, double size)
+{
+  constexpr double flattest = 0.05;
+  const Eigen::Matrix3d regular = RegularEdges(this->Kinds[cell]);
+  if (this->Rest.rows() == 0)
+  {
+    return size * regular;
+  }
+  const Eigen::Matrix3d edges = EdgesOf(this->Rest, this->SimplicesOf(cell)[k]);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
+    edges * regular.inverse(), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector3d values = svd.singularValues();
+  if (values(0) <= 0.0)
+  {
+    return size * regular;
+  }
+  Eigen::Matrix3d turned = svd.matrixU();
+  if (turned.determinant() * svd.matrixV().determinant() < 0.0)
+  {
+    turned.col(2) *= -1.0;
+  }
+  const Eigen::Vector3d mended = values.cwiseMax(flattest * values(0));
+  return size * turned * mended.asDiagonal() * svd.matrixV().transpose() * regular;
+}
+
+std::vector<int> SolidCells::CellsAround(const std::vector<int>& simplex) const
+{
+  std::vector<int> around;
+  for (const int cell : this->PointCells[simplex[0]])
+  {
+    const std::vector<int>& corners = this->Corners[cell];
+    if (std::all_of(simplex.begin(), simplex.end(),
+          [&](int point)
+          { return std::find(corners.begin(), corners.end(), point) != corners.end(); }))
+    {
+      around.push_back(cell);
+    }
+  }
+  return around;
+}
+
+bool SolidCells::CanSplit(const std::vector<int>& simplex) const
+{
+  const std::vector<int> around = this->CellsAround(simplex);
+  if (around.empty() ||
+    std::any_of(
+      around.begin(), around.end(), [&](int cell) { return this->Kinds[cell] != Tetrahedron; }))
+  {
+    return false;
+  }
+  return simplex.size() == 2 ? this->BoundaryEdges.count(KeyOf(simplex[0], simplex[1])) == 0
+                             : simplex.size() > 3 || around.size() == 2;
+}
+
+int SolidCells::Split(const std::vector<int>& simplex)
+{
+  const std::vector<int> around = this->CellsAround(simplex);
+  const int middle = this->PointCount();
+  const auto append = [&](Eigen::MatrixXd& places)
+  {
+    // Room for more, so that many splits do not copy all points each time.
+    if (places.rows() <= middle)
+    {
+      places.conservativeResize(middle + 1 + middle / 8, 3);
+    }
+    Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+    for (const int point : simplex)
+    {
+      mean += places.row(point) / static_cast<double>(simplex.size());
+    }
+    places.row(middle) = mean;
+  };
+  append(this->Points);
+  if (this->Rest.rows() > 0)
+  {
+    append(this->Rest);
+  }
+  std::array<int, 4> parents = { -1, -1, -1, -1 };
+  std::copy(simplex.begin(), simplex.end(), parents.begin());
+  this->Parents.push_back(parents);
+  this->PointCells.emplace_back();
+  this->Boundary.push_back(0);
+  for (const int cell : around)
+  {
+    for (std::size_t k = 0; k < simplex.size(); ++k)
+    {
+      const int part = k == 0 ? cell : this->CellCount();
+      if (k > 0)
+      {
+        this->Kinds.push_back(Tetrahedron);
+        // The corners before this one are the middle in the cell itself only.
+        this->Corners.push_back(this->Corners[cell]);
+        std::replace(this->Corners[part].begin(), this->Corners[part].end(), middle, simplex[0]);
+        this->OriginalCells.push_back(this->OriginalCells[cell]);
+        for (const int point : this->Corners[part])
+        {
+          if (point != simplex[k])
+          {
+            this->PointCells[point].push_back(part);
+          }
+        }
+      }
+      else
+      {
+        std::vector<int>& cells = this->PointCells[simplex[0]];
+        cells.erase(std::find(cells.begin(), cells.end(), cell));
+      }
+      std::replace(this->Corners[part].begin(), this->Corners[part].end(), simplex[k], middle);
+      this->PointCells[middle].push_back(part);
+    }
+  }
+  return middle;
+}
+
+Cells SolidCells::Result() const
+{
+  Cells cells{ this->Points.topRows(this->PointCount()), Eigen::VectorXi(this->CellCount()),
+    Eigen::VectorXi(this->CellCount() + 1), Eigen::VectorXi() };
+  std::vector<int> corners;
+  cells.Offsets(0) = 0;
+  for (int cell = 0; cell < this->CellCount(); ++cell)
+  {
+    cells.Kinds(cell) = this->Kinds[cell];
+    corners.insert(corners.end(), this->Corners[cell].begin(), this->Corners[cell].end());
+    cells.Offsets(cell + 1) = static_cast<int>(corners.size());
+  }
+  cells.Corners =
+    Eigen::Map<Eigen::VectorXi>(corners.data(), static_cast<Eigen::Index>(corners.size()));
+  return cells;
+}
+
+} // namespace shape

@@ -1,0 +1,360 @@
+#include "vtkShapeAlgorithm.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeGather.h"
+#include "vtkShapeLeaves.h"
+
+#include "vtkDataObjectTypes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkExtentTranslator.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <cctype>
+
+struct vtkShapeAlgorithm::InputPort
+{
+  std::string Name;
+  PortData Data;
+  PortUse Use;
+  std::vector<std::string> Types;
+};
+
+struct vtkShapeAlgorithm::Count
+{
+  int Port;
+  std::string Name;
+  double Value;
+};
+
+vtkShapeAlgorithm::vtkShapeAlgorithm()
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(0);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkShapeAlgorithm::~vtkShapeAlgorithm()
+{
+  this->SetController(nullptr);
+}
+
+vtkCxxSetObjectMacro(vtkShapeAlgorithm, Controller, vtkMultiProcessController);
+
+vtkMultiProcessController* vtkShapeAlgorithm::GetController()
+{
+  return this->Controller;
+}
+
+std::string vtkShapeAlgorithm::GetLabel()
+{
+  return LabelOf(this->GetClassName());
+}
+
+std::string vtkShapeAlgorithm::LabelOf(const std::string& className)
+{
+  std::string label;
+  for (const char letter : className.substr(3))
+  {
+    if (!label.empty() && std::isupper(static_cast<unsigned char>(letter)))
+    {
+      label += ' ';
+    }
+    label += letter;
+  }
+  return label;
+}
+
+std::string vtkShapeAlgorithm::GetInputName(int port)
+{
+  return this->InputPorts[port].Name;
+}
+
+void vtkShapeAlgorithm::DeclareInput(
+  const std::string& name, PortData data, PortUse use, const std::vector<std::string>& types)
+{
+  this->InputPorts.push_back({ name, data, use, types });
+  this->SetNumberOfInputPorts(static_cast<int>(this->InputPorts.size()));
+}
+
+void vtkShapeAlgorithm::DeclareOutput(const std::string& type)
+{
+  this->OutputTypes.push_back(type);
+  this->SetNumberOfOutputPorts(static_cast<int>(this->OutputTypes.size()));
+}
+
+void vtkShapeAlgorithm::DeclareOutputLikeInput(int input)
+{
+  this->LikeInput[static_cast<int>(this->OutputTypes.size())] = input;
+  this->DeclareOutput("");
+}
+
+void vtkShapeAlgorithm::DeclareMovedOutput()
+{
+  this->MovedOutputs.insert(static_cast<int>(this->OutputTypes.size()));
+  this->DeclareOutput("");
+}
+
+int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const InputPort& declared = this->InputPorts[port];
+  for (const std::string& type : declared.Types)
+  {
+    info->Append(INPUT_REQUIRED_DATA_TYPE(), type.c_str());
+  }
+  info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(INPUT_IS_OPTIONAL(), declared.Use != PortUse::Required);
+  info->Set(INPUT_IS_REPEATABLE(), declared.Use == PortUse::OptionalRepeatable);
+  return 1;
+}
+
+int vtkShapeAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const std::string& type = this->OutputTypes[port];
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), type.empty() ? "vtkDataObject" : type.c_str());
+  return 1;
+}
+
+vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->CreateOutputs(inputs, outputs);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    this->OfferTimes(inputs, outputs);
+    this->DescribeOutputs(inputs, outputs);
+  }
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()) ||
+    request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    this->RequestOwnExtents(inputs);
+    this->RequestInputs(inputs, outputs);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->Run(outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+void vtkShapeAlgorithm::RequestOwnExtents(vtkInformationVector** inputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 1; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      if (!info->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        continue;
+      }
+      const bool pieces = info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES());
+      int whole[6], own[6];
+      info->Get(Pipeline::WHOLE_EXTENT(), whole);
+      vtkNew<vtkExtentTranslator> translator;
+      translator->PieceToExtentThreadSafe(pieces ? info->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0,
+        pieces ? info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) : 1, 0, whole, own,
+        vtkExtentTranslator::BLOCK_MODE, 0);
+      info->Set(Pipeline::UPDATE_EXTENT(), own, 6);
+    }
+  }
+}
+
+void vtkShapeAlgorithm::OfferTimes(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::set<double> steps, ends;
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      const double* own = info->Get(Pipeline::TIME_STEPS());
+      steps.insert(own, own + info->Length(Pipeline::TIME_STEPS()));
+      const double* range = info->Get(Pipeline::TIME_RANGE());
+      ends.insert(range, range + info->Length(Pipeline::TIME_RANGE()));
+    }
+  }
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(port);
+    if (!steps.empty())
+    {
+      const std::vector<double> all(steps.begin(), steps.end());
+      info->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
+    }
+    if (!ends.empty())
+    {
+      const double range[] = { *ends.begin(), *ends.rbegin() };
+      info->Set(Pipeline::TIME_RANGE(), range, 2);
+    }
+  }
+}
+
+void vtkShapeAlgorithm::DescribeOutputs(vtkInformationVector**, vtkInformationVector*)
+{
+}
+
+void vtkShapeAlgorithm::RequestInputs(vtkInformationVector**, vtkInformationVector*)
+{
+}
+
+int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    const auto like = this->LikeInput.find(port);
+    vtkDataObject* input =
+      vtkDataObject::GetData(inputs[like == this->LikeInput.end() ? 0 : like->second]);
+    std::string type = this->OutputTypes[port];
+    if (type.empty())
+    {
+      // Without an input the pipeline stops after this, and says so.
+      const auto points = this->MovedOutputs.count(port) ? vtkShapeLeaves::Points::Moved
+                                                         : vtkShapeLeaves::Points::Kept;
+      type = input ? vtkShapeLeaves::TypeLike(input, points) : "vtkPolyData";
+    }
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    if (!output || type != output->GetClassName())
+    {
+      vtkSmartPointer<vtkDataObject> created;
+      created.TakeReference(vtkDataObjectTypes::NewDataObject(type.c_str()));
+      outputs->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), created);
+    }
+  }
+  return 1;
+}
+
+void vtkShapeAlgorithm::PrepareInputs()
+{
+  this->Wholes.assign(this->InputPorts.size(), {});
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    const InputPort& declared = this->InputPorts[port];
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      if (declared.Data == PortData::Selection)
+      {
+        continue;
+      }
+      vtkDataObject* input = this->GetInputDataObject(port, i);
+      if (vtkShapeGather::CountPoints(input, this->Controller) == 0)
+      {
+        throw shape::InvalidInput(
+          "the input '" + declared.Name + "' has no points; connect data that has some");
+      }
+      if (declared.Data == PortData::WholeGrid)
+      {
+        this->Wholes[port].push_back(
+          { nullptr, {}, vtkShapeGather::GatherGrid(input, this->Controller) });
+      }
+      else if (declared.Data != PortData::Pieces)
+      {
+        WholeInput whole;
+        whole.Data = vtkShapeGather::Gather(input, declared.Name,
+          declared.Data == PortData::WholeSurface, this->Controller, whole.OwnPoints);
+        this->Wholes[port].push_back(whole);
+      }
+    }
+  }
+}
+
+const vtkShapeAlgorithm::WholeInput& vtkShapeAlgorithm::GetWhole(int port, int connection) const
+{
+  return this->Wholes[port][connection];
+}
+
+shape::Progress vtkShapeAlgorithm::MakeProgress()
+{
+  return shape::Progress(
+    [this](double fraction)
+    {
+      // Progress only rises: what is done is done, even where a part was estimated wrongly.
+      this->UpdateProgress(std::clamp(fraction, this->GetProgress(), 1.0));
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
+      return !this->CheckAbort();
+#else
+      return !this->GetAbortExecute();
+#endif
+    });
+}
+
+void vtkShapeAlgorithm::AddCount(int port, const std::string& name, double own)
+{
+  this->Counts.push_back({ port, name, own });
+}
+
+void vtkShapeAlgorithm::WriteCounts(vtkInformationVector* outputs)
+{
+  for (Count& count : this->Counts)
+  {
+    vtkShapeGather::Reduce(this->Controller, &count.Value, 1, vtkShapeGather::Reduction::Sum);
+    vtkShapeConvert::AddFact(vtkDataObject::GetData(outputs, count.Port), count.Name, count.Value);
+  }
+}
+
+int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
+{
+  bool stopped = true;
+  std::string message; // stays empty where the user stopped it
+  try
+  {
+    this->UpdateProgress(0.0);
+    this->Counts.clear();
+    this->PrepareInputs();
+    this->Execute(this->MakeProgress());
+    stopped = false;
+  }
+  catch (const shape::Aborted&)
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+    message = "out of memory; use a coarser input or lower ratios";
+  }
+  catch (const std::exception& error)
+  {
+    message = error.what();
+  }
+  this->Wholes.clear();
+  vtkShapeGather::AgreeOnFailure(this->Controller, stopped, message);
+  if (!stopped)
+  {
+    this->WriteCounts(outputs);
+    this->UpdateProgress(1.0);
+    return 1;
+  }
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  if (message.empty())
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< this->GetLabel() << ": " << message);
+  return 0;
+}
+
+void vtkShapeAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Label: " << this->GetLabel() << "\n";
+  for (const InputPort& port : this->InputPorts)
+  {
+    os << indent << "Input: " << port.Name << "\n";
+  }
+}

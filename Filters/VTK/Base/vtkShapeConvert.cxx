@@ -1,0 +1,353 @@
+#include "vtkShapeConvert.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace
+{
+
+/// A polygon or strip of n points makes n - 2 triangles.
+vtkIdType CountTriangles(vtkPolyData* surface)
+{
+  vtkIdType count = 0;
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      count += std::max<vtkIdType>(cells->GetCellSize(cell) - 2, 0);
+    }
+  }
+  return count;
+}
+
+/// The shape whose corners a cell type has; a voxel has a hexahedron's, in another order.
+bool ShapeOf(int cellType, shape::CellShape& shape)
+{
+  switch (cellType)
+  {
+    case VTK_TRIANGLE:
+      shape = shape::CellShape::Triangle;
+      return true;
+    case VTK_TETRA:
+      shape = shape::CellShape::Tetrahedron;
+      return true;
+    case VTK_PYRAMID:
+      shape = shape::CellShape::Pyramid;
+      return true;
+    case VTK_WEDGE:
+      shape = shape::CellShape::Wedge;
+      return true;
+    case VTK_HEXAHEDRON:
+    case VTK_VOXEL:
+      shape = shape::CellShape::Hexahedron;
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Adds the triangles or tetrahedra that a cell is cut into.
+void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
+{
+  const int corners = cell->GetCellDimension() + 1;
+  if (corners < 3)
+  {
+    return;
+  }
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> places;
+  cell->Triangulate(0, ids, places);
+  for (vtkIdType first = 0; first + corners <= ids->GetNumberOfIds(); first += corners)
+  {
+    int points[4];
+    for (int k = 0; k < corners; ++k)
+    {
+      points[k] = static_cast<int>(ids->GetId(first + k));
+    }
+    cells.Add(corners == 3 ? shape::CellShape::Triangle : shape::CellShape::Tetrahedron, points);
+  }
+}
+
+} // namespace
+
+shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& name)
+{
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(surface);
+  triangulate->PassVertsOff();
+  triangulate->PassLinesOff();
+  triangulate->Update();
+  vtkCellArray* polys = triangulate->GetOutput()->GetPolys();
+  if (polys->GetNumberOfCells() != CountTriangles(surface))
+  {
+    throw shape::InvalidInput(name +
+      " has a polygon that cannot be cut into triangles; repair it, "
+      "or apply Triangulate and look at what is missing");
+  }
+  shape::Mesh mesh{ ToPoints(surface), Eigen::MatrixXi(polys->GetNumberOfCells(), 3) };
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType t = 0; t < polys->GetNumberOfCells(); ++t)
+  {
+    polys->GetCellAtId(t, corners);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      mesh.Triangles(t, corner) = static_cast<int>(corners->GetId(corner));
+    }
+  }
+  return mesh;
+}
+
+std::vector<std::vector<int>> vtkShapeConvert::ToLines(vtkPolyData* data)
+{
+  std::vector<std::vector<int>> lines;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfLines(); ++cell)
+  {
+    data->GetLines()->GetCellAtId(cell, ids);
+    lines.emplace_back(ids->begin(), ids->end());
+  }
+  return lines;
+}
+
+shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  vtkCellArray* all = grid->GetCells();
+  const vtkIdType count = grid->GetNumberOfCells();
+  const vtkIdType corners = all ? all->GetNumberOfConnectivityIds() : 0;
+  if (std::max(grid->GetNumberOfPoints(), corners) > std::numeric_limits<int>::max())
+  {
+    throw shape::InvalidInput(name + " has more than 2^31 points or corners; use a coarser one");
+  }
+  shape::Cells cells{ ToPoints(grid), Eigen::VectorXi(count), Eigen::VectorXi(count + 1),
+    Eigen::VectorXi(corners) };
+  cells.Offsets(0) = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    cells.Kinds(cell) = grid->GetCellType(cell);
+    all->GetCellAtId(cell, ids);
+    const int first = cells.Offsets(cell);
+    std::copy(ids->begin(), ids->end(), cells.Corners.begin() + first);
+    cells.Offsets(cell + 1) = first + static_cast<int>(ids->GetNumberOfIds());
+  }
+  return cells;
+}
+
+void vtkShapeConvert::TurnVoxels(shape::Cells& cells)
+{
+  for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
+  {
+    int* corners = cells.Corners.data() + cells.Offsets(cell);
+    if (cells.Kinds(cell) == VTK_PIXEL || cells.Kinds(cell) == VTK_VOXEL)
+    {
+      std::swap(corners[2], corners[3]);
+    }
+    if (cells.Kinds(cell) == VTK_PIXEL)
+    {
+      cells.Kinds(cell) = VTK_QUAD;
+    }
+    else if (cells.Kinds(cell) == VTK_VOXEL)
+    {
+      std::swap(corners[6], corners[7]);
+      cells.Kinds(cell) = VTK_HEXAHEDRON;
+    }
+  }
+}
+
+Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
+{
+  if (data->GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    throw shape::InvalidInput(
+      "a data set has more than 2^31 points; cut it into blocks, or use more processes");
+  }
+  Eigen::MatrixXd points(data->GetNumberOfPoints(), 3);
+  Eigen::RowVector3d point;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    data->GetPoint(i, point.data());
+    points.row(i) = point;
+  }
+  return points;
+}
+
+shape::CellSimplices vtkShapeConvert::ToSimplices(
+  vtkDataSet* data, const std::string& name, const shape::Progress& progress)
+{
+  if (data->GetNumberOfPoints() > std::numeric_limits<int>::max() ||
+    data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
+  {
+    throw shape::InvalidInput(name +
+      " has more points or cells than 2^31 corners can hold; cut it "
+      "into blocks, or use more processes");
+  }
+  shape::CellSimplices cells;
+  vtkNew<vtkGenericCell> generic;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    if (cell % 65536 == 0)
+    {
+      progress(static_cast<double>(cell) / static_cast<double>(data->GetNumberOfCells()));
+    }
+    const int type = data->GetCellType(cell);
+    shape::CellShape shape;
+    if (ShapeOf(type, shape))
+    {
+      data->GetCellPoints(cell, ids);
+      int points[8];
+      std::copy(ids->begin(), ids->end(), points);
+      if (type == VTK_VOXEL)
+      {
+        std::swap(points[2], points[3]);
+        std::swap(points[6], points[7]);
+      }
+      cells.Add(shape, points);
+    }
+    else
+    {
+      data->GetCell(cell, generic);
+      AddTriangulated(generic, cells);
+    }
+    cells.EndCell();
+  }
+  return cells;
+}
+
+Eigen::MatrixXd vtkShapeConvert::ToPointArray(
+  vtkDataSet* data, const std::string& array, int components, const std::string& name)
+{
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return Eigen::MatrixXd(0, components);
+  }
+  vtkDataArray* values = data->GetPointData()->GetArray(array.c_str());
+  if (!values && data->GetPointData()->HasArray(array.c_str()))
+  {
+    throw shape::InvalidInput(
+      "the point array '" + array + "' of " + name + " has words; choose one of numbers");
+  }
+  if (!values)
+  {
+    std::string present;
+    for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      const char* other = data->GetPointData()->GetArrayName(i);
+      present += (present.empty() ? "" : ", ") + std::string(other ? other : "(unnamed)");
+    }
+    throw shape::InvalidInput(name + " has no point array '" + array + "'" +
+      (present.empty() ? ", nor any other" : "; it has " + present));
+  }
+  if (values->GetNumberOfComponents() != components)
+  {
+    throw shape::InvalidInput("the point array '" + array + "' of " + name + " has " +
+      std::to_string(values->GetNumberOfComponents()) + " components, not " +
+      std::to_string(components) + "; choose another array");
+  }
+  if (values->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    throw shape::InvalidInput("the point array '" + array + "' of " + name + " has " +
+      std::to_string(values->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(data->GetNumberOfPoints()) + " points; give one for each point");
+  }
+  Eigen::MatrixXd matrix(values->GetNumberOfTuples(), components);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      matrix(i, c) = values->GetComponent(i, c);
+    }
+  }
+  return matrix;
+}
+
+vtkSmartPointer<vtkDoubleArray> vtkShapeConvert::ToArray(
+  const Eigen::MatrixXd& values, const std::string& array)
+{
+  auto tuples = vtkSmartPointer<vtkDoubleArray>::New();
+  tuples->SetName(array.c_str());
+  tuples->SetNumberOfComponents(static_cast<int>(values.cols()));
+  tuples->SetNumberOfTuples(values.rows());
+  for (vtkIdType i = 0; i < values.rows(); ++i)
+  {
+    for (int c = 0; c < values.cols(); ++c)
+    {
+      tuples->SetTypedComponent(i, c, values(i, c));
+    }
+  }
+  return tuples;
+}
+
+vtkSmartPointer<vtkIntArray> vtkShapeConvert::ToIntegers(
+  const Eigen::VectorXi& values, const std::string& array)
+{
+  auto tuples = vtkSmartPointer<vtkIntArray>::New();
+  tuples->SetName(array.c_str());
+  tuples->SetNumberOfTuples(values.size());
+  std::copy(values.begin(), values.end(), tuples->GetPointer(0));
+  return tuples;
+}
+
+Eigen::MatrixXd vtkShapeConvert::Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows)
+{
+  Eigen::MatrixXd chosen(rows.size(), values.cols());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    chosen.row(i) = values.row(rows[i]);
+  }
+  return chosen;
+}
+
+void vtkShapeConvert::FromMesh(const shape::Mesh& mesh, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetData(ToArray(mesh.Points, "Points"));
+  vtkNew<vtkCellArray> polys;
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    polys->InsertNextCell({ mesh.Triangles(t, 0), mesh.Triangles(t, 1), mesh.Triangles(t, 2) });
+  }
+  output->SetPoints(points);
+  output->SetPolys(polys);
+}
+
+bool vtkShapeConvert::AreValues(vtkAbstractArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE ||
+    array->GetDataType() == VTK_UNSIGNED_CHAR;
+}
+
+void vtkShapeConvert::AddFact(vtkDataObject* output, const std::string& name, double value)
+{
+  output->GetFieldData()->AddArray(ToArray(Eigen::MatrixXd::Constant(1, 1, value), name));
+}
+
+void vtkShapeConvert::AddFact(
+  vtkDataObject* output, const std::string& name, const std::string& words)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(words);
+  output->GetFieldData()->AddArray(array);
+}

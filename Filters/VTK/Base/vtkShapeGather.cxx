@@ -1,0 +1,410 @@
+#include "vtkShapeGather.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCommunicator.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkShapeLeaves.h"
+#include "vtkStaticPointLocator.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <functional>
+#include <new>
+#include <numeric>
+
+namespace
+{
+
+bool IsParallel(vtkMultiProcessController* controller)
+{
+  return controller && controller->GetNumberOfProcesses() > 1;
+}
+
+/// The surface without ghost cells; its points stay as they are.
+vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
+{
+  auto kept = vtkSmartPointer<vtkPolyData>::New();
+  vtkUnsignedCharArray* ghosts = piece->GetCellGhostArray();
+  if (!ghosts)
+  {
+    kept->ShallowCopy(piece);
+    return kept;
+  }
+  kept->SetPoints(piece->GetPoints());
+  kept->GetFieldData()->ShallowCopy(piece->GetFieldData());
+  kept->GetPointData()->ShallowCopy(piece->GetPointData());
+  kept->GetCellData()->CopyAllocate(piece->GetCellData());
+  kept->AllocateCopy(piece);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < piece->GetNumberOfCells(); ++cell)
+  {
+    if ((ghosts->GetValue(cell) &
+          (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL)) == 0)
+    {
+      piece->GetCellPoints(cell, corners);
+      const vtkIdType id = kept->InsertNextCell(piece->GetCellType(cell), corners);
+      kept->GetCellData()->CopyData(piece->GetCellData(), cell, id);
+    }
+  }
+  return kept;
+}
+
+/// For each point the first one at its place, or itself.
+std::vector<vtkIdType> FirstAtPlace(vtkPolyData* data, bool weld)
+{
+  std::vector<vtkIdType> first(data->GetNumberOfPoints());
+  std::iota(first.begin(), first.end(), 0);
+  if (weld && !first.empty())
+  {
+    vtkNew<vtkStaticPointLocator> locator;
+    locator->SetDataSet(data);
+    locator->BuildLocator();
+    locator->MergePoints(0.0, first.data());
+  }
+  return first;
+}
+
+/// One surface of several. pointMap: for each point of the inputs, in order, its point in it.
+vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces,
+  bool weld, std::vector<vtkIdType>& pointMap)
+{
+  auto merged = vtkSmartPointer<vtkPolyData>::New();
+  if (pieces.empty())
+  {
+    pointMap.clear();
+    return merged;
+  }
+  vtkNew<vtkAppendPolyData> append;
+  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (vtkPolyData* piece : pieces)
+  {
+    append->AddInputData(piece);
+  }
+  append->Update();
+  vtkPolyData* all = append->GetOutput();
+
+  const std::vector<vtkIdType> firstAtPlace = FirstAtPlace(all, weld);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  merged->GetPointData()->CopyAllocate(all->GetPointData());
+  pointMap.assign(firstAtPlace.size(), -1);
+  for (std::size_t i = 0; i < firstAtPlace.size(); ++i)
+  {
+    vtkIdType& place = pointMap[firstAtPlace[i]];
+    if (place == -1)
+    {
+      const auto point = static_cast<vtkIdType>(i);
+      place = points->InsertNextPoint(all->GetPoint(point));
+      merged->GetPointData()->CopyData(all->GetPointData(), point, place);
+    }
+    pointMap[i] = place;
+  }
+  merged->SetPoints(points);
+  merged->AllocateCopy(all);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < all->GetNumberOfCells(); ++cell)
+  {
+    all->GetCellPoints(cell, corners);
+    for (vtkIdType corner = 0; corner < corners->GetNumberOfIds(); ++corner)
+    {
+      corners->SetId(corner, pointMap[corners->GetId(corner)]);
+    }
+    merged->InsertNextCell(all->GetCellType(cell), corners);
+  }
+  merged->GetCellData()->ShallowCopy(all->GetCellData());
+  // Pieces of one thing say the same about it; processes without a part of it may say nothing.
+  const auto first = std::find_if(pieces.begin(), pieces.end(),
+    [](vtkPolyData* piece) { return piece->GetNumberOfPoints() > 0; });
+  merged->GetFieldData()->ShallowCopy((first == pieces.end() ? pieces[0] : *first)->GetFieldData());
+  return merged;
+}
+
+/// The blocks, which must be surfaces.
+std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const std::string& name)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  const auto add = [&](vtkDataObject* block)
+  {
+    auto* surface = vtkPolyData::SafeDownCast(block);
+    if (!surface)
+    {
+      throw shape::InvalidInput("the input '" + name + "' holds a " + block->GetClassName() +
+        ", which is no surface; apply Extract Surface first, or leave it out with Extract Block");
+    }
+    surfaces.push_back(WithoutGhostCells(surface));
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    add(data);
+    return surfaces;
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> it;
+  it.TakeReference(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    add(it->GetCurrentDataObject());
+  }
+  return surfaces;
+}
+
+/// One grid of several data sets, without those that have no point.
+vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& pieces)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (vtkDataSet* piece : pieces)
+  {
+    if (piece->GetNumberOfPoints() > 0)
+    {
+      append->AddInputData(piece);
+    }
+  }
+  auto merged = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (append->GetNumberOfInputConnections(0) > 0)
+  {
+    append->Update();
+    merged->ShallowCopy(append->GetOutput());
+  }
+  return merged;
+}
+
+/// One data set as a grid, with what is not changed shared: for filters that run while a handle is
+/// dragged.
+vtkSmartPointer<vtkUnstructuredGrid> ToGrid(vtkDataSet* data)
+{
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  if (!surface || surface->GetNumberOfPoints() == 0 ||
+    surface->GetNumberOfCells() != surface->GetNumberOfPolys())
+  {
+    return Merge({ data });
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(surface->GetPoints());
+  vtkCellArray* polygons = surface->GetPolys();
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetNumberOfValues(polygons->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType size = polygons->GetCellSize(cell);
+    types->SetValue(cell, size == 3 ? VTK_TRIANGLE : (size == 4 ? VTK_QUAD : VTK_POLYGON));
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->SetCells(types, polygons);
+  grid->GetPointData()->ShallowCopy(surface->GetPointData());
+  grid->GetCellData()->ShallowCopy(surface->GetCellData());
+  grid->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  return grid;
+}
+
+} // namespace
+
+void vtkShapeGather::TogetherOrNotAtAll(
+  vtkMultiProcessController* controller, const std::function<void()>& work)
+{
+  bool failed = true;
+  std::string message; // stays empty where the user stopped it
+  try
+  {
+    work();
+    failed = false;
+  }
+  catch (const shape::Aborted&)
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+    message = "out of memory; use a coarser input or more memory for each process";
+  }
+  catch (const std::exception& error)
+  {
+    message = error.what();
+  }
+  AgreeOnFailure(controller, failed, message);
+  if (failed && message.empty())
+  {
+    throw shape::Aborted();
+  }
+  if (failed)
+  {
+    throw shape::InvalidInput(message);
+  }
+}
+
+void vtkShapeGather::Share(vtkMultiProcessController* controller, vtkDataObject* data)
+{
+  if (IsParallel(controller))
+  {
+    controller->Broadcast(data, 0);
+  }
+}
+
+void vtkShapeGather::Share(vtkMultiProcessController* controller, Eigen::MatrixXd& matrix)
+{
+  if (IsParallel(controller))
+  {
+    vtkIdType sizes[] = { matrix.rows(), matrix.cols() };
+    controller->Broadcast(sizes, 2, 0);
+    matrix.resize(sizes[0], sizes[1]);
+    controller->Broadcast(matrix.data(), matrix.size(), 0);
+  }
+}
+
+void vtkShapeGather::Reduce(
+  vtkMultiProcessController* controller, double* values, int count, Reduction reduction)
+{
+  if (!IsParallel(controller))
+  {
+    return;
+  }
+  const std::vector<double> own(values, values + count);
+  const int operation = reduction == Reduction::Sum ? vtkCommunicator::SUM_OP
+    : reduction == Reduction::Minimum               ? vtkCommunicator::MIN_OP
+                                                    : vtkCommunicator::MAX_OP;
+  controller->AllReduce(own.data(), values, count, operation);
+}
+
+vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessController* controller)
+{
+  vtkIdType own = 0;
+  for (vtkDataSet* leaf : vtkShapeLeaves::Of(data))
+  {
+    own += leaf->GetNumberOfPoints();
+  }
+  vtkIdType sum = own;
+  if (IsParallel(controller))
+  {
+    controller->AllReduce(&own, &sum, 1, vtkCommunicator::SUM_OP);
+  }
+  return sum;
+}
+
+vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const std::string& name,
+  bool weld, vtkMultiProcessController* controller, std::vector<int>& ownPoints)
+{
+  vtkSmartPointer<vtkPolyData> whole;
+  std::vector<vtkIdType> pointMap;
+  TogetherOrNotAtAll(controller,
+    [&]
+    {
+      const std::vector<vtkSmartPointer<vtkPolyData>> pieces = Surfaces(data, name);
+      whole = pieces.size() == 1 ? pieces[0] : Merge(pieces, weld, pointMap);
+      if (pieces.size() == 1)
+      {
+        pointMap.resize(whole->GetNumberOfPoints());
+        std::iota(pointMap.begin(), pointMap.end(), 0);
+      }
+    });
+  if (IsParallel(controller))
+  {
+    std::vector<vtkSmartPointer<vtkDataObject>> received;
+    controller->GetCommunicator()->Gather(whole.Get(), received, 0);
+    std::vector<vtkIdType> mapOfAll;
+    vtkNew<vtkPolyData> merged;
+    const int rank = controller->GetLocalProcessId();
+    TogetherOrNotAtAll(controller,
+      [&]
+      {
+        if (rank == 0)
+        {
+          std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+          for (vtkDataObject* piece : received)
+          {
+            surfaces.push_back(vtkPolyData::SafeDownCast(piece));
+          }
+          merged->ShallowCopy(Merge(surfaces, weld, mapOfAll));
+        }
+      });
+    controller->Broadcast(merged.Get(), 0);
+    const vtkIdType count = whole->GetNumberOfPoints();
+    std::vector<vtkIdType> counts(controller->GetNumberOfProcesses());
+    controller->AllGather(&count, counts.data(), 1);
+    mapOfAll.resize(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)));
+    controller->Broadcast(mapOfAll.data(), static_cast<vtkIdType>(mapOfAll.size()), 0);
+    const vtkIdType first = std::accumulate(counts.begin(), counts.begin() + rank, vtkIdType(0));
+    for (vtkIdType& point : pointMap)
+    {
+      point = mapOfAll[first + point];
+    }
+    whole = merged;
+  }
+  ownPoints.assign(pointMap.begin(), pointMap.end());
+  return whole;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
+  vtkDataObject* data, vtkMultiProcessController* controller)
+{
+  vtkSmartPointer<vtkUnstructuredGrid> whole;
+  TogetherOrNotAtAll(controller,
+    [&]
+    {
+      std::vector<vtkSmartPointer<vtkUnstructuredGrid>> grids;
+      std::vector<vtkDataSet*> pieces;
+      for (vtkDataSet* leaf : vtkShapeLeaves::Of(data))
+      {
+        grids.push_back(ToGrid(leaf));
+        grids.back()->RemoveGhostCells();
+        grids.back()->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+        grids.back()->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+        pieces.push_back(grids.back());
+      }
+      whole = grids.size() == 1 ? grids.front() : Merge(pieces);
+    });
+  if (IsParallel(controller))
+  {
+    std::vector<vtkSmartPointer<vtkDataObject>> received;
+    controller->GetCommunicator()->Gather(whole.Get(), received, 0);
+    TogetherOrNotAtAll(controller,
+      [&]
+      {
+        std::vector<vtkDataSet*> pieces;
+        for (vtkDataObject* piece : received)
+        {
+          pieces.push_back(vtkDataSet::SafeDownCast(piece));
+        }
+        whole = Merge(pieces); // empty but on the first process
+      });
+    controller->Broadcast(whole.Get(), 0);
+  }
+  return whole;
+}
+
+void vtkShapeGather::AgreeOnFailure(
+  vtkMultiProcessController* controller, bool& failed, std::string& message)
+{
+  if (!IsParallel(controller))
+  {
+    return;
+  }
+  const int processes = controller->GetNumberOfProcesses();
+  int own = failed ? controller->GetLocalProcessId() : processes;
+  int first = processes;
+  controller->AllReduce(&own, &first, 1, vtkCommunicator::MIN_OP);
+  failed = first < processes;
+  if (failed)
+  {
+    int length = static_cast<int>(message.size());
+    controller->Broadcast(&length, 1, first);
+    message.resize(length);
+    controller->Broadcast(message.data(), length, first);
+  }
+}

@@ -1,0 +1,154 @@
+#include "vtkShapeCorrespondence.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
+
+#include "Mesh/Topology.h"
+#include "Correspondence/Landmarks/LandmarkPairs.h"
+
+#include "vtkCell.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+vtkStandardNewMacro(vtkShapeCorrespondence);
+
+namespace
+{
+
+/// Places that correspond, one a row.
+struct Partners
+{
+  std::vector<Eigen::RowVector3d> OnA, OnB;
+};
+
+double MeanEdge(const shape::Mesh& mesh)
+{
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    sum += (mesh.Points(mesh.Triangles.col(k), Eigen::all) -
+      mesh.Points(mesh.Triangles.col((k + 1) % 3), Eigen::all))
+             .rowwise()
+             .norm()
+             .mean();
+  }
+  return sum / 3.0;
+}
+
+/// The points of the landmarks, and places between them along lines.
+Partners ReadPartners(vtkUnstructuredGrid* given, double step)
+{
+  const Eigen::MatrixXd places = vtkShapeConvert::ToPoints(given);
+  const Eigen::MatrixXd targets =
+    vtkShapeConvert::ToPointArray(given, "TargetPosition", 3, "the Landmarks");
+  Partners partners;
+  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  {
+    partners.OnA.emplace_back(places.row(i));
+    partners.OnB.emplace_back(targets.row(i));
+  }
+  for (vtkIdType cell = 0; cell < given->GetNumberOfCells(); ++cell)
+  {
+    if (given->GetCell(cell)->GetCellDimension() != 1)
+    {
+      continue;
+    }
+    vtkIdList* points = given->GetCell(cell)->GetPointIds();
+    for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
+    {
+      constexpr double most = 10000.0; // of a segment, whatever the surface
+      const vtkIdType p = points->GetId(i - 1), q = points->GetId(i);
+      const int pieces = static_cast<int>(
+        std::clamp(std::ceil((places.row(q) - places.row(p)).norm() / step), 1.0, most));
+      for (int k = 1; k < pieces; ++k)
+      {
+        const double t = static_cast<double>(k) / pieces;
+        partners.OnA.emplace_back((1.0 - t) * places.row(p) + t * places.row(q));
+        partners.OnB.emplace_back((1.0 - t) * targets.row(p) + t * targets.row(q));
+      }
+    }
+  }
+  return partners;
+}
+
+Eigen::MatrixXd AsRows(const std::vector<Eigen::RowVector3d>& places)
+{
+  Eigen::MatrixXd rows(places.size(), 3);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    rows.row(static_cast<Eigen::Index>(i)) = places[i];
+  }
+  return rows;
+}
+
+} // namespace
+
+vtkShapeCorrespondence::vtkShapeCorrespondence()
+{
+  this->DeclareInput("SurfaceA", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("SurfaceB", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Landmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
+  this->DeclareOutputLikeInput(0);
+  this->DeclareOutputLikeInput(1);
+}
+
+void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
+{
+  const shape::Mesh a = vtkShapeConvert::ToMesh(this->GetWhole(0).Data, "SurfaceA"),
+                    b = vtkShapeConvert::ToMesh(this->GetWhole(1).Data, "SurfaceB");
+  shape::RequireManifold(a, "SurfaceA");
+  shape::RequireManifold(b, "SurfaceB");
+  shape::Landmarks landmarks;
+  if (this->GetNumberOfInputConnections(2) > 0)
+  {
+    const Partners partners = ReadPartners(this->GetWhole(2).Grid, MeanEdge(a));
+    landmarks = shape::LandmarkPairs(a, AsRows(partners.OnA), b, AsRows(partners.OnB));
+  }
+  const shape::CorrespondenceResult result =
+    shape::Correspondence(a, b, landmarks, this->Options, progress);
+  this->WriteMap(0, result.Maps.AToB, b, 1);
+  this->WriteMap(1, result.Maps.BToA, a, 0);
+  for (const int port : { 0, 1 })
+  {
+    const auto add = [&](const std::string& fact, double value)
+    { vtkShapeConvert::AddFact(this->GetOutputDataObject(port), "Correspondence." + fact, value); };
+    add("Landmarks", static_cast<double>(result.Used.size()));
+    add("LandmarksFound", result.Found ? 1.0 : 0.0);
+    add("Distortion", result.Found ? result.Start.Distortion : -1.0);
+    add("MirroredDistortion", result.Found ? result.Start.MirroredDistortion : -1.0);
+    add("MirrorImage", !result.Found ? -1.0 : result.Start.MirrorImage ? 1.0 : 0.0);
+    add("Confidence", result.Found ? result.Start.Confidence : -1.0);
+    add("DirichletEnergy", result.Facts.DirichletEnergy);
+    add("RoundTrip", result.Facts.RoundTrip);
+    add("ReversedArea", result.Facts.ReversedArea);
+    add("Mirrored", result.Facts.Mirrored ? 1.0 : 0.0);
+    add("Part", static_cast<double>(result.Part.Which));
+    add("Scale", result.Part.Scale);
+    add("PartShare", result.Part.Share);
+    add("CoverageOfA", result.Facts.CoverageOfA);
+    add("CoverageOfB", result.Facts.CoverageOfB);
+    add("CouplingDistortion", result.CouplingDistortion);
+    add("CouplingError", result.CouplingError);
+    add("CoarsePoints", result.CoarsePoints);
+    add("Iterations", result.Iterations);
+  }
+}
+
+void vtkShapeCorrespondence::WriteMap(
+  int port, const shape::PreciseMap& map, const shape::Mesh& other, int otherPort)
+{
+  const WholeInput& whole = this->GetWhole(port);
+  vtkPolyData* target = this->GetWhole(otherPort).Data;
+  const auto before = static_cast<double>(target->GetNumberOfVerts() + target->GetNumberOfLines());
+  const auto own = [&](const Eigen::MatrixXd& values)
+  { return vtkShapeConvert::Rows(values, whole.OwnPoints); };
+  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(port, 0), this->GetOutputDataObject(port),
+    { { "TargetPosition", own(shape::Pulled(map, other.Triangles, other.Points)) },
+      { "TargetCell", own(map.Triangles.cast<double>().array() + before), true },
+      { "TargetBarycentric", own(map.Barycentrics) } });
+}

@@ -1,0 +1,210 @@
+#include "vtkShapeCutFeature.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeCutParts.h"
+#include "vtkShapeGather.h"
+#include "vtkShapePreciseMap.h"
+#include "vtkShapeSeenInput.h"
+#include "vtkShapeSelectedCells.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Geodesics/ClosedCurves.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkShapeCutFeature);
+
+/// What depends on the input alone, and the outputs before a refusal.
+struct vtkShapeCutFeature::Kept
+{
+  vtkShapeSeenInput Input;
+  shape::NumberedSurface Numbered;
+  std::unique_ptr<shape::FeatureCutter> Cutter;
+  vtkNew<vtkPolyData> LastFeature, LastRest;
+};
+
+vtkShapeCutFeature::vtkShapeCutFeature()
+  : Cache(std::make_unique<Kept>())
+{
+  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Loop", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
+  this->DeclareInput(
+    "Selection", PortData::Selection, PortUse::Optional, { "vtkSelection", "vtkDataSet" });
+  this->DeclareOutput("vtkPolyData");
+  this->DeclareOutput("vtkPolyData");
+}
+
+vtkShapeCutFeature::~vtkShapeCutFeature() = default;
+
+void vtkShapeCutFeature::SetNumberOfLoopPoints(int count)
+{
+  if (3 * static_cast<std::size_t>(std::max(count, 0)) != this->LoopPoints.size())
+  {
+    this->LoopPoints.resize(3 * static_cast<std::size_t>(std::max(count, 0)), 0.0);
+    this->Modified();
+  }
+}
+
+void vtkShapeCutFeature::SetLoopPoints(int index, double x, double y, double z)
+{
+  if (index < 0)
+  {
+    vtkErrorMacro(<< "a loop has no point " << index);
+    return;
+  }
+  const auto first = 3 * static_cast<std::size_t>(index);
+  this->LoopPoints.resize(std::max(this->LoopPoints.size(), first + 3), 0.0);
+  this->LoopPoints[first] = x;
+  this->LoopPoints[first + 1] = y;
+  this->LoopPoints[first + 2] = z;
+  this->Modified();
+}
+
+namespace
+{
+
+std::vector<Eigen::MatrixXd> CurvesOf(vtkPolyData* loop)
+{
+  const std::vector<std::vector<int>> lines = vtkShapeConvert::ToLines(loop);
+  if (lines.empty())
+  {
+    throw shape::InvalidInput("the Loop has no lines; give a closed polyline");
+  }
+  const Eigen::MatrixXd points = vtkShapeConvert::ToPoints(loop);
+  shape::RequireFinite(points, "the Loop");
+  return shape::ClosedCurves(points, lines, "the Loop");
+}
+
+std::vector<char> SelectedTriangles(vtkPolyData* marked, const Eigen::VectorXi& cells)
+{
+  vtkDataArray* marks = marked->GetCellData()->GetArray(vtkShapeSelectedCells::Name.c_str());
+  std::vector<char> isSelected;
+  for (const int cell : cells)
+  {
+    isSelected.push_back(static_cast<char>(marks->GetComponent(cell, 0) != 0.0));
+  }
+  return isSelected;
+}
+
+} // namespace
+
+void vtkShapeCutFeature::Execute(const shape::Progress& progress)
+{
+  vtkSmartPointer<vtkPolyData> marked;
+  if (this->GetNumberOfInputConnections(2) > 0)
+  {
+    vtkSmartPointer<vtkDataObject> own;
+    vtkShapeGather::TogetherOrNotAtAll(this->GetController(),
+      [&]
+      {
+        own = vtkShapeSelectedCells::Mark(
+          this->GetInputDataObject(0, 0), this->GetInputDataObject(2, 0), this->GetController());
+      });
+    std::vector<int> ownPoints;
+    marked = vtkShapeGather::Gather(own, "Input", true, this->GetController(), ownPoints);
+  }
+  // Every process has all of the input, and one of them does the work.
+  if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
+  {
+    return;
+  }
+  std::string refusal;
+  try
+  {
+    this->Cut(marked, progress);
+  }
+  catch (const std::runtime_error& error)
+  {
+    if (!this->Dragging)
+    {
+      throw;
+    }
+    refusal = error.what();
+    this->GetOutputDataObject(0)->ShallowCopy(this->Cache->LastFeature);
+    this->GetOutputDataObject(1)->ShallowCopy(this->Cache->LastRest);
+  }
+  for (const int port : { 0, 1 })
+  {
+    vtkDataObject* output = this->GetOutputDataObject(port);
+    vtkShapeConvert::AddFact(output, "CutFeature.Refused", refusal.empty() ? 0.0 : 1.0);
+    if (!refusal.empty())
+    {
+      vtkShapeConvert::AddFact(output, "CutFeature.Refusal", refusal);
+    }
+  }
+}
+
+/// marked: the Input with its selected cells, or nullptr.
+void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progress)
+{
+  const bool hasLoop = this->GetNumberOfInputConnections(1) > 0;
+  const auto loopPoints = static_cast<Eigen::Index>(this->LoopPoints.size() / 3);
+  if (hasLoop && this->GetNumberOfInputConnections(2) > 0)
+  {
+    throw shape::InvalidInput("there are both a Loop and a Selection; disconnect one");
+  }
+  if (!hasLoop && !marked && loopPoints < 3)
+  {
+    throw shape::InvalidInput("there is no loop: connect a closed polyline to Loop, or a selection"
+                              " to Selection, or draw a loop: Loop Points has " +
+      std::to_string(loopPoints) + " places, and 3 are the least");
+  }
+  vtkPolyData* surface = this->GetWhole(0).Data;
+  Kept& kept = *this->Cache;
+  if (kept.Input.IsNew(*this, 0, this->GetWhole(0).Data) || !kept.Cutter)
+  {
+    kept.Cutter.reset();
+    kept.LastFeature->Initialize();
+    kept.LastRest->Initialize();
+    kept.Numbered = vtkShapePreciseMap::ToSurface(surface, "the Input");
+    kept.Cutter =
+      std::make_unique<shape::FeatureCutter>(kept.Numbered.Surface, progress.Part(0.0, 0.1));
+  }
+  shape::CutFeatureOptions options = this->Options;
+  options.FillHole = options.FillHole && !this->Dragging;
+  shape::CutFeatureResult cut;
+  if (marked)
+  {
+    cut = kept.Cutter->Cut(
+      SelectedTriangles(marked, kept.Numbered.Cells), options, progress.Part(0.1, 1.0));
+  }
+  else
+  {
+    using Places = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+    std::vector<Eigen::MatrixXd> curves;
+    if (hasLoop)
+    {
+      curves = CurvesOf(this->GetWhole(1).Data);
+    }
+    else
+    {
+      curves.emplace_back(Eigen::Map<const Places>(this->LoopPoints.data(), loopPoints, 3));
+    }
+    cut = kept.Cutter->Cut(curves, options, progress.Part(0.1, 1.0));
+  }
+
+  auto* feature = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+  auto* rest = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+  vtkShapeCutParts::Write(cut, kept.Numbered, surface, feature, rest);
+  if (this->KeepOriginal)
+  {
+    auto* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+    const bool isAlone =
+      !this->GetController() || this->GetController()->GetNumberOfProcesses() == 1;
+    rest->ShallowCopy(input && isAlone ? input : surface);
+  }
+  vtkShapeCutParts::AddFacts(cut, feature);
+  vtkShapeCutParts::AddFacts(cut, rest);
+  kept.LastFeature->ShallowCopy(feature);
+  kept.LastRest->ShallowCopy(rest);
+}

@@ -1,0 +1,135 @@
+#include "vtkShapeFeatureBase.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include "Base/Errors.h"
+#include "Mesh/BorderLoops.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+const std::string Places = "LoopCoordinates", Normals = "LoopNormal", Facts = "CutFeature.";
+
+/// Numbers of the field data, where they are there.
+std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& name, int count)
+{
+  vtkDataArray* values = data->GetFieldData()->GetArray((Facts + name).c_str());
+  if (!values || values->GetNumberOfValues() != count)
+  {
+    return {};
+  }
+  Eigen::RowVectorXd numbers(count);
+  for (int k = 0; k < count; ++k)
+  {
+    numbers(k) = values->GetVariantValue(k).ToDouble();
+  }
+  return numbers;
+}
+
+/// The array at the feature's points; none where it is not there.
+Eigen::MatrixXd LoopArray(
+  vtkPolyData* data, const std::string& name, const std::vector<int>& points)
+{
+  return data->GetPointData()->HasArray(name.c_str())
+    ? vtkShapeConvert::Rows(vtkShapeConvert::ToPointArray(data, name, 3, "the Feature"), points)
+    : Eigen::MatrixXd(0, 3);
+}
+
+/// Whether all of a loop was cut and filled.
+bool WasCut(const std::vector<int>& loop, const Eigen::MatrixXd& normals)
+{
+  return normals.rows() > 0 &&
+    std::all_of(
+      loop.begin(), loop.end(), [&](int point) { return normals.row(point).squaredNorm() > 0.0; });
+}
+
+std::vector<int> ChooseLoop(const shape::Mesh& feature, const Eigen::MatrixXd& normals, int index)
+{
+  const std::vector<std::vector<int>> loops = shape::BorderLoops(feature).Loops;
+  if (loops.empty())
+  {
+    throw shape::InvalidInput(
+      "the Feature has no open loop; cut it from its surface with Shape Cut Feature");
+  }
+  if (index < 0 || index >= static_cast<int>(loops.size()))
+  {
+    throw shape::InvalidInput("Loop Index is " + std::to_string(index) + "; the Feature has " +
+      std::to_string(loops.size()) + " open loops, from 0 on");
+  }
+  const auto wasCut = std::find_if(loops.begin(), loops.end(),
+    [&](const std::vector<int>& loop) { return WasCut(loop, normals); });
+  return index == 0 && wasCut != loops.end() ? *wasCut : loops[index];
+}
+
+} // namespace
+
+void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData* feature)
+{
+  if (!cut.Base)
+  {
+    return;
+  }
+  const shape::FeatureBase& base = *cut.Base;
+  std::map<int, Eigen::Index> rows; // of the loop, by the place on the surface
+  for (std::size_t i = 0; i < base.Loop.size(); ++i)
+  {
+    rows[cut.Feature.Ids[base.Loop[i]]] = static_cast<Eigen::Index>(i);
+  }
+  Eigen::MatrixXd places = Eigen::MatrixXd::Zero(cut.Feature.Surface.Points.rows(), 3);
+  Eigen::MatrixXd normals = places;
+  for (Eigen::Index point = 0; point < places.rows(); ++point)
+  {
+    const auto row = rows.find(cut.Feature.Ids[point]);
+    if (row != rows.end())
+    {
+      places.row(point).head(2) = base.LoopPlaces.row(row->second);
+      normals.row(point) = base.Normals.row(row->second);
+    }
+  }
+  feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(places, Places));
+  feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(normals, Normals));
+  const std::pair<const char*, Eigen::RowVector3d> facts[] = { { "Seed", cut.Seed },
+    { "SeedNormal", base.Normal }, { "SeedDirection", base.XAxis } };
+  for (const auto& [fact, value] : facts)
+  {
+    feature->GetFieldData()->AddArray(vtkShapeConvert::ToArray(value, Facts + fact));
+  }
+  vtkShapeConvert::AddFact(feature, Facts + "ConformalRadius", base.ConformalRadius);
+  vtkShapeConvert::AddFact(feature, Facts + "Refined", base.IsRefined ? 1.0 : 0.0);
+  vtkShapeConvert::AddFact(feature, Facts + "ReturnsInPlace", base.ReturnsInPlace ? 1.0 : 0.0);
+}
+
+vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
+  const shape::Mesh& surface, const std::vector<int>& points, int loopIndex,
+  const shape::Progress& progress)
+{
+  const Eigen::MatrixXd places = LoopArray(data, Places, points);
+  Eigen::MatrixXd normals = LoopArray(data, Normals, points);
+  const auto normal = Fact(data, "SeedNormal", 3), axis = Fact(data, "SeedDirection", 3);
+  if (places.rows() == 0 || !normal || !axis)
+  {
+    normals.resize(0, 3);
+  }
+  const std::vector<int> loop = ChooseLoop(surface, normals, loopIndex);
+  if (!WasCut(loop, normals))
+  {
+    return { shape::BaseOfOwnFill(surface, loop, progress), true };
+  }
+  const auto radius = Fact(data, "ConformalRadius", 1), refined = Fact(data, "Refined", 1);
+  return { { loop, vtkShapeConvert::Rows(places, loop).leftCols(2),
+             vtkShapeConvert::Rows(normals, loop), *normal, *axis, radius ? (*radius)(0) : 0.0,
+             refined && (*refined)(0) != 0.0 },
+    false };
+}

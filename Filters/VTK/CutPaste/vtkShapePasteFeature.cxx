@@ -1,0 +1,164 @@
+#include "vtkShapePasteFeature.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeFeatureBase.h"
+#include "vtkShapePastedData.h"
+#include "vtkShapeSeenInput.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include "Mesh/Topology.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+vtkStandardNewMacro(vtkShapePasteFeature);
+
+namespace
+{
+
+const char* NameOf(shape::TargetLayout layout)
+{
+  switch (layout)
+  {
+    case shape::TargetLayout::Conformal:
+      return "conformal";
+    case shape::TargetLayout::LeastDistortion:
+      return "least distortion";
+    default:
+      return "exponential map";
+  }
+}
+
+} // namespace
+
+/// What depends on one input alone.
+struct vtkShapePasteFeature::Kept
+{
+  vtkShapeSeenInput FeatureInput, TargetInput;
+  vtkShapePastedData::Part Feature, Target;
+  int LoopIndex = 0;
+  shape::DeformOptions Deformation;
+  std::unique_ptr<shape::FeatureToPaste> Paste;
+  std::unique_ptr<shape::PasteTarget> Place;
+  bool HasOwnFill = false;
+  int NonManifold = 0;            ///< edges and points of the feature
+  vtkNew<vtkPolyData> LastResult; ///< empty while there was none
+};
+
+vtkShapePasteFeature::vtkShapePasteFeature()
+  : Cache(std::make_unique<Kept>())
+{
+  this->DeclareInput("Feature", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Target", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareOutput("vtkPolyData");
+}
+
+vtkShapePasteFeature::~vtkShapePasteFeature() = default;
+
+void vtkShapePasteFeature::Execute(const shape::Progress& progress)
+{
+  // Every process has all of the input, and one of them does the work.
+  if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
+  {
+    return;
+  }
+  this->PrepareFeature(progress.Part(0.0, 0.2));
+  this->PrepareTarget(progress.Part(0.2, 0.3));
+  this->Placement.Seed << this->Seed[0], this->Seed[1], this->Seed[2];
+  auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+  try
+  {
+    this->PasteInto(output, progress.Part(0.3, 1.0));
+  }
+  catch (const std::runtime_error& refusal)
+  {
+    if (!this->Paste.Dragging)
+    {
+      throw;
+    }
+    // The mouse will find a better place: until then the last one stays.
+    output->ShallowCopy(this->Cache->LastResult);
+    vtkShapeConvert::AddFact(output, "PasteFeature.Refused", 1.0);
+    vtkShapeConvert::AddFact(output, "PasteFeature.Refusal", refusal.what());
+    return;
+  }
+  this->Cache->LastResult->ShallowCopy(output);
+}
+
+void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
+{
+  Kept& kept = *this->Cache;
+  if (!kept.FeatureInput.IsNew(*this, 0, this->GetWhole(0).Data) && kept.Paste &&
+    kept.LoopIndex == this->LoopIndex && kept.Deformation == this->Options)
+  {
+    return;
+  }
+  kept.Paste.reset();
+  kept.LastResult->Initialize();
+  kept.Feature =
+    vtkShapePastedData::Read(this->GetWhole(0).Data, "the Feature", progress.Part(0.0, 0.1));
+  const shape::Mesh& surface = kept.Feature.Triangles.Surface;
+  vtkShapeFeatureBase::Feature feature = vtkShapeFeatureBase::Read(
+    kept.Feature.Data, surface, kept.Feature.Points, this->LoopIndex, progress.Part(0.1, 0.5));
+  kept.HasOwnFill = feature.HasOwnFill;
+  const shape::Topology topology = shape::SurfaceTopology(surface);
+  kept.NonManifold = topology.NonManifoldEdges + topology.NonManifoldPoints;
+  kept.Paste = std::make_unique<shape::FeatureToPaste>(surface, std::move(feature.Base),
+    this->Options, shape::DeformFields(), progress.Part(0.5, 1.0));
+  kept.LoopIndex = this->LoopIndex;
+  kept.Deformation = this->Options;
+}
+
+void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
+{
+  Kept& kept = *this->Cache;
+  if (!kept.TargetInput.IsNew(*this, 1, this->GetWhole(1).Data) && kept.Place)
+  {
+    return;
+  }
+  kept.Place.reset();
+  kept.LastResult->Initialize();
+  kept.Target =
+    vtkShapePastedData::Read(this->GetWhole(1).Data, "the Target", progress.Part(0.0, 0.3));
+  kept.Place = std::make_unique<shape::PasteTarget>(
+    kept.Target.Triangles.Surface, shape::ExponentialMapOptions(), progress.Part(0.3, 1.0));
+}
+
+void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress& progress)
+{
+  const Kept& kept = *this->Cache;
+  const shape::PastedFeature pasted =
+    kept.Paste->PasteOn(*kept.Place, this->Placement, this->Paste, progress);
+  vtkShapePastedData::Write(
+    pasted, *kept.Paste, kept.Target, kept.Feature, this->BlendWidth, output);
+  const std::pair<const char*, Eigen::RowVector3d> frame[] = { { "Seed", pasted.Place.Seed.Origin },
+    { "Normal", pasted.Place.Seed.Normal }, { "Direction", pasted.Place.Seed.XAxis } };
+  for (const auto& [fact, value] : frame)
+  {
+    output->GetFieldData()->AddArray(
+      vtkShapeConvert::ToArray(value, std::string("PasteFeature.") + fact));
+  }
+  const std::pair<const char*, double> facts[] = { { "DeviationBefore",
+                                                     shape::Percentile(pasted.AnglesBefore, 0.5) },
+    { "Deviation95Before", shape::Percentile(pasted.AnglesBefore, 0.95) },
+    { "DeviationAfter", shape::Percentile(pasted.AnglesAfter, 0.5) },
+    { "Deviation95After", shape::Percentile(pasted.AnglesAfter, 0.95) },
+    { "BandTriangles", pasted.BandTriangles }, { "FlippedTriangles", pasted.Place.Cover.Flipped },
+    { "EulerNumber", pasted.EulerNumber }, { "NonManifold", kept.NonManifold },
+    { "WeldedPoints", kept.Feature.WeldedPoints + kept.Target.WeldedPoints } };
+  for (const auto& [fact, value] : facts)
+  {
+    vtkShapeConvert::AddFact(output, std::string("PasteFeature.") + fact, value);
+  }
+  vtkShapeConvert::AddFact(output, "PasteFeature.Layout", NameOf(pasted.Place.Layout));
+  vtkShapeConvert::AddFact(output, "PasteFeature.Refused", 0.0);
+  vtkShapeConvert::AddFact(
+    output, "PasteFeature.Base", kept.HasOwnFill ? "own fill" : "where it was cut");
+}

@@ -1,0 +1,247 @@
+#include "vtkShapeHandle.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
+
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// The lines of a grid, as pairs of points one after the other.
+Eigen::MatrixXi LinesOf(vtkUnstructuredGrid* grid)
+{
+  std::vector<int> ends;
+  vtkNew<vtkGenericCell> cell;
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> places;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    const int type = grid->GetCellType(i);
+    if (type == VTK_TRIANGLE || type == VTK_TETRA || type == VTK_HEXAHEDRON)
+    {
+      continue; // what there are most of, without a look at each
+    }
+    grid->GetCell(i, cell);
+    if (cell->GetCellDimension() == 1)
+    {
+      cell->Triangulate(0, ids, places);
+      std::transform(ids->begin(), ids->end() - ids->GetNumberOfIds() % 2, std::back_inserter(ends),
+        [](vtkIdType id) { return static_cast<int>(id); });
+    }
+  }
+  return Eigen::Map<Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>>(
+    ends.data(), static_cast<Eigen::Index>(ends.size() / 2), 2);
+}
+
+Eigen::MatrixXi AsRows(const std::vector<std::array<int, 4>>& corners, int count)
+{
+  Eigen::MatrixXi rows(corners.size(), count);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      rows(static_cast<Eigen::Index>(i), k) = corners[i][k];
+    }
+  }
+  return rows;
+}
+
+Eigen::MatrixXd ArrayOrNothing(vtkUnstructuredGrid* grid, const char* name, int components)
+{
+  return grid->GetPointData()->HasArray(name)
+    ? vtkShapeConvert::ToPointArray(grid, name, components, "the Boundary")
+    : Eigen::MatrixXd(0, components);
+}
+
+int ToLabel(vtkDataArray* values, vtkIdType i)
+{
+  const double label = values->GetComponent(i, 0);
+  if (!(std::abs(label) < std::numeric_limits<int>::max()))
+  {
+    throw shape::InvalidInput("the labels '" + std::string(values->GetName()) + "' have " +
+      std::to_string(label) + " at number " + std::to_string(i) +
+      "; give each a number that 32 bits can hold");
+  }
+  return static_cast<int>(label);
+}
+
+/// Which point of the whole is at each place: pieces and blocks find theirs so, as points at one
+/// place move as one.
+class PointsByPlace
+{
+public:
+  explicit PointsByPlace(const Eigen::MatrixXd& points)
+    : Points(points)
+  {
+  }
+
+  std::vector<int> Find(const Eigen::MatrixXd& own)
+  {
+    std::vector<int> found(own.rows());
+    if (own.rows() == this->Points.rows() && own == this->Points) // neither blocks nor processes
+    {
+      for (std::size_t i = 0; i < found.size(); ++i)
+      {
+        found[i] = static_cast<int>(i);
+      }
+      return found;
+    }
+    if (this->Places.empty())
+    {
+      for (Eigen::Index i = 0; i < this->Points.rows(); ++i)
+      {
+        this->Places.emplace(At(this->Points, i), static_cast<int>(i));
+      }
+    }
+    for (Eigen::Index i = 0; i < own.rows(); ++i)
+    {
+      const auto place = this->Places.find(At(own, i));
+      if (place == this->Places.end())
+      {
+        throw shape::InvalidInput("point " + std::to_string(i) +
+          " of a piece of the Input belongs to hidden cells alone, or to ghost cells that no "
+          "process owns; take the others by Threshold, or remove it with Clean to Grid");
+      }
+      found[i] = place->second;
+    }
+    return found;
+  }
+
+private:
+  static std::array<double, 3> At(const Eigen::MatrixXd& points, Eigen::Index i)
+  {
+    return { points(i, 0), points(i, 1), points(i, 2) };
+  }
+
+  const Eigen::MatrixXd& Points;
+  std::map<std::array<double, 3>, int> Places;
+};
+
+/// The normals of a data set's points, turned with them.
+void AddTurnedNormals(vtkDataSet* from, const std::vector<int>& rows,
+  const std::vector<Eigen::Matrix3d>& rotations, vtkDataSet* to)
+{
+  vtkDataArray* active = from->GetPointData()->GetNormals();
+  vtkDataArray* normals = active ? active : from->GetPointData()->GetArray("Normals");
+  if (!normals || normals->GetNumberOfComponents() != 3)
+  {
+    return;
+  }
+  Eigen::MatrixXd turned(rows.size(), 3);
+  for (Eigen::Index i = 0; i < turned.rows(); ++i)
+  {
+    Eigen::Vector3d normal;
+    normals->GetTuple(i, normal.data());
+    turned.row(i) = (rotations[rows[i]] * normal).transpose();
+  }
+  const auto array =
+    vtkShapeConvert::ToArray(turned, normals->GetName() ? normals->GetName() : "Normals");
+  to->GetPointData()->AddArray(array);
+  if (active)
+  {
+    to->GetPointData()->SetNormals(array);
+  }
+}
+
+} // namespace
+
+shape::ShapeElements vtkShapeHandle::ToElements(
+  vtkUnstructuredGrid* grid, const std::string& name, const shape::Progress& progress)
+{
+  const shape::CellSimplices cells = vtkShapeConvert::ToSimplices(grid, name, progress);
+  std::vector<std::array<int, 4>> triangles, tetrahedra;
+  for (const auto& corners : cells.Corners)
+  {
+    (corners[3] < 0 ? triangles : tetrahedra).push_back(corners);
+  }
+  return { vtkShapeConvert::ToPoints(grid), LinesOf(grid), AsRows(triangles, 3),
+    AsRows(tetrahedra, 4) };
+}
+
+Eigen::VectorXi vtkShapeHandle::ToLabels(vtkUnstructuredGrid* grid, const std::string& array)
+{
+  const vtkIdType points = grid->GetNumberOfPoints();
+  vtkDataArray* cells = grid->GetCellData()->GetArray(array.c_str());
+  if (grid->GetPointData()->HasArray(array.c_str()) || !cells)
+  {
+    return vtkShapeConvert::ToPointArray(grid, array, 1, "the Input").col(0).cast<int>();
+  }
+  std::vector<std::map<int, int>> around(points);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    grid->GetCellPoints(cell, ids);
+    for (const vtkIdType point : *ids)
+    {
+      ++around[point][ToLabel(cells, cell)];
+    }
+  }
+  Eigen::VectorXi labels = Eigen::VectorXi::Zero(points);
+  for (vtkIdType point = 0; point < points; ++point)
+  {
+    int most = 0;
+    for (const auto& [label, count] : around[point])
+    {
+      labels(point) = count > most ? label : labels(point);
+      most = std::max(most, count);
+    }
+  }
+  return labels;
+}
+
+vtkShapeHandle::Boundary vtkShapeHandle::Read(vtkUnstructuredGrid* grid)
+{
+  Boundary boundary;
+  shape::ShapeElements elements = ToElements(grid, "the Boundary");
+  boundary.Target.Places = elements.Points;
+  boundary.Source.Places = vtkShapeConvert::ToPointArray(grid, "SourcePosition", 3, "the Boundary");
+  boundary.Source.Segments = elements.Lines;
+  boundary.Source.Triangles = elements.Triangles;
+  boundary.Source.Normals = ArrayOrNothing(grid, "SourceNormal", 3);
+  boundary.Target.Normals = ArrayOrNothing(grid, "TargetNormal", 3);
+  boundary.Target.Turns.Turns = ArrayOrNothing(grid, "FrameRotation", 3);
+  boundary.Target.Turns.IsSet = ArrayOrNothing(grid, "FrameSet", 1).cast<int>();
+  if (boundary.Target.Turns.Turns.rows() != boundary.Target.Turns.IsSet.rows())
+  {
+    throw shape::InvalidInput("the Boundary has one of the point arrays 'FrameRotation' and "
+                              "'FrameSet' alone; give both, or neither");
+  }
+  return boundary;
+}
+
+void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,
+  const shape::DeformedShape& deformed, vtkDataObject* output)
+{
+  PointsByPlace places(whole);
+  vtkShapeLeaves::ForEach(input, output, vtkShapeLeaves::Points::Moved,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const Eigen::MatrixXd own = vtkShapeConvert::ToPoints(from);
+      const std::vector<int> rows = places.Find(own);
+      vtkShapeLeaves::Move(from, vtkShapeConvert::Rows(deformed.Points, rows), to);
+      to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, "SourcePosition"));
+      AddTurnedNormals(from, rows, deformed.Rotations, to);
+    });
+}

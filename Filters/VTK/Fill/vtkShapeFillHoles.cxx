@@ -1,0 +1,189 @@
+#include "vtkShapeFillHoles.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeFilledData.h"
+#include "vtkShapePreciseMap.h"
+
+#include "vtkDataArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Fill/CurveNetwork.h"
+#include "Mesh/BorderLoops.h"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <utility>
+
+vtkStandardNewMacro(vtkShapeFillHoles);
+
+/// What depends on the input and the choice of loops, and what these were.
+struct vtkShapeFillHoles::Kept
+{
+  shape::NumberedSurface Surface;
+  shape::CurveNetwork Curves;  ///< where there are no polygons
+  shape::SurfaceBorder Border; ///< else
+  std::vector<int> Chosen;     ///< loops, or rims, by number
+  shape::HoleFillerOptions Options;
+  std::unique_ptr<shape::SurfaceFiller> Filler;
+};
+
+vtkShapeFillHoles::vtkShapeFillHoles()
+  : Cache(std::make_unique<Kept>())
+{
+  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareOutput("vtkPolyData");
+}
+
+vtkShapeFillHoles::~vtkShapeFillHoles() = default;
+
+void vtkShapeFillHoles::SetFillMethod(int method)
+{
+  if (method < 0 || method > static_cast<int>(shape::FillMethod::Membrane))
+  {
+    vtkErrorMacro(<< this->GetLabel() << ": FillMethod " << method
+                  << " does not exist; it ranges from 0 to 3");
+  }
+  else if (method != this->GetFillMethod())
+  {
+    this->Fill.Method = static_cast<shape::FillMethod>(method);
+    this->Modified();
+  }
+}
+
+void vtkShapeFillHoles::SetNumberOfLoopIndices(int count)
+{
+  if (static_cast<std::size_t>(std::max(count, 0)) != this->Choice.Indices.size())
+  {
+    this->Choice.Indices.resize(static_cast<std::size_t>(std::max(count, 0)), 0);
+    this->Modified();
+  }
+}
+
+void vtkShapeFillHoles::SetLoopIndices(int index, int loop)
+{
+  if (index < 0)
+  {
+    vtkErrorMacro(<< "there is no index " << index);
+    return;
+  }
+  const auto place = static_cast<std::size_t>(index);
+  this->Choice.Indices.resize(std::max(this->Choice.Indices.size(), place + 1), 0);
+  this->Choice.Indices[place] = loop;
+  this->Modified();
+}
+
+namespace
+{
+
+bool AreSame(const shape::Mesh& a, const shape::Mesh& b)
+{
+  return a.Points.rows() == b.Points.rows() && a.Triangles.rows() == b.Triangles.rows() &&
+    a.Points == b.Points && a.Triangles == b.Triangles;
+}
+
+bool AreSame(const shape::HoleFillerOptions& a, const shape::HoleFillerOptions& b)
+{
+  const auto all = [](const shape::HoleFillerOptions& options)
+  { return std::tie(options.OptimizeNormals, options.EdgeGrowth, options.MaximumPoints); };
+  return all(a) == all(b);
+}
+
+shape::CurveNetwork CurvesOf(vtkPolyData* data)
+{
+  const std::vector<std::vector<int>> lines = vtkShapeConvert::ToLines(data);
+  if (lines.empty())
+  {
+    throw shape::InvalidInput(
+      "the Input has neither polygons nor lines; give a surface, or closed polylines");
+  }
+  vtkDataArray* normals = data->GetPointData()->GetNormals();
+  const bool hasNormals = normals || data->GetPointData()->HasArray("Normals");
+  return shape::FindRims(vtkShapeConvert::ToPoints(data), lines,
+    hasNormals ? vtkShapeConvert::ToPointArray(data,
+                   normals && normals->GetName() ? normals->GetName() : "Normals", 3, "the Input")
+               : Eigen::MatrixXd(0, 3));
+}
+
+} // namespace
+
+void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
+{
+  vtkPolyData* data = this->GetWhole(0).Data;
+  Kept fresh;
+  fresh.Surface = vtkShapePreciseMap::ToSurface(data, "the Input");
+  const shape::Mesh& surface = fresh.Surface.Surface;
+  shape::RequireFinite(surface.Points, "the Input");
+  progress(0.2);
+  if (surface.Triangles.rows() == 0)
+  {
+    fresh.Curves = CurvesOf(data);
+    std::vector<std::vector<int>> rims = fresh.Curves.Rims;
+    fresh.Chosen = shape::ChooseLoops(surface, rims, this->Choice);
+  }
+  else
+  {
+    fresh.Border = shape::BorderLoops(surface);
+    fresh.Chosen = shape::ChooseLoops(surface, fresh.Border.Loops, this->Choice);
+  }
+  progress(0.6);
+  Kept& kept = *this->Cache;
+  const bool isSame = kept.Filler && AreSame(surface, kept.Surface.Surface) &&
+    fresh.Chosen == kept.Chosen && AreSame(this->Fill.Filler, kept.Options) &&
+    fresh.Curves.Rims == kept.Curves.Rims &&
+    fresh.Curves.Normals.rows() == kept.Curves.Normals.rows() &&
+    fresh.Curves.Normals == kept.Curves.Normals;
+  if (!isSame)
+  {
+    const bool areCurves = surface.Triangles.rows() == 0;
+    std::vector<std::vector<int>> loops;
+    for (const int loop : fresh.Chosen)
+    {
+      loops.push_back(areCurves ? fresh.Curves.Rims[loop] : fresh.Border.Loops[loop]);
+    }
+    fresh.Options = this->Fill.Filler;
+    fresh.Filler = areCurves
+      ? std::make_unique<shape::SurfaceFiller>(
+          surface, loops, fresh.Curves.Normals, this->Fill.Filler)
+      : std::make_unique<shape::SurfaceFiller>(surface, loops, this->Fill.Filler);
+    kept = std::move(fresh);
+  }
+  else
+  {
+    kept.Surface = std::move(fresh.Surface); // its cells may have other numbers
+  }
+  progress(1.0);
+}
+
+void vtkShapeFillHoles::Execute(const shape::Progress& progress)
+{
+  // Every process has all of the input, and one of them does the work.
+  if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
+  {
+    return;
+  }
+  this->Prepare(progress.Part(0.0, 0.1));
+  this->Fill.Deformation = this->Options;
+  const Kept& kept = *this->Cache;
+  const shape::FilledSurface filled = kept.Filler->Fill(this->Fill, progress.Part(0.1, 0.9));
+  auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+  vtkShapeFilledData::Write(filled, kept.Surface, this->GetWhole(0).Data, output);
+  progress(0.95);
+  const bool areCurves = kept.Surface.Surface.Triangles.rows() == 0;
+  const std::pair<const char*, double> facts[] = {
+    { "Loops",
+      static_cast<double>(areCurves ? kept.Curves.Rims.size() : kept.Border.Loops.size()) },
+    { "UnclosedSides", kept.Border.UnclosedSides }, { "LooseSegments", kept.Curves.LooseSegments },
+    { "SkippedFaces", kept.Curves.SkippedFaces }
+  };
+  for (const auto& [fact, value] : facts)
+  {
+    vtkShapeConvert::AddFact(output, std::string("FillHoles.") + fact, value);
+  }
+  vtkShapeFilledData::AddFacts(filled, kept.Chosen, output);
+}

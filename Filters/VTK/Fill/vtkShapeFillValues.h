@@ -1,0 +1,21 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Fill/FillHoles.h"
+
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSetAttributes;
+
+/// Data of the points of fills.
+namespace vtkShapeFillValues
+{
+
+/// Carries a surface's values (vtkShapeConvert::AreValues) on from the rims of its fills: see
+/// shape::ValuesOnFill. points: tuples for the fills, too; those of bytes, which are colours, are
+/// rounded. leftOut: an array that stays as it is, or nullptr.
+void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,
+  vtkDataSetAttributes* points, const vtkDataArray* leftOut = nullptr);
+
+} // namespace vtkShapeFillValues

@@ -1,0 +1,69 @@
+#include "vtkShapeApplyVolumeMap.h"
+
+#include "vtkShapeChargeSet.h"
+#include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
+
+#include "vtkDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Harmonic/ApplyVolumeMap.h"
+#include "Harmonic/LayeredInverse.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkShapeApplyVolumeMap);
+
+vtkShapeApplyVolumeMap::vtkShapeApplyVolumeMap()
+{
+  this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
+  this->DeclareInput("Map", PortData::Whole, PortUse::Required, { "vtkPolyData" });
+  this->DeclareMovedOutput();
+}
+
+void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
+{
+  vtkDataObject* domain = this->GetInputDataObject(0, 0);
+  for (vtkDataSet* leaf : vtkShapeLeaves::Of(domain))
+  {
+    shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Input");
+  }
+  const std::vector<vtkDataSet*> maps = vtkShapeLeaves::Of(this->GetInputDataObject(1, 0));
+  const auto count = std::count_if(
+    maps.begin(), maps.end(), [](vtkDataSet* leaf) { return leaf->GetNumberOfPoints() > 0; });
+  if (count > 1)
+  {
+    throw shape::InvalidInput("the Map has " + std::to_string(count) +
+      " blocks; take one charge set out with Extract Block");
+  }
+  const auto map = std::make_shared<const shape::LayeredMap>(
+    vtkShapeChargeSet::Read(this->GetWhole(1).Data, "the Map"), progress.Part(0.05, 0.1));
+
+  std::array<vtkIdType, 3> counts{};
+  vtkDataObject* moved = this->GetOutputDataObject(0);
+  if (this->Inverse)
+  {
+    const shape::LayeredInverse inverse(map, {}, progress.Part(0.1, 0.3));
+    const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
+    {
+      const shape::InverseMap::Result found = inverse.Find(points, part);
+      return shape::MovedPoints{ found.Points, found.States };
+    };
+    counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.3, 1.0));
+  }
+  else
+  {
+    const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
+    { return shape::ApplyVolumeMap(*map, points, part); };
+    counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.1, 1.0));
+  }
+  this->AddCount(0, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
+  this->AddCount(0, "ApplyVolumeMap.NotInverted", static_cast<double>(counts[2]));
+}

@@ -1,0 +1,257 @@
+#include "vtkShapeChargeSet.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Search/ClosestPoint.h"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace
+{
+
+using Affine = Eigen::Matrix<double, 3, 4>;
+
+/// [A b] of each region: 3 tuples of 4 where there is one, else a tuple of 12 for each.
+std::vector<Affine> ReadAffines(vtkPolyData* data, const std::string& name)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray("Affine");
+  const vtkIdType tuples = array ? array->GetNumberOfTuples() : 0;
+  const int components = array ? array->GetNumberOfComponents() : 0;
+  const bool one = tuples == 3 && components == 4;
+  if (!one && (tuples == 0 || components != 12))
+  {
+    throw shape::InvalidInput(name +
+      " has no field data 'Affine' of 3 tuples of 4 numbers, or of 12 for each region; connect a "
+      "charge set, such as the output Charges of Shape Harmonic Volume Map");
+  }
+  std::vector<Affine> affines(one ? 1 : tuples);
+  for (int i = 0; i < 12 * static_cast<int>(affines.size()); ++i)
+  {
+    affines[i / 12](i % 12 / 4, i % 4) = array->GetComponent(i / components, i % components);
+  }
+  for (const Affine& affine : affines)
+  {
+    shape::RequireFinite(affine, "the affine part of " + name);
+  }
+  return affines;
+}
+
+/// RegionId at the points; 0 where there is no such array and one region.
+std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& name)
+{
+  std::vector<int> ids(data->GetNumberOfPoints(), 0);
+  if (regions == 1 && !data->GetPointData()->HasArray("RegionId"))
+  {
+    return ids;
+  }
+  const Eigen::VectorXd values = vtkShapeConvert::ToPointArray(data, "RegionId", 1, name);
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    if (!(values(i) >= shape::LayeredCharges::Void && values(i) < regions))
+    {
+      throw shape::InvalidInput(name + " has " + std::to_string(regions) +
+        " affine parts, but RegionId " + std::to_string(values(i)) + " at point " +
+        std::to_string(i) + "; regions count from 0, and -1 is for the walls of voids");
+    }
+    ids[i] = static_cast<int>(values(i));
+  }
+  return ids;
+}
+
+/// Half the least distance of a charge to the surface; without charges the map holds everywhere.
+double MeasuredFarthest(const Eigen::MatrixXd& charges, const shape::Mesh& surface)
+{
+  return charges.rows() > 0
+    ? 0.5 * shape::SurfaceLocator(surface).Find(charges).Distances.minCoeff()
+    : shape::LongestSide(surface.Points);
+}
+
+/// The rows of a charge set that carry a charge.
+std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
+{
+  std::vector<int> rows;
+  for (int i = 0; i < charges.rows(); ++i)
+  {
+    if ((charges.row(i).array() != 0.0).any())
+    {
+      rows.push_back(i);
+    }
+  }
+  return rows;
+}
+
+} // namespace
+
+double vtkShapeChargeSet::Farthest(double offsetDistance, const shape::Mesh& surface)
+{
+  return 0.5 * offsetDistance * shape::LongestSide(surface.Points);
+}
+
+shape::LayeredCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::string& name)
+{
+  const std::vector<Affine> affines = ReadAffines(data, name);
+  const auto count = static_cast<int>(affines.size());
+  const Eigen::MatrixXd charges = vtkShapeConvert::ToPointArray(data, "Charge", 3, name);
+  shape::RequireFinite(charges, "the charges of " + name);
+  if (data->GetPointData()->HasArray("Dipole"))
+  {
+    throw shape::InvalidInput(
+      name + " has dipoles, which cannot be evaluated; make a charge set without");
+  }
+  const std::vector<int> regions = ReadRegions(data, count, name);
+  const shape::Mesh all = vtkShapeConvert::ToMesh(data, name);
+  shape::RequireFinite(all.Points, name);
+
+  shape::LayeredCharges contents;
+  contents.Maps.resize(count);
+  const std::vector<int> sources = ChargedRows(charges);
+  for (int r = 0; r < count; ++r)
+  {
+    std::vector<int> own;
+    std::copy_if(sources.begin(), sources.end(), std::back_inserter(own),
+      [&](int i) { return regions[i] == r; });
+    contents.Maps[r] = { vtkShapeConvert::Rows(all.Points, own),
+      vtkShapeConvert::Rows(charges, own), affines[r] };
+  }
+  std::vector<int> corners;
+  std::vector<int> placeInSurface(all.Points.rows(), -1);
+  for (int i = 0; i < charges.rows(); ++i)
+  {
+    if (!std::binary_search(sources.begin(), sources.end(), i))
+    {
+      placeInSurface[i] = static_cast<int>(corners.size());
+      corners.push_back(i);
+    }
+  }
+  contents.Surface.Points = vtkShapeConvert::Rows(all.Points, corners);
+  contents.Surface.Triangles = all.Triangles.unaryExpr(
+    [&](int point)
+    {
+      if (placeInSurface[point] < 0)
+      {
+        throw shape::InvalidInput(name +
+          " has a charge on the surface that bounds its domain (at "
+          "point " +
+          std::to_string(point) + "); charges belong outside, and 0 at the surface's points");
+      }
+      return placeInSurface[point];
+    });
+  if (contents.Surface.Triangles.rows() == 0)
+  {
+    throw shape::InvalidInput(
+      name + " has no triangles; its cells must be the surface that bounds the map's domain");
+  }
+  shape::RequireClosedSurface(contents.Surface, "the surface of " + name);
+  if (count > 1)
+  {
+    contents.Regions = all.Triangles.col(0).unaryExpr([&](int point) { return regions[point]; });
+    if (vtkDataArray* skin = data->GetFieldData()->GetArray("Skin");
+        skin && skin->GetNumberOfTuples() == count)
+    {
+      contents.Skins.resize(count);
+      for (int r = 0; r < count; ++r)
+      {
+        contents.Skins(r) = skin->GetComponent(r, 0);
+      }
+    }
+  }
+  vtkDataArray* offset = data->GetFieldData()->GetArray("HarmonicVolumeMap.OffsetDistance");
+  contents.Farthest = offset && offset->GetNumberOfTuples() > 0
+    ? Farthest(offset->GetComponent(0, 0), contents.Surface)
+    : MeasuredFarthest(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
+  return contents;
+}
+
+void vtkShapeChargeSet::Write(const shape::LayeredCharges& set, vtkPolyData* output)
+{
+  const auto regions = static_cast<int>(set.Maps.size());
+  std::vector<std::vector<int>> sources;
+  int count = 0;
+  for (const shape::ChargeSet& map : set.Maps)
+  {
+    sources.push_back(ChargedRows(map.Charges));
+    count += static_cast<int>(sources.back().size());
+  }
+  // The charges come first, region by region, then the surface's points, which carry no charge.
+  shape::Mesh mesh{ Eigen::MatrixXd(count + set.Surface.Points.rows(), 3),
+    set.Surface.Triangles.array() + count };
+  mesh.Points.bottomRows(set.Surface.Points.rows()) = set.Surface.Points;
+  Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
+  Eigen::VectorXi ids = Eigen::VectorXi::Zero(mesh.Points.rows());
+  Eigen::MatrixXd affines(regions, 12);
+  for (int r = 0, first = 0; r < regions; first += static_cast<int>(sources[r++].size()))
+  {
+    const auto size = static_cast<Eigen::Index>(sources[r].size());
+    mesh.Points.middleRows(first, size) = vtkShapeConvert::Rows(set.Maps[r].Points, sources[r]);
+    charges.middleRows(first, size) = vtkShapeConvert::Rows(set.Maps[r].Charges, sources[r]);
+    ids.segment(first, size).setConstant(r);
+    for (int i = 0; i < 12; ++i)
+    {
+      affines(r, i) = set.Maps[r].Affine(i / 4, i % 4);
+    }
+  }
+  vtkShapeConvert::FromMesh(mesh, output);
+  output->GetPointData()->AddArray(vtkShapeConvert::ToArray(charges, "Charge"));
+  if (regions == 1)
+  {
+    output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(set.Maps[0].Affine, "Affine"));
+    return;
+  }
+  for (Eigen::Index t = 0; t < set.Regions.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ids(mesh.Triangles(t, k)) = set.Regions(t);
+    }
+  }
+  output->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(ids, "RegionId"));
+  output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(set.Regions, "RegionId"));
+  output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(affines, "Affine"));
+  output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(set.Skins, "Skin"));
+}
+
+std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataObject* moved,
+  const std::function<shape::MovedPoints(
+    const Eigen::MatrixXd& points, const shape::Progress& progress)>& place,
+  const shape::Progress& progress)
+{
+  std::array<vtkIdType, 3> counts{};
+  double done = 0.0;
+  const double share =
+    1.0 / std::max<vtkIdType>(1, domain->GetNumberOfElements(vtkDataObject::POINT));
+  vtkShapeLeaves::ForEach(domain, moved, vtkShapeLeaves::Points::Moved,
+    [&](vtkDataSet* input, vtkDataSet* output)
+    {
+      const Eigen::MatrixXd sources = vtkShapeConvert::ToPoints(input);
+      const double next = std::min(1.0, done + share * sources.rows());
+      const shape::MovedPoints places = place(sources, progress.Part(done, next));
+      done = next;
+      vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
+      for (Eigen::Index i = 0; i < sources.rows(); ++i)
+      {
+        const bool own =
+          !ghosts || (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0;
+        counts[places.OutsideDomain(i)] += own;
+      }
+      vtkShapeLeaves::Move(input, places.Points, output);
+      output->GetPointData()->AddArray(vtkShapeConvert::ToArray(sources, "SourcePosition"));
+      output->GetPointData()->AddArray(
+        vtkShapeConvert::ToIntegers(places.OutsideDomain, "OutsideDomain"));
+    });
+  return counts;
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "Harmonic/LayeredVolumeMap.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkTable;
+
+/// What a harmonic volume map says about itself.
+namespace vtkShapeVolumeMapFacts
+{
+
+/// What the names of the facts begin with.
+inline constexpr const char* Prefix = "HarmonicVolumeMap.";
+
+/// A row for each level of each region's map, with the columns that vtkShapeHarmonicVolumeMap
+/// names.
+void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult>& regions, vtkTable* output);
+
+/// Field data: errors, what the method did and why it stopped; with `borders` an entry for each
+/// region of what is left over at the surface around it.
+void AddFacts(const shape::LayeredVolumeMapResult& result,
+  shape::HarmonicVolumeMapOptions::MethodType method, bool borders, vtkDataObject* output);
+
+} // namespace vtkShapeVolumeMapFacts

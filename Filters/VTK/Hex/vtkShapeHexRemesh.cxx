@@ -1,0 +1,105 @@
+#include "vtkShapeHexRemesh.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeHexResult.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Mesh/Topology.h"
+
+#include <utility>
+
+vtkStandardNewMacro(vtkShapeHexRemesh);
+
+vtkShapeHexRemesh::vtkShapeHexRemesh()
+{
+  this->DeclareInput("Surface", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Polycube", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
+  this->DeclareInput(
+    "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
+  this->DeclareOutput("vtkUnstructuredGrid");
+  this->DeclareOutput("vtkPolyData");
+}
+
+void vtkShapeHexRemesh::AddInnerSurfaces(vtkAlgorithmOutput* surface)
+{
+  this->AddInputConnection(2, surface);
+}
+
+void vtkShapeHexRemesh::RemoveAllInnerSurfaces()
+{
+  this->SetInputConnection(2, nullptr);
+}
+
+namespace
+{
+
+/// Polygons are cut into triangles at their places on the surface, as Shape Polycube cuts them: on
+/// the polycube one may lie around an edge.
+shape::GivenPolycube ToPolycube(vtkPolyData* data)
+{
+  const Eigen::MatrixXd sources =
+    vtkShapeConvert::ToPointArray(data, "SourcePosition", 3, "the Polycube");
+  shape::RequireFinite(sources, "the Polycube's SourcePosition");
+  vtkNew<vtkPoints> places;
+  places->SetData(vtkShapeConvert::ToArray(sources, "Points"));
+  vtkNew<vtkPolyData> unfolded;
+  unfolded->ShallowCopy(data);
+  unfolded->SetPoints(places);
+  shape::Mesh surface = vtkShapeConvert::ToMesh(unfolded, "the Polycube");
+  surface.Points = vtkShapeConvert::ToPoints(data);
+  return { std::move(surface), sources };
+}
+
+} // namespace
+
+shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
+{
+  shape::HexRemeshGuides guides;
+  if (!this->SizeArray.empty() && this->SizeArray != "None")
+  {
+    guides.Sizes =
+      vtkShapeConvert::ToPointArray(this->GetWhole(0).Data, this->SizeArray, 1, "the Surface");
+  }
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    guides.Polycube = ToPolycube(this->GetWhole(1).Data);
+  }
+  for (int i = 0; i < this->GetNumberOfInputConnections(2); ++i)
+  {
+    guides.InnerSurfaces.push_back(
+      vtkShapeConvert::ToMesh(this->GetWhole(2, i).Data, "inner surface " + std::to_string(i)));
+  }
+  return guides;
+}
+
+void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
+{
+  // Every process has all of the input, and one of them does the work.
+  if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
+  {
+    return;
+  }
+  vtkPolyData* input = this->GetWhole(0).Data;
+  const shape::Mesh surface = vtkShapeConvert::ToMesh(input, "the Surface");
+  const shape::HexRemeshGuides guides = this->ReadGuides();
+  const shape::HexRemeshResult result =
+    shape::HexRemesh(surface, this->Options, progress.Part(0.0, 0.98), guides);
+  auto* hexahedra = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
+  vtkShapeHexResult::WriteHexahedra(result.Fit, hexahedra);
+  vtkShapeHexResult::WriteBoundary(
+    result, surface, guides.InnerSurfaces, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+  for (const int port : { 0, 1 })
+  {
+    this->GetOutputDataObject(port)->GetFieldData()->PassData(input->GetFieldData());
+    vtkShapeHexResult::AddFacts(result, hexahedra, this->GetOutputDataObject(port));
+  }
+  progress(1.0);
+}

@@ -1,0 +1,241 @@
+#include "vtkShapeHexResult.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMeshQuality.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Mesh/Topology.h"
+#include "Search/ClosestPoint.h"
+#include "Quality/ScaledJacobian.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+vtkSmartPointer<vtkCellArray> ToCellArray(const Eigen::MatrixXi& cells)
+{
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  array->AllocateExact(cells.rows(), cells.size());
+  for (Eigen::Index i = 0; i < cells.rows(); ++i)
+  {
+    array->InsertNextCell(static_cast<int>(cells.cols()));
+    for (const int point : cells.row(i))
+    {
+      array->InsertCellPoint(point);
+    }
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkPoints> ToVtkPoints(const Eigen::MatrixXd& points)
+{
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetData(vtkShapeConvert::ToArray(points, "Points"));
+  return result;
+}
+
+/// Distances of the quads' middles to a surface.
+Eigen::VectorXd Distances(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const shape::Mesh& surface)
+{
+  Eigen::MatrixXd middles(quads.rows(), 3);
+  for (Eigen::Index q = 0; q < quads.rows(); ++q)
+  {
+    middles.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
+  }
+  return shape::SurfaceLocator(surface).Find(middles).Distances;
+}
+
+using Setter = void (vtkMeshQuality::*)();
+
+/// What the arrays are called, and how Verdict is asked for them.
+const std::pair<const char*, Setter> Measures[] = {
+  { "Jacobian", &vtkMeshQuality::SetHexQualityMeasureToJacobian },
+  { "Volume", &vtkMeshQuality::SetHexQualityMeasureToVolume },
+  { "EdgeRatio", &vtkMeshQuality::SetHexQualityMeasureToEdgeRatio },
+  { "MaxAspectFrobenius", &vtkMeshQuality::SetHexQualityMeasureToMaxAspectFrobenius },
+  { "EquiangleSkew", &vtkMeshQuality::SetHexQualityMeasureToEquiangleSkew },
+  { "Skew", &vtkMeshQuality::SetHexQualityMeasureToSkew },
+  { "Taper", &vtkMeshQuality::SetHexQualityMeasureToTaper },
+  { "Shape", &vtkMeshQuality::SetHexQualityMeasureToShape },
+};
+
+/// How many scaled Jacobians lie in each twentieth of [0, 1].
+vtkSmartPointer<vtkIntArray> Histogram(const shape::HexMesh& solid)
+{
+  constexpr int bins = 20;
+  Eigen::VectorXi counts = Eigen::VectorXi::Zero(bins);
+  for (const double value : shape::ScaledJacobians(solid))
+  {
+    ++counts(std::clamp(static_cast<int>(bins * value), 0, bins - 1));
+  }
+  return vtkShapeConvert::ToIntegers(counts, "HexRemesh.ScaledJacobianHistogram");
+}
+
+/// The least, the mean and the greatest of an array's values.
+vtkSmartPointer<vtkDoubleArray> Summary(vtkDataArray* values, const std::string& name)
+{
+  Eigen::RowVector3d sums = Eigen::RowVector3d::Zero();
+  const vtkIdType count = values->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    sums(0) = i == 0 ? value : std::min(sums(0), value);
+    sums(1) += value / static_cast<double>(count);
+    sums(2) = i == 0 ? value : std::max(sums(2), value);
+  }
+  vtkSmartPointer<vtkDoubleArray> summary = vtkShapeConvert::ToArray(sums, name);
+  summary->SetComponentName(0, "Minimum");
+  summary->SetComponentName(1, "Mean");
+  summary->SetComponentName(2, "Maximum");
+  return summary;
+}
+
+/// Verdict's measures of each hexahedron.
+void AddMeasures(vtkUnstructuredGrid* hexahedra)
+{
+  vtkNew<vtkUnstructuredGrid> cells;
+  cells->CopyStructure(hexahedra);
+  for (const auto& [name, set] : Measures)
+  {
+    vtkNew<vtkMeshQuality> quality;
+    quality->SetInputData(cells);
+    (quality->*set)();
+    quality->Update();
+    vtkDataArray* values = quality->GetOutput()->GetCellData()->GetArray("Quality");
+    values->SetName(name);
+    hexahedra->GetCellData()->AddArray(values);
+  }
+}
+
+/// The share of quads that are at most 1.2 times as large as wanted, and the median ratio.
+void AddSizeFacts(const Eigen::VectorXd& ratios, vtkDataObject* output)
+{
+  std::vector<double> sorted(ratios.begin(), ratios.end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  vtkShapeConvert::AddFact(output, "HexRemesh.MedianSizeRatio", *middle);
+  constexpr double large = 1.2;
+  vtkShapeConvert::AddFact(output, "HexRemesh.ShareOfSizesMet",
+    static_cast<double>((ratios.array() <= large).count()) / static_cast<double>(ratios.size()));
+}
+
+} // namespace
+
+void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output)
+{
+  output->SetPoints(ToVtkPoints(fit.Solid.Points));
+  output->SetCells(VTK_HEXAHEDRON, ToCellArray(fit.Solid.Hexahedra));
+  output->GetCellData()->AddArray(
+    vtkShapeConvert::ToArray(shape::ScaledJacobians(fit.Solid), "ScaledJacobian"));
+  output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(fit.RegionOf, "RegionId"));
+  AddMeasures(output);
+}
+
+void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
+  const shape::Mesh& surface, const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output)
+{
+  const shape::HexFit& fit = result.Fit;
+  Eigen::Index count = fit.Quads.rows();
+  for (const Eigen::MatrixXi& interface : fit.Interfaces)
+  {
+    count += interface.rows();
+  }
+  Eigen::MatrixXi quads(count, 4);
+  Eigen::VectorXi interfaceOf = Eigen::VectorXi::Zero(count), patchOf(count);
+  Eigen::VectorXd distances(count);
+  Eigen::Index row = fit.Quads.rows();
+  quads.topRows(row) = fit.Quads;
+  patchOf.head(row) = fit.PatchOf;
+  distances.head(row) = Distances(fit.Solid.Points, fit.Quads, surface);
+  for (std::size_t i = 0; i < fit.Interfaces.size(); ++i)
+  {
+    const Eigen::MatrixXi& own = fit.Interfaces[i];
+    quads.middleRows(row, own.rows()) = own;
+    interfaceOf.segment(row, own.rows()).setConstant(static_cast<int>(i) + 1);
+    patchOf.segment(row, own.rows()).setConstant(fit.PatchOf.maxCoeff() + 1 + static_cast<int>(i));
+    distances.segment(row, own.rows()) = Distances(fit.Solid.Points, own, innerSurfaces[i]);
+    row += own.rows();
+  }
+  std::vector<int> used(quads.data(), quads.data() + quads.size());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (int& point : quads.reshaped())
+  {
+    point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
+  }
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("OriginalPointId");
+  for (const int point : used)
+  {
+    ids->InsertNextValue(point);
+  }
+  output->SetPoints(ToVtkPoints(fit.Solid.Points(used, Eigen::all)));
+  output->SetPolys(ToCellArray(quads));
+  output->GetPointData()->AddArray(ids);
+  vtkCellData* data = output->GetCellData();
+  data->AddArray(vtkShapeConvert::ToIntegers(patchOf, "Patch"));
+  data->AddArray(vtkShapeConvert::ToIntegers(interfaceOf, "Interface"));
+  data->AddArray(vtkShapeConvert::ToArray(distances, "Distance"));
+}
+
+void vtkShapeHexResult::AddFacts(
+  const shape::HexRemeshResult& result, vtkUnstructuredGrid* hexahedra, vtkDataObject* output)
+{
+  const shape::HexFit& fit = result.Fit;
+  const shape::Topology topology =
+    shape::SurfaceTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
+  const std::pair<const char*, double> facts[] = {
+    { "Hexahedra", static_cast<double>(fit.Solid.Hexahedra.rows()) },
+    { "MinimumScaledJacobian", fit.LeastScaledJacobian },
+    { "MeanScaledJacobian", fit.MeanScaledJacobian },
+    { "Distance", fit.Distance },
+    { "InnerDistance", fit.InnerDistance },
+    { "Regions", fit.RegionOf.maxCoeff() + 1.0 },
+    { "CellSize", result.CellSize },
+    { "Patches", fit.PatchOf.maxCoeff() + 1.0 },
+    { "Corners", static_cast<double>(result.Features.Corners.size()) },
+    { "CreasesKept", fit.CreasesKept ? 1.0 : 0.0 },
+    { "CornersKept", static_cast<double>(fit.Creases.CornerPoints.size()) },
+    { "CreaseDistance", fit.Creases.Distance },
+    { "CreaseShare", result.Features.CurveShare() },
+    { "ReleasedPoints", static_cast<double>(result.Fit.Released) },
+    { "InnerCreasesKept", result.InnerCreasesKept ? 1.0 : 0.0 },
+    { "Crossings", result.Crossings },
+    { "EulerNumber", topology.EulerNumber },
+    { "Components", topology.Components },
+  };
+  for (const auto& [fact, value] : facts)
+  {
+    vtkShapeConvert::AddFact(output, std::string("HexRemesh.") + fact, value);
+  }
+  const bool polycube = result.Method == shape::HexRemeshOptions::MethodType::Polycube;
+  vtkShapeConvert::AddFact(output, "HexRemesh.Method", polycube ? "Polycube" : "Grid");
+  vtkShapeConvert::AddFact(output, "HexRemesh.Reason", result.Reason);
+  output->GetFieldData()->AddArray(Histogram(fit.Solid));
+  if (result.SizeRatios.size() > 0)
+  {
+    AddSizeFacts(result.SizeRatios, output);
+  }
+  for (const auto& [name, unused] : Measures)
+  {
+    output->GetFieldData()->AddArray(
+      Summary(hexahedra->GetCellData()->GetArray(name), std::string("HexRemesh.") + name));
+  }
+}

@@ -1,0 +1,280 @@
+#include "vtkShapeTransferFields.h"
+
+#include "vtkShapeConvert.h"
+#include "vtkShapeLeaves.h"
+#include "vtkShapePreciseMap.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Mesh/Topology.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+vtkStandardNewMacro(vtkShapeTransferFields);
+
+vtkShapeTransferFields::vtkShapeTransferFields()
+{
+  this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
+  this->DeclareInput("Source", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
+  this->DeclareOutputLikeInput();
+}
+
+namespace
+{
+
+/// An array of the giver and what the receiver calls it.
+struct Field
+{
+  vtkAbstractArray* Values;
+  bool OfCells;
+  std::string Name;
+};
+
+std::string NameOf(vtkAbstractArray* array)
+{
+  return array->GetName() ? array->GetName() : "";
+}
+
+/// The arrays to carry, all but those of points called `left`. taken: names that are not free.
+std::vector<Field> FieldsOf(
+  vtkDataSet* giver, const std::set<std::string>& left, std::set<std::string> taken)
+{
+  std::vector<Field> fields;
+  for (const bool ofCells : { false, true })
+  {
+    vtkDataSetAttributes* attributes = ofCells
+      ? static_cast<vtkDataSetAttributes*>(giver->GetCellData())
+      : static_cast<vtkDataSetAttributes*>(giver->GetPointData());
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* values = attributes->GetAbstractArray(i);
+      std::string name = NameOf(values);
+      if (values == attributes->GetNormals() || name == "Normals" || (!ofCells && left.count(name)))
+      {
+        continue;
+      }
+      while (name.empty() || taken.count(name))
+      {
+        name.insert(0, "Giver");
+      }
+      taken.insert(name);
+      fields.push_back({ values, ofCells, name });
+    }
+  }
+  return fields;
+}
+
+/// Gives an array of the receiver whose name another one takes a new one.
+void SetAside(vtkDataSet* receiver, const std::string& array)
+{
+  vtkPointData* attributes = receiver->GetPointData();
+  if (vtkAbstractArray* own = attributes->GetAbstractArray(array.c_str()))
+  {
+    std::string name = array;
+    while (attributes->HasArray(name.c_str()))
+    {
+      name.insert(0, "Receiver");
+    }
+    vtkSmartPointer<vtkAbstractArray> kept;
+    kept.TakeReference(own->NewInstance());
+    kept->DeepCopy(own);
+    kept->SetName(name.c_str());
+    attributes->RemoveArray(array.c_str());
+    attributes->AddArray(kept);
+  }
+}
+
+/// Adds an array that this filter makes.
+void Replace(vtkDataSet* receiver, vtkDataArray* made)
+{
+  SetAside(receiver, made->GetName());
+  receiver->GetPointData()->AddArray(made);
+}
+
+void Carry(const std::vector<Field>& fields, const shape::TransferredPlaces& places,
+  vtkDataSet* receiver, const shape::Progress& progress)
+{
+  std::vector<vtkSmartPointer<vtkAbstractArray>> carried;
+  for (const Field& field : fields)
+  {
+    carried.emplace_back();
+    carried.back().TakeReference(vtkAbstractArray::CreateArray(field.Values->GetDataType()));
+    carried.back()->SetName(field.Name.c_str());
+    carried.back()->SetNumberOfComponents(field.Values->GetNumberOfComponents());
+    carried.back()->CopyComponentNames(field.Values);
+    carried.back()->SetNumberOfTuples(places.Cells.size());
+  }
+  vtkNew<vtkIdList> corners;
+  std::vector<double> weights;
+  for (Eigen::Index i = 0; i < places.Cells.size(); ++i)
+  {
+    if (i % 4096 == 0)
+    {
+      progress(static_cast<double>(i) / static_cast<double>(places.Cells.size()));
+    }
+    corners->Reset();
+    weights.clear();
+    for (decltype(places.Weights)::InnerIterator corner(places.Weights, i); corner; ++corner)
+    {
+      if (corner.value() != 0.0) // what does not count may be NaN
+      {
+        corners->InsertNextId(corner.col());
+        weights.push_back(corner.value());
+      }
+    }
+    for (std::size_t f = 0; f < fields.size(); ++f)
+    {
+      const int type = fields[f].Values->GetDataType();
+      if (!fields[f].OfCells && (type == VTK_FLOAT || type == VTK_DOUBLE))
+      {
+        carried[f]->InterpolateTuple(i, corners, fields[f].Values, weights.data());
+      }
+      else
+      {
+        carried[f]->SetTuple(
+          i, fields[f].OfCells ? places.Cells(i) : places.Nearest(i), fields[f].Values);
+      }
+    }
+  }
+  for (vtkAbstractArray* array : carried)
+  {
+    receiver->GetPointData()->AddArray(array);
+  }
+}
+
+/// The precise map that the points carry; none where it was made for another surface. numbered: the
+/// giver's, which is made where it is not there yet.
+std::optional<shape::PreciseMap> FittingMap(vtkDataSet* from, vtkUnstructuredGrid* giver,
+  double tolerance, std::optional<shape::NumberedSurface>& numbered)
+{
+  try
+  {
+    if (!numbered)
+    {
+      numbered = vtkShapePreciseMap::ToSurface(giver, "the Source");
+    }
+    return vtkShapePreciseMap::Read(from, "the Input", *numbered, "the Source", tolerance);
+  }
+  catch (const shape::MapOfAnotherSurface&)
+  {
+    return {};
+  }
+}
+
+/// How many points are marked, those left out that another process has, too.
+int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
+{
+  int count = 0;
+  for (Eigen::Index i = 0; i < marks.size(); ++i)
+  {
+    const bool isGhost =
+      ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
+    count += isGhost ? 0 : marks(i);
+  }
+  return count;
+}
+
+} // namespace
+
+void vtkShapeTransferFields::Execute(const shape::Progress& progress)
+{
+  const bool push = this->Options.Direction == shape::TransferFieldsOptions::DirectionType::Push;
+  vtkUnstructuredGrid* giver = this->GetWhole(1).Grid;
+  const Eigen::MatrixXd giverPoints = vtkShapeConvert::ToPoints(giver);
+  // What the receiver's map array becomes: interpolated from this.
+  Eigen::MatrixXd newMap;
+  Eigen::MatrixXd giverMap;
+  vtkDataArray* second = giver->GetPointData()->GetArray(this->MapArray.c_str());
+  if (push)
+  {
+    giverMap = vtkShapeConvert::ToPointArray(giver, this->MapArray, 3, "the Source");
+    newMap = giverPoints;
+  }
+  else if (second && second->GetNumberOfComponents() == 3)
+  {
+    newMap = vtkShapeConvert::ToPointArray(giver, this->MapArray, 3, "the Source");
+    shape::RequireFinite(newMap, "the map array of the Source");
+  }
+  progress(0.05);
+  const shape::TransferFields transfer(vtkShapeConvert::ToCells(giver, "the Source"), giverMap,
+    this->Options, progress.Part(0.05, 0.2));
+
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  // The map array that is made here takes the place of the receiver's; a precise map belongs to it.
+  std::set<std::string> replaced;
+  if (newMap.size() > 0)
+  {
+    replaced.insert(this->MapArray);
+    if (this->MapArray == vtkShapePreciseMap::Position)
+    {
+      replaced.insert({ vtkShapePreciseMap::Cell, vtkShapePreciseMap::Barycentric });
+    }
+  }
+  std::set<std::string> taken = replaced;
+  taken.insert({ "OutsideDomain", this->MapArray });
+  for (vtkDataSet* leaf : vtkShapeLeaves::Of(input))
+  {
+    for (int i = 0; i < leaf->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      taken.insert(NameOf(leaf->GetPointData()->GetAbstractArray(i)));
+    }
+  }
+  const std::vector<Field> fields = FieldsOf(giver, replaced, std::move(taken));
+
+  std::optional<shape::NumberedSurface> numbered; // where a block has a precise map
+  vtkIdType outsidePoints = 0, precisePoints = 0;
+  double done = 0.2;
+  const double share =
+    0.8 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
+  vtkDataObject* output = this->GetOutputDataObject(0);
+  vtkShapeLeaves::ForEach(input, output, vtkShapeLeaves::Points::Kept,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const double next = done + share * from->GetNumberOfPoints();
+      const double middle = (done + next) / 2.0;
+      Eigen::MatrixXd places = vtkShapeConvert::ToPoints(from);
+      shape::RequireFinite(places, "the Input");
+      if (!push)
+      {
+        places = vtkShapeConvert::ToPointArray(from, this->MapArray, 3, "the Input");
+      }
+      std::optional<shape::PreciseMap> precise;
+      if (!push && vtkShapePreciseMap::Has(from, this->MapArray))
+      {
+        precise = FittingMap(from, giver, this->Options.Tolerance, numbered);
+      }
+      const shape::TransferredPlaces found = precise
+        ? shape::PlacesOnTriangles(*precise, *numbered)
+        : transfer.Find(places, progress.Part(done, middle));
+      to->ShallowCopy(from);
+      Carry(fields, found, to, progress.Part(middle, next));
+      for (const std::string& name : replaced)
+      {
+        SetAside(to, name);
+      }
+      if (newMap.size() > 0)
+      {
+        Replace(to, vtkShapeConvert::ToArray(found.Weights * newMap, this->MapArray));
+      }
+      Replace(to, vtkShapeConvert::ToIntegers(found.Outside, "OutsideDomain"));
+      vtkUnsignedCharArray* ghosts = from->GetPointGhostArray();
+      outsidePoints += CountOwn(found.Outside, ghosts);
+      precisePoints +=
+        precise ? CountOwn(Eigen::VectorXi::Ones(from->GetNumberOfPoints()), ghosts) : 0;
+      done = next;
+    });
+  this->AddCount(0, "TransferFields.OutsidePoints", static_cast<double>(outsidePoints));
+  this->AddCount(0, "TransferFields.PrecisePoints", static_cast<double>(precisePoints));
+}

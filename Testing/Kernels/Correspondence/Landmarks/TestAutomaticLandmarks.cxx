@@ -1,0 +1,193 @@
+#include "Base/Errors.h"
+#include "Correspondence/Landmarks/AutomaticLandmarks.h"
+#include "Correspondence/Landmarks/Private/FeatureAssignment.h"
+#include "Correspondence/Landmarks/Private/PersistentMaxima.h"
+#include "Support/MatchingShapes.h"
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+shape::Mesh Model(const std::string& name)
+{
+  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+}
+
+/// The farthest that a landmark of `a` is from its partner in `b` turned back, over the size.
+double WorstError(const shape::Mesh& a, const shape::Mesh& b, const Eigen::Matrix3d& turn,
+  const shape::Landmarks& landmarks)
+{
+  double worst = 0.0;
+  for (const auto& [i, j] : landmarks)
+  {
+    worst = std::max(worst, (a.Points.row(i) - b.Points.row(j) * turn).norm());
+  }
+  return worst / shape::LongestSide(a.Points);
+}
+
+} // namespace
+
+TEST(AutomaticLandmarks, MaximaAreAsPersistentAsTheyAreAboveThePassToAHigherOne)
+{
+  // 1 4 2 6 5 5.5 0 along a strip: 6 above all, 4 above the pass 2, 5.5 above the pass 5.
+  Eigen::VectorXd function(14);
+  function << 1, 1, 4, 4, 2, 2, 6, 6, 5, 5, 5.5, 5.5, 0, 0;
+  Eigen::MatrixXi triangles(12, 3);
+  for (int k = 0; k < 6; ++k)
+  {
+    triangles.row(2 * k) << 2 * k, 2 * k + 2, 2 * k + 1;
+    triangles.row(2 * k + 1) << 2 * k + 1, 2 * k + 2, 2 * k + 3;
+  }
+  using Points = std::vector<int>;
+  EXPECT_EQ(shape::PersistentMaxima(triangles, function, 0.1, 9), (Points{ 6, 2, 10 }));
+  EXPECT_EQ(shape::PersistentMaxima(triangles, function, 0.6, 9), (Points{ 6, 2 }));
+  EXPECT_EQ(shape::PersistentMaxima(triangles, function, 0.1, 1), Points{ 6 });
+  EXPECT_TRUE(shape::PersistentMaxima(triangles, function, 6.1, 9).empty());
+}
+
+TEST(AutomaticLandmarks, AssignmentKeepsDistancesAndLeavesOutWhatFitsNothing)
+{
+  // Places on a line; the second set has them in another order, and one more far away.
+  const Eigen::VectorXd a = (Eigen::VectorXd(4) << 0.0, 1.0, 3.0, 7.0).finished();
+  const Eigen::VectorXd b = (Eigen::VectorXd(5) << 3.0, 0.0, 40.0, 7.0, 1.0).finished();
+  const auto apart = [](const Eigen::VectorXd& x) -> Eigen::MatrixXd
+  {
+    return (x.rowwise().replicate(x.size()) - x.transpose().colwise().replicate(x.size()))
+      .cwiseAbs();
+  };
+  const auto found = shape::AssignFeatures(
+    apart(a), apart(b), Eigen::VectorXd::Ones(4), Eigen::VectorXd::Ones(5), 0.2, 10);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].Pairs, (shape::Landmarks{ { 0, 1 }, { 1, 4 }, { 2, 0 }, { 3, 3 } }));
+  EXPECT_DOUBLE_EQ(found[0].Score, 6 * 0.5); // six pairs of pairs agree wholly
+  for (std::size_t k = 1; k < found.size(); ++k)
+  {
+    EXPECT_LE(found[k].Score, found[k - 1].Score);
+  }
+  const auto none = shape::AssignFeatures(
+    apart(a), 100.0 * apart(b), Eigen::VectorXd::Ones(4), Eigen::VectorXd::Ones(5), 0.2, 10);
+  EXPECT_TRUE(none.empty());
+}
+
+TEST(AutomaticLandmarks, FindsTheTipsOfAShapeInOtherTriangles)
+{
+  const Eigen::Matrix3d turn = shapetest::Rotation(2.0, { 1, 2, 3 });
+  const shape::Mesh a = shapetest::BumpySphere(4, Eigen::Matrix3d::Identity());
+  shape::Mesh b = shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3, -1, 1 }));
+  b.Points = 5.0 * b.Points * turn.transpose();
+  const auto found = shape::AutomaticLandmarks(a, b);
+  EXPECT_GE(found.Pairs.size(), 4u);
+  b.Points /= 5.0;
+  EXPECT_LT(WorstError(a, b, turn, found.Pairs), 0.06); // a bump is 0.3 wide
+  EXPECT_LT(found.Distortion, 0.04);
+  EXPECT_LT(found.Distortion, 0.8 * found.MirroredDistortion);
+  EXPECT_FALSE(found.MirrorImage);
+  EXPECT_GT(found.Confidence, 0.2);
+}
+
+TEST(AutomaticLandmarks, TellsAMirrorImage)
+{
+  const shape::Mesh a = shapetest::BumpySphere(4, Eigen::Matrix3d::Identity());
+  const shape::Mesh b =
+    shapetest::Mirrored(shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3, -1, 1 })));
+  const auto found = shape::AutomaticLandmarks(a, b);
+  EXPECT_LT(found.MirroredDistortion, 0.04);
+  EXPECT_LT(found.MirroredDistortion, 0.8 * found.Distortion);
+  EXPECT_TRUE(found.MirrorImage);
+}
+
+TEST(AutomaticLandmarks, OrientationTellsTheSidesOfASymmetricAnimal)
+{
+  const shape::Mesh a = Model("bull");
+  const shapetest::Renumbered copy = shapetest::Renumber(a, 7);
+  shape::Mesh b = copy.Mesh;
+  b.Points = b.Points * shapetest::Rotation(1.0, { 1, 1, 0 }).transpose();
+  const auto found = shape::AutomaticLandmarks(a, b);
+  EXPECT_GE(found.Pairs.size(), 5u);
+  for (const auto& [i, j] : found.Pairs)
+  {
+    EXPECT_EQ(j, copy.NewOf(i));
+  }
+  // Its mirror image is the same animal: left goes to left, which is not where mirroring goes.
+  const auto other = shape::AutomaticLandmarks(a, shapetest::Mirrored(a));
+  EXPECT_NEAR(other.MirroredDistortion, 0.0, 1e-3);
+  EXPECT_LT(other.Distortion, 0.06);
+  int same = 0;
+  for (const auto& [i, j] : other.Pairs)
+  {
+    same += i == j ? 1 : 0;
+  }
+  EXPECT_LE(same, static_cast<int>(other.Pairs.size()) / 2); // those in the middle
+}
+
+TEST(AutomaticLandmarks, WorksOnAnyTopology)
+{
+  for (const char* name : { "elephant", "elk", "head" }) // of genus 3 and 1; with three borders
+  {
+    const shape::Mesh a = Model(name);
+    const shapetest::Renumbered copy = shapetest::Renumber(a, 3);
+    const auto found = shape::AutomaticLandmarks(a, copy.Mesh);
+    EXPECT_LT(found.Distortion, 0.035) << name; // the samples differ
+    EXPECT_LT(WorstError(a, copy.Mesh, Eigen::Matrix3d::Identity(), found.Pairs), 0.02) << name;
+  }
+}
+
+TEST(AutomaticLandmarks, FindsAPartInTheWholeAndHowLargeItIs)
+{
+  using Which = shape::SurfacePart::WhichType;
+  const Eigen::Matrix3d turn = shapetest::Rotation(2.0, { 1, 2, 3 });
+  const shapetest::Cut cut =
+    shapetest::Above(shapetest::BumpySphere(4, Eigen::Matrix3d::Identity()), -0.45);
+  shape::Mesh whole = shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3, -1, 1 }));
+  whole.Points = whole.Points * turn.transpose();
+  const double share = shape::PointAreas(cut.Surface).sum() / shape::PointAreas(whole).sum();
+  ASSERT_LT(share, 0.82);
+  const auto found = shape::AutomaticLandmarks(cut.Surface, whole);
+  EXPECT_EQ(found.Part, Which::SurfaceA);
+  EXPECT_NEAR(found.Share, share, 0.1 * share);
+  EXPECT_LT(found.Distortion, 0.05);
+  EXPECT_LT(WorstError(cut.Surface, whole, turn, found.Pairs), 0.08);
+  const auto other = shape::AutomaticLandmarks(whole, cut.Surface);
+  EXPECT_EQ(other.Part, Which::SurfaceB);
+  EXPECT_NEAR(other.Share, share, 0.1 * share);
+
+  // A surface with a border is whole beside another one that is cut as it is, or if told so.
+  EXPECT_EQ(shape::AutomaticLandmarks(cut.Surface, cut.Surface).Part, Which::None);
+  shape::AutomaticLandmarksOptions options;
+  options.PartA = false;
+  const auto told = shape::AutomaticLandmarks(cut.Surface, whole, options);
+  EXPECT_EQ(told.Part, Which::None);
+  EXPECT_GT(told.Distortion, found.Distortion);
+}
+
+TEST(AutomaticLandmarks, NamesWhatIsWrong)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
+  shape::Mesh both{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
+  both.Points << sphere.Points, sphere.Points.array() + 5.0;
+  both.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  EXPECT_THROW(shape::AutomaticLandmarks(sphere, both), shape::InvalidInput);
+  EXPECT_THROW(shape::AutomaticLandmarks(both, sphere), shape::InvalidInput);
+  shape::Mesh loose = sphere;
+  loose.Points.conservativeResize(n + 1, 3);
+  loose.Points.row(n).setZero();
+  EXPECT_THROW(shape::AutomaticLandmarks(sphere, loose), shape::InvalidInput);
+  EXPECT_THROW(shape::AutomaticLandmarks(sphere, sphere, { 3, 12, 10, true, true, true }),
+    shape::InvalidInput);
+}
+
+TEST(AutomaticLandmarks, OfAnOctahedronAreAGuess)
+{
+  const shape::Mesh whole = Model("octahedron"); // few points, each like every other
+  const auto found = shape::AutomaticLandmarks(whole, whole);
+  EXPECT_NEAR(found.Distortion, found.RivalDistortion, 1e-9);
+  EXPECT_NEAR(found.Distortion, found.MirroredDistortion, 1e-9);
+  EXPECT_NEAR(found.Confidence, 0.0, 1e-6);
+}

@@ -1,0 +1,136 @@
+#include "Base/Errors.h"
+#include "Correspondence/Private/MethodInput.h"
+#include "Support/MatchingShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Method = shape::CorrespondenceOptions::MethodType;
+
+constexpr Method AllMethods[] = { Method::ReversibleHarmonic, Method::FunctionalMap,
+  Method::GromovWasserstein, Method::HeatKernel, Method::BlendedIntrinsic, Method::CommonSphere,
+  Method::CommonOrbifold };
+
+const shape::Landmarks Four = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 3, 3 } };
+
+std::string Refusal(const shape::Mesh& a, const shape::Mesh& b, Method method,
+  const shape::Landmarks& landmarks = Four)
+{
+  shape::CorrespondenceOptions options;
+  options.Method = method;
+  try
+  {
+    shape::RequireMethodInput(a, b, landmarks, options);
+  }
+  catch (const shape::InvalidInput& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+/// Checks that methods other than `able` refuse with all `words`, and those do not.
+void ExpectRefused(const shape::Mesh& a, const shape::Mesh& b, const std::set<Method>& able,
+  const std::vector<std::string>& words, const shape::Landmarks& landmarks = Four)
+{
+  for (const Method method : AllMethods)
+  {
+    const std::string message = Refusal(a, b, method, landmarks);
+    if (able.count(method) > 0)
+    {
+      EXPECT_EQ(message, "") << static_cast<int>(method);
+      continue;
+    }
+    for (const std::string& word : words)
+    {
+      EXPECT_NE(message.find(word), std::string::npos) << static_cast<int>(method) << message;
+    }
+  }
+}
+
+shape::Mesh Joined(const shape::Mesh& one, const shape::Mesh& two)
+{
+  shape::Mesh both{ Eigen::MatrixXd(one.Points.rows() + two.Points.rows(), 3),
+    Eigen::MatrixXi(one.Triangles.rows() + two.Triangles.rows(), 3) };
+  both.Points << one.Points, two.Points.array() + 9.0;
+  both.Triangles << one.Triangles, two.Triangles.array() + static_cast<int>(one.Points.rows());
+  return both;
+}
+
+} // namespace
+
+TEST(MethodInput, ASphereIsForAllMethods)
+{
+  const shape::Mesh sphere = shapetest::Pebble(shapetest::Icosphere(2));
+  ExpectRefused(sphere, sphere, { std::begin(AllMethods), std::end(AllMethods) }, {});
+  ExpectRefused(sphere, sphere, { std::begin(AllMethods), std::end(AllMethods) }, {}, {});
+}
+
+TEST(MethodInput, WhatTheOtherMethodsCanDoIsNamed)
+{
+  const shape::Mesh sphere = shapetest::Pebble(shapetest::Icosphere(2));
+  ExpectRefused(sphere, shapetest::FlatDisk(4),
+    { Method::ReversibleHarmonic, Method::FunctionalMap, Method::GromovWasserstein,
+      Method::HeatKernel, Method::BlendedIntrinsic },
+    { "SurfaceB has 1 open loop", "Fill Holes", "or take ReversibleHarmonic" });
+  ExpectRefused(shapetest::Torus(1.0, 0.3, 20, 10), sphere,
+    { Method::ReversibleHarmonic, Method::FunctionalMap, Method::GromovWasserstein,
+      Method::HeatKernel },
+    { "SurfaceA has genus 1", "or take ReversibleHarmonic or FunctionalMap" });
+  const shape::Mesh two = Joined(sphere, shapetest::Icosphere(0));
+  ExpectRefused(two, sphere, { Method::FunctionalMap, Method::HeatKernel },
+    { "SurfaceA has 2 components (the second begins at point 162)", "or take FunctionalMap" });
+  ExpectRefused(sphere, two, {}, { "SurfaceB has 2 components", "Landmarks on each" }, {});
+}
+
+TEST(MethodInput, TrianglesThatDoNotHangTogetherAreTooManyComponents)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  shape::Mesh soup{ Eigen::MatrixXd(3 * sphere.Triangles.rows(), 3), sphere.Triangles };
+  for (int t = 0; t < static_cast<int>(sphere.Triangles.rows()); ++t)
+  {
+    soup.Points.middleRows(3 * t, 3) = shape::Corners(sphere, t);
+    soup.Triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+  }
+  ExpectRefused(soup, sphere, { Method::HeatKernel },
+    { "SurfaceA has 320 components", "merge points at the same place with Clean" });
+}
+
+TEST(MethodInput, LandmarksMustBeAsManyAsTheMethodTakes)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  const shape::Landmarks one = { { 0, 5 } },
+                         five = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 3, 3 }, { 4, 4 } };
+  for (const Method method : { Method::BlendedIntrinsic, Method::CommonSphere })
+  {
+    EXPECT_NE(
+      Refusal(sphere, sphere, method, one).find("there is 1 landmark on"), std::string::npos);
+  }
+  for (const shape::Landmarks& landmarks : { one, five })
+  {
+    const std::string message = Refusal(sphere, sphere, Method::CommonOrbifold, landmarks);
+    EXPECT_NE(message.find("give 3 or 4"), std::string::npos) << message;
+    EXPECT_EQ(Refusal(sphere, sphere, Method::FunctionalMap, landmarks), "");
+  }
+  EXPECT_NE(Refusal(sphere, sphere, Method::CommonSphere, { { 0, 162 } }).find("is point 162"),
+    std::string::npos);
+}
+
+TEST(MethodInput, OneThatFacesInwardsOrHasNoAreaIsForNone)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  shape::Mesh inside = sphere;
+  inside.Triangles.col(0).swap(inside.Triangles.col(1));
+  ExpectRefused(sphere, inside, {}, { "SurfaceB faces inwards and SurfaceA outwards" });
+  ExpectRefused(inside, sphere, {}, { "SurfaceA faces inwards and SurfaceB outwards" });
+  ExpectRefused(inside, inside, { std::begin(AllMethods), std::end(AllMethods) }, {});
+  shape::Mesh flat = sphere;
+  flat.Points.rightCols(2).setZero();
+  ExpectRefused(flat, sphere, {}, { "SurfaceA has no area" });
+}

@@ -1,0 +1,412 @@
+#include "Base/Errors.h"
+#include "Deform/HandleFrames.h"
+#include "Deform/ShapeDeformation.h"
+#include "Support/DeformShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+using Options = shape::DeformOptions;
+using shapetest::Bent;
+using shapetest::Cap;
+using shapetest::Largest;
+using shapetest::Moved;
+using shapetest::RimOf;
+using shapetest::SomeRotation;
+
+/// Combinations of what changes the weights.
+std::vector<Options> ManyOptions()
+{
+  std::vector<Options> all;
+  for (const auto method :
+    { Options::MethodType::UpwindFront, Options::MethodType::BoundaryRelative })
+  {
+    for (const auto distance :
+      { Options::DistanceType::Euclidean, Options::DistanceType::Geodesic })
+    {
+      for (const auto resolution :
+        { Options::MultiresolutionType::Off, Options::MultiresolutionType::On })
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          Options options;
+          options.Method = method;
+          options.Distance = distance;
+          options.Multiresolution = resolution;
+          options.Rigidity = k == 0 ? 1.0 : k == 1 ? 0.05 : 10.0;
+          options.RigidityBy = static_cast<Options::RigidityByType>(k);
+          options.UpwindRadius = k == 0 ? 2.1 : k == 1 ? 0.1 : 5.0;
+          options.LaplacianSmoothing = k == 1;
+          all.push_back(options);
+        }
+      }
+    }
+  }
+  return all;
+}
+
+/// Some shape and a handle of it.
+struct Case
+{
+  const char* Name;
+  shape::ShapeElements Shape;
+  shape::BoundaryHandle Handle;
+};
+
+shape::ShapeElements ElementsOf(const shape::Mesh& mesh)
+{
+  return { mesh.Points, {}, mesh.Triangles, {} };
+}
+
+/// A surface by its rim, an open curve, a patch of it and points; a solid by a side; a soup with
+/// pieces that nothing joins, degenerate and non-manifold triangles and loose points; points alone.
+std::vector<Case> ManyCases()
+{
+  const shape::Mesh cap = Cap(18); // more than 1000 points, for multiresolution
+  const shape::BoundaryHandle rim = RimOf(cap);
+  std::vector<Case> cases = { { "rim", ElementsOf(cap), rim } };
+  cases.push_back(
+    { "open curve", ElementsOf(cap), shape::CurveHandle(rim.Places.topRows(30), false) });
+  cases.push_back({ "coarse curve", ElementsOf(cap),
+    shape::CurveHandle(rim.Places(std::vector<int>{ 0, 20, 25, 70 }, Eigen::all), true) });
+  cases.push_back({ "points", ElementsOf(cap), { rim.Places.topRows(5), {}, {}, {} } });
+  shape::Mesh patch = cap;
+  patch.Triangles = Eigen::MatrixXi(cap.Triangles.topRows(60));
+  cases.push_back(
+    { "patch", ElementsOf(cap), { patch.Points.topRows(100), {}, patch.Triangles, {} } });
+
+  const shape::ShapeElements block = shapetest::Block(8, 16, 4.0);
+  const shape::Mesh side = shapetest::FlatSquare(3, 0.0);
+  cases.push_back({ "solid", block, { side.Points, {}, side.Triangles, {} } });
+
+  shape::Mesh soup{ Eigen::MatrixXd(3 * cap.Triangles.rows(), 3), cap.Triangles };
+  for (int t = 0; t < cap.Triangles.rows(); ++t)
+  {
+    soup.Points.middleRows(3 * t, 3) = shape::Corners(cap, t);
+    soup.Triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+    if (t % 11 == 0)
+    {
+      soup.Points.middleRows(3 * t, 3).array() += 0.05; // off the others
+    }
+  }
+  soup.Triangles.row(1) << 0, 1, 1;
+  soup.Triangles.row(3) << 0, 0, 0;
+  soup.Triangles.row(5) << 0, 1, 50;
+  soup.Triangles.row(7) << 0, 1, 80;
+  cases.push_back({ "soup", ElementsOf(soup), rim });
+  cases.push_back({ "point set", { cap.Points, {}, {}, {} }, rim });
+  return cases;
+}
+
+double RelativeError(const shape::DeformedShape& deformed, const Eigen::MatrixXd& wanted)
+{
+  return Largest(deformed.Points - wanted) /
+    std::max(shape::BoxDiagonal(wanted), wanted.cwiseAbs().maxCoeff());
+}
+
+Eigen::MatrixXd DeformedPoints(
+  const shape::Mesh& mesh, const Options& options, const shape::DeformFields& fields = {})
+{
+  const shape::BoundaryHandle rim = RimOf(mesh);
+  return shape::ShapeDeformation(shape::MakePointGraph(mesh), rim, options, fields)
+    .Deform(shape::PoseHandle(rim, Bent(rim.Places, 1.0)))
+    .Points;
+}
+
+} // namespace
+
+TEST(ShapeDeformation, ARigidMotionOfTheHandleIsThatOfTheShape)
+{
+  const Eigen::Matrix3d turn = SomeRotation();
+  const Eigen::RowVector3d shift(3, -100, 2);
+  for (const Case& one : ManyCases())
+  {
+    const shape::PointGraph graph = shape::MakePointGraph(one.Shape);
+    const shape::HandlePose pose =
+      shape::PoseHandle(one.Handle, Moved(one.Handle.Places, turn, 1.0, shift));
+    for (const Options& options : ManyOptions())
+    {
+      const shape::DeformedShape deformed =
+        shape::ShapeDeformation(graph, one.Handle, options).Deform(pose);
+      EXPECT_LT(RelativeError(deformed, Moved(one.Shape.Points, turn, 1.0, shift)), 1e-12)
+        << one.Name;
+      for (const Eigen::Matrix3d& rotation : deformed.Rotations)
+      {
+        EXPECT_LT((rotation - turn).norm(), 1e-12) << one.Name;
+      }
+    }
+  }
+}
+
+TEST(ShapeDeformation, AHandleScaledByScaleIsASimilarity)
+{
+  const Eigen::Matrix3d turn = SomeRotation();
+  const Eigen::RowVector3d shift(3, -1, 2);
+  for (const Case& one : ManyCases())
+  {
+    const shape::PointGraph graph = shape::MakePointGraph(one.Shape);
+    const shape::HandlePose pose =
+      shape::PoseHandle(one.Handle, Moved(one.Handle.Places, turn, 1.7, shift));
+    for (Options options : ManyOptions())
+    {
+      options.Scale = 1.7;
+      EXPECT_LT(RelativeError(shape::ShapeDeformation(graph, one.Handle, options).Deform(pose),
+                  Moved(one.Shape.Points, turn, 1.7, shift)),
+        1e-12)
+        << one.Name;
+    }
+  }
+}
+
+TEST(ShapeDeformation, AnUnmovedHandleReturnsThePointsThemselves)
+{
+  for (Case one : ManyCases())
+  {
+    const Eigen::RowVector3d off(0.3, 17.1, 4.7);
+    one.Shape.Points.rowwise() += off;
+    one.Handle.Places.rowwise() += off;
+    const shape::PointGraph graph = shape::MakePointGraph(one.Shape);
+    for (const Options& options : ManyOptions())
+    {
+      const shape::ShapeDeformation prepared(graph, one.Handle, options);
+      EXPECT_EQ(
+        prepared.Deform(shape::PoseHandle(one.Handle, one.Handle.Places)).Points, one.Shape.Points)
+        << one.Name;
+    }
+  }
+}
+
+TEST(ShapeDeformation, PointsOnTheHandleFollowItExactly)
+{
+  const shape::Mesh cap = Cap(20);
+  const shape::BoundaryHandle rim = RimOf(cap);
+  const std::vector<int> loop = shape::OpenLoops(cap).front();
+  // Every fifth sample: the points between them are on the segments of a polygon.
+  std::vector<int> few;
+  for (int i = 0; i < static_cast<int>(loop.size()); i += 5)
+  {
+    few.push_back(i);
+  }
+  const shape::PointGraph graph = shape::MakePointGraph(cap);
+  const Eigen::MatrixXd target = Bent(rim.Places, 1.0);
+  for (const Options& options : ManyOptions())
+  {
+    const Eigen::MatrixXd moved =
+      shape::ShapeDeformation(graph, rim, options).Deform(shape::PoseHandle(rim, target)).Points;
+    EXPECT_LT(Largest(moved(loop, Eigen::all) - target), 1e-14);
+  }
+  shape::Mesh square = shapetest::FlatSquare(20, 0.2);
+  Eigen::MatrixXd corners(4, 3);
+  corners << -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0;
+  const shape::BoundaryHandle frame = shape::CurveHandle(corners, true);
+  Eigen::MatrixXd skew = corners;
+  skew.row(2) += Eigen::RowVector3d(0.5, 0.2, 0.7);
+  const Eigen::MatrixXd moved = shape::ShapeDeformation(shape::MakePointGraph(square), frame)
+                                  .Deform(shape::PoseHandle(frame, skew))
+                                  .Points;
+  for (int i = 0; i < square.Points.rows(); ++i)
+  {
+    if (std::abs(square.Points(i, 0) - 1.0) < 1e-12) // between the corners 1 and 2
+    {
+      const double t = 0.5 * (square.Points(i, 1) + 1.0);
+      EXPECT_LT((moved.row(i) - (1.0 - t) * skew.row(1) - t * skew.row(2)).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(ShapeDeformation, ReachStopsEarlyAndChangesNothingBefore)
+{
+  const shape::Mesh cap = Cap(18);
+  const shape::BoundaryHandle rim = RimOf(cap);
+  const shape::PointGraph graph = shape::MakePointGraph(cap);
+  const shape::HandlePose pose = shape::PoseHandle(rim, Bent(rim.Places, 1.0));
+  for (const Options& options : ManyOptions())
+  {
+    const shape::ShapeDeformation prepared(graph, rim, options);
+    const Eigen::MatrixXd all = prepared.Deform(pose).Points;
+    const double reach = 0.15;
+    const Eigen::MatrixXd near = prepared.Deform(pose, reach).Points;
+    int reached = 0;
+    for (int i = 0; i < all.rows(); ++i)
+    {
+      if (prepared.Arrivals()(i) <= reach)
+      {
+        EXPECT_EQ(near.row(i), all.row(i));
+        ++reached;
+      }
+    }
+    EXPECT_GT(reached, 150);
+    EXPECT_LT(reached, 500);
+  }
+}
+
+TEST(ShapeDeformation, FramesOfTheHandleTurnTheShape)
+{
+  // All frames turned by one angle about the tangents, by the right-hand rule: inwards is up.
+  const shape::Mesh cap = Cap(14);
+  const shape::BoundaryHandle rim = RimOf(cap);
+  const shape::ShapeDeformation prepared(shape::MakePointGraph(cap), rim);
+  double before = -1.0;
+  for (const double angle : { -0.6, -0.3, 0.0, 0.3, 0.6 })
+  {
+    shape::HandlePose pose = shape::RestPose(rim);
+    shape::TurnAboutTangents(rim, Eigen::VectorXd::Constant(rim.Places.rows(), angle), pose);
+    const double height = prepared.Deform(pose).Points.col(2).maxCoeff();
+    EXPECT_GT(height, before);
+    before = height;
+  }
+}
+
+TEST(ShapeDeformation, CountsWhatItMeets)
+{
+  for (const Case& one : ManyCases())
+  {
+    const shape::DeformFacts facts =
+      shape::ShapeDeformation(shape::MakePointGraph(one.Shape), one.Handle).Facts();
+    const bool soup = std::string(one.Name) == "soup";
+    EXPECT_EQ(facts.Islands > 10, soup) << one.Name;
+    EXPECT_EQ(facts.WeldedPoints > 0, soup) << one.Name;
+    EXPECT_EQ(facts.BasePoints, 0) << one.Name; // not so many points
+  }
+  Options options;
+  options.UpwindRadius = 0.01;
+  const shape::Mesh cap = Cap(40);
+  shape::DeformFacts facts =
+    shape::ShapeDeformation(shape::MakePointGraph(cap), RimOf(cap), options).Facts();
+  EXPECT_GT(facts.EmptyBands, 300);
+  EXPECT_GT(facts.BasePoints, 1000);
+  // All triangles degenerate: nothing has a weight.
+  shape::Mesh line = shapetest::FlatSquare(4, 0.0);
+  line.Points.col(1).setZero();
+  line.Points.col(0) += Eigen::VectorXd::LinSpaced(25, 0.0, 0.01);
+  const shape::BoundaryHandle end = { line.Points.topRows(1), {}, {}, {} };
+  const shape::ShapeDeformation prepared(shape::MakePointGraph(line), end);
+  EXPECT_GT(prepared.Facts().ZeroWeights, 0);
+  const shape::DeformedShape deformed = prepared.Deform({ end.Places, { SomeRotation() } });
+  EXPECT_TRUE(deformed.Points.allFinite());
+}
+
+TEST(ShapeDeformation, OpposedFramesAndCollapsedHandlesStayFinite)
+{
+  const shape::Mesh cap = Cap(10);
+  const shape::BoundaryHandle rim = RimOf(cap);
+  const shape::ShapeDeformation prepared(shape::MakePointGraph(cap), rim);
+  shape::HandlePose pose = shape::RestPose(rim);
+  for (std::size_t i = 0; i < pose.Rotations.size(); i += 2)
+  {
+    pose.Rotations[i] = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  }
+  pose.Places.rowwise() = Eigen::RowVector3d(1, 2, 3);
+  const shape::DeformedShape deformed = prepared.Deform(pose);
+  EXPECT_TRUE(deformed.Points.allFinite());
+  for (const Eigen::Matrix3d& rotation : deformed.Rotations)
+  {
+    EXPECT_LT((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+    EXPECT_NEAR(rotation.determinant(), 1.0, 1e-12);
+  }
+}
+
+TEST(ShapeDeformation, ExtremesAreDefined)
+{
+  const shape::Mesh cap = Cap(6);
+  const shape::BoundaryHandle rim = RimOf(cap);
+  const Eigen::Matrix3d turn = SomeRotation();
+  const auto isRigid = [&](const Eigen::MatrixXd& points, const shape::BoundaryHandle& handle)
+  {
+    const Eigen::RowVector3d shift(1, 2, 3);
+    const shape::ShapeDeformation prepared(shape::MakePointGraph({ points, {}, {}, {} }), handle);
+    shape::HandlePose pose{ Moved(handle.Places, turn, 1.0, shift),
+      std::vector<Eigen::Matrix3d>(handle.Places.rows(), turn) };
+    EXPECT_LT(RelativeError(prepared.Deform(pose), Moved(points, turn, 1.0, shift)), 1e-12);
+  };
+  isRigid(Eigen::RowVector3d(0.1, 0.2, 0.3), rim);                 // one point
+  isRigid(Eigen::RowVector3d(0.1, 0.2, 0.3).replicate(5, 1), rim); // all at one place
+  isRigid(cap.Points, { cap.Points.topRows(1), {}, {}, {} });      // one sample
+  isRigid(cap.Points, { cap.Points.topRows(1).replicate(4, 1), {}, {}, {} });
+  isRigid(cap.Points, shape::CurveHandle(rim.Places * 1e3, true));  // large and far
+  isRigid(cap.Points, shape::CurveHandle(rim.Places * 1e-9, true)); // in one spot
+  isRigid(rim.Places, rim);                                         // nothing but the handle
+  isRigid(Eigen::RowVector3d(1e6, 0, 0).replicate(3, 1), rim);
+  // A unit of length more or less changes nothing.
+  const Eigen::MatrixXd target = Bent(rim.Places, 1.0);
+  const Eigen::MatrixXd one = DeformedPoints(cap, {});
+  for (const double unit : { 1e-12, 1e12 })
+  {
+    shape::BoundaryHandle scaled = rim;
+    scaled.Places *= unit;
+    const shape::ShapeDeformation prepared(
+      shape::MakePointGraph(shape::Mesh{ cap.Points * unit, cap.Triangles }), scaled);
+    EXPECT_LT(
+      Largest(prepared.Deform(shape::PoseHandle(scaled, target * unit)).Points / unit - one), 1e-6);
+  }
+}
+
+TEST(ShapeDeformation, TheSameInputGivesTheSameBits)
+{
+  const shape::Mesh cap = Cap(40);
+  EXPECT_EQ(DeformedPoints(cap, {}), DeformedPoints(cap, {}));
+}
+
+TEST(ShapeDeformation, NamesWhatIsWrong)
+{
+  const shape::Mesh cap = Cap(4);
+  const shape::PointGraph graph = shape::MakePointGraph(cap);
+  const shape::BoundaryHandle rim = RimOf(cap);
+  const auto refuses = [&](auto change)
+  {
+    Options options;
+    change(options);
+    EXPECT_THROW(shape::ShapeDeformation(graph, rim, options), shape::InvalidInput);
+  };
+  refuses([](Options& options) { options.Rigidity = 0.0; });
+  refuses([](Options& options) { options.Scale = -1.0; });
+  refuses([](Options& options) { options.InnerScale = 0.0; });
+  refuses(
+    [](Options& options) { options.UpwindRadius = std::numeric_limits<double>::quiet_NaN(); });
+  refuses(
+    [](Options& options) { options.RigidityContrast = std::numeric_limits<double>::infinity(); });
+  const auto refusesFields = [&](const shape::DeformFields& fields)
+  { EXPECT_THROW(shape::ShapeDeformation(graph, rim, {}, fields), shape::InvalidInput); };
+  refusesFields({ Eigen::VectorXd::Ones(3), {}, {} });
+  refusesFields({ {}, Eigen::VectorXd::Constant(cap.Points.rows(), -1.0), {} });
+  refusesFields({ {}, {}, Eigen::VectorXi::Zero(7) });
+  EXPECT_THROW(shape::ShapeDeformation(graph, {}), shape::InvalidInput);
+  shape::BoundaryHandle wrong = rim;
+  wrong.Segments(0, 1) = 1000;
+  EXPECT_THROW(shape::ShapeDeformation(graph, wrong), shape::InvalidInput);
+  wrong = rim;
+  wrong.Places(2, 2) = NAN;
+  EXPECT_THROW(shape::ShapeDeformation(graph, wrong), shape::InvalidInput);
+  wrong = rim; // far from the shape, which would be one point beside it
+  wrong.Places(2, 2) = 1e12;
+  EXPECT_THROW(shape::ShapeDeformation(graph, wrong), shape::InvalidInput);
+  const shape::ShapeDeformation prepared(graph, rim);
+  shape::HandlePose pose = shape::RestPose(rim);
+  pose.Rotations.pop_back();
+  EXPECT_THROW(prepared.Deform(pose), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::ShapeDeformation(graph, rim, {}, {}, shape::Progress([](double) { return false; })),
+    shape::Aborted);
+}
+
+TEST(ShapeDeformation, SliversOfTheHandleAreSampledByTheirArea)
+{
+  // A fine square, and a triangle of the handle that is a thousand times as long as it is wide.
+  shape::Mesh square = shapetest::FlatSquare(20, 0.0);
+  square.Points *= 1e-4;
+  shape::BoundaryHandle sliver;
+  sliver.Places = Eigen::MatrixXd(3, 3);
+  sliver.Places << 0, 0, 0, 1, 0, 0, 0.5, 1e-3, 0;
+  sliver.Triangles = Eigen::MatrixXi(1, 3);
+  sliver.Triangles << 0, 1, 2;
+  const shape::ShapeDeformation prepared(shape::MakePointGraph(square), sliver);
+  const Eigen::MatrixXd moved = prepared.Deform(shape::RestPose(sliver)).Points;
+  EXPECT_LT((moved - square.Points).cwiseAbs().maxCoeff(), 1e-12);
+}

@@ -1,0 +1,217 @@
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Geodesics/ExactGeodesics.h"
+#include "Support/TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+shape::ClosestPoints At(const shape::Mesh& mesh, const Eigen::RowVector3d& place)
+{
+  return shape::SurfaceLocator(mesh).Find(place);
+}
+
+/// Four triangles for each, in its plane: the same polyhedron. The points of `mesh` come first.
+shape::Mesh Split(const shape::Mesh& mesh)
+{
+  std::map<std::pair<int, int>, int> middles;
+  std::vector<Eigen::RowVector3d> places;
+  const int points = static_cast<int>(mesh.Points.rows());
+  const auto middle = [&](int a, int b)
+  {
+    const auto [found, isNew] =
+      middles.emplace(std::minmax(a, b), points + static_cast<int>(places.size()));
+    if (isNew)
+    {
+      places.emplace_back(0.5 * (mesh.Points.row(a) + mesh.Points.row(b)));
+    }
+    return found->second;
+  };
+  shape::Mesh split;
+  split.Triangles.resize(4 * mesh.Triangles.rows(), 3);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const int a = mesh.Triangles(t, 0), b = mesh.Triangles(t, 1), c = mesh.Triangles(t, 2);
+    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    split.Triangles.middleRows(4 * t, 4) << a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca;
+  }
+  split.Points.resize(points + static_cast<Eigen::Index>(places.size()), 3);
+  split.Points.topRows(points) = mesh.Points;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    split.Points.row(points + static_cast<Eigen::Index>(i)) = places[i];
+  }
+  return split;
+}
+
+shape::Mesh Model(const std::string& name)
+{
+  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+}
+
+} // namespace
+
+TEST(ExactGeodesics, AreStraightInThePlane)
+{
+  const shape::Mesh square = shapetest::FlatSquare(12, 0.3);
+  for (const Eigen::RowVector3d& seed : { Eigen::RowVector3d(0.123, -0.345, 0.0),
+         Eigen::RowVector3d(1.0, 0.05, 0.0), Eigen::RowVector3d(square.Points.row(70)) })
+  {
+    const Eigen::VectorXd distances = shape::ExactGeodesics(square, At(square, seed));
+    const Eigen::VectorXd straight = (square.Points.rowwise() - seed).rowwise().norm();
+    EXPECT_LT((distances - straight).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(ExactGeodesics, TurnOnTheBorder)
+{
+  // An L: from the end of one arm to that of the other by way of the inner corner.
+  shape::Mesh bent = shapetest::FlatSquare(16, 0.0);
+  std::vector<int> kept;
+  for (int t = 0; t < static_cast<int>(bent.Triangles.rows()); ++t)
+  {
+    Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      centre += bent.Points.row(bent.Triangles(t, k)) / 3.0;
+    }
+    if (centre(0) < 0.0 || centre(1) < 0.0)
+    {
+      kept.push_back(t);
+    }
+  }
+  bent.Triangles = bent.Triangles(kept, Eigen::all).eval();
+  const Eigen::VectorXd distances =
+    shape::ExactGeodesics(bent, At(bent, Eigen::RowVector3d(1.0, -0.25, 0.0)));
+  const double corner = std::hypot(1.0, 0.25);
+  int beyond = 0;
+  for (int point = 0; point < static_cast<int>(bent.Points.rows()); ++point)
+  {
+    const double x = bent.Points(point, 0), y = bent.Points(point, 1);
+    if (x > 0.0 && y > 0.0)
+    {
+      EXPECT_TRUE(std::isinf(distances(point))) << "no triangle is left there";
+    }
+    else if (y > -0.25 * x && x <= 0.0)
+    {
+      EXPECT_NEAR(distances(point), corner + std::hypot(x, y), 1e-12);
+      ++beyond;
+    }
+  }
+  EXPECT_GT(beyond, 60);
+}
+
+TEST(ExactGeodesics, OfABoxAreThoseOfItsUnfoldings)
+{
+  // The spider and the fly in the 30 by 12 by 12 room: 40, across five of its six walls.
+  shape::Mesh room = shapetest::Prism({ { 0, 0 }, { 30, 0 }, { 30, 12 }, { 0, 12 } });
+  room.Points.col(2) *= 12.0;
+  const shape::Mesh split = Split(Split(room));
+  const Eigen::RowVector3d spider(0.0, 6.0, 11.0), fly(30.0, 6.0, 1.0);
+  shape::Mesh walls = split;
+  const shape::ClosestPoints at = At(walls, fly);
+  // The fly as a point of the walls: its triangle in three.
+  const int triangle = at.Triangles(0), point = static_cast<int>(walls.Points.rows());
+  walls.Points.conservativeResize(point + 1, 3);
+  walls.Points.row(point) = fly;
+  const Eigen::RowVector3i corners = walls.Triangles.row(triangle);
+  const Eigen::Index last = walls.Triangles.rows();
+  walls.Triangles.conservativeResize(last + 2, 3);
+  walls.Triangles.row(triangle) << corners(0), corners(1), point;
+  walls.Triangles.row(last) << corners(1), corners(2), point;
+  walls.Triangles.row(last + 1) << corners(2), corners(0), point;
+  EXPECT_NEAR(shape::ExactGeodesics(walls, At(walls, spider))(point), 40.0, 1e-10);
+}
+
+TEST(ExactGeodesics, DoNotDependOnHowThePolyhedronIsCutIntoTriangles)
+{
+  for (const char* name : { "elephant", "anchor", "hand" })
+  {
+    SCOPED_TRACE(name);
+    const shape::Mesh mesh = Model(name), split = Split(mesh);
+    const Eigen::RowVector3d seed = mesh.Points.row(17);
+    const Eigen::VectorXd distances = shape::ExactGeodesics(mesh, At(mesh, seed)),
+                          finer = shape::ExactGeodesics(split, At(split, seed));
+    EXPECT_GT(distances.maxCoeff(), 0.0);
+    EXPECT_LT((distances - finer.head(distances.size())).cwiseAbs().maxCoeff(),
+      1e-9 * distances.maxCoeff());
+  }
+}
+
+TEST(ExactGeodesics, AreTheSameThereAndBack)
+{
+  const shape::Mesh mesh = Model("elephant");
+  for (const auto& [a, b] : { std::pair(3, 1000), std::pair(500, 2000), std::pair(77, 1500) })
+  {
+    const double there = shape::ExactGeodesics(mesh, At(mesh, mesh.Points.row(a)))(b),
+                 back = shape::ExactGeodesics(mesh, At(mesh, mesh.Points.row(b)))(a);
+    EXPECT_NEAR(there, back, 1e-10 * there);
+    EXPECT_GE(there, (mesh.Points.row(a) - mesh.Points.row(b)).norm());
+  }
+}
+
+TEST(ExactGeodesics, BetweenPlacesAreThoseFromThem)
+{
+  shape::Mesh half = Model("elephant"); // open, so that paths turn on a border, too
+  half.Triangles = half.Triangles.topRows(half.Triangles.rows() / 2).eval();
+  half = shape::SplitComponents(half).front();
+  for (const shape::Mesh& mesh : { Model("hand"), Model("elk"), half })
+  {
+    const int count = 40;
+    const shape::ClosestPoints places =
+      shape::SurfaceLocator(mesh).Find(shape::RandomPlaces(mesh, count, 3));
+    Eigen::VectorXi points = Eigen::VectorXi::LinSpaced(count, 0, 1000);
+    const shape::PreciseMap corners = shape::MapToPoints(points, mesh);
+    const Eigen::VectorXd there = shape::ExactGeodesicsBetween(mesh, places, corners),
+                          back = shape::ExactGeodesicsBetween(mesh, corners, places);
+    for (int i = 0; i < count; ++i)
+    {
+      shape::ClosestPoints seed;
+      seed.Triangles = places.Triangles.row(i);
+      seed.Barycentrics = places.Barycentrics.row(i);
+      const double wanted = shape::ExactGeodesics(mesh, seed)(points(i));
+      EXPECT_NEAR(there(i), wanted, 1e-10 * wanted);
+      EXPECT_NEAR(back(i), wanted, 1e-10 * wanted);
+    }
+    EXPECT_EQ(shape::ExactGeodesicsBetween(mesh, places, places).cwiseAbs().maxCoeff(), 0.0);
+  }
+}
+
+TEST(ExactGeodesics, BetweenComponentsAreInfinite)
+{
+  shape::Mesh two = shapetest::Icosphere(1);
+  const Eigen::Index points = two.Points.rows(), triangles = two.Triangles.rows();
+  two.Points.conservativeResize(2 * points, 3);
+  two.Points.bottomRows(points) =
+    two.Points.topRows(points).rowwise() + Eigen::RowVector3d(3, 0, 0);
+  two.Triangles.conservativeResize(2 * triangles, 3);
+  two.Triangles.bottomRows(triangles) =
+    (two.Triangles.topRows(triangles).array() + static_cast<int>(points)).matrix();
+  const shape::PreciseMap from = shape::MapToPoints(Eigen::Vector2i(0, 1), two),
+                          to =
+                            shape::MapToPoints(Eigen::Vector2i(static_cast<int>(points), 1), two);
+  const Eigen::VectorXd distances = shape::ExactGeodesicsBetween(two, from, to);
+  EXPECT_TRUE(std::isinf(distances(0)));
+  EXPECT_EQ(distances(1), 0.0);
+}
+
+TEST(ExactGeodesics, CanBeAborted)
+{
+  const shape::Mesh mesh = Model("elephant");
+  EXPECT_THROW(shape::ExactGeodesics(
+                 mesh, At(mesh, mesh.Points.row(0)), shape::Progress([](double) { return false; })),
+    shape::Aborted);
+  const shape::PreciseMap ends = shape::MapToPoints(Eigen::Vector2i(0, 1000), mesh);
+  EXPECT_THROW(
+    shape::ExactGeodesicsBetween(mesh, ends, ends, shape::Progress([](double) { return false; })),
+    shape::Aborted);
+}

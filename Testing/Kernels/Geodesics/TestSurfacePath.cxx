@@ -1,0 +1,255 @@
+#include "Base/Errors.h"
+#include "Mesh/HalfEdges.h"
+#include "Mesh/PreciseMap.h"
+#include "Geodesics/ExactGeodesics.h"
+#include "Geodesics/SurfacePath.h"
+#include "Support/TestShapes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+Eigen::RowVector3d PositionOf(const shape::Mesh& mesh, const shape::SurfacePlace& place)
+{
+  return place.Barycentric * shape::Corners(mesh, place.Triangle);
+}
+
+/// The place at a point.
+shape::SurfacePlace AtPoint(const shape::Mesh& mesh, int point)
+{
+  for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
+  {
+    const Eigen::RowVector3i corners = mesh.Triangles.row(t);
+    if ((corners.array() == point).any())
+    {
+      return { t, (corners.array() == point).cast<double>() };
+    }
+  }
+  return {};
+}
+
+/// Inside a triangle, at one of its corners, or on one of its edges.
+shape::SurfacePlace RandomPlace(const shape::Mesh& mesh, std::mt19937& random)
+{
+  const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  shape::SurfacePlace place{ static_cast<int>(random() % mesh.Triangles.rows()), {} };
+  const double a = share(), b = (1.0 - a) * share();
+  switch (random() % 3)
+  {
+    case 0:
+      place.Barycentric << 0, 1, 0;
+      break;
+    case 1:
+      place.Barycentric << a, 0, 1.0 - a;
+      break;
+    default:
+      place.Barycentric << 1.0 - a - b, a, b;
+  }
+  return place;
+}
+
+/// That every stretch lies in its triangle, and that they are as long as the path together.
+void ExpectPath(const shape::Mesh& mesh, const shape::SurfacePath& path)
+{
+  ASSERT_EQ(path.Places.size(), path.Triangles.size() + 1);
+  double length = 0.0;
+  for (std::size_t i = 0; i < path.Triangles.size(); ++i)
+  {
+    for (const shape::SurfacePlace& end : { path.Places[i], path.Places[i + 1] })
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int point = mesh.Triangles(end.Triangle, k);
+        ASSERT_TRUE(end.Barycentric(k) == 0.0 ||
+          (mesh.Triangles.row(path.Triangles[i]).array() == point).any());
+      }
+    }
+    length += (PositionOf(mesh, path.Places[i + 1]) - PositionOf(mesh, path.Places[i])).norm();
+  }
+  EXPECT_NEAR(path.Length, length, 1e-12 * length);
+}
+
+/// The lesser of the angles at a point between a path's places before and after it, each in a
+/// triangle around it; infinite on the border.
+double LesserAngle(const shape::Mesh& mesh, const std::vector<int>& twins,
+  const shape::SurfacePath& path, std::size_t at)
+{
+  Eigen::Index corner = 0;
+  path.Places[at].Barycentric.maxCoeff(&corner);
+  const int point = mesh.Triangles(path.Places[at].Triangle, corner);
+  const auto angle = [](const Eigen::RowVector3d& a, const Eigen::RowVector3d& b)
+  { return std::atan2(a.cross(b).norm(), a.dot(b)); };
+  const Eigen::RowVector3d place = mesh.Points.row(point);
+  double total = 0.0;
+  std::vector<double> directions; // counted around the point, of the path before and after it
+  const int first = 3 * path.Places[at].Triangle + static_cast<int>(corner);
+  int side = first;
+  do
+  {
+    const int t = side / 3;
+    const Eigen::RowVector3d a =
+      mesh.Points.row(mesh.Triangles(t, shape::NextSide(side) % 3)) - place;
+    const Eigen::RowVector3d b =
+      mesh.Points.row(mesh.Triangles(t, shape::PreviousSide(side) % 3)) - place;
+    for (const std::size_t stretch : { at - 1, at })
+    {
+      const std::size_t other = stretch == at ? at + 1 : at - 1;
+      if (path.Triangles[stretch] == t)
+      {
+        directions.push_back(total + angle(a, PositionOf(mesh, path.Places[other]) - place));
+      }
+    }
+    total += angle(a, b);
+    side = twins[shape::PreviousSide(side)];
+  } while (side >= 0 && side != first);
+  if (side < 0 || directions.size() != 2)
+  {
+    return INFINITY;
+  }
+  const double between = std::abs(directions[1] - directions[0]);
+  return std::min(between, total - between);
+}
+
+} // namespace
+
+TEST(SurfacePath, IsStraightInThePlane)
+{
+  const shape::Mesh plane = shapetest::FlatSquare(40, 0.3);
+  shape::SurfacePaths paths(plane);
+  std::mt19937 random(1);
+  for (int i = 0; i < 200; ++i)
+  {
+    const shape::SurfacePlace from = RandomPlace(plane, random), to = RandomPlace(plane, random);
+    const shape::SurfacePath path = paths.Find(from, to);
+    ExpectPath(plane, path);
+    EXPECT_NEAR(path.Length, (PositionOf(plane, to) - PositionOf(plane, from)).norm(), 1e-13);
+    EXPECT_EQ(path.Triangles, shape::SurfacePaths(plane).Find(from, to).Triangles);
+  }
+  // All but one stretch of a way along edges is left out.
+  const shape::Mesh grid = shapetest::FlatSquare(10, 0.0);
+  const auto pointAt = [&](double x, double y)
+  {
+    Eigen::Index point = 0;
+    (grid.Points.rowwise() - Eigen::RowVector3d(x, y, 0)).rowwise().norm().minCoeff(&point);
+    return AtPoint(grid, static_cast<int>(point));
+  };
+  const shape::SurfacePath along =
+    shape::SurfacePaths(grid).Find(pointAt(-1.0, 0.2), pointAt(1.0, 0.2));
+  ExpectPath(grid, along);
+  EXPECT_NEAR(along.Length, 2.0, 1e-14);
+}
+
+TEST(SurfacePath, OverACubeIsThatOfItsNet)
+{
+  shape::Mesh cube = shapetest::Prism({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } });
+  shape::SurfacePaths paths(cube);
+  Eigen::Index low = 0, high = 0;
+  cube.Points.rowwise().sum().minCoeff(&low);
+  cube.Points.rowwise().sum().maxCoeff(&high);
+  const shape::SurfacePath path =
+    paths.Find(AtPoint(cube, static_cast<int>(low)), AtPoint(cube, static_cast<int>(high)));
+  ExpectPath(cube, path);
+  EXPECT_NEAR(path.Length, std::sqrt(5.0), 1e-14);
+}
+
+TEST(SurfacePath, TurnsAtTheCornerOfABorder)
+{
+  // Half of a plate of holes: an L, from one of its ends to the other.
+  shape::Mesh corner = shapetest::FlatSquare(20, 0.0);
+  std::vector<int> kept;
+  for (int t = 0; t < static_cast<int>(corner.Triangles.rows()); ++t)
+  {
+    const Eigen::RowVector3d middle = shape::Corners(corner, t).colwise().mean();
+    if (middle(0) < 0.0 || middle(1) < 0.0)
+    {
+      kept.push_back(t);
+    }
+  }
+  corner.Triangles = corner.Triangles(kept, Eigen::all).eval();
+  const auto pointAt = [&](double x, double y)
+  {
+    Eigen::Index point = 0;
+    (corner.Points.rowwise() - Eigen::RowVector3d(x, y, 0)).rowwise().norm().minCoeff(&point);
+    return AtPoint(corner, static_cast<int>(point));
+  };
+  const shape::SurfacePath path =
+    shape::SurfacePaths(corner).Find(pointAt(1.0, -0.5), pointAt(-0.5, 1.0));
+  ExpectPath(corner, path);
+  EXPECT_NEAR(path.Length, 2.0 * std::hypot(1.0, 0.5), 1e-14);
+}
+
+TEST(SurfacePath, IsLocallyShortestOnModels)
+{
+  for (const char* name : { "bear", "fandisk", "joint", "elephant" })
+  {
+    const shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+    shape::SurfacePaths paths(mesh);
+    std::mt19937 random(2);
+    constexpr int count = 40;
+    shape::PreciseMap from{ Eigen::VectorXi(count), Eigen::MatrixXd(count, 3) }, to = from;
+    Eigen::VectorXd lengths(count);
+    for (int i = 0; i < count; ++i)
+    {
+      const shape::SurfacePlace a = RandomPlace(mesh, random), b = RandomPlace(mesh, random);
+      from.Triangles(i) = a.Triangle;
+      from.Barycentrics.row(i) = a.Barycentric;
+      to.Triangles(i) = b.Triangle;
+      to.Barycentrics.row(i) = b.Barycentric;
+      const shape::SurfacePath path = paths.Find(a, b);
+      ExpectPath(mesh, path);
+      lengths(i) = path.Length;
+      for (std::size_t at = 1; at + 1 < path.Places.size(); ++at)
+      {
+        if (path.Places[at].Barycentric.maxCoeff() == 1.0)
+        {
+          EXPECT_GE(LesserAngle(mesh, paths.Twins(), path, at), M_PI - 1e-8) << name;
+        }
+      }
+    }
+    const Eigen::ArrayXd ratios =
+      lengths.array() / shape::ExactGeodesicsBetween(mesh, from, to).array();
+    EXPECT_GT(ratios.minCoeff(), 1.0 - 1e-9) << name;
+    EXPECT_LT(ratios.mean(), 1.002) << name;
+    EXPECT_LT(ratios.maxCoeff(), 1.1) << name;
+  }
+}
+
+TEST(SurfacePath, WithinATriangleAndAlongAnEdge)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  shape::SurfacePaths paths(sphere);
+  const shape::SurfacePath inside =
+    paths.Find({ 5, Eigen::RowVector3d(0.2, 0.3, 0.5) }, { 5, Eigen::RowVector3d(0.5, 0.5, 0) });
+  ExpectPath(sphere, inside);
+  EXPECT_EQ(inside.Triangles, std::vector<int>{ 5 });
+  const int a = sphere.Triangles(7, 0), b = sphere.Triangles(7, 1);
+  const shape::SurfacePath edge = paths.Find(AtPoint(sphere, a), AtPoint(sphere, b));
+  ExpectPath(sphere, edge);
+  EXPECT_EQ(edge.Places.size(), 2U);
+  EXPECT_NEAR(edge.Length, (sphere.Points.row(a) - sphere.Points.row(b)).norm(), 1e-15);
+  const shape::SurfacePath nowhere = paths.Find(AtPoint(sphere, a), AtPoint(sphere, a));
+  EXPECT_EQ(nowhere.Length, 0.0);
+}
+
+TEST(SurfacePath, PartsThatAreNotConnected)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(1);
+  shape::Mesh both{ Eigen::MatrixXd(84, 3), Eigen::MatrixXi(160, 3) };
+  both.Points << sphere.Points, sphere.Points.array() + 3.0;
+  both.Triangles << sphere.Triangles, sphere.Triangles.array() + 42;
+  const Eigen::RowVector3d middle = Eigen::RowVector3d::Constant(1.0 / 3.0);
+  EXPECT_THROW(shape::SurfacePaths(both).Find({ 0, middle }, { 100, middle }), shape::InvalidInput);
+  bool isAsked = false;
+  const shape::Progress stop([&](double) { return !(isAsked = true); });
+  EXPECT_THROW(
+    shape::SurfacePaths(sphere).Find({ 0, middle }, { 79, middle }, stop), shape::Aborted);
+  EXPECT_TRUE(isAsked);
+}

@@ -1,0 +1,117 @@
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Hex/HexRemesh.h"
+#include "Quality/ScaledJacobian.h"
+#include "Support/TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+
+using MethodType = shape::HexRemeshOptions::MethodType;
+
+shape::Topology BoundaryTopology(const shape::HexFit& fit)
+{
+  return shape::RequireClosedSurface(
+    { fit.Solid.Points, shape::SplitQuads(fit.Quads) }, "the boundary");
+}
+
+} // namespace
+
+TEST(HexRemesh, EveryMethodFillsATorus)
+{
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.45, 60, 30);
+  shape::HexRemeshOptions options;
+  options.CellSize = 0.14;
+  for (const MethodType method : { MethodType::Grid, MethodType::Polycube, MethodType::Automatic })
+  {
+    options.Method = method;
+    const shape::HexRemeshResult result = shape::HexRemesh(torus, options);
+    EXPECT_TRUE(method == MethodType::Automatic || result.Method == method);
+    EXPECT_FALSE(result.Reason.empty());
+    EXPECT_EQ(BoundaryTopology(result.Fit).EulerNumber, 0);
+    EXPECT_EQ(result.Fit.LeastScaledJacobian, shape::ScaledJacobians(result.Fit.Solid).minCoeff());
+    EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
+    EXPECT_NEAR(
+      shape::EnclosedVolume({ result.Fit.Solid.Points, shape::SplitQuads(result.Fit.Quads) }),
+      shape::EnclosedVolume(torus), 0.03 * shape::EnclosedVolume(torus));
+  }
+}
+
+TEST(HexRemesh, ASurfaceThatCrossesItselfIsFilledByAGrid)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
+  shape::Mesh surface{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
+  surface.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(1.01, 0.02, 0.03);
+  surface.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  shape::HexRemeshOptions options;
+  options.CellSize = 0.2;
+  const shape::HexRemeshResult result = shape::HexRemesh(surface, options);
+  EXPECT_EQ(result.Method, MethodType::Grid);
+  EXPECT_GT(result.Crossings, 0);
+  EXPECT_NE(result.Reason.find("crosses itself"), std::string::npos) << result.Reason;
+  EXPECT_EQ(BoundaryTopology(result.Fit).Components, 1);
+  options.Method = MethodType::Polycube;
+  EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
+}
+
+TEST(HexRemesh, CellsOnTheLongestSideAreACellSize)
+{
+  shape::Mesh surface = shapetest::Icosphere(3);
+  surface.Points.col(1) *= 1.5; // from -1.5 to 1.5
+  shape::HexRemeshOptions options;
+  options.Method = MethodType::Grid;
+  options.CellSize = 0.25;
+  const shape::HexRemeshResult sized = shape::HexRemesh(surface, options);
+  options.CellsOnLongestSide = 12;
+  EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
+  options.CellSize = 0.0;
+  const shape::HexRemeshResult counted = shape::HexRemesh(surface, options);
+  EXPECT_EQ(counted.CellSize, sized.CellSize);
+  EXPECT_EQ(counted.Fit.Solid.Points, sized.Fit.Solid.Points);
+  options.CellsOnLongestSide = -1;
+  EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
+}
+
+TEST(HexRemesh, GuidesNeedAGrid)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  shape::HexRemeshGuides sized, inner;
+  sized.Sizes = Eigen::VectorXd::Constant(sphere.Points.rows(), 0.25);
+  inner.InnerSurfaces = { { 0.5 * sphere.Points, sphere.Triangles } };
+  shape::HexRemeshOptions options;
+  shape::HexRemeshResult result = shape::HexRemesh(sphere, options, {}, sized);
+  EXPECT_EQ(result.Method, MethodType::Grid);
+  EXPECT_NE(result.Reason.find("SizeArray"), std::string::npos) << result.Reason;
+  EXPECT_EQ(result.SizeRatios.size(), result.Fit.Quads.rows());
+  options.CellSize = 0.25;
+  EXPECT_THROW(shape::HexRemesh(sphere, options, {}, sized), shape::InvalidInput);
+  result = shape::HexRemesh(sphere, options, {}, inner);
+  EXPECT_EQ(result.Method, MethodType::Grid);
+  EXPECT_NE(result.Reason.find("InnerSurfaces"), std::string::npos) << result.Reason;
+  EXPECT_EQ(result.Fit.RegionOf.maxCoeff(), 1);
+  options.Method = MethodType::Polycube;
+  EXPECT_THROW(shape::HexRemesh(sphere, options, {}, inner), shape::InvalidInput);
+}
+
+TEST(HexRemesh, NamesWhatIsWrong)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  shape::HexRemeshOptions options;
+  options.CellSize = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(shape::HexRemesh(sphere, options), shape::InvalidInput);
+  options.CellSize = 0.2;
+  options.PaddingLayers = 0;
+  EXPECT_THROW(shape::HexRemesh(sphere, options), shape::InvalidInput);
+  options.PaddingLayers = 1;
+  options.FeatureAngle = 181.0;
+  EXPECT_THROW(shape::HexRemesh(sphere, options), shape::InvalidInput);
+  options.FeatureAngle = 40.0;
+  shape::Mesh open = sphere;
+  open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
+  EXPECT_THROW(shape::HexRemesh(open, options), shape::InvalidInput);
+}

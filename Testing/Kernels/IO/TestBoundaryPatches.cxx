@@ -1,0 +1,227 @@
+#include "Mesh/CellFaces.h"
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "IO/BoundaryPatches.h"
+#include "IO/MeshSets.h"
+#include "Support/SolverMeshes.h"
+#include "Support/TestShapes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace
+{
+
+using namespace shape::cell_kind;
+
+/// How many faces each patch of a mesh has, in rising order.
+std::multiset<int> PatchSizes(const shape::Cells& cells, double featureAngle)
+{
+  const shape::SolidFaces boundary = shape::BoundaryFaces(cells);
+  const Eigen::VectorXi patches =
+    shape::BoundaryPatches(cells.Points, boundary.Corners, featureAngle);
+  std::map<int, int> counts;
+  for (const int patch : patches)
+  {
+    ++counts[patch];
+  }
+  std::multiset<int> sizes;
+  for (const auto& [patch, count] : counts)
+  {
+    sizes.insert(count);
+  }
+  return sizes;
+}
+
+Eigen::RowVector3d AreaVector(const shape::Cells& cells, const Eigen::RowVector4i& face)
+{
+  const auto point = [&](int k) -> Eigen::Vector3d { return cells.Points.row(face(k)); };
+  const Eigen::Vector3d area = face(3) < 0 ? (point(1) - point(0)).cross(point(2) - point(0))
+                                           : (point(2) - point(0)).cross(point(3) - point(1));
+  return 0.5 * area.transpose();
+}
+
+} // namespace
+
+TEST(CellFaces, FaceOutwardsAndCloseEachCell)
+{
+  const shape::Cells all = shapetest::OneOfEach();
+  for (Eigen::Index cell = 0; cell < all.Kinds.size(); ++cell)
+  {
+    shapetest::CellList one;
+    one.Add(all.Kinds(cell),
+      { all.Corners.begin() + all.Offsets(cell), all.Corners.begin() + all.Offsets(cell + 1) });
+    const shape::Cells alone = one.Over(all.Points);
+    const shape::SolidFaces faces = shape::BoundaryFaces(alone);
+    EXPECT_EQ(faces.Cell.size(), static_cast<Eigen::Index>(shape::FacesOf(all.Kinds(cell)).size()));
+    // The divergence theorem: no area in sum, and three times the volume as the flux of x.
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    double flux = 0.0;
+    for (const auto face : faces.Corners.rowwise())
+    {
+      const int size = face(3) < 0 ? 3 : 4;
+      Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+      for (int k = 0; k < size; ++k)
+      {
+        centre += all.Points.row(face(k)) / size;
+      }
+      sum += AreaVector(alone, face);
+      flux += AreaVector(alone, face).dot(centre);
+    }
+    EXPECT_LT(sum.norm(), 1e-15);
+    const double volumes[] = { 1.0, 1.0 / 3.0, 0.5, 1.0 / 6.0 };
+    EXPECT_NEAR(flux / 3.0, volumes[cell], 1e-15) << cell;
+  }
+}
+
+TEST(BoundaryPatches, OfACubeAreItsSides)
+{
+  const shape::Cells cube = shapetest::Cubes({ 3, 4, 5 }, shapetest::Everywhere);
+  const std::multiset<int> sides = { 12, 12, 15, 15, 20, 20 };
+  EXPECT_EQ(PatchSizes(cube, 40.0), sides);
+  EXPECT_EQ(PatchSizes(cube, 0.0), sides);
+  EXPECT_EQ(PatchSizes(cube, 89.9), sides);
+  EXPECT_EQ(PatchSizes(cube, 90.1), (std::multiset<int>{ 94 }));
+  const shape::SolidFaces boundary = shape::BoundaryFaces(cube);
+  const Eigen::VectorXi patches = shape::BoundaryPatches(cube.Points, boundary.Corners, 40.0);
+  // All faces of a patch lie in one plane, and patches are numbered by their first faces.
+  std::map<int, Eigen::RowVector3d> normals;
+  int next = 0;
+  for (Eigen::Index face = 0; face < patches.size(); ++face)
+  {
+    const Eigen::RowVector3d normal = AreaVector(cube, boundary.Corners.row(face));
+    EXPECT_EQ(normals.emplace(patches(face), normal).first->second, normal);
+    EXPECT_LE(patches(face), next);
+    next = std::max(next, patches(face) + 1);
+  }
+  EXPECT_EQ(next, 6);
+}
+
+TEST(BoundaryPatches, OfAnLBracketAreItsEightSides)
+{
+  // 4 x 4 cells without a corner of 2 x 2, 3 deep.
+  const shape::Cells bracket =
+    shapetest::Cubes({ 4, 4, 3 }, [](int x, int y, int) { return x < 2 || y < 2; });
+  EXPECT_EQ(PatchSizes(bracket, 40.0), (std::multiset<int>{ 6, 6, 6, 6, 12, 12, 12, 12 }));
+}
+
+TEST(BoundaryPatches, OfARoundBarAreItsWallAndItsEnds)
+{
+  // A square bar whose cross section is blown up to a disk: 40 quads around, 9 degrees each.
+  shape::Cells bar = shapetest::Cubes({ 10, 10, 4 }, shapetest::Everywhere);
+  for (auto point : bar.Points.rowwise())
+  {
+    const Eigen::RowVector2d square = point.head(2).array() / 5.0 - 1.0;
+    const double ring = square.cwiseAbs().maxCoeff();
+    const bool steep = std::abs(square(1)) > std::abs(square(0));
+    const double longer = square(steep ? 1 : 0), shorter = square(steep ? 0 : 1);
+    const double angle = longer == 0.0 ? 0.0 : shorter / longer * std::acos(-1.0) / 4.0;
+    const double radius = longer > 0.0 ? ring : -ring;
+    point(steep ? 1 : 0) = radius * std::cos(angle);
+    point(steep ? 0 : 1) = radius * std::sin(angle);
+  }
+  EXPECT_EQ(PatchSizes(bar, 40.0), (std::multiset<int>{ 100, 100, 160 }));
+  EXPECT_EQ(PatchSizes(bar, 10.0), (std::multiset<int>{ 100, 100, 160 }));
+  EXPECT_EQ(PatchSizes(bar, 8.0).size(), 42u);
+}
+
+TEST(BoundaryPatches, TouchInAnEdgeWithoutHangingTogether)
+{
+  // Two cubes that share an edge: four faces around it, none of which goes on across it.
+  const shape::Cells cubes =
+    shapetest::Cubes({ 2, 2, 1 }, [](int x, int y, int) { return x == y; });
+  EXPECT_EQ(PatchSizes(cubes, 180.0), (std::multiset<int>{ 6, 6 }));
+  EXPECT_EQ(PatchSizes(cubes, 40.0).size(), 12u);
+}
+
+TEST(BoundaryPatches, OfMixedCellsHaveTrianglesToo)
+{
+  const shape::Cells cells = shapetest::OneOfEach();
+  const shape::SolidFaces boundary = shape::BoundaryFaces(cells);
+  // 6 + 5 + 5 + 4 faces without twice the three that are shared.
+  EXPECT_EQ(boundary.Cell.size(), 14);
+  EXPECT_EQ((boundary.Corners.col(3).array() < 0).count(), 3 + 2 + 3);
+  shape::Mesh surface{ cells.Points, Eigen::MatrixXi(0, 3) };
+  for (const auto face : boundary.Corners.rowwise())
+  {
+    for (int k = 2; k < (face(3) < 0 ? 3 : 4); ++k)
+    {
+      surface.Triangles.conservativeResize(surface.Triangles.rows() + 1, 3);
+      surface.Triangles.bottomRows(1) << face(0), face(k - 1), face(k);
+    }
+  }
+  EXPECT_EQ(shape::RequireClosedSurface(surface, "the boundary").EulerNumber, 2);
+  EXPECT_NEAR(shape::EnclosedVolume(surface), 2.0, 1e-14);
+}
+
+TEST(RegionInterfaces, LieBetweenEachTwoRegionsSeenFromTheLower)
+{
+  const shape::Cells cells = shapetest::Cubes({ 3, 2, 2 }, shapetest::Everywhere);
+  Eigen::VectorXi regions(12);
+  regions << 7, 2, 2, 7, 2, 2, 7, 2, 0, 7, 2, 2;
+  const auto interfaces = shape::RegionInterfaces(cells, regions);
+  ASSERT_EQ(interfaces.size(), 2u);
+  EXPECT_EQ(interfaces[0].Lower, 0);
+  EXPECT_EQ(interfaces[0].Upper, 2);
+  EXPECT_EQ(interfaces[0].Faces.Cell, Eigen::VectorXi::Constant(3, 8));
+  EXPECT_EQ(interfaces[1].Lower, 2);
+  EXPECT_EQ(interfaces[1].Upper, 7);
+  EXPECT_EQ(interfaces[1].Faces.Cell.size(), 4);
+  for (const auto face : interfaces[1].Faces.Corners.rowwise())
+  {
+    EXPECT_EQ(AreaVector(cells, face), Eigen::RowVector3d(-1.0, 0.0, 0.0));
+  }
+  EXPECT_TRUE(shape::RegionInterfaces(cells, Eigen::VectorXi::Zero(12)).empty());
+}
+
+TEST(MeshSets, TurnWedgesThatAreNumberedTheOtherWay)
+{
+  const shape::Cells given = shapetest::OneOfEach();
+  shape::Cells turned = given;
+  const int first = turned.Offsets(2);
+  std::swap(turned.Corners(first + 1), turned.Corners(first + 2));
+  std::swap(turned.Corners(first + 4), turned.Corners(first + 5));
+  EXPECT_EQ(shape::FindMeshSets(given, {}, 40.0).Mesh.Corners, given.Corners);
+  EXPECT_EQ(shape::FindMeshSets(turned, {}, 40.0).Mesh.Corners, given.Corners);
+}
+
+TEST(MeshSets, RefuseWhatCannotBeWritten)
+{
+  const shape::Cells good = shapetest::Cubes({ 2, 1, 1 }, shapetest::Everywhere);
+  const auto refusal = [](const shape::Cells& cells, const Eigen::VectorXi& regions, double angle)
+  {
+    try
+    {
+      shape::FindMeshSets(cells, regions, angle);
+    }
+    catch (const shape::InvalidInput& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(refusal(good, {}, 40.0), "none");
+  EXPECT_NE(refusal(good, {}, -1.0).find("FeatureAngle is -1"), std::string::npos);
+  EXPECT_NE(refusal(good, {}, std::nan("")).find("FeatureAngle"), std::string::npos);
+  EXPECT_NE(
+    refusal(good, Eigen::Vector2i(0, -3), 40.0).find("of 1 cell is negative (first of cell 1"),
+    std::string::npos);
+  EXPECT_NE(
+    refusal(good, Eigen::Vector3i::Zero(), 40.0).find("3 regions for 2 cells"), std::string::npos);
+  shape::Cells bad = good;
+  bad.Kinds(1) = 25;
+  EXPECT_NE(refusal(bad, {}, 40.0).find("cell 1 is of VTK's type 25"), std::string::npos);
+  bad = good;
+  bad.Corners(9) = 12;
+  EXPECT_NE(refusal(bad, {}, 40.0).find("cell 1 has a point that is not there"), std::string::npos);
+  bad = good;
+  bad.Points(3, 1) = std::nan("");
+  EXPECT_NE(refusal(bad, {}, 40.0).find("not finite"), std::string::npos);
+  bad = shapetest::CellList().Over(good.Points);
+  EXPECT_NE(refusal(bad, {}, 40.0).find("no cells"), std::string::npos);
+}

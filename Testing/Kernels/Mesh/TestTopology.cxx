@@ -1,0 +1,215 @@
+#include "Base/Errors.h"
+#include "Mesh/HalfEdges.h"
+#include "Mesh/Topology.h"
+#include "Support/TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <set>
+
+namespace
+{
+
+shape::Mesh WithoutTriangles(shape::Mesh mesh, int count)
+{
+  mesh.Triangles.conservativeResize(mesh.Triangles.rows() - count, 3);
+  return mesh;
+}
+
+std::string Refusal(const shape::Mesh& mesh)
+{
+  try
+  {
+    shape::RequireClosedSurface(mesh, "the surface");
+  }
+  catch (const shape::InvalidInput& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(Topology, HalfEdgesOfOneEdgeLieSideBySide)
+{
+  const shape::Mesh mesh = WithoutTriangles(shapetest::Icosphere(2), 3);
+  const auto sides = shape::SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  ASSERT_EQ(sides.size(), 3 * mesh.Triangles.rows());
+  std::set<std::array<int, 2>> seen;
+  std::array<int, 3> before{ -1, -1, -1 };
+  for (const shape::HalfEdge& side : sides)
+  {
+    EXPECT_EQ(side.Begin, mesh.Triangles(side.Triangle, side.Corner));
+    EXPECT_EQ(side.End, mesh.Triangles(side.Triangle, (side.Corner + 1) % 3));
+    seen.insert({ side.Triangle, side.Corner });
+    const std::array<int, 3> key{ side.Low(), side.High(), side.Triangle };
+    EXPECT_LT(before, key);
+    before = key;
+  }
+  EXPECT_EQ(seen.size(), sides.size());
+}
+
+TEST(Topology, EulerNumberIsTwoMinusTwiceTheGenus)
+{
+  EXPECT_EQ(shape::SurfaceTopology(shapetest::Icosphere(2)).EulerNumber, 2);
+  EXPECT_EQ(shape::SurfaceTopology(shapetest::Torus(1.0, 0.3, 20, 10)).EulerNumber, 0);
+}
+
+TEST(Topology, CountsComponentsAndIgnoresUnusedPoints)
+{
+  const shape::Mesh one = shapetest::Icosphere(1);
+  const Eigen::Index n = one.Points.rows(), m = one.Triangles.rows();
+  shape::Mesh two{ Eigen::MatrixXd(2 * n + 1, 3), Eigen::MatrixXi(2 * m, 3) };
+  two.Points << one.Points, one.Points.array() + 5.0, Eigen::RowVector3d::Zero();
+  two.Triangles << one.Triangles, one.Triangles.array() + static_cast<int>(n);
+  const shape::Topology topology = shape::SurfaceTopology(two);
+  EXPECT_EQ(topology.Components, 2);
+  EXPECT_EQ(topology.EulerNumber, 4);
+  EXPECT_EQ(topology.ComponentId(0), 0);
+  EXPECT_EQ(topology.ComponentId(n), 1);
+  EXPECT_EQ(topology.ComponentId(2 * n), -1);
+  const std::vector<shape::Mesh> components = shape::SplitComponents(two);
+  ASSERT_EQ(components.size(), 2u);
+  for (int c = 0; c < 2; ++c)
+  {
+    EXPECT_EQ(components[c].Points, (one.Points.array() + 5.0 * c).matrix());
+    EXPECT_EQ(components[c].Triangles, one.Triangles);
+  }
+}
+
+TEST(Topology, WindingNumbersCountTheSurfacesAroundAPlace)
+{
+  shape::Mesh sphere = shapetest::Icosphere(2);
+  for (const double radius : { 0.0, 0.9, 1.1, 3.0 })
+  {
+    EXPECT_NEAR(shape::WindingNumber(
+                  sphere.Points, sphere.Triangles, Eigen::RowVector3d(0.0, 0.6, 0.8) * radius),
+      radius < 1.0 ? 1.0 : 0.0, 1e-13);
+  }
+  sphere.Triangles.col(0).swap(sphere.Triangles.col(1));
+  EXPECT_NEAR(
+    shape::WindingNumber(sphere.Points, sphere.Triangles, Eigen::RowVector3d::Zero()), -1.0, 1e-13);
+}
+
+TEST(Topology, AnOpenLoopIsRefusedWithItsFirstPoint)
+{
+  const shape::Mesh open = WithoutTriangles(shapetest::Icosphere(1), 1);
+  const shape::Topology topology = shape::SurfaceTopology(open);
+  EXPECT_EQ(topology.OpenLoops, 1);
+  EXPECT_EQ(topology.EulerNumber, 1);
+  EXPECT_NE(Refusal(open).find(
+              "1 open loop (first at point " + std::to_string(topology.FirstOpenPoint) + ")"),
+    std::string::npos)
+    << Refusal(open);
+}
+
+TEST(Topology, ASizeWhosePowersAreNoNumbersIsRefused)
+{
+  for (const double scale : { 1e-60, 1e60 })
+  {
+    shape::Mesh mesh = shapetest::Icosphere(1);
+    mesh.Points *= scale;
+    EXPECT_NE(Refusal(mesh).find("has a longest side of"), std::string::npos) << Refusal(mesh);
+  }
+  shape::Mesh nowhere = shapetest::Icosphere(1);
+  nowhere.Points.setZero();
+  EXPECT_NE(Refusal(nowhere).find("has no area"), std::string::npos) << Refusal(nowhere);
+  shape::Mesh small = shapetest::Icosphere(1);
+  small.Points *= 1e-40;
+  EXPECT_EQ(Refusal(small), "");
+}
+
+TEST(Topology, AFlippedTriangleIsRefused)
+{
+  shape::Mesh mesh = shapetest::Icosphere(1);
+  std::swap(mesh.Triangles(7, 0), mesh.Triangles(7, 1));
+  EXPECT_EQ(shape::SurfaceTopology(mesh).MisorientedEdges, 3);
+  EXPECT_NE(Refusal(mesh).find("opposite orientation"), std::string::npos) << Refusal(mesh);
+}
+
+TEST(Topology, AOneSidedSurfaceIsToldFromOneWithATriangleTurnedOver)
+{
+  // A strip of triangles around the axis, its ends joined after half a turn.
+  constexpr int around = 9;
+  shape::Mesh strip{ Eigen::MatrixXd(2 * around, 3), Eigen::MatrixXi(2 * around, 3) };
+  for (int i = 0; i < around; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / around, across = 0.3 * std::cos(0.5 * angle);
+    const Eigen::RowVector3d outwards(std::cos(angle), std::sin(angle), 0.0),
+      up(0.0, 0.0, 0.3 * std::sin(0.5 * angle));
+    strip.Points.row(2 * i) = (1.0 + across) * outwards + up;
+    strip.Points.row(2 * i + 1) = (1.0 - across) * outwards - up;
+    const int last = i + 1 == around;
+    const int next = last != 0 ? 1 : 2 * i + 2, beyond = last != 0 ? 0 : 2 * i + 3;
+    strip.Triangles.row(2 * i) << 2 * i, 2 * i + 1, next;
+    strip.Triangles.row(2 * i + 1) << 2 * i + 1, beyond, next;
+  }
+  const auto refusal = [](const shape::Mesh& mesh)
+  {
+    try
+    {
+      shape::RequireManifold(mesh, "the surface");
+    }
+    catch (const shape::InvalidInput& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal(strip).find("the surface is one-sided"), std::string::npos) << refusal(strip);
+  shape::Mesh cut = strip;
+  cut.Triangles.conservativeResize(2 * around - 2, 3);
+  EXPECT_EQ(refusal(cut), "");
+  cut.Triangles.row(3).reverseInPlace();
+  EXPECT_NE(refusal(cut).find("opposite orientation"), std::string::npos) << refusal(cut);
+}
+
+TEST(Topology, AnEdgeOfThreeTrianglesIsRefused)
+{
+  shape::Mesh mesh = shapetest::Icosphere(0);
+  mesh.Triangles.conservativeResize(22, 3);
+  mesh.Triangles.row(20) << 0, 11, 3;
+  mesh.Triangles.row(21) << 11, 0, 3;
+  EXPECT_EQ(shape::SurfaceTopology(mesh).NonManifoldEdges, 1);
+}
+
+TEST(Topology, TwoSheetsThatTouchAtAPointAreRefused)
+{
+  const shape::Mesh one = shapetest::Icosphere(0);
+  shape::Mesh pinched{ Eigen::MatrixXd(24, 3), Eigen::MatrixXi(40, 3) };
+  pinched.Points << one.Points, one.Points.array() + 5.0;
+  pinched.Triangles << one.Triangles, one.Triangles.array() + 12;
+  pinched.Triangles = (pinched.Triangles.array() == 12).select(3, pinched.Triangles);
+  const shape::Topology topology = shape::SurfaceTopology(pinched);
+  EXPECT_EQ(topology.NonManifoldPoints, 1);
+  EXPECT_EQ(topology.FirstPinchedPoint, 3);
+  EXPECT_NE(Refusal(pinched).find("touch"), std::string::npos) << Refusal(pinched);
+}
+
+TEST(Topology, NotANumberIsRefusedWithItsPoint)
+{
+  shape::Mesh mesh = shapetest::Icosphere(1);
+  mesh.Points(17, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(Refusal(mesh).find("first at point 17"), std::string::npos) << Refusal(mesh);
+}
+
+TEST(Topology, AClosedSurfaceHasDirectedAreaZeroAndItsVolume)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(4);
+  EXPECT_LT(shape::AreaVectors(sphere).colwise().sum().norm(), 1e-12);
+  EXPECT_NEAR(shape::EnclosedVolume(sphere), 4.0 / 3.0 * M_PI, 0.01);
+  EXPECT_NEAR(shape::PointAreas(sphere).sum(), 4.0 * M_PI, 0.03);
+}
+
+TEST(Topology, ASurfaceThatFacesInwardsIsTurned)
+{
+  shape::Mesh mesh = shapetest::Icosphere(1);
+  const double volume = shape::EnclosedVolume(mesh);
+  mesh.Triangles.col(0).swap(mesh.Triangles.col(1));
+  EXPECT_LT(shape::EnclosedVolume(mesh), 0.0);
+  EXPECT_DOUBLE_EQ(shape::EnclosedVolume(shape::FacingOutwards(mesh)), volume);
+  EXPECT_DOUBLE_EQ(shape::EnclosedVolume(shape::FacingOutwards(shapetest::Icosphere(1))), volume);
+}

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "Mesh/Topology.h"
+#include "Fill/FillHoles.h"
+#include "Mesh/BorderLoops.h"
+#include "Support/TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+// What the tests of filled holes share.
+namespace shapetest
+{
+
+/// Without the triangles whose centroid something holds for.
+inline shape::Mesh Without(
+  shape::Mesh mesh, const std::function<bool(const Eigen::RowVector3d&)>& isRemoved)
+{
+  int kept = 0;
+  const Eigen::MatrixXd centres = shape::Centroids(mesh);
+  for (int t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    if (!isRemoved(centres.row(t)))
+    {
+      mesh.Triangles.row(kept++) = mesh.Triangles.row(t);
+    }
+  }
+  mesh.Triangles.conservativeResize(kept, 3);
+  return mesh;
+}
+
+inline Eigen::RowVector3d CapAxis()
+{
+  return Eigen::RowVector3d(0.3, -0.5, 0.8).normalized();
+}
+
+/// The unit sphere without a cap of this half-angle around CapAxis.
+inline shape::Mesh SphereWithoutCap(int level, double degrees)
+{
+  return Without(shapetest::Icosphere(level),
+    [degrees](const Eigen::RowVector3d& place)
+    { return place.normalized().dot(CapAxis()) > std::cos(degrees * M_PI / 180.0); });
+}
+
+/// Two rows of quads beside a closed curve, the curve moved by away(i) and twice that: the curve is
+/// the left border, its first point is point 0.
+inline shape::Mesh Ribbon(const Eigen::MatrixXd& curve, const Eigen::MatrixXd& away)
+{
+  const auto count = static_cast<int>(curve.rows());
+  shape::Mesh ribbon{ Eigen::MatrixXd(3 * count, 3), Eigen::MatrixXi(4 * count, 3) };
+  ribbon.Points << curve, curve + away, curve + 2.0 * away;
+  for (int i = 0; i < count; ++i)
+  {
+    const int next = (i + 1) % count;
+    for (const int row : { 0, count })
+    {
+      ribbon.Triangles.row(4 * i + (row > 0 ? 2 : 0)) << row + i, row + count + i, row + next;
+      ribbon.Triangles.row(4 * i + (row > 0 ? 3 : 1)) << row + next, row + count + i,
+        row + count + next;
+    }
+  }
+  return ribbon;
+}
+
+/// The loop of a surface that begins at point 0.
+inline std::vector<std::vector<int>> LoopOfPointZero(const shape::Mesh& mesh)
+{
+  for (const std::vector<int>& loop : shape::BorderLoops(mesh).Loops)
+  {
+    if (loop.front() == 0)
+    {
+      return { loop };
+    }
+  }
+  return {};
+}
+
+/// What every fill must keep: the input to the bit, and a manifold.
+inline void ExpectSound(
+  const shape::Mesh& before, const shape::FilledSurface& filled, int openLoops, int euler)
+{
+  EXPECT_EQ(filled.Surface.Points.topRows(before.Points.rows()), before.Points);
+  EXPECT_EQ(filled.Surface.Triangles.topRows(before.Triangles.rows()), before.Triangles);
+  EXPECT_TRUE(filled.Surface.Points.allFinite());
+  const shape::Topology topology = shape::RequireManifold(filled.Surface, "the filled surface");
+  EXPECT_EQ(topology.OpenLoops, openLoops);
+  EXPECT_EQ(topology.EulerNumber, euler);
+}
+
+/// Of all fills.
+inline int Crossings(const shape::FilledSurface& filled)
+{
+  int count = 0;
+  for (const shape::FilledHole& hole : filled.Holes)
+  {
+    count += hole.SelfIntersections;
+  }
+  return count;
+}
+
+} // namespace shapetest

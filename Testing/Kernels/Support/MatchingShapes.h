@@ -1,0 +1,135 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+#include "Mesh/PreciseMap.h"
+#include "Support/TestShapes.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <vector>
+
+// Surfaces whose correspondence is known.
+namespace shapetest
+{
+
+/// A sphere with five bumps of different height, none of which lies where its mirror image does.
+/// The triangles are those of an icosphere that `turn` rotates first; the shape stays.
+inline shape::Mesh BumpySphere(int level, const Eigen::Matrix3d& turn)
+{
+  shape::Mesh mesh = Icosphere(level);
+  mesh.Points = mesh.Points * turn.transpose();
+  Eigen::Matrix<double, 5, 3> directions;
+  directions << 1, 0, 0, -0.4, 0.9, 0, -0.5, -0.6, 0.6, 0.1, -0.5, -0.8, 0.2, 0.3, 0.9;
+  const double heights[5] = { 1.4, 1.1, 0.9, 1.2, 0.7 };
+  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
+  {
+    const Eigen::RowVector3d direction = mesh.Points.row(i);
+    for (int k = 0; k < 5; ++k)
+    {
+      const double cosine = direction.dot(directions.row(k).normalized());
+      mesh.Points.row(i) += heights[k] * std::exp(14.0 * (cosine - 1.0)) * direction;
+    }
+  }
+  return mesh;
+}
+
+/// A smooth shape of no symmetry, from a mesh of the unit sphere.
+inline shape::Mesh Pebble(shape::Mesh mesh)
+{
+  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
+  {
+    const double x = mesh.Points(i, 0), y = mesh.Points(i, 1), z = mesh.Points(i, 2);
+    mesh.Points.row(i) *= 1.0 + 0.2 * std::sin(3.0 * x + y) - 0.15 * std::cos(2.0 * z - x);
+    mesh.Points(i, 0) *= 1.4;
+  }
+  return mesh;
+}
+
+inline Eigen::Matrix3d Rotation(double angle, const Eigen::Vector3d& axis)
+{
+  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+/// The same surface with its points and triangles in another order.
+struct Renumbered
+{
+  shape::Mesh Mesh;
+  Eigen::VectorXi NewOf; ///< n: where each old point is
+};
+
+inline Renumbered Renumber(const shape::Mesh& mesh, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  const auto order = [&](Eigen::Index count)
+  {
+    std::vector<int> list(count);
+    std::iota(list.begin(), list.end(), 0);
+    std::shuffle(list.begin(), list.end(), random);
+    return list;
+  };
+  Renumbered result;
+  const std::vector<int> points = order(mesh.Points.rows());
+  const std::vector<int> triangles = order(mesh.Triangles.rows());
+  result.Mesh = { mesh.Points(points, Eigen::all), mesh.Triangles(triangles, Eigen::all) };
+  result.NewOf.resize(mesh.Points.rows());
+  for (int k = 0; k < static_cast<int>(points.size()); ++k)
+  {
+    result.NewOf(points[k]) = k;
+  }
+  result.Mesh.Triangles = result.Mesh.Triangles.unaryExpr([&](int i) { return result.NewOf(i); });
+  return result;
+}
+
+/// The mirror image across x = 0, facing outwards as before.
+inline shape::Mesh Mirrored(shape::Mesh mesh)
+{
+  mesh.Points.col(0) *= -1.0;
+  mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
+  return mesh;
+}
+
+/// How far in space points are taken from `wanted` (n x 3), over the longest side of `other`.
+inline Eigen::VectorXd MapErrors(
+  const shape::PreciseMap& map, const shape::Mesh& other, const Eigen::MatrixXd& wanted)
+{
+  return (shape::Pulled(map, other.Triangles, other.Points) - wanted).rowwise().norm() /
+    shape::LongestSide(other.Points);
+}
+
+/// What lies above a height, and where its points are in the mesh given.
+struct Cut
+{
+  shape::Mesh Surface;
+  std::vector<int> Points;
+};
+
+inline Cut Above(const shape::Mesh& mesh, double height)
+{
+  Cut cut;
+  std::vector<int> kept, place(mesh.Points.rows(), -1);
+  for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
+  {
+    if (shape::Corners(mesh, t).col(2).mean() > height)
+    {
+      kept.push_back(t);
+    }
+  }
+  cut.Surface.Triangles = mesh.Triangles(kept, Eigen::all);
+  for (int& point : cut.Surface.Triangles.reshaped())
+  {
+    if (place[point] < 0)
+    {
+      place[point] = static_cast<int>(cut.Points.size());
+      cut.Points.push_back(point);
+    }
+    point = place[point];
+  }
+  cut.Surface.Points = mesh.Points(cut.Points, Eigen::all);
+  return cut;
+}
+
+} // namespace shapetest

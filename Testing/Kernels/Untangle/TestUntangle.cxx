@@ -1,0 +1,368 @@
+#include "Base/Errors.h"
+#include "Geometry/Orientation.h"
+#include "Untangle/EllipticEnergy.h"
+#include "Untangle/Private/MeanPositions.h"
+#include "Untangle/Untangle.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+
+namespace
+{
+
+/// A cube [0, 1]^3 of n^3 cells: hexahedra, or six tetrahedra, two wedges or six pyramids each.
+shape::Cells Cube(int n, int kind)
+{
+  std::vector<Eigen::RowVector3d> points;
+  std::vector<std::vector<int>> cells;
+  const auto at = [&](int i, int j, int k) { return (k * (n + 1) + j) * (n + 1) + i; };
+  for (int k = 0; k <= n; ++k)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      for (int i = 0; i <= n; ++i)
+      {
+        points.push_back(Eigen::RowVector3d(i, j, k) / n);
+      }
+    }
+  }
+  for (int k = 0; k < n; ++k)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        const int h[8] = { at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k),
+          at(i, j, k + 1), at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1), at(i, j + 1, k + 1) };
+        if (kind == 12)
+        {
+          cells.emplace_back(h, h + 8);
+        }
+        else if (kind == 13)
+        {
+          cells.push_back({ h[0], h[1], h[2], h[4], h[5], h[6] });
+          cells.push_back({ h[0], h[2], h[3], h[4], h[6], h[7] });
+        }
+        else if (kind == 10)
+        {
+          const int around[7] = { 1, 2, 3, 7, 4, 5, 1 };
+          for (int t = 0; t < 6; ++t)
+          {
+            cells.push_back({ h[0], h[around[t]], h[around[t + 1]], h[6] });
+          }
+        }
+        else
+        {
+          const int faces[6][4] = { { 0, 1, 2, 3 }, { 4, 7, 6, 5 }, { 0, 4, 5, 1 }, { 3, 2, 6, 7 },
+            { 0, 3, 7, 4 }, { 1, 5, 6, 2 } };
+          points.push_back((points[h[0]] + points[h[6]]) / 2.0);
+          for (const auto& f : faces)
+          {
+            cells.push_back(
+              { h[f[0]], h[f[1]], h[f[2]], h[f[3]], static_cast<int>(points.size()) - 1 });
+          }
+        }
+      }
+    }
+  }
+  const int count = static_cast<int>(cells.size()), corners = static_cast<int>(cells[0].size());
+  shape::Cells solid{ Eigen::MatrixXd(points.size(), 3), Eigen::VectorXi::Constant(count, kind),
+    Eigen::VectorXi(count + 1), Eigen::VectorXi(count * corners) };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    solid.Points.row(static_cast<Eigen::Index>(i)) = points[i];
+  }
+  for (int c = 0; c <= count; ++c)
+  {
+    solid.Offsets(c) = corners * c;
+    for (int k = 0; k < corners && c < count; ++k)
+    {
+      solid.Corners(corners * c + k) = cells[c][k];
+    }
+  }
+  return solid;
+}
+
+bool Inside(const Eigen::RowVector3d& p)
+{
+  return p.minCoeff() > 1e-9 && p.maxCoeff() < 1.0 - 1e-9;
+}
+
+/// Inner points moved anywhere within `reach`.
+Eigen::MatrixXd Shaken(Eigen::MatrixXd points, double reach, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-reach, reach);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    if (Inside(points.row(i)))
+    {
+      points.row(i) += Eigen::RowVector3d(uniform(random), uniform(random), uniform(random));
+    }
+  }
+  return points;
+}
+
+double Volume(const shape::Cells& solid, int cell)
+{
+  const int first = solid.Offsets(cell);
+  const auto p = [&](int k) -> Eigen::RowVector3d
+  { return solid.Points.row(solid.Corners(first + k)); };
+  return (p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) / 6.0;
+}
+
+/// Tetrahedra that are not positive, told exactly, without the kernel's own count.
+int CountNegative(const shape::Cells& solid)
+{
+  int count = 0;
+  for (int cell = 0; cell < solid.Kinds.size(); ++cell)
+  {
+    const auto* c = solid.Corners.data() + solid.Offsets(cell);
+    count += shape::Orientation(solid.Points.row(c[0]), solid.Points.row(c[1]),
+               solid.Points.row(c[2]), solid.Points.row(c[3])) <= 0;
+  }
+  return count;
+}
+
+TEST(EllipticEnergy, IsLeastForRotations)
+{
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  EXPECT_NEAR(shape::EllipticEnergy(turn, 1e-12).Value(), 1.0, 1e-12);
+  EXPECT_LT(shape::EllipticEnergy(turn, 1e-12).Gradient().norm(), 1e-12);
+  EXPECT_GT(shape::EllipticEnergy(1.1 * turn, 1e-12).Value(), 1.0);
+}
+
+TEST(EllipticEnergy, GradientIsTheDerivative)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  for (const double epsilon : { 1.0, 0.1 })
+  {
+    Eigen::Matrix3d j, step;
+    for (int k = 0; k < 9; ++k)
+    {
+      j(k) = normal(random);
+      step(k) = normal(random);
+    }
+    constexpr double h = 1e-5;
+    const double slope = (shape::EllipticEnergy(j + h * step, epsilon).Value() -
+                           shape::EllipticEnergy(j - h * step, epsilon).Value()) /
+      (2.0 * h);
+    const double stated = shape::EllipticEnergy(j, epsilon).Gradient().cwiseProduct(step).sum();
+    EXPECT_NEAR(slope, stated, 1e-6 * std::abs(stated) + 1e-6);
+  }
+}
+
+TEST(EllipticEnergy, EpsilonGivesTheChiAskedFor)
+{
+  for (const double determinant : { -3.0, -1e-6, 0.0, 0.01 })
+  {
+    const double epsilon = shape::EllipticEnergy::EpsilonFor(determinant, 0.02, 1e-10);
+    EXPECT_NEAR(shape::EllipticEnergy::Chi(determinant, epsilon), 0.02, 1e-12);
+  }
+}
+
+TEST(MeanPositions, PointsInsideAreTheMeansOfTheirNeighbours)
+{
+  shape::Cells cells = Cube(4, 12);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-3.0, 3.0);
+  const shape::SolidCells regular(cells, {}, "the cube");
+  for (int point = 0; point < regular.PointCount(); ++point)
+  {
+    if (!regular.OnBoundary(point))
+    {
+      cells.Points.row(point) << uniform(random), uniform(random), uniform(random);
+    }
+  }
+  // Wherever they were: in a cube of hexahedra, neighbours lie evenly around.
+  const Eigen::MatrixXd means = shape::MeanPositions(shape::SolidCells(cells, {}, "the cube"));
+  EXPECT_LT((means - regular.Points).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Untangle, MakesEveryKindOfCellPositive)
+{
+  for (const int kind : { 10, 12, 13, 14 })
+  {
+    shape::Cells cells = Cube(5, kind);
+    const Eigen::MatrixXd rest = cells.Points;
+    cells.Points = Shaken(rest, 0.5, 7);
+    for (const bool withRest : { true, false })
+    {
+      const shape::UntangleResult result =
+        shape::Untangle(cells, withRest ? rest : Eigen::MatrixXd());
+      EXPECT_GT(result.InvertedBefore, cells.Kinds.size() / 4) << kind;
+      EXPECT_EQ(result.InvertedAfter, 0) << kind;
+      EXPECT_EQ(result.Inverted.sum(), 0);
+      EXPECT_EQ(result.SplitCells, 0) << kind;
+      EXPECT_EQ(result.Solid.Corners, cells.Corners);
+      for (Eigen::Index i = 0; i < rest.rows(); ++i)
+      {
+        if (!Inside(rest.row(i)))
+        {
+          EXPECT_EQ(result.Solid.Points.row(i), cells.Points.row(i)) << "the boundary stays";
+        }
+      }
+    }
+  }
+}
+
+TEST(Untangle, LeavesWhatIsNotInvertedToTheBit)
+{
+  shape::Cells cells = Cube(4, 10);
+  cells.Points = Shaken(cells.Points, 0.03, 1);
+  ASSERT_EQ(CountNegative(cells), 0);
+  const shape::UntangleResult whole = shape::Untangle(cells);
+  EXPECT_EQ(whole.Solid.Points, cells.Points);
+  EXPECT_EQ(whole.Iterations, 0);
+  // One point across its neighbours: only what is near it moves.
+  cells = Cube(8, 10);
+  const Eigen::Index middle = (4 * 9 + 4) * 9 + 4;
+  cells.Points.row(middle) += Eigen::RowVector3d(0.3, 0.01, 0.02);
+  const shape::UntangleResult result = shape::Untangle(cells);
+  EXPECT_GT(result.InvertedBefore, 0);
+  EXPECT_EQ(result.InvertedAfter, 0);
+  EXPECT_LE(result.MovedPoints, 27);
+}
+
+TEST(Untangle, IsTheSameInEveryScaleAndPlace)
+{
+  shape::Cells cells = Cube(5, 10);
+  const Eigen::MatrixXd rest = cells.Points;
+  cells.Points = Shaken(rest, 0.4, 11);
+  const shape::UntangleResult result = shape::Untangle(cells, rest);
+  // A power of two loses no bit.
+  shape::Cells small = cells;
+  small.Points *= 1.0 / 1024.0;
+  const shape::UntangleResult smaller = shape::Untangle(small, rest);
+  EXPECT_EQ(smaller.InvertedAfter, 0);
+  EXPECT_LT((1024.0 * smaller.Solid.Points - result.Solid.Points).cwiseAbs().maxCoeff(), 1e-6);
+  const shape::UntangleResult again = shape::Untangle(cells, rest);
+  EXPECT_EQ(again.Solid.Points, result.Solid.Points) << "the same bits";
+}
+
+TEST(Untangle, SplitsWhatHasNoRoom)
+{
+  // Four tetrahedra around the axis 0-1, every point on the boundary.
+  shape::Cells cells{ Eigen::MatrixXd(6, 3), Eigen::VectorXi::Constant(4, 10), Eigen::VectorXi(5),
+    Eigen::VectorXi(16) };
+  const Eigen::RowVector3d ring[4] = { { 0, 0, 1 }, { 1, 0, 0 }, { 0, 0, -1 }, { -1, 0, 0 } };
+  cells.Points.row(0) << 0, -1, 0;
+  cells.Points.row(1) << 0, 1, 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    cells.Points.row(2 + k) = ring[k];
+    cells.Offsets(k) = 4 * k;
+    cells.Corners.segment<4>(4 * k) << 0, 1, 2 + k, 2 + (k + 1) % 4;
+  }
+  cells.Offsets(4) = 16;
+  ASSERT_EQ(CountNegative(cells), 0);
+  const Eigen::MatrixXd rest = cells.Points;
+  // The roof's ridge sinks below the axis 0-1: the two tetrahedra beside it turn inside out.
+  cells.Points.row(2) << 0, 0, -0.2;
+  const int before = CountNegative(cells);
+  ASSERT_EQ(before, 2);
+  const shape::UntangleResult result = shape::Untangle(cells, rest);
+  EXPECT_EQ(result.InvertedBefore, 2);
+  EXPECT_EQ(result.InvertedAfter, 0);
+  EXPECT_EQ(CountNegative(result.Solid), 0);
+  EXPECT_GT(result.SplitCells, 0);
+  EXPECT_EQ(result.Solid.Points.topRows(6), cells.Points);
+  double sum = 0.0;
+  for (int cell = 0; cell < result.Solid.Kinds.size(); ++cell)
+  {
+    sum += Volume(result.Solid, cell);
+    EXPECT_LT(result.OriginalCell(cell), 4);
+  }
+  double given = 0.0;
+  for (int cell = 0; cell < 4; ++cell)
+  {
+    given += Volume(cells, cell);
+  }
+  EXPECT_NEAR(sum, given, 1e-12) << "the boundary is the same";
+  ASSERT_EQ(result.Solid.Points.rows(), 6 + static_cast<Eigen::Index>(result.Parents.size()));
+  EXPECT_EQ(result.OriginalCell.head(4), Eigen::Vector4i(0, 1, 2, 3));
+}
+
+TEST(Untangle, SaysWhatMustStayInverted)
+{
+  shape::Cells cells = Cube(3, 12);
+  const Eigen::MatrixXd rest = cells.Points;
+  // A corner of the boundary beyond its opposite: no inner point can mend its own hexahedron.
+  cells.Points.row(0) << 0.9, 0.9, 0.9;
+  shape::UntangleOptions options;
+  options.MaximumIterations = 20;
+  const shape::UntangleResult result = shape::Untangle(cells, rest, options);
+  EXPECT_GT(result.InvertedAfter, 0);
+  EXPECT_EQ(result.Inverted.sum(), result.InvertedAfter);
+  EXPECT_EQ(result.Inverted(0), 1);
+  EXPECT_EQ(result.Solid.Points.row(0), cells.Points.row(0));
+  EXPECT_TRUE(result.Solid.Points.allFinite());
+}
+
+TEST(Untangle, SlidesAlongTheBoundaryAndItsCreases)
+{
+  shape::Cells cells = Cube(4, 10);
+  const auto at = [](int i, int j, int k) { return (k * 5 + j) * 5 + i; };
+  // Points of a face and of an edge are beyond their neighbours in it.
+  cells.Points.row(at(2, 2, 0)) << 0.9, 0.55, 0.0;
+  cells.Points.row(at(2, 0, 0)) << 0.8, 0.0, 0.0;
+  shape::UntangleOptions options;
+  EXPECT_GT(shape::Untangle(cells, {}, options).InvertedAfter, 0) << "they cannot stay";
+  options.FixBoundary = false;
+  const shape::UntangleResult result = shape::Untangle(cells, {}, options);
+  EXPECT_EQ(result.InvertedAfter, 0);
+  EXPECT_EQ(CountNegative(result.Solid), 0);
+  for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const double before = cells.Points(i, k);
+      if (before == 0.0 || before == 1.0)
+      {
+        EXPECT_NEAR(result.Solid.Points(i, k), before, 1e-12) << "still on its face";
+      }
+    }
+  }
+}
+
+TEST(Untangle, RefusesWhatItCannotUse)
+{
+  shape::Cells cells = Cube(2, 10);
+  const auto refused = [](const shape::Cells& input, const Eigen::MatrixXd& rest,
+                         const shape::UntangleOptions& options, const std::string& words)
+  {
+    try
+    {
+      shape::Untangle(input, rest, options);
+      FAIL() << words;
+    }
+    catch (const shape::InvalidInput& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  refused(cells, cells.Points.topRows(3), {}, "the RestShape has 3 points");
+  shape::UntangleOptions options;
+  options.MaximumIterations = 0;
+  refused(cells, {}, options, "MaximumIterations is 0");
+  shape::Cells twice = cells;
+  twice.Corners(1) = twice.Corners(0);
+  refused(twice, {}, {}, "cell 0 has a point twice");
+  twice = cells;
+  twice.Kinds(3) = 7;
+  refused(twice, {}, {}, "cell 3 is no tetrahedron");
+  twice = cells;
+  twice.Points(4, 1) = std::nan("");
+  refused(twice, {}, {}, "not finite");
+}
+
+} // namespace
