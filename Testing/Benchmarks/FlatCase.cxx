@@ -5,6 +5,7 @@
 #include "Base/Errors.h"
 #include "Mesh/HalfEdges.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Parameterize/ConformalFlattening.h"
 #include "Geodesics/EdgeGeodesics.h"

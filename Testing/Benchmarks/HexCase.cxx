@@ -4,6 +4,7 @@
 #include "Cost.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Hex/HexRemesh.h"
 

@@ -1,6 +1,7 @@
 #include "Correspondence/Correspondence.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
 #include "Correspondence/Pair/CoarsePair.h"

@@ -1,6 +1,7 @@
 #include "Geodesics/GeodesicDistance.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Geodesics/EdgeGeodesics.h"
 #include "Geodesics/ExactGeodesics.h"

@@ -1,6 +1,7 @@
 #include "Hex/HexRemesh.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/SolidBoundary.h"
 #include "Hex/Grid/GridHexes.h"

@@ -44,11 +44,15 @@ std::vector<HalfEdge> SortedHalfEdges(const Eigen::MatrixXi& triangles, Eigen::I
 
 std::vector<int> SideTwins(const Eigen::MatrixXi& triangles, Eigen::Index points)
 {
-  std::vector<int> twins(triangles.size(), -1);
-  const std::vector<HalfEdge> edges = SortedHalfEdges(triangles, points);
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+  return SideTwins(SortedHalfEdges(triangles, points));
+}
+
+std::vector<int> SideTwins(const std::vector<HalfEdge>& sorted)
+{
+  std::vector<int> twins(sorted.size(), -1);
+  for (std::size_t i = 0; i + 1 < sorted.size(); ++i)
   {
-    const HalfEdge &one = edges[i], &other = edges[i + 1];
+    const HalfEdge &one = sorted[i], &other = sorted[i + 1];
     if (one.Low() == other.Low() && one.High() == other.High())
     {
       const int side = 3 * one.Triangle + one.Corner, twin = 3 * other.Triangle + other.Corner;

@@ -27,6 +27,9 @@ std::vector<HalfEdge> SortedHalfEdges(const Eigen::MatrixXi& triangles, Eigen::I
 /// triangle beside it, or -1 on the border. triangles: an oriented 2-manifold's.
 std::vector<int> SideTwins(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
+/// The same of SortedHalfEdges.
+std::vector<int> SideTwins(const std::vector<HalfEdge>& sorted);
+
 ///@{
 /// The sides of the same triangle after and before a side.
 inline int NextSide(int side)

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Mesh/HalfEdges.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>

@@ -2,8 +2,6 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
-#include "Mesh/Extent.h"
-#include "Mesh/HalfEdges.h"
 
 #include <vector>
 
@@ -11,25 +9,6 @@ namespace shape
 {
 namespace
 {
-
-void CheckIndices(const Mesh& mesh)
-{
-  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    const Eigen::RowVector3i corners = mesh.Triangles.row(t);
-    if (corners.minCoeff() < 0 || corners.maxCoeff() >= mesh.Points.rows())
-    {
-      throw InvalidInput("triangle " + std::to_string(t) + " uses a point that does not exist; " +
-        "the surface has " + std::to_string(mesh.Points.rows()) + " points");
-    }
-    if (corners(0) == corners(1) || corners(1) == corners(2) || corners(2) == corners(0))
-    {
-      throw InvalidInput("triangle " + std::to_string(t) + " uses point " +
-        std::to_string(corners(0) == corners(1) ? corners(0) : corners(2)) +
-        " twice; remove such triangles with Clean");
-    }
-  }
-}
 
 /// Every point must have one fan of triangles: count the groups of triangles around it that hang
 /// together by edges at the point.
@@ -102,102 +81,37 @@ void CountComponents(const Mesh& mesh, Topology& topology)
   }
 }
 
-/// "the boundary has 3 open loops (first at point 118)"
-std::string Found(const std::string& name, int count, const std::string& singular,
-  const std::string& plural, int first)
-{
-  return name + " has " + std::to_string(count) + " " + (count == 1 ? singular : plural) +
-    " (first at point " + std::to_string(first) + "); ";
-}
-
-void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
-{
-  if (LongestSide(points) == 0.0)
-  {
-    throw InvalidInput(
-      name + " has no area: its points are all at one place; check its coordinates");
-  }
-  RequireExtent(points, name);
-}
-
-/// The topology of a surface that has triangles and finite coordinates.
-Topology TopologyOfSound(const Mesh& mesh, const std::string& name, const std::string& needed)
-{
-  if (mesh.Triangles.rows() == 0)
-  {
-    throw InvalidInput(name + " has no triangles; give " + needed);
-  }
-  RequireFinite(mesh.Points, name);
-  RequireSize(mesh.Points, name);
-  return SurfaceTopology(mesh);
-}
-
-/// Whether no choice of sides for the triangles agrees across all edges, as on a Moebius strip.
-bool IsOneSided(const Mesh& mesh)
-{
-  // Twice as many as triangles: those as they are, then those turned over, joined where they agree.
-  const auto m = static_cast<int>(mesh.Triangles.rows());
-  DisjointSets sheets(2 * m);
-  const std::vector<HalfEdge> sides = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-  {
-    const HalfEdge& p = sides[i];
-    const HalfEdge& q = sides[i + 1];
-    if (p.Low() == q.Low() && p.High() == q.High())
-    {
-      const int turned = p.Begin == q.Begin ? m : 0;
-      sheets.Merge(p.Triangle, q.Triangle + turned);
-      sheets.Merge(p.Triangle + m, q.Triangle + m - turned);
-    }
-  }
-  for (int t = 0; t < m; ++t)
-  {
-    if (sheets.Find(t) == sheets.Find(t + m))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-void CheckManifold(const Mesh& mesh, const Topology& topology, const std::string& name)
-{
-  if (topology.NonManifoldEdges > 0)
-  {
-    throw InvalidInput(Found(name, topology.NonManifoldEdges, "edge with three or more triangles",
-                         "edges with three or more triangles", topology.FirstNonManifold) +
-      "keep the outer surface alone");
-  }
-  if (topology.NonManifoldPoints > 0)
-  {
-    throw InvalidInput(Found(name, topology.NonManifoldPoints, "point where two sheets touch",
-                         "points where two sheets touch", topology.FirstPinchedPoint) +
-      "duplicate them, one for each sheet");
-  }
-  if (topology.MisorientedEdges > 0 && IsOneSided(mesh))
-  {
-    throw InvalidInput(name +
-      " is one-sided, as a Moebius strip is: its triangles cannot all face " +
-      "the same way (they do not at point " + std::to_string(topology.FirstMisoriented) +
-      "); cut it open across the strip");
-  }
-  if (topology.MisorientedEdges > 0)
-  {
-    throw InvalidInput(
-      Found(name, topology.MisorientedEdges, "edge between triangles of opposite orientation",
-        "edges between triangles of opposite orientation", topology.FirstMisoriented) +
-      "make them agree with Generate Surface Normals (Consistency on)");
-  }
-}
-
 } // namespace
+
+void RequireIndices(const Mesh& mesh)
+{
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corners = mesh.Triangles.row(t);
+    if (corners.minCoeff() < 0 || corners.maxCoeff() >= mesh.Points.rows())
+    {
+      throw InvalidInput("triangle " + std::to_string(t) + " uses a point that does not exist; " +
+        "the surface has " + std::to_string(mesh.Points.rows()) + " points");
+    }
+    if (corners(0) == corners(1) || corners(1) == corners(2) || corners(2) == corners(0))
+    {
+      throw InvalidInput("triangle " + std::to_string(t) + " uses point " +
+        std::to_string(corners(0) == corners(1) ? corners(0) : corners(2)) +
+        " twice; remove such triangles with Clean");
+    }
+  }
+}
 
 Topology SurfaceTopology(const Mesh& mesh)
 {
-  CheckIndices(mesh);
+  RequireIndices(mesh);
+  return SurfaceTopology(mesh, SortedHalfEdges(mesh.Triangles, mesh.Points.rows()));
+}
+
+Topology SurfaceTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
+{
   Topology topology;
   CountComponents(mesh, topology);
-  const std::vector<HalfEdge> sides = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
   DisjointSets loops(static_cast<int>(mesh.Points.rows()));
   std::vector<char> open(mesh.Points.rows(), 0);
   int edges = 0;
@@ -267,26 +181,6 @@ std::vector<Mesh> SplitComponents(const Mesh& mesh)
       mesh.Triangles(triangles[c], Eigen::all).unaryExpr([&](int i) { return newId[i]; }) });
   }
   return components;
-}
-
-Topology RequireManifold(const Mesh& mesh, const std::string& name)
-{
-  Topology topology = TopologyOfSound(mesh, name, "a surface");
-  CheckManifold(mesh, topology, name);
-  return topology;
-}
-
-Topology RequireClosedSurface(const Mesh& mesh, const std::string& name)
-{
-  Topology topology = TopologyOfSound(mesh, name, "a closed surface");
-  if (topology.OpenLoops > 0)
-  {
-    throw InvalidInput(
-      Found(name, topology.OpenLoops, "open loop", "open loops", topology.FirstOpenPoint) +
-      "close it with Fill Holes, or merge its duplicate points with Clean");
-  }
-  CheckManifold(mesh, topology, name);
-  return topology;
 }
 
 void RequireFinite(const Eigen::MatrixXd& values, const std::string& name)

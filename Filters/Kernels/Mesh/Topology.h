@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Mesh/HalfEdges.h"
 #include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
@@ -26,21 +27,17 @@ struct Topology
   Eigen::VectorXi ComponentId; ///< n: 0, 1, ... in order of the first point; -1 at unused points
 };
 
-/// Throws InvalidInput where a triangle has an index out of range or uses a point twice.
+/// Throws InvalidInput if a triangle has an index out of range or uses a point twice.
+void RequireIndices(const Mesh& mesh);
+
+/// Throws InvalidInput as RequireIndices does.
 Topology SurfaceTopology(const Mesh& mesh);
+
+/// The same of a mesh whose indices are valid, and its SortedHalfEdges.
+Topology SurfaceTopology(const Mesh& mesh, const std::vector<HalfEdge>& sorted);
 
 /// The components of a surface in the order of ComponentId, each with the points it uses, in order.
 std::vector<Mesh> SplitComponents(const Mesh& mesh);
-
-/// Throws InvalidInput unless `mesh` has triangles, every coordinate is finite, its longest side is
-/// between 1e-50 and 1e50 and it is a consistently oriented 2-manifold, open or closed. `name` is
-/// what the message calls it.
-Topology RequireManifold(const Mesh& mesh, const std::string& name);
-
-/**
- * The same, and closed: `name` is what the message calls it: "the boundary", "the surface".
- */
-Topology RequireClosedSurface(const Mesh& mesh, const std::string& name);
 
 /// Throws InvalidInput where `values` has a NaN or an infinity: "`name` has 3 values that are not
 /// finite (first at point 17)".

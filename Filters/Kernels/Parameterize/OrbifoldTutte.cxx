@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
 #include "Linear/SparseSolve.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Mesh/OpenLoops.h"

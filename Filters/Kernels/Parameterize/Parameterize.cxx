@@ -1,6 +1,7 @@
 #include "Parameterize/Parameterize.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Quality/ConformalDistortion.h"
 #include "Quality/MapQuality.h"

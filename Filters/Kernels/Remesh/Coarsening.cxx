@@ -1,6 +1,7 @@
 #include "Remesh/Coarsening.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Search/TriangleWalk.h"

@@ -1,6 +1,7 @@
 #include "Solids/Nesting.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Geometry/Crossings.h"
 

@@ -3,6 +3,7 @@
 #include "Linear/BlockLanczos.h"
 #include "Base/Errors.h"
 #include "Linear/SparseSolve.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Linear/SparseSolve.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Spectrum/Private/ClassicalScaling.h"
 #include "Laplacian/CotangentWeights.h"

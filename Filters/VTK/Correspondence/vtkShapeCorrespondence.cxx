@@ -3,6 +3,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeLeaves.h"
 
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Correspondence/Landmarks/LandmarkPairs.h"
 

@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 

@@ -14,6 +14,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 

@@ -1,4 +1,5 @@
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/CurveShapes.h"
 #include "CutPaste/CutFeature.h"

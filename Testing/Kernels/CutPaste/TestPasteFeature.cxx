@@ -4,6 +4,7 @@
 // with a scale that does fit.
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "CutPaste/PasteFeature.h"
 #include "Mesh/OpenLoops.h"

@@ -5,6 +5,7 @@
 
 #include "CutPaste/SurfaceDivision.h"
 
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "CutPaste/LoopSides.h"
 #include "Support/DeformShapes.h"

@@ -7,6 +7,7 @@
 #include "ExponentialMap/ConformalPatch.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/DeformShapes.h"
 

@@ -1,4 +1,5 @@
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Distance/SignedDistance.h"
 #include "Support/TestShapes.h"

@@ -1,5 +1,6 @@
 #include "Mesh/CellFaces.h"
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "IO/BoundaryPatches.h"
 #include "IO/MeshSets.h"

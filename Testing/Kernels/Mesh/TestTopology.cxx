@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Mesh/HalfEdges.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/TestShapes.h"
 

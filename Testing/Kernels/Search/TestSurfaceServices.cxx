@@ -1,4 +1,5 @@
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/IsoSurface.h"
 #include "Distance/SignedDistance.h"

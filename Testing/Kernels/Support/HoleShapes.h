@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Fill/FillHoles.h"
 #include "Mesh/BorderLoops.h"

@@ -1,6 +1,7 @@
 #include "Correspondence/Evaluate/MapErrorCurve.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Geodesics/ExactGeodesics.h"

@@ -3,6 +3,7 @@
 #include "Linear/DenseSolve.h"
 #include "Base/Errors.h"
 #include "Mesh/HalfEdges.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Spectrum/LaplaceSpectrum.h"

@@ -1,6 +1,7 @@
 #include "Correspondence/Functional/FunctionalMap.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/NearestPlaces.h"
 #include "Geodesics/FarthestPoints.h"

@@ -1,6 +1,7 @@
 #include "Correspondence/Private/MethodInput.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Correspondence/Pair/MatchingInput.h"
 

@@ -1,6 +1,7 @@
 #include "Harmonic/Private/ScaledBoundary.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/Nesting.h"
 #include "Fmm/LatticeOrder.h"

@@ -1,6 +1,7 @@
 #include "Hex/Polycube/GivenPolycube.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/GridWinding.h"

@@ -1,6 +1,7 @@
 #include "Hex/Polycube/PolycubeHexes.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Hex/Polycube/Private/Charts.h"

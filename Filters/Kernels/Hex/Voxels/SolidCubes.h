@@ -3,6 +3,7 @@
 #include "Mesh/HexMesh.h"
 #include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/IsoSurface.h"
 #include "Solids/SolidBoundary.h"

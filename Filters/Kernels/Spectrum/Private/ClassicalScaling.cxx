@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Linear/SymmetricEigen.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Geodesics/HeatGeodesics.h"

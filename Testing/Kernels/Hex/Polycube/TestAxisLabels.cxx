@@ -1,4 +1,5 @@
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"

@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/IntegerMapHexes.h"

@@ -1,3 +1,4 @@
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/GridWinding.h"
 #include "Solids/SolidBoundary.h"

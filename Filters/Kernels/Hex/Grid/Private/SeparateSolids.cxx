@@ -1,5 +1,6 @@
 #include "Hex/Grid/Private/SeparateSolids.h"
 
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/Nesting.h"
 #include "Solids/SolidBoundary.h"

@@ -1,6 +1,7 @@
 #include "Hex/Polycube/Private/PolycubeMap.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"

@@ -1,6 +1,7 @@
 #include "Hex/Polycube/Private/VoxelPolycube.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/CellLocator.h"
 #include "Distance/SignedDistance.h"

@@ -1,0 +1,237 @@
+#include "Mesh/Surface.h"
+
+#include "Base/DisjointSets.h"
+#include "Base/Errors.h"
+#include "Mesh/Extent.h"
+
+#include <map>
+#include <mutex>
+
+namespace shape
+{
+namespace
+{
+
+// One type for each quantity that is kept.
+struct KeptHalfEdges
+{
+  std::vector<HalfEdge> Sorted;
+};
+struct KeptTwins
+{
+  std::vector<int> OfHalfEdges;
+};
+struct KeptAreaVectors
+{
+  Eigen::MatrixXd OfTriangles;
+};
+struct KeptPointNormals
+{
+  Eigen::MatrixXd OfPoints;
+};
+/// That the coordinates are finite and of a size that can be computed with.
+struct KeptSoundness
+{
+};
+
+/// "the boundary has 3 open loops (first at point 118)"
+std::string Found(const std::string& name, int count, const std::string& singular,
+  const std::string& plural, int first)
+{
+  return name + " has " + std::to_string(count) + " " + (count == 1 ? singular : plural) +
+    " (first at point " + std::to_string(first) + "); ";
+}
+
+void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
+{
+  if (LongestSide(points) == 0.0)
+  {
+    throw InvalidInput(
+      name + " has no area: its points are all at one place; check its coordinates");
+  }
+  RequireExtent(points, name);
+}
+
+/// The topology of a surface that has triangles and finite coordinates.
+const Topology& TopologyOfSound(
+  const Surface& surface, const std::string& name, const std::string& needed)
+{
+  surface.Cached<KeptSoundness>(
+    [&]()
+    {
+      if (surface.Triangles().rows() == 0)
+      {
+        throw InvalidInput(name + " has no triangles; give " + needed);
+      }
+      RequireFinite(surface.Points(), name);
+      RequireSize(surface.Points(), name);
+      return KeptSoundness();
+    });
+  return surface.Topology();
+}
+
+/// Whether no choice of sides for the triangles agrees across all edges, as on a Moebius strip.
+bool IsOneSided(const Surface& surface)
+{
+  // Twice as many as triangles: those as they are, then those turned over, joined where they agree.
+  const auto m = static_cast<int>(surface.Triangles().rows());
+  DisjointSets sheets(2 * m);
+  const std::vector<HalfEdge>& sides = surface.HalfEdges();
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+  {
+    const HalfEdge& p = sides[i];
+    const HalfEdge& q = sides[i + 1];
+    if (p.Low() == q.Low() && p.High() == q.High())
+    {
+      const int turned = p.Begin == q.Begin ? m : 0;
+      sheets.Merge(p.Triangle, q.Triangle + turned);
+      sheets.Merge(p.Triangle + m, q.Triangle + m - turned);
+    }
+  }
+  for (int t = 0; t < m; ++t)
+  {
+    if (sheets.Find(t) == sheets.Find(t + m))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void CheckManifold(const Surface& surface, const Topology& topology, const std::string& name)
+{
+  if (topology.NonManifoldEdges > 0)
+  {
+    throw InvalidInput(Found(name, topology.NonManifoldEdges, "edge with three or more triangles",
+                         "edges with three or more triangles", topology.FirstNonManifold) +
+      "keep the outer surface alone");
+  }
+  if (topology.NonManifoldPoints > 0)
+  {
+    throw InvalidInput(Found(name, topology.NonManifoldPoints, "point where two sheets touch",
+                         "points where two sheets touch", topology.FirstPinchedPoint) +
+      "duplicate them, one for each sheet");
+  }
+  if (topology.MisorientedEdges > 0 && IsOneSided(surface))
+  {
+    throw InvalidInput(name +
+      " is one-sided, as a Moebius strip is: its triangles cannot all face " +
+      "the same way (they do not at point " + std::to_string(topology.FirstMisoriented) +
+      "); cut it open across the strip");
+  }
+  if (topology.MisorientedEdges > 0)
+  {
+    throw InvalidInput(
+      Found(name, topology.MisorientedEdges, "edge between triangles of opposite orientation",
+        "edges between triangles of opposite orientation", topology.FirstMisoriented) +
+      "make them agree with Generate Surface Normals (Consistency on)");
+  }
+}
+
+} // namespace
+
+struct Surface::Data
+{
+  struct Entry
+  {
+    std::once_flag Made;
+    std::shared_ptr<const void> Value;
+  };
+
+  Mesh Triangulation;
+  std::mutex Lock; ///< of the map, not of what is made: one quantity may ask for another
+  std::map<std::type_index, std::shared_ptr<Entry>> Entries;
+};
+
+Surface::Surface()
+  : Surface(Mesh{ Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) })
+{
+}
+
+Surface::Surface(Mesh mesh)
+  : Impl(std::make_shared<Data>())
+{
+  this->Impl->Triangulation = std::move(mesh);
+}
+
+const Mesh& Surface::AsMesh() const
+{
+  return this->Impl->Triangulation;
+}
+
+const std::shared_ptr<const void>& Surface::Find(
+  std::type_index type, const std::function<std::shared_ptr<const void>()>& make) const
+{
+  std::shared_ptr<Data::Entry> entry;
+  {
+    const std::lock_guard<std::mutex> guard(this->Impl->Lock);
+    std::shared_ptr<Data::Entry>& kept = this->Impl->Entries[type];
+    if (!kept)
+    {
+      kept = std::make_shared<Data::Entry>();
+    }
+    entry = kept;
+  }
+  std::call_once(entry->Made, [&]() { entry->Value = make(); });
+  return entry->Value; // the map, which outlives this call, holds the entry, too
+}
+
+const std::vector<HalfEdge>& Surface::HalfEdges() const
+{
+  return this
+    ->Cached<KeptHalfEdges>(
+      [&]()
+      {
+        RequireIndices(*this);
+        return KeptHalfEdges{ SortedHalfEdges(this->Triangles(), this->Points().rows()) };
+      })
+    .Sorted;
+}
+
+const std::vector<int>& Surface::Twins() const
+{
+  return this
+    ->Cached<KeptTwins>([&]()
+      { return KeptTwins{ SideTwins(this->HalfEdges()) }; })
+    .OfHalfEdges;
+}
+
+const Topology& Surface::Topology() const
+{
+  return this->Cached<shape::Topology>([&]() { return SurfaceTopology(*this, this->HalfEdges()); });
+}
+
+const Eigen::MatrixXd& Surface::AreaVectors() const
+{
+  return this->Cached<KeptAreaVectors>([&]() { return KeptAreaVectors{ shape::AreaVectors(*this) }; })
+    .OfTriangles;
+}
+
+const Eigen::MatrixXd& Surface::PointNormals() const
+{
+  return this
+    ->Cached<KeptPointNormals>([&]() { return KeptPointNormals{ shape::PointNormals(*this) }; })
+    .OfPoints;
+}
+
+Topology RequireManifold(const Surface& surface, const std::string& name)
+{
+  const Topology& topology = TopologyOfSound(surface, name, "a surface");
+  CheckManifold(surface, topology, name);
+  return topology;
+}
+
+Topology RequireClosedSurface(const Surface& surface, const std::string& name)
+{
+  const Topology& topology = TopologyOfSound(surface, name, "a closed surface");
+  if (topology.OpenLoops > 0)
+  {
+    throw InvalidInput(
+      Found(name, topology.OpenLoops, "open loop", "open loops", topology.FirstOpenPoint) +
+      "close it with Fill Holes, or merge its duplicate points with Clean");
+  }
+  CheckManifold(surface, topology, name);
+  return topology;
+}
+
+} // namespace shape

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "Mesh/HalfEdges.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Topology.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <typeindex>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * A triangulated surface that never changes, with what follows from it: half-edges, topology,
+ * normals, and whatever kernels add (a search tree, a Laplacian).
+ *
+ * Each of these is computed when it is first asked for, once, and shared by all copies; a copy costs
+ * as much as a pointer. Kernels take a `const Surface&`, so that one that calls ten others checks and
+ * indexes its surface once. Every member may be called from several threads.
+ */
+class Surface
+{
+public:
+  /// No points and no triangles.
+  Surface();
+
+  /// From a mesh, which is moved or copied. A mesh may stand wherever a kernel takes a surface.
+  Surface(Mesh mesh); // NOLINT(google-explicit-constructor)
+
+  const Eigen::MatrixXd& Points() const { return this->AsMesh().Points; }       ///< n x 3
+  const Eigen::MatrixXi& Triangles() const { return this->AsMesh().Triangles; } ///< m x 3
+
+  ///@{
+  /// The points and triangles as a value, for what takes a mesh.
+  const Mesh& AsMesh() const;
+  operator const Mesh&() const { return this->AsMesh(); } // NOLINT(google-explicit-constructor)
+  ///@}
+
+  /// SortedHalfEdges of the triangles. Throws InvalidInput as RequireIndices does.
+  const std::vector<HalfEdge>& HalfEdges() const;
+
+  /// SideTwins of the triangles, which must be an oriented 2-manifold's.
+  const std::vector<int>& Twins() const;
+
+  /// Throws InvalidInput as SurfaceTopology does.
+  const shape::Topology& Topology() const;
+
+  /// AreaVectors of the triangles (m x 3).
+  const Eigen::MatrixXd& AreaVectors() const;
+
+  /// PointNormals of the points (n x 3).
+  const Eigen::MatrixXd& PointNormals() const;
+
+  /// Something of type T that follows from the surface: what `make()` returns when it is first asked
+  /// for. There is one of each type; a kernel defines a type for what it keeps here.
+  template <typename T, typename Make>
+  const T& Cached(const Make& make) const
+  {
+    return *static_cast<const T*>(
+      this->Find(typeid(T), [&]() -> std::shared_ptr<const void> { return std::make_shared<T>(make()); })
+        .get());
+  }
+
+private:
+  struct Data;
+  /// What was kept under the type, or made now; what `make` throws is thrown, and nothing is kept.
+  const std::shared_ptr<const void>& Find(
+    std::type_index type, const std::function<std::shared_ptr<const void>()>& make) const;
+
+  std::shared_ptr<Data> Impl;
+};
+
+/// Throws InvalidInput unless `surface` has triangles, every coordinate is finite, its longest side is
+/// between 1e-50 and 1e50 and it is a consistently oriented 2-manifold, open or closed. `name` is
+/// what the message calls it.
+Topology RequireManifold(const Surface& surface, const std::string& name);
+
+/**
+ * The same, and closed: `name` is what the message calls it: "the boundary", "the surface".
+ */
+Topology RequireClosedSurface(const Surface& surface, const std::string& name);
+
+} // namespace shape
