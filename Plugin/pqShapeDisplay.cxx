@@ -45,9 +45,9 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyDataMapper* mapper)
   return actor;
 }
 
-Eigen::Vector3d ToDisplay(vtkRenderer* renderer, const Eigen::Vector3d& place)
+Eigen::Vector3d ToDisplay(vtkRenderer* renderer, const Eigen::Vector3d& position)
 {
-  renderer->SetWorldPoint(place.x(), place.y(), place.z(), 1.0);
+  renderer->SetWorldPoint(position.x(), position.y(), position.z(), 1.0);
   renderer->WorldToDisplay();
   Eigen::Vector3d display;
   renderer->GetDisplayPoint(display.data());
@@ -68,9 +68,9 @@ Ray ToRay(vtkRenderer* renderer, const Eigen::Vector2d& pixel)
   return ray;
 }
 
-Eigen::Vector2d ToPixel(vtkRenderer* renderer, const Eigen::Vector3d& place)
+Eigen::Vector2d ToPixel(vtkRenderer* renderer, const Eigen::Vector3d& position)
 {
-  return ToDisplay(renderer, place).head<2>();
+  return ToDisplay(renderer, position).head<2>();
 }
 
 double PixelScale(vtkRenderer* renderer)
@@ -79,16 +79,17 @@ double PixelScale(vtkRenderer* renderer)
   return std::max(1.0, renderer->GetRenderWindow()->GetDPI() / usual);
 }
 
-double PixelLength(vtkRenderer* renderer, const Eigen::Vector3d& place)
+double PixelLength(vtkRenderer* renderer, const Eigen::Vector3d& position)
 {
-  const Eigen::Vector3d display = ToDisplay(renderer, place);
+  const Eigen::Vector3d display = ToDisplay(renderer, position);
   const Eigen::Vector3d beside = ToWorld(renderer, display + Eigen::Vector3d::UnitX());
   return PixelScale(renderer) * (beside - ToWorld(renderer, display)).norm();
 }
 
-bool FacesViewer(vtkRenderer* renderer, const Eigen::Vector3d& place, const Eigen::Vector3d& normal)
+bool FacesViewer(
+  vtkRenderer* renderer, const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
 {
-  return normal.dot(ToRay(renderer, ToPixel(renderer, place)).Direction) < 0.0;
+  return normal.dot(ToRay(renderer, ToPixel(renderer, position)).Direction) < 0.0;
 }
 
 vtkSmartPointer<vtkActor> MakeBall()
@@ -127,29 +128,29 @@ void SetWidth(vtkActor* curve, vtkRenderer* renderer, double width)
   curve->GetProperty()->SetPointSize(pixels);
 }
 
-void SetCurve(vtkPolyData* curve, const std::vector<Eigen::Vector3d>& places)
+void SetCurve(vtkPolyData* curve, const std::vector<Eigen::Vector3d>& positions)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(places.size()));
-  for (const Eigen::Vector3d& place : places)
+  lines->InsertNextCell(static_cast<int>(positions.size()));
+  for (const Eigen::Vector3d& position : positions)
   {
-    lines->InsertCellPoint(points->InsertNextPoint(place.data()));
+    lines->InsertCellPoint(points->InsertNextPoint(position.data()));
   }
   curve->SetPoints(points);
   curve->SetLines(lines);
 }
 
-void SetMarks(vtkPolyData* marks, const std::vector<Eigen::Vector3d>& places)
+void SetMarks(vtkPolyData* marks, const std::vector<Eigen::Vector3d>& positions)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  for (const Eigen::Vector3d& place : places)
+  for (const Eigen::Vector3d& position : positions)
   {
     vertices->InsertNextCell(1);
-    vertices->InsertCellPoint(points->InsertNextPoint(place.data()));
+    vertices->InsertCellPoint(points->InsertNextPoint(position.data()));
   }
   marks->SetPoints(points);
   marks->SetVerts(vertices);

@@ -26,17 +26,17 @@ struct Ray
 Ray ToRay(vtkRenderer* renderer, const Eigen::Vector2d& pixel);
 
 /// The pixel where a place is seen.
-Eigen::Vector2d ToPixel(vtkRenderer* renderer, const Eigen::Vector3d& place);
+Eigen::Vector2d ToPixel(vtkRenderer* renderer, const Eigen::Vector3d& position);
 
 /// How many pixels of a dense screen are one of a usual one.
 double PixelScale(vtkRenderer* renderer);
 
 /// How long a pixel of a usual screen is in the model's units at a place.
-double PixelLength(vtkRenderer* renderer, const Eigen::Vector3d& place);
+double PixelLength(vtkRenderer* renderer, const Eigen::Vector3d& position);
 
 /// Whether a plane through a place is seen from its front.
 bool FacesViewer(
-  vtkRenderer* renderer, const Eigen::Vector3d& place, const Eigen::Vector3d& normal);
+  vtkRenderer* renderer, const Eigen::Vector3d& position, const Eigen::Vector3d& normal);
 
 /// A ball of radius 1 around the origin; PlaceBall moves and scales it.
 vtkSmartPointer<vtkActor> MakeBall();
@@ -48,9 +48,9 @@ vtkSmartPointer<vtkActor> MakeCurve(vtkPolyData* curve);
 void SetWidth(vtkActor* curve, vtkRenderer* renderer, double width);
 
 /// Makes `curve` one polyline through places.
-void SetCurve(vtkPolyData* curve, const std::vector<Eigen::Vector3d>& places);
+void SetCurve(vtkPolyData* curve, const std::vector<Eigen::Vector3d>& positions);
 
 /// Makes `marks` separate places.
-void SetMarks(vtkPolyData* marks, const std::vector<Eigen::Vector3d>& places);
+void SetMarks(vtkPolyData* marks, const std::vector<Eigen::Vector3d>& positions);
 
 } // namespace pqShapeDisplay

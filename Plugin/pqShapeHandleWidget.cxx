@@ -93,9 +93,9 @@ bool pqShapeHandleWidget::SetSize(double size)
 pqShapeHandleWidget::Frame pqShapeHandleWidget::MakeFrame()
 {
   const std::vector<double> seed = this->GetValues("Seed");
-  const pqShapePlace place =
+  const pqShapePlace position =
     this->GetSurface().FindClosest(Eigen::Vector3d(seed[0], seed[1], seed[2]));
-  const Eigen::Vector3d& normal = place.Normal;
+  const Eigen::Vector3d& normal = position.Normal;
   Eigen::Vector3d first = this->Zero - this->Zero.dot(normal) * normal;
   if (first.norm() < 1e-3)
   {
@@ -103,7 +103,7 @@ pqShapeHandleWidget::Frame pqShapeHandleWidget::MakeFrame()
   }
   first.normalize();
   Frame frame;
-  frame.Centre = place.Position;
+  frame.Centre = position.Position;
   frame.Axes << first, normal.cross(first), normal;
   // However small or large the feature is, the knob can be reached.
   const int* view = this->GetRenderer()->GetSize();
@@ -122,21 +122,21 @@ void pqShapeHandleWidget::Place()
 {
   vtkRenderer* renderer = this->GetRenderer();
   const Eigen::Vector2d middle(0.5 * renderer->GetSize()[0], 0.5 * renderer->GetSize()[1]);
-  pqShapePlace place;
-  if (!this->GetSurface().FindUnder(renderer, middle, place))
+  pqShapePlace position;
+  if (!this->GetSurface().FindUnder(renderer, middle, position))
   {
-    place = this->GetSurface().FindClosest(pqShapeDisplay::ToRay(renderer, middle).Near);
+    position = this->GetSurface().FindClosest(pqShapeDisplay::ToRay(renderer, middle).Near);
   }
-  this->SetValues("Seed", { place.Position.x(), place.Position.y(), place.Position.z() });
+  this->SetValues("Seed", { position.Position.x(), position.Position.y(), position.Position.z() });
 }
 
 int pqShapeHandleWidget::FindPart(const Eigen::Vector2d& pixel)
 {
   const Frame frame = this->MakeFrame();
   vtkRenderer* renderer = this->GetRenderer();
-  const auto near = [&](const Eigen::Vector3d& place, double radius)
+  const auto near = [&](const Eigen::Vector3d& position, double radius)
   {
-    return (pqShapeDisplay::ToPixel(renderer, place) - pixel).norm() <=
+    return (pqShapeDisplay::ToPixel(renderer, position) - pixel).norm() <=
       pqShapeDisplay::PixelScale(renderer) * (radius + GrabPixels);
   };
   if (near(frame.Centre, BallPixels))
@@ -197,12 +197,12 @@ bool pqShapeHandleWidget::Drag(const Eigen::Vector2d& pixel)
     default:
       break;
   }
-  pqShapePlace place;
-  if (!this->GetSurface().FindUnder(this->GetRenderer(), pixel + this->Offset, place))
+  pqShapePlace position;
+  if (!this->GetSurface().FindUnder(this->GetRenderer(), pixel + this->Offset, position))
   {
     return false; // beside the surface the feature stays where it was
   }
-  this->SetValues("Seed", { place.Position.x(), place.Position.y(), place.Position.z() });
+  this->SetValues("Seed", { position.Position.x(), position.Position.y(), position.Position.z() });
   return true;
 }
 
@@ -260,15 +260,15 @@ void pqShapeHandleWidget::Draw()
 {
   vtkRenderer* renderer = this->GetRenderer();
   const Frame frame = this->MakeFrame();
-  std::vector<Eigen::Vector3d> places{ frame.Centre };
+  std::vector<Eigen::Vector3d> positions{ frame.Centre };
   const double start = this->GetValue("Rotation", 0.0) * Pi / 180.0;
   for (int i = 0; i <= RingSegments; ++i)
   {
     const double angle = start + 2.0 * Pi * i / RingSegments;
-    places.emplace_back(frame.Centre +
+    positions.emplace_back(frame.Centre +
       frame.Radius * (std::cos(angle) * frame.Axes.col(0) + std::sin(angle) * frame.Axes.col(1)));
   }
-  pqShapeDisplay::SetCurve(this->Ring, places);
+  pqShapeDisplay::SetCurve(this->Ring, positions);
   pqShapeDisplay::SetWidth(this->RingActor, renderer, RingPixels);
   const double pixel = pqShapeDisplay::PixelLength(renderer, frame.Centre);
   pqShapeDisplay::PlaceBall(this->BallActor, frame.Centre, BallPixels * pixel);

@@ -19,7 +19,7 @@ namespace
 constexpr double CurvePixels = 3.0, MarkPixels = 10.0, GrabPixels = 8.0, HoveredPixels = 7.0;
 /// Between two places the curve is drawn through so many places of the surface.
 constexpr int Samples = 12;
-constexpr std::size_t FewestPlaces = 3;
+constexpr std::size_t MinimumPositions = 3;
 
 } // namespace
 
@@ -66,27 +66,27 @@ bool pqShapeLoopWidget::IsDrawing() const
   return this->Button->isChecked();
 }
 
-pqShapeLoopWidget::Places pqShapeLoopWidget::GetPlaces() const
+pqShapeLoopWidget::Positions pqShapeLoopWidget::GetPlaces() const
 {
   if (this->IsDrawing())
   {
     return this->Drawn;
   }
   const std::vector<double> values = this->GetValues("Points");
-  Places places;
+  Positions positions;
   for (std::size_t i = 0; i + 2 < values.size(); i += 3)
   {
-    places.emplace_back(values[i], values[i + 1], values[i + 2]);
+    positions.emplace_back(values[i], values[i + 1], values[i + 2]);
   }
-  return places;
+  return positions;
 }
 
-void pqShapeLoopWidget::SetPlaces(const Places& places)
+void pqShapeLoopWidget::SetPlaces(const Positions& positions)
 {
   std::vector<double> values;
-  for (const Eigen::Vector3d& place : places)
+  for (const Eigen::Vector3d& position : positions)
   {
-    values.insert(values.end(), place.data(), place.data() + 3);
+    values.insert(values.end(), position.data(), position.data() + 3);
   }
   this->SetValues("Points", values);
 }
@@ -99,13 +99,13 @@ int pqShapeLoopWidget::FindPart(const Eigen::Vector2d& pixel)
   }
   vtkRenderer* renderer = this->GetRenderer();
   const double reach = GrabPixels * pqShapeDisplay::PixelScale(renderer);
-  const Places places = this->GetPlaces();
-  for (std::size_t i = 0; i < places.size(); ++i)
+  const Positions positions = this->GetPlaces();
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
     // Those on the far side are seen, too, but not meant.
-    if ((pqShapeDisplay::ToPixel(renderer, places[i]) - pixel).norm() <= reach &&
+    if ((pqShapeDisplay::ToPixel(renderer, positions[i]) - pixel).norm() <= reach &&
       pqShapeDisplay::FacesViewer(
-        renderer, places[i], this->GetSurface().FindClosest(places[i]).Normal))
+        renderer, positions[i], this->GetSurface().FindClosest(positions[i]).Normal))
     {
       return static_cast<int>(i) + 1;
     }
@@ -116,35 +116,35 @@ int pqShapeLoopWidget::FindPart(const Eigen::Vector2d& pixel)
 void pqShapeLoopWidget::Grab(int part, const Eigen::Vector2d& pixel, bool, bool)
 {
   this->Grabbed = part - 1;
-  const Places places = this->GetPlaces();
-  this->Offset =
-    pqShapeDisplay::ToPixel(this->GetRenderer(), places[static_cast<std::size_t>(this->Grabbed)]) -
+  const Positions positions = this->GetPlaces();
+  this->Offset = pqShapeDisplay::ToPixel(
+                   this->GetRenderer(), positions[static_cast<std::size_t>(this->Grabbed)]) -
     pixel;
 }
 
 bool pqShapeLoopWidget::Drag(const Eigen::Vector2d& pixel)
 {
   const auto grabbed = static_cast<std::size_t>(this->Grabbed);
-  Places places = this->GetPlaces();
-  pqShapePlace place;
-  if (grabbed >= places.size() || // undone while it is held
-    !this->GetSurface().FindUnder(this->GetRenderer(), pixel + this->Offset, place))
+  Positions positions = this->GetPlaces();
+  pqShapePlace position;
+  if (grabbed >= positions.size() || // undone while it is held
+    !this->GetSurface().FindUnder(this->GetRenderer(), pixel + this->Offset, position))
   {
     return false;
   }
-  places[grabbed] = place.Position;
-  this->SetPlaces(places);
+  positions[grabbed] = position.Position;
+  this->SetPlaces(positions);
   return true;
 }
 
 bool pqShapeLoopWidget::Click(const Eigen::Vector2d& pixel)
 {
-  pqShapePlace place;
-  if (!this->IsDrawing() || !this->GetSurface().FindUnder(this->GetRenderer(), pixel, place))
+  pqShapePlace position;
+  if (!this->IsDrawing() || !this->GetSurface().FindUnder(this->GetRenderer(), pixel, position))
   {
     return false;
   }
-  this->Drawn.push_back(place.Position);
+  this->Drawn.push_back(position.Position);
   return true;
 }
 
@@ -160,13 +160,13 @@ bool pqShapeLoopWidget::DoubleClick()
 
 void pqShapeLoopWidget::Close()
 {
-  if (this->Drawn.size() < FewestPlaces)
+  if (this->Drawn.size() < MinimumPositions)
   {
     return;
   }
-  const Places places = this->Drawn;
+  const Positions positions = this->Drawn;
   this->Button->setChecked(false);
-  this->Change([this, &places] { this->SetPlaces(places); });
+  this->Change([this, &positions] { this->SetPlaces(positions); });
 }
 
 bool pqShapeLoopWidget::PressKey(const std::string& key)
@@ -192,13 +192,13 @@ bool pqShapeLoopWidget::PressKey(const std::string& key)
     this->RequestRender();
     return true;
   }
-  Places places = this->GetPlaces();
-  if (key != "Delete" || this->GetHovered() == 0 || places.size() <= FewestPlaces)
+  Positions positions = this->GetPlaces();
+  if (key != "Delete" || this->GetHovered() == 0 || positions.size() <= MinimumPositions)
   {
     return false;
   }
-  places.erase(places.begin() + this->GetHovered() - 1);
-  this->Change([this, &places] { this->SetPlaces(places); });
+  positions.erase(positions.begin() + this->GetHovered() - 1);
+  this->Change([this, &positions] { this->SetPlaces(positions); });
   return true;
 }
 
@@ -209,38 +209,39 @@ bool pqShapeLoopWidget::TurnWheel(int, bool)
 
 void pqShapeLoopWidget::Draw()
 {
-  const Places places = this->GetPlaces();
-  this->DrawCurve(places);
+  const Positions positions = this->GetPlaces();
+  this->DrawCurve(positions);
   pqShapeDisplay::SetWidth(this->CurveActor, this->GetRenderer(), CurvePixels);
   pqShapeDisplay::SetWidth(this->MarksActor, this->GetRenderer(), MarkPixels);
   const int hovered = this->GetHovered();
-  const bool bright = hovered > 0 && static_cast<std::size_t>(hovered) <= places.size();
+  const bool bright = hovered > 0 && static_cast<std::size_t>(hovered) <= positions.size();
   this->HoveredActor->SetVisibility(bright);
   if (bright)
   {
-    const Eigen::Vector3d& place = places[static_cast<std::size_t>(hovered) - 1];
-    pqShapeDisplay::PlaceBall(this->HoveredActor, place,
-      HoveredPixels * pqShapeDisplay::PixelLength(this->GetRenderer(), place));
+    const Eigen::Vector3d& position = positions[static_cast<std::size_t>(hovered) - 1];
+    pqShapeDisplay::PlaceBall(this->HoveredActor, position,
+      HoveredPixels * pqShapeDisplay::PixelLength(this->GetRenderer(), position));
   }
 }
 
-void pqShapeLoopWidget::DrawCurve(const Places& places)
+void pqShapeLoopWidget::DrawCurve(const Positions& positions)
 {
   const bool closed = !this->IsDrawing();
   const int version = this->GetSurface().GetVersion();
-  if (places == this->Shown && closed == this->ShownClosed && version == this->ShownVersion)
+  if (positions == this->Shown && closed == this->ShownClosed && version == this->ShownVersion)
   {
     return;
   }
-  this->Shown = places;
+  this->Shown = positions;
   this->ShownClosed = closed;
   this->ShownVersion = version;
-  Places curve;
-  const std::size_t segments = places.empty() || closed ? places.size() : places.size() - 1;
+  Positions curve;
+  const std::size_t segments =
+    positions.empty() || closed ? positions.size() : positions.size() - 1;
   for (std::size_t i = 0; i < segments; ++i)
   {
-    const Eigen::Vector3d& from = places[i];
-    const Eigen::Vector3d& to = places[(i + 1) % places.size()];
+    const Eigen::Vector3d& from = positions[i];
+    const Eigen::Vector3d& to = positions[(i + 1) % positions.size()];
     for (int k = 0; k < Samples; ++k)
     {
       curve.push_back(
@@ -249,8 +250,8 @@ void pqShapeLoopWidget::DrawCurve(const Places& places)
   }
   if (segments > 0)
   {
-    curve.push_back(places[segments % places.size()]);
+    curve.push_back(positions[segments % positions.size()]);
   }
   pqShapeDisplay::SetCurve(this->Curve, curve);
-  pqShapeDisplay::SetMarks(this->Marks, places);
+  pqShapeDisplay::SetMarks(this->Marks, positions);
 }

@@ -39,17 +39,17 @@ protected:
 private:
   Q_DISABLE_COPY(pqShapeLoopWidget)
 
-  using Places = std::vector<Eigen::Vector3d>;
+  using Positions = std::vector<Eigen::Vector3d>;
   bool IsDrawing() const;
   /// What is being drawn, or else the filter's loop.
-  Places GetPlaces() const;
-  void SetPlaces(const Places& places);
+  Positions GetPlaces() const;
+  void SetPlaces(const Positions& positions);
   void Close();
-  void DrawCurve(const Places& places);
+  void DrawCurve(const Positions& positions);
 
   QPushButton* Button;
-  Places Drawn;
-  Places Shown; ///< the places that the curve goes through, on that version of the surface
+  Positions Drawn;
+  Positions Shown; ///< the places that the curve goes through, on that version of the surface
   bool ShownClosed = false;
   int ShownVersion = 0;
   int Grabbed = 0;

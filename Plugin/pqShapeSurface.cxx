@@ -186,7 +186,7 @@ bool pqShapeSurface::FindUnder(
   {
     return false;
   }
-  place = this->MakePlace(id, position);
+  place = this->MakeSurfacePoint(id, position);
   return true;
 }
 
@@ -204,7 +204,7 @@ pqShapePlace pqShapeSurface::FindClosest(const Eigen::Vector3d& point) const
     this->Data->GetCell(id, cell);
     cell->GetPoints()->GetPoint(0, closest.data());
   }
-  return this->MakePlace(id, closest);
+  return this->MakeSurfacePoint(id, closest);
 }
 
 double pqShapeSurface::GetSize() const
@@ -212,7 +212,7 @@ double pqShapeSurface::GetSize() const
   return 0.5 * this->Data->GetLength();
 }
 
-pqShapePlace pqShapeSurface::MakePlace(vtkIdType cell, const Eigen::Vector3d& position) const
+pqShapePlace pqShapeSurface::MakeSurfacePoint(vtkIdType cell, const Eigen::Vector3d& position) const
 {
   pqShapePlace place;
   place.Position = position;

@@ -54,7 +54,7 @@ public:
 private:
   void Observe(vtkSMSourceProxy* source, int port);
   void Fetch(double time);
-  pqShapePlace MakePlace(vtkIdType cell, const Eigen::Vector3d& position) const;
+  pqShapePlace MakeSurfacePoint(vtkIdType cell, const Eigen::Vector3d& position) const;
   void Forget();
 
   vtkWeakPointer<vtkSMProperty> Input;

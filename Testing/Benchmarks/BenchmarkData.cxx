@@ -169,7 +169,7 @@ shape::Mesh ReadOff(const std::string& path, bool weld)
   }
   const Eigen::RowVector3d middle =
     0.5 * (mesh.Points.colwise().minCoeff() + mesh.Points.colwise().maxCoeff());
-  mesh.Points = (mesh.Points.rowwise() - middle) / shape::LongestSide(mesh.Points);
+  mesh.Points = (mesh.Points.rowwise() - middle) / shape::ComputeLongestBoxEdge(mesh.Points);
   return weld ? Welded(mesh) : mesh;
 }
 
@@ -196,7 +196,7 @@ shape::Mesh Subdivide(const shape::Mesh& mesh)
     const double share = (4.0 - 2.0 * std::cos(2.0 * Pi / valences(i))) / 9.0;
     fine.Points.row(i) = (1.0 - share) * mesh.Points.row(i) + share * sums.row(i) / valences(i);
   }
-  fine.Points.bottomRows(triangles) = shape::Centroids(mesh);
+  fine.Points.bottomRows(triangles) = shape::ComputeCentroids(mesh);
   int next = 0;
   for (const auto& [edge, triangle] : sides)
   {
@@ -209,7 +209,7 @@ shape::Mesh Subdivide(const shape::Mesh& mesh)
 Eigen::MatrixXd Split(Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
 {
   const int points = static_cast<int>(values.rows());
-  std::map<std::array<int, 2>, int> middles;
+  std::map<std::array<int, 2>, int> midpoints;
   Eigen::MatrixXi fine(4 * triangles.rows(), 3);
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
@@ -220,7 +220,7 @@ Eigen::MatrixXd Split(Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
       const int next = triangles(t, (k + 1) % 3);
       const std::array<int, 2> edge = { std::min(corner[k], next), std::max(corner[k], next) };
       middle[k] =
-        middles.try_emplace(edge, points + static_cast<int>(middles.size())).first->second;
+        midpoints.try_emplace(edge, points + static_cast<int>(midpoints.size())).first->second;
     }
     fine.row(4 * t) << middle[0], middle[1], middle[2];
     for (int k = 0; k < 3; ++k)
@@ -228,9 +228,9 @@ Eigen::MatrixXd Split(Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
       fine.row(4 * t + 1 + k) << corner[k], middle[k], middle[(k + 2) % 3];
     }
   }
-  Eigen::MatrixXd all(points + static_cast<int>(middles.size()), values.cols());
+  Eigen::MatrixXd all(points + static_cast<int>(midpoints.size()), values.cols());
   all.topRows(points) = values;
-  for (const auto& [edge, middle] : middles)
+  for (const auto& [edge, middle] : midpoints)
   {
     all.row(middle) = 0.5 * (values.row(edge[0]) + values.row(edge[1]));
   }
@@ -238,13 +238,13 @@ Eigen::MatrixXd Split(Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
   return all;
 }
 
-TrianglePlaces RandomPlaces(const shape::Mesh& mesh, int each, int most, unsigned int seed)
+TrianglePositions SampleRandomly(const shape::Mesh& mesh, int each, int maximum, unsigned int seed)
 {
   Random random(seed);
   const int triangles = static_cast<int>(mesh.Triangles.rows());
-  const bool all = triangles * each <= most;
-  const int count = all ? triangles * each : most;
-  TrianglePlaces places{ std::vector<int>(count), Eigen::MatrixXd(count, 3),
+  const bool all = triangles * each <= maximum;
+  const int count = all ? triangles * each : maximum;
+  TrianglePositions places{ std::vector<int>(count), Eigen::MatrixXd(count, 3),
     Eigen::MatrixXd(count, 3) };
   for (int i = 0; i < count; ++i)
   {
@@ -262,7 +262,7 @@ TrianglePlaces RandomPlaces(const shape::Mesh& mesh, int each, int most, unsigne
 }
 
 Eigen::MatrixXd Interpolated(
-  const shape::Mesh& mesh, const Eigen::MatrixXd& values, const TrianglePlaces& places)
+  const shape::Mesh& mesh, const Eigen::MatrixXd& values, const TrianglePositions& places)
 {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(places.Weights.rows(), values.cols());
   for (Eigen::Index i = 0; i < result.rows(); ++i)
@@ -295,7 +295,8 @@ Eigen::MatrixXd InteriorPoints(const shape::Mesh& mesh, int count, unsigned int 
     {
       if (depths(i) < 0.0 &&
         (!winding ||
-          std::lround(shape::WindingNumber(mesh.Points, mesh.Triangles, candidates.row(i))) == 1))
+          std::lround(
+            shape::ComputeWindingNumber(mesh.Points, mesh.Triangles, candidates.row(i))) == 1))
       {
         inside.row(found++) = candidates.row(i);
       }
@@ -306,7 +307,7 @@ Eigen::MatrixXd InteriorPoints(const shape::Mesh& mesh, int count, unsigned int 
 
 HarmonicField::HarmonicField(const shape::Mesh& mesh, unsigned int seed)
   : Polynomials(3 * LargestDegree * TermsOfDegree, 7)
-  , ChargePlaces(ChargeCount, 3)
+  , ChargePositions(ChargeCount, 3)
   , Charges(ChargeCount, 3)
 {
   Random random(seed);
@@ -320,12 +321,12 @@ HarmonicField::HarmonicField(const shape::Mesh& mesh, unsigned int seed)
   const shape::SignedDistance distance(mesh);
   for (int i = 0; i < ChargeCount;)
   {
-    const Eigen::RowVector3d place(
+    const Eigen::RowVector3d position(
       2.0 * random() - 1.0, 2.0 * random() - 1.0, 2.0 * random() - 1.0);
-    const double away = distance.Evaluate(place).Distances(0);
+    const double away = distance.Evaluate(position).Distances(0);
     if (away > NearestCharge && away < FarthestCharge)
     {
-      this->ChargePlaces.row(i) = place;
+      this->ChargePositions.row(i) = position;
       // At the closest point of the surface its potential is 0.1.
       this->Charges.row(i) = 0.1 * 4.0 * Pi * away * random.Direction();
       ++i;
@@ -348,7 +349,8 @@ Eigen::MatrixXd HarmonicField::Evaluate(const Eigen::MatrixXd& points) const
     }
     for (Eigen::Index j = 0; j < this->Charges.rows(); ++j)
     {
-      values.row(i) += this->Charges.row(j) / (4.0 * Pi * (y - this->ChargePlaces.row(j)).norm());
+      values.row(i) +=
+        this->Charges.row(j) / (4.0 * Pi * (y - this->ChargePositions.row(j)).norm());
     }
   }
   return values;
@@ -371,7 +373,7 @@ Eigen::MatrixXd Deformed(const Eigen::MatrixXd& points)
   return values;
 }
 
-Eigen::MatrixXd SphereMap(const shape::Mesh& mesh, const std::string& cache)
+Eigen::MatrixXd MapToSphere(const shape::Mesh& mesh, const std::string& cache)
 {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
   RowMajor positions(mesh.Points.rows(), 3);

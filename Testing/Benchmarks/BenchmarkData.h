@@ -21,8 +21,8 @@ shape::Mesh Subdivide(const shape::Mesh& mesh);
 /// of the new points, with means at the middles.
 Eigen::MatrixXd Split(Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
 
-/// Places in triangles: count x 3 positions with the triangle and the barycentric coordinates.
-struct TrianglePlaces
+/// Positions in triangles: count x 3 positions with the triangle and the barycentric coordinates.
+struct TrianglePositions
 {
   std::vector<int> Triangles;
   Eigen::MatrixXd Weights;
@@ -31,11 +31,11 @@ struct TrianglePlaces
 
 /// Evenly distributed over each triangle, as many in each: at most `most` in all, of triangles
 /// drawn at random where there are more.
-TrianglePlaces RandomPlaces(const shape::Mesh& mesh, int each, int most, unsigned int seed);
+TrianglePositions SampleRandomly(const shape::Mesh& mesh, int each, int maximum, unsigned int seed);
 
 /// What values at the points of `mesh` (n x 3) are at the places, linear in each triangle.
 Eigen::MatrixXd Interpolated(
-  const shape::Mesh& mesh, const Eigen::MatrixXd& values, const TrianglePlaces& places);
+  const shape::Mesh& mesh, const Eigen::MatrixXd& values, const TrianglePositions& positions);
 
 /// `count` points evenly distributed inside a closed, outward facing surface: where the signed
 /// distance says so, and with `winding` also the winding number: once inside one that crosses
@@ -56,7 +56,7 @@ public:
 
 private:
   Eigen::MatrixXd Polynomials; ///< one a row: Re a, Im a, weight; degrees and coordinates by turns
-  Eigen::MatrixXd ChargePlaces;
+  Eigen::MatrixXd ChargePositions;
   Eigen::MatrixXd Charges;
 };
 
@@ -64,6 +64,6 @@ private:
 Eigen::MatrixXd Deformed(const Eigen::MatrixXd& points);
 
 /// Data B: the sphere map of a surface by shape::Parameterize, kept in the file `cache`.
-Eigen::MatrixXd SphereMap(const shape::Mesh& mesh, const std::string& cache);
+Eigen::MatrixXd MapToSphere(const shape::Mesh& mesh, const std::string& cache);
 
 } // namespace benchmark

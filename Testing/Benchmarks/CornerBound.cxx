@@ -30,7 +30,7 @@ double AngleBetween(const Direction& a, const Direction& b)
 }
 
 /// The direction in a fan of directions, each at an angle to the one before, at half of the angle.
-Direction MiddleOf(const std::vector<Direction>& fan, double angle)
+Direction MidpointOf(const std::vector<Direction>& fan, double angle)
 {
   double before = 0.0;
   for (std::size_t i = 0; i + 1 < fan.size(); ++i)
@@ -80,7 +80,7 @@ std::vector<Sector> SectorsAround(
     fan.push_back(towards);
     if (i > 0 && creases.count({ corner, point }) > 0)
     {
-      sectors.push_back({ fan.front(), MiddleOf(fan, angle), angle });
+      sectors.push_back({ fan.front(), MidpointOf(fan, angle), angle });
       fan = { towards };
       angle = 0.0;
     }
@@ -116,17 +116,18 @@ double AroundAnEdge(const std::vector<Direction>& along)
       {
         Eigen::Matrix3d face;
         face << products[i], products[j], products[k];
-        const Direction place = shape::ClosestInTriangle(face, Direction::Zero()) * face;
-        nearest = place.squaredNorm() < nearest.squaredNorm() ? place : nearest;
+        const Direction position =
+          shape::FindClosestPointInTriangle(face, Direction::Zero()) * face;
+        nearest = position.squaredNorm() < nearest.squaredNorm() ? position : nearest;
       }
     }
   }
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const Direction& product : products)
   {
-    least = std::min(least, product.dot(nearest.normalized()));
+    minimum = std::min(minimum, product.dot(nearest.normalized()));
   }
-  return std::max(least, 0.0); // 0 is in the hull: every edge is on the wrong side of some patch
+  return std::max(minimum, 0.0); // 0 is in the hull: every edge is on the wrong side of some patch
 }
 
 /// The least scaled Jacobian of hexahedra with three of the edges each, for the best choice of
@@ -186,8 +187,8 @@ double benchmark::CornerBound(const shape::Mesh& surface, const shape::SurfaceFe
   for (const int corner : features.Corners)
   {
     const std::vector<Sector> sectors = SectorsAround(surface, corner, creases);
-    constexpr std::size_t least = 3, most = 8; // patches: of more no bound is computed
-    if (sectors.size() >= least && sectors.size() <= most && IsConvex(sectors))
+    constexpr std::size_t minimum = 3, maximum = 8; // patches: of more no bound is computed
+    if (sectors.size() >= minimum && sectors.size() <= maximum && IsConvex(sectors))
     {
       bound = std::min(bound, BoundOf(sectors));
     }

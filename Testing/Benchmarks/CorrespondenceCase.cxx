@@ -3,8 +3,8 @@
 #include "Cost.h"
 
 #include "Correspondence/Correspondence.h"
-#include "Correspondence/Landmarks/LandmarkCells.h"
 #include "Correspondence/Evaluate/MapErrorCurve.h"
+#include "Correspondence/Landmarks/LandmarkCells.h"
 
 #include <algorithm>
 #include <array>
@@ -107,11 +107,11 @@ shape::CorrespondenceResult Find(const std::string& method, const shape::Mesh& a
   if (method == "LandmarkCells")
   {
     shape::CorrespondenceResult result;
-    result.Maps = shape::LandmarkCells(a, b, landmarks);
-    result.Facts = shape::DescribeMaps(a, b, result.Maps);
+    result.Maps = shape::MapByLandmarkCells(a, b, landmarks);
+    result.Facts = shape::EvaluateMaps(a, b, result.Maps);
     return result;
   }
-  return shape::Correspondence(a, b, landmarks, known.at(method));
+  return shape::ComputeCorrespondence(a, b, landmarks, known.at(method));
 }
 
 /// The map is measured as the files' coordinates are, without ReadOff's change of size.
@@ -134,7 +134,7 @@ shape::MapErrorCurveResult Errors(const shape::Mesh& a, const Eigen::MatrixXd& p
   const shape::Mesh& b, const Eigen::MatrixXd& truth, Eigen::Index stride)
 {
   const auto chosen = Eigen::seq(0, a.Points.rows() - 1, stride);
-  return shape::MapErrorCurve(
+  return shape::ComputeMapErrorCurve(
     a, positions, b, { a.Points(chosen, Eigen::all), truth(chosen, Eigen::all), {} });
 }
 
@@ -144,10 +144,10 @@ void PrintErrors(const std::string& pair, const shape::Mesh& a, const shape::Mes
   std::fflush(stdout); // they may take longer than the map
   constexpr double thousand = 1000.0;
   // Exact geodesics of fine meshes, or to far places, take long: a few hundred tell the mean.
-  constexpr Eigen::Index most = 6000, some = 400;
+  constexpr Eigen::Index maximum = 6000, some = 400;
   const Eigen::Index points = a.Points.rows(), few = std::max<Eigen::Index>(1, points / some);
   const shape::MapErrorCurveResult errors =
-    Errors(a, positions, b, ReadPositions(pair + "/truth.txt"), points > most ? few : 1);
+    Errors(a, positions, b, ReadPositions(pair + "/truth.txt"), points > maximum ? few : 1);
   const bool hasMirrored = static_cast<bool>(std::ifstream(pair + "/mirrored.txt"));
   const double mirrored = hasMirrored
     ? thousand * Errors(a, positions, b, ReadPositions(pair + "/mirrored.txt"), few).Mean
@@ -182,7 +182,7 @@ void Run(char** arguments)
   const benchmark::Cost cost =
     benchmark::Measure([&] { result = Find(method, a, other, landmarks); });
   const Eigen::MatrixXd positions =
-    shape::Pulled(result.Maps.AToB, other.Triangles, b.Points); // where it is not mirrored
+    shape::PullBack(result.Maps.AToB, other.Triangles, b.Points); // where it is not mirrored
   if (path != "none")
   {
     Write(path, positions);

@@ -2,10 +2,10 @@
 #include "BenchmarkData.h"
 #include "Cost.h"
 
-#include "Mesh/Topology.h"
 #include "Deform/ShapeDeformation.h"
+#include "Mesh/OpenSurface.h"
+#include "Mesh/Topology.h"
 #include "Remesh/Coarsening.h"
-#include "Mesh/OpenLoops.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -27,16 +27,16 @@ namespace
 constexpr const char* Usage = R"(deform_case MODEL [POINTS]
 
 A closed surface (OFF) is coarsened to about POINTS (12500), what is below a plane across the y axis
-is cut off, and the rest is deformed by its border: bent over a cylinder, and turned by 60 degrees.
+is cut off, and the rest is deformed by its boundary: bent over a cylinder, and turned by 60 degrees.
 Prints CPU milliseconds on one thread, the median of several runs:
-  graph, prepare    once for a shape and its border
-  deform            the border moved again
+  graph, prepare    once for a shape and its boundary
+  deform            the boundary moved again
 in full and with multiresolution, and of CGAL 5's Surface_mesh_deformation (ORIGINAL_ARAP, all of the
-border as control vertices; GPL, which is why it is linked here only): build and preprocess, one
+boundary as control vertices; GPL, which is why it is linked here only): build and preprocess, one
 iteration. And how far each is from the rigid motion, over the diagonal, CGAL after 10 iterations.
 
-Ends with 1 unless, in the same run, a pass in full takes at most 2 iterations of CGAL's, one with
-multiresolution at most 1/2, the rigid motion is exact to 1e-12, and both resolutions keep the height
+Ends with 1 unless, in the same run, a pass in full takes at maximum 2 iterations of CGAL's, one with
+multiresolution at maximum 1/2, the rigid motion is exact to 1e-12, and both resolutions keep the height
 of the bent shape within 1 %. Set VTK_SMP_MAX_THREADS=1 and OPENBLAS_NUM_THREADS=1.)";
 
 using CgalMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -64,7 +64,7 @@ shape::Mesh Patch(const shape::Mesh& closed)
   std::vector<int> kept;
   for (int t = 0; t < closed.Triangles.rows(); ++t)
   {
-    if (shape::Corners(closed, t).col(1).minCoeff() >= low + (high - low) / 12.0)
+    if (shape::GetCorners(closed, t).col(1).minCoeff() >= low + (high - low) / 12.0)
     {
       kept.push_back(t);
     }
@@ -76,17 +76,17 @@ shape::Mesh Patch(const shape::Mesh& closed)
 }
 
 /// Over a cylinder along x.
-Eigen::MatrixXd Bent(Eigen::MatrixXd places)
+Eigen::MatrixXd Bent(Eigen::MatrixXd positions)
 {
-  const Eigen::RowVector3d middle = places.colwise().mean();
-  const double radius = 0.4 * (places.col(2).maxCoeff() - places.col(2).minCoeff());
-  for (auto row : places.rowwise())
+  const Eigen::RowVector3d middle = positions.colwise().mean();
+  const double radius = 0.4 * (positions.col(2).maxCoeff() - positions.col(2).minCoeff());
+  for (auto row : positions.rowwise())
   {
     const double angle = (row(2) - middle(2)) / radius, distance = radius + row(1) - middle(1);
     row(2) = middle(2) + distance * std::sin(angle);
     row(1) = middle(1) + distance * std::cos(angle) - radius;
   }
-  return places;
+  return positions;
 }
 
 double Largest(const Eigen::MatrixXd& difference)
@@ -105,9 +105,9 @@ class Case
 public:
   explicit Case(const shape::Mesh& surface)
     : Surface(surface)
-    , Loop(shape::OpenLoops(surface).front())
-    , Rim(shape::CurveHandle(surface.Points(this->Loop, Eigen::all), true))
-    , BentRim(Bent(this->Rim.Places))
+    , Loop(shape::FindManifoldBoundaryLoops(surface).front())
+    , Loop(shape::BuildCurveHandle(surface.Points(this->Loop, Eigen::all), true))
+    , BentLoop(Bent(this->Loop.Positions))
     , Turn(Eigen::AngleAxisd(M_PI / 3.0, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix())
   {
   }
@@ -116,16 +116,17 @@ public:
   {
     shape::DeformOptions options;
     options.Multiresolution = resolution;
-    const shape::PointGraph graph = shape::MakePointGraph(this->Surface);
+    const shape::PointGraph graph = shape::BuildPointGraph(this->Surface);
     Result result{};
     std::unique_ptr<shape::ShapeDeformation> prepared;
     result.Prepare =
-      Median(5, [&] { prepared = shape::PrepareDeformation(graph, this->Rim, options); });
-    const shape::HandlePose bent = shape::PoseHandle(this->Rim, this->BentRim);
+      Median(5, [&] { prepared = shape::PrepareDeformation(graph, this->Loop, options); });
+    const shape::HandlePose bent = shape::PoseHandle(this->Loop, this->BentLoop);
     Eigen::MatrixXd points;
     result.Deform = Median(21, [&] { points = prepared->Deform(bent).Points; });
     result.Height = this->Height(points);
-    points = prepared->Deform(shape::PoseHandle(this->Rim, this->Turned(this->Rim.Places))).Points;
+    points =
+      prepared->Deform(shape::PoseHandle(this->Loop, this->Turned(this->Loop.Positions))).Points;
     result.Residual = this->Residual(points);
     return result;
   }
@@ -155,29 +156,30 @@ public:
         }
         arap->preprocess();
       });
-    const auto move = [&](const Eigen::MatrixXd& places)
+    const auto move = [&](const Eigen::MatrixXd& positions)
     {
       for (std::size_t i = 0; i < this->Loop.size(); ++i)
       {
-        const auto place = places.row(static_cast<Eigen::Index>(i));
-        arap->set_target_position(corners[this->Loop[i]], { place(0), place(1), place(2) });
+        const auto position = positions.row(static_cast<Eigen::Index>(i));
+        arap->set_target_position(
+          corners[this->Loop[i]], { position(0), position(1), position(2) });
       }
     };
     const auto points = [&]
     {
-      Eigen::MatrixXd places(this->Surface.Points.rows(), 3);
-      for (Eigen::Index i = 0; i < places.rows(); ++i)
+      Eigen::MatrixXd positions(this->Surface.Points.rows(), 3);
+      for (Eigen::Index i = 0; i < positions.rows(); ++i)
       {
         const auto& point = mesh.point(corners[i]);
-        places.row(i) << point.x(), point.y(), point.z();
+        positions.row(i) << point.x(), point.y(), point.z();
       }
-      return places;
+      return positions;
     };
-    move(this->Turned(this->Rim.Places));
+    move(this->Turned(this->Loop.Positions));
     arap->deform(10, 0.0);
     result.Residual = this->Residual(points());
     arap->reset();
-    move(this->BentRim);
+    move(this->BentLoop);
     result.Deform = Median(21, [&] { arap->deform(1, 0.0); });
     result.Height = this->Height(points());
     return result;
@@ -186,14 +188,14 @@ public:
   double RestHeight() const { return this->Height(this->Surface.Points); }
 
 private:
-  Eigen::MatrixXd Turned(const Eigen::MatrixXd& places) const
+  Eigen::MatrixXd Turned(const Eigen::MatrixXd& positions) const
   {
-    return places * this->Turn.transpose();
+    return positions * this->Turn.transpose();
   }
   double Residual(const Eigen::MatrixXd& points) const
   {
     return Largest(points - this->Turned(this->Surface.Points)) /
-      shape::BoxDiagonal(this->Surface.Points);
+      shape::ComputeBoxDiagonal(this->Surface.Points);
   }
   double Height(const Eigen::MatrixXd& points) const
   {
@@ -202,8 +204,8 @@ private:
 
   shape::Mesh Surface;
   std::vector<int> Loop;
-  shape::BoundaryHandle Rim;
-  Eigen::MatrixXd BentRim;
+  shape::BoundaryHandle Loop;
+  Eigen::MatrixXd BentLoop;
   Eigen::Matrix3d Turn;
 };
 
@@ -211,9 +213,9 @@ bool Compare(const std::string& path, int points)
 {
   using Type = shape::DeformOptions::MultiresolutionType;
   const shape::Mesh surface =
-    Patch(shape::Coarsened(benchmark::ReadOff(path, true), points).Surface);
+    Patch(shape::CoarsenSurface(benchmark::ReadOff(path, true), points).Surface);
   const Case one(surface);
-  const double graph = Median(5, [&] { shape::MakePointGraph(surface); });
+  const double graph = Median(5, [&] { shape::BuildPointGraph(surface); });
   std::printf("%s: %ld points, %ld triangles; graph %.1f ms\n", path.c_str(),
     static_cast<long>(surface.Points.rows()), static_cast<long>(surface.Triangles.rows()), graph);
   const auto report = [](const char* name, const Result& result)

@@ -3,8 +3,8 @@
 
 #include "ExponentialMap/ExponentialFacts.h"
 #include "ExponentialMap/ExponentialMap.h"
-#include "Parameterize/FlipMending.h"
 #include "ExponentialMap/PatchLayout.h"
+#include "Parameterize/FlipRepair.h"
 
 #include <algorithm>
 #include <array>
@@ -22,24 +22,24 @@ namespace
 
 constexpr const char* Usage = R"(exponential_map_case MODEL SHARE JITTER SEEDS
 
-MODEL   an OFF file; points at the same place are joined, the longest side of its box is made 1
+MODEL   an OFF file; points at the same position are joined, the longest side of its box is made 1
 SHARE   of the diagonal of the box: the radius
 JITTER  each point is moved by a random vector from a ball of so many mean edges
-SEEDS   how many, at random places
+SEEDS   how many, at random positions
 
 Prints a line for eq. 10 (single), eq. 11 (mean) and eq. 11 with smoothed normals (smoothed): the
 percentages of triangles that are flipped and of those that are not torn, of patches without a flip
 but torn ones, before and after mending, the mean over patches of the median symmetric Dirichlet
 measure and of the 95th percentile of the conformal distortion, and microseconds of a CPU for each
 patch, the best of several runs in turn: of the map alone, and with all that the filter does (the
-seed's place, distortion, overlaps).)";
+seed's position, distortion, overlaps).)";
 
 shape::Mesh Jittered(shape::Mesh mesh, double jitter)
 {
   double sum = 0.0;
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    const Eigen::Matrix3d corners = shape::Corners(mesh, t);
+    const Eigen::Matrix3d corners = shape::GetCorners(mesh, t);
     for (int k = 0; k < 3; ++k)
     {
       sum += (corners.row((k + 1) % 3) - corners.row(k)).norm();
@@ -86,12 +86,14 @@ void Measure(Method& method, const shape::ExponentialPatch& patch, double radius
   const int untorn = UntornFlips(patch);
   method.Untorn += untorn;
   method.Clean += untorn == 0 ? 1 : 0;
-  Eigen::MatrixXd places = patch.Places;
-  method.Mended +=
-    untorn == shape::MendFlips(shape::PatchSurface(method.Map.Surface(), patch), places, patch.Torn)
+  Eigen::MatrixXd positions = patch.Positions;
+  method.Mended += untorn ==
+      shape::RepairFlips(
+        shape::BuildPatchSurface(method.Map.Surface(), patch), positions, patch.Torn)
     ? 1
     : 0;
-  const shape::ExponentialFacts facts = shape::FactsOf(method.Map.Surface(), patch, radius);
+  const shape::ExponentialFacts facts =
+    shape::ComputeExponentialFacts(method.Map.Surface(), patch, radius);
   method.Dirichlet += facts.SymmetricDirichlet.Median;
   method.Conformal += facts.ConformalDistortion.Percentile95;
 }
@@ -107,16 +109,16 @@ void Run(const std::string& model, double share, double jitter, int count)
 {
   constexpr int runs = 7;
   const shape::Mesh mesh = Jittered(benchmark::ReadOff(model, true), jitter);
-  const double radius = share * shape::BoxDiagonal(mesh.Points);
+  const double radius = share * shape::ComputeBoxDiagonal(mesh.Points);
   std::array<Method, 3> methods = { Method{ "single", shape::ExponentialMap(mesh, { false, 0 }) },
     Method{ "mean", shape::ExponentialMap(mesh, { true, 0 }) },
     Method{ "smoothed", shape::ExponentialMap(mesh) } };
-  const Eigen::MatrixXd places = shape::RandomPlaces(mesh, count, 7);
+  const Eigen::MatrixXd positions = shape::SampleRandomly(mesh, count, 7);
   const shape::SurfaceLocator locator(mesh);
-  std::vector<shape::ClosestPlace> seeds;
-  for (const auto& place : places.rowwise())
+  std::vector<shape::ClosestPoint> seeds;
+  for (const auto& position : positions.rowwise())
   {
-    seeds.push_back(locator.FindOne(place));
+    seeds.push_back(locator.FindOne(position));
   }
   // In turn, so that what else the machine does falls on all; all seeds, so that each is met anew.
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -144,9 +146,10 @@ void Run(const std::string& model, double share, double jitter, int count)
       options.Radius = radius;
       for (std::size_t i = 0; i < seeds.size(); ++i)
       {
-        const Eigen::RowVector3d place = seeds[i].Position;
+        const Eigen::RowVector3d position = seeds[i].Position;
         best[i][3 + m] = std::min(best[i][3 + m],
-          Seconds([&] { LayOutPatch(method.Map, place, Eigen::RowVector3d::Zero(), options); }));
+          Seconds(
+            [&] { FlattenPatch(method.Map, position, Eigen::RowVector3d::Zero(), options); }));
       }
     }
   }

@@ -1,7 +1,7 @@
-// Measures the sums of 1/r, as lines "name value ...", for FastSummation.py. All times are CPU
+// Measures the sums of 1/r, as lines "name value ...", for FmmSummation.py. All times are CPU
 // seconds of the process, medians of five.
-#include "Fmm/FastSummation.h"
 #include "Fmm/DirectSummation.h"
+#include "Fmm/FmmSummation.h"
 
 #include <hwy/targets.h>
 
@@ -105,19 +105,20 @@ Eigen::MatrixXd Inside(int count)
 void Compare(const std::string& name, const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
   const Eigen::MatrixXd& charges, double tolerance)
 {
-  shape::FastSummationOptions options;
-  options.Method = shape::FastSummationOptions::MethodType::Multipole;
+  shape::FmmSummationOptions options;
+  options.Method = shape::FmmSummationOptions::MethodType::Multipole;
   options.Tolerance = tolerance;
-  const double setUp = Median([&] { shape::FastSummation(sources, points, options); });
-  const shape::FastSummation fast(sources, points, options);
+  const double setUp = Median([&] { shape::FmmSummation(sources, points, options); });
+  const shape::FmmSummation fast(sources, points, options);
   Eigen::MatrixXd potentials;
   const double sum = Median([&] { potentials = fast.Potentials(charges); });
   const double gradients = Median([&] { fast.Gradients(charges); });
   const Eigen::VectorXi some = Eigen::VectorXi::LinSpaced(2000, 0, points.rows() - 1);
-  const Eigen::MatrixXd places = points(some, Eigen::all);
+  const Eigen::MatrixXd positions = points(some, Eigen::all);
   const Eigen::MatrixXd error =
-    potentials(some, Eigen::all) - shape::DirectPotentials(sources, charges, places);
-  const Eigen::MatrixXd sizes = shape::DirectPotentials(sources, charges.cwiseAbs(), places);
+    potentials(some, Eigen::all) - shape::SumPotentialsDirectly(sources, charges, positions);
+  const Eigen::MatrixXd sizes =
+    shape::SumPotentialsDirectly(sources, charges.cwiseAbs(), positions);
   std::printf("%s %ld %ld %g %g %g %g %g %g\n", name.c_str(), long(sources.rows()),
     long(points.rows()), tolerance, setUp, sum, gradients, error.norm() / sizes.norm(),
     (error.array() / sizes.array()).abs().maxCoeff());
@@ -148,8 +149,8 @@ int main()
     const Eigen::MatrixXd points = surface.topRows(20000);
     const double pairs = double(m) * points.rows();
     std::printf("direct %d %g %g\n", columns,
-      pairs / Median([&] { shape::DirectPotentials(sources, few, points); }),
-      pairs / Median([&] { shape::DirectGradients(sources, few, points); }));
+      pairs / Median([&] { shape::SumPotentialsDirectly(sources, few, points); }),
+      pairs / Median([&] { shape::SumGradientsDirectly(sources, few, points); }));
     std::fflush(stdout);
   }
   for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 2e-12 })

@@ -2,11 +2,11 @@
 #include "BenchmarkData.h"
 #include "Cost.h"
 
-#include "Mesh/Topology.h"
 #include "Fill/FillHoles.h"
-#include "Fill/Private/PatchCrossings.h"
-#include "Mesh/BorderLoops.h"
+#include "Fill/Private/PatchSelfIntersections.h"
 #include "Laplacian/CotangentWeights.h"
+#include "Mesh/BoundaryLoops.h"
+#include "Mesh/Topology.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
@@ -37,7 +37,7 @@ below 0.1 % (20), 0.6 % (40) and 4 % (70 and 110), and, up to 70, below five tim
 
 With models (OFF): all of their holes; triangles, the mean angle between the normals at the rims and
 those of the surface there, pairs of triangles that meet, one of them new, and CPU seconds. Points at
-the same place are left as they are. CGAL's loops are its extract_boundary_cycles'. Ends with 1 unless
+the same position are left as they are. CGAL's loops are its extract_boundary_cycles'. Ends with 1 unless
 Automatic leaves no hole open, and no more pairs that meet than CGAL and each of our methods; --none:
 none at all.)";
 
@@ -61,11 +61,11 @@ shape::Mesh FineIcosahedron(int count)
   {
     const int shares[3] = { count - i - j, i, j };
     std::array<std::array<int, 2>, 3> key;
-    Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
+    Eigen::RowVector3d position = Eigen::RowVector3d::Zero();
     for (int k = 0; k < 3; ++k)
     {
       key[k] = { shares[k] > 0 ? face(k) : -1, shares[k] };
-      place += shares[k] * corners.row(face(k));
+      position += shares[k] * corners.row(face(k));
     }
     std::sort(key.begin(), key.end());
     const auto [entry, isNew] =
@@ -73,7 +73,7 @@ shape::Mesh FineIcosahedron(int count)
         static_cast<int>(points.size()));
     if (isNew)
     {
-      points.emplace_back(place.normalized());
+      points.emplace_back(position.normalized());
     }
     return entry->second;
   };
@@ -105,7 +105,7 @@ shape::Mesh WithoutCap(const shape::Mesh& sphere, double degrees)
   const Eigen::RowVector3d axis = Eigen::RowVector3d(0.3, -0.5, 0.8).normalized();
   shape::Mesh open = sphere;
   Eigen::Index kept = 0;
-  const Eigen::MatrixXd centres = shape::Centroids(sphere);
+  const Eigen::MatrixXd centres = shape::ComputeCentroids(sphere);
   for (Eigen::Index t = 0; t < centres.rows(); ++t)
   {
     if (centres.row(t).normalized().dot(axis) < std::cos(degrees * M_PI / 180.0))
@@ -247,7 +247,7 @@ double AngleAcross(const shape::Mesh& surface, Eigen::Index old)
       entry[t < old ? 0 : 1] = t;
     }
   }
-  const Eigen::MatrixXd normals = shape::AreaVectors(surface).rowwise().normalized();
+  const Eigen::MatrixXd normals = shape::ComputeAreaVectors(surface).rowwise().normalized();
   double sum = 0.0;
   int count = 0;
   for (const auto& [edge, triangles] : beside)
@@ -307,10 +307,10 @@ struct Soundness
 Soundness Report(const char* name, const Run& run, const shape::Mesh& open)
 {
   const auto old = static_cast<int>(open.Triangles.rows());
-  const Soundness is{ shape::BorderLoops(run.Surface).Loops.size(),
-    shape::PatchCrossings(run.Surface, old).size() };
+  const Soundness is{ shape::FindBoundaryLoops(run.Surface).Loops.size(),
+    shape::FindPatchSelfIntersections(run.Surface, old).size() };
   std::printf("  %-12s new=%ld open=%zu across=%.2f crossings=%zu seconds=%.4f\n", name,
-    long(run.Surface.Triangles.rows() - old), is.OpenLoops, AngleAcross(run.Surface, old),
+    long(run.Surface.Triangles.rows() - old), is.BoundaryLoops, AngleAcross(run.Surface, old),
     is.Crossings, run.Seconds);
   std::fflush(stdout);
   return is;
@@ -320,17 +320,17 @@ bool CompareOnModel(const std::string& path, bool mayMeet)
 {
   const shape::Mesh open = benchmark::ReadOff(path, false);
   std::printf("%s: %ld triangles, %d loops, %zu that do not touch themselves\n", path.c_str(),
-    long(open.Triangles.rows()), shape::SurfaceTopology(open).OpenLoops,
-    shape::BorderLoops(open).Loops.size());
-  std::size_t least = Report("CGAL", Cgals(open), open).Crossings;
+    long(open.Triangles.rows()), shape::ComputeTopology(open).BoundaryLoops,
+    shape::FindBoundaryLoops(open).Loops.size());
+  std::size_t minimum = Report("CGAL", Cgals(open), open).Crossings;
   Soundness automatic;
   for (const auto& [name, method] : Methods)
   {
     const Soundness is = Report(name, Ours(open, method), open);
-    least = std::min(least, is.Crossings);
+    minimum = std::min(minimum, is.Crossings);
     automatic = method == shape::FillMethod::Automatic ? is : automatic;
   }
-  return automatic.OpenLoops == 0 && automatic.Crossings <= (mayMeet ? least : 0);
+  return automatic.BoundaryLoops == 0 && automatic.Crossings <= (mayMeet ? minimum : 0);
 }
 
 } // namespace

@@ -174,7 +174,7 @@ FiniteElementResult SolveByFiniteElements(
 {
   const double start = CpuSeconds();
   const double cell =
-    shape::EnclosedVolume(surface) / (6.0 * static_cast<double>(surface.Points.rows()));
+    shape::ComputeEnclosedVolume(surface) / (6.0 * static_cast<double>(surface.Points.rows()));
   // The mean tetrahedron has about half the volume of the bound.
   const double bound = options.Refine > 0.0 ? 2.0 * cell / options.Refine : 0.0;
   const Eigen::MatrixXd noHoles(0, 3);

@@ -3,15 +3,15 @@
 #include "Cost.h"
 
 #include "Base/Errors.h"
-#include "Mesh/HalfEdges.h"
-#include "Geometry/Orientation.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
-#include "Parameterize/ConformalFlattening.h"
 #include "Geodesics/EdgeGeodesics.h"
 #include "Geodesics/FarthestPoints.h"
-#include "Parameterize/Parameterize.h"
+#include "Geometry/Orientation.h"
+#include "Mesh/HalfEdges.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfaceCut.h"
+#include "Mesh/Topology.h"
+#include "Parameterize/ConformalFlattening.h"
+#include "Parameterize/Parameterize.h"
 
 #include <array>
 #include <cmath>
@@ -28,7 +28,7 @@ namespace
 
 constexpr const char* Usage = R"(flat_case MODEL
 
-MODEL  an OFF file; points at the same place are joined, the longest side of its box is made 1
+MODEL  an OFF file; points at the same position are joined, the longest side of its box is made 1
 
 Prints a line of what the surface is; where it is one component of genus 0 then one for each map:
 its name, triangles that exact orientations call flipped (-1 where the map is refused), the mean
@@ -45,8 +45,8 @@ int FlipsOnSphere(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& image
   for (const auto& corners : triangles.rowwise())
   {
     // The origin lies behind a triangle that faces outwards.
-    flips += shape::Orientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2)),
-               Eigen::RowVector3d::Zero()) >= 0;
+    flips += shape::EvaluateOrientation(image.row(corners(0)), image.row(corners(1)),
+               image.row(corners(2)), Eigen::RowVector3d::Zero()) >= 0;
   }
   return flips;
 }
@@ -56,8 +56,8 @@ int FlipsInPlane(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& image)
   int flips = 0;
   for (const auto& corners : triangles.rowwise())
   {
-    flips += shape::Orientation(image.row(corners(0)).head<2>(), image.row(corners(1)).head<2>(),
-               image.row(corners(2)).head<2>()) <= 0;
+    flips += shape::EvaluateOrientation(image.row(corners(0)).head<2>(),
+               image.row(corners(1)).head<2>(), image.row(corners(2)).head<2>()) <= 0;
   }
   return flips;
 }
@@ -98,7 +98,7 @@ void Report(const std::string& name, const shape::Mesh& mesh, const Eigen::Matri
 shape::Mesh CutAlongTree(const shape::Mesh& mesh, const std::vector<int>& points)
 {
   std::vector<std::vector<int>> neighbours(mesh.Points.rows());
-  for (const shape::HalfEdge& side : shape::SortedHalfEdges(mesh.Triangles, mesh.Points.rows()))
+  for (const shape::HalfEdge& side : shape::SortHalfEdges(mesh.Triangles, mesh.Points.rows()))
   {
     neighbours[side.Begin].push_back(side.End);
   }
@@ -106,7 +106,7 @@ shape::Mesh CutAlongTree(const shape::Mesh& mesh, const std::vector<int>& points
   std::vector<std::array<int, 2>> edges;
   for (const int point : points)
   {
-    const Eigen::VectorXd distances = shape::EdgeGeodesics(
+    const Eigen::VectorXd distances = shape::ComputeEdgeGeodesics(
       mesh, { { tree.begin(), tree.end() }, Eigen::VectorXd::Zero(tree.size()) });
     // Down to the tree, each time to where the path from there led.
     for (int at = point; distances(at) > 0.0;)
@@ -128,7 +128,7 @@ shape::Mesh CutAlongTree(const shape::Mesh& mesh, const std::vector<int>& points
       at = next;
     }
   }
-  return shape::CutAlong(mesh, edges).Surface;
+  return shape::CutAlongEdges(mesh, edges).Surface;
 }
 
 void MapToPlane(const shape::Mesh& mesh, bool hasOneLoop)
@@ -150,23 +150,23 @@ void Run(const std::string& path)
 {
   shape::Mesh mesh = benchmark::ReadOff(path, true);
   const shape::Topology topology = shape::RequireManifold(mesh, "the surface");
-  const double genus = 0.5 * (2 - topology.OpenLoops - topology.EulerNumber);
+  const double genus = 0.5 * (2 - topology.BoundaryLoops - topology.EulerNumber);
   std::printf("points=%td triangles=%td components=%d loops=%d genus=%g\n", mesh.Points.rows(),
-    mesh.Triangles.rows(), topology.Components, topology.OpenLoops, genus);
+    mesh.Triangles.rows(), topology.Components, topology.BoundaryLoops, genus);
   if (topology.Components != 1 || genus != 0.0)
   {
     return;
   }
   mesh = shape::SplitComponents(mesh).front(); // without points that no triangle uses
-  if (topology.OpenLoops > 0)
+  if (topology.BoundaryLoops > 0)
   {
-    MapToPlane(mesh, topology.OpenLoops == 1);
+    MapToPlane(mesh, topology.BoundaryLoops == 1);
     return;
   }
-  mesh = shape::FacingOutwards(mesh);
+  mesh = shape::OrientOutwards(mesh);
   Report("Sphere", mesh, Eigen::MatrixXd(0, 3), {});
   constexpr int branches = 12;
-  std::vector<int> far = shape::FarthestPoints(mesh, branches + 1);
+  std::vector<int> far = shape::SampleFarthestPoints(mesh, branches + 1);
   far.erase(far.begin()); // which is anywhere
   shape::ParameterizeOptions options;
   options.Domain = Domain::Orbifold;

@@ -4,9 +4,9 @@
 #include "Cost.h"
 
 #include "Base/Errors.h"
+#include "Hex/HexRemesh.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Hex/HexRemesh.h"
 
 #include <cstdio>
 #include <exception>
@@ -19,7 +19,7 @@ namespace
 
 constexpr const char* Usage = R"(hex_case MODEL METHOD [CellSize=...] [MaximumHexahedra=...]
 
-MODEL   an OFF file: a closed surface; points at the same place are joined
+MODEL   an OFF file: a closed surface; points at the same position are joined
 METHOD  Automatic, Polycube or Grid
 CellSize: in hundredths of the diagonal of the surface's box
 
@@ -50,16 +50,16 @@ void Run(
     { "Polycube", Method::Polycube }, { "Grid", Method::Grid } };
   const shape::Mesh surface = Read(path);
   const shape::Topology wanted = shape::RequireClosedSurface(surface, path);
-  const double diagonal = shape::BoxDiagonal(surface.Points);
+  const double diagonal = shape::ComputeBoxDiagonal(surface.Points);
   shape::HexRemeshOptions options = settings;
   options.Method = methods.at(method);
   options.CellSize *= 0.01 * diagonal;
   shape::HexRemeshResult result;
   const benchmark::Cost cost =
-    benchmark::Measure([&] { result = shape::HexRemesh(surface, options); });
+    benchmark::Measure([&] { result = shape::RemeshHexahedra(surface, options); });
   const shape::HexFit& fit = result.Fit;
   const shape::Topology found =
-    shape::SurfaceTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
+    shape::ComputeTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
   std::printf(
     "vertices=%d method=%s hexes=%d min=%.4f mean=%.4f inverted=%d distance=%.4f "
     "patches=%d corners=%d cornerskept=%d creases=%d crease=%.4f share=%.3f bound=%.4f released=%d "
@@ -67,12 +67,12 @@ void Run(
     "euler=%d wantedeuler=%d "
     "components=%d wantedcomponents=%d cpu=%.1f wall=%.1f mib=%.0f reason=%s\n",
     static_cast<int>(surface.Points.rows()), result.Method == Method::Grid ? "Grid" : "Polycube",
-    static_cast<int>(fit.Solid.Hexahedra.rows()), fit.LeastScaledJacobian, fit.MeanScaledJacobian,
+    static_cast<int>(fit.Solid.Hexahedra.rows()), fit.MinimumScaledJacobian, fit.MeanScaledJacobian,
     fit.Inverted, 100.0 * fit.Distance / diagonal, fit.PatchOf.maxCoeff() + 1,
     static_cast<int>(result.Features.Corners.size()),
     static_cast<int>(fit.Creases.CornerPoints.size()), fit.CreasesKept ? 1 : 0,
     100.0 * fit.Creases.Distance / diagonal, result.Features.CurveShare(),
-    fit.CreasesKept ? benchmark::CornerBound(shape::FacingOutwards(surface), result.Features) : 1.0,
+    fit.CreasesKept ? benchmark::CornerBound(shape::OrientOutwards(surface), result.Features) : 1.0,
     fit.Released, result.Crossings, found.EulerNumber, wanted.EulerNumber, found.Components,
     wanted.Components, cost.Cpu, cost.Wall, cost.MiB, result.Reason.c_str());
 }

@@ -3,10 +3,10 @@
 #include "Cost.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "CutPaste/CutFeature.h"
 #include "CutPaste/PasteFeature.h"
 #include "ExponentialMap/ExponentialMap.h"
+#include "Mesh/Topology.h"
 #include "Planar/PlanarLocator.h"
 
 #include <Eigen/Geometry>
@@ -26,17 +26,17 @@ namespace
 constexpr const char* Usage = R"(paste_case drop FEATURE TARGET SEED
 paste_case drag FEATURE TARGET TRIANGLES UPDATES
 
-FEATURE, TARGET  OFF files; points at the same place are joined, the longest side of each box is
+FEATURE, TARGET  OFF files; points at the same position are joined, the longest side of each box is
                  made 1
-drop  cuts a feature at a place drawn with SEED, of a radius drawn between 0.05 and 0.12 of the
-      diagonal; sets it down where it was cut, then at a place of the target with a rotation drawn
+drop  cuts a feature at a position drawn with SEED, of a radius drawn between 0.05 and 0.12 of the
+      diagonal; sets it down where it was cut, then at a position of the target with a rotation drawn
       likewise, and as large as 0.05 to 0.1 of the target's diagonal. Prints a line: the feature's
-      triangles and Euler number; how far points are off in place, over the diagonal; "refused" and
+      triangles and Euler number; how far points are off in position, over the diagonal; "refused" and
       the reason, or the Euler numbers of the target and the result, how many open loops both have,
       points and edges of the result that are not manifold, and the angles between the feature's and
       the target's normals at each point of the loop, before and after.
 drag  cuts a feature of about so many triangles and drags it over the target: prints the seconds of
-      an update in the mean, and how many places were refused.)";
+      an update in the mean, and how many positions were refused.)";
 
 /// A feature around a point, cut along a circle of the exponential map.
 struct Feature
@@ -50,13 +50,13 @@ std::optional<Feature> CutAround(const shape::Mesh& surface, int point, double r
   shape::ExponentialMap map(surface);
   const shape::ExponentialPatch patch =
     map.Around(Eigen::RowVector3d(surface.Points.row(point)), 1.5 * radius);
-  const shape::PlanarLocator inPlane(patch.Places, patch.Corners);
+  const shape::PlanarLocator inPlane(patch.Positions, patch.Corners);
   constexpr int corners = 48;
   Eigen::MatrixXd curve(corners, 3);
   for (int i = 0; i < corners; ++i)
   {
     const double angle = 2.0 * M_PI * i / corners;
-    const shape::PlanarPlace at =
+    const shape::PlanarPoint at =
       inPlane.Find(radius * Eigen::RowVector2d(std::cos(angle), std::sin(angle)));
     if (at.Triangle < 0)
     {
@@ -83,16 +83,16 @@ int RandomPoint(std::mt19937& random, const shape::Mesh& mesh)
 }
 
 /// How far the loop is from the seed, in the mean.
-double LoopRadius(const shape::FeatureBase& base)
+double LoopRadius(const shape::FeatureFootprint& base)
 {
-  return base.LoopPlaces.rowwise().norm().mean();
+  return base.LoopPositions.rowwise().norm().mean();
 }
 
 void Drop(const std::string& from, const std::string& to, unsigned int seed)
 {
   const shape::Mesh source = benchmark::ReadOff(from, true), goal = benchmark::ReadOff(to, true);
   std::mt19937 random(seed);
-  const double size = shape::BoxDiagonal(source.Points);
+  const double size = shape::ComputeBoxDiagonal(source.Points);
   std::optional<Feature> feature;
   int draws = 0;
   for (; !feature && draws < 50; ++draws)
@@ -107,13 +107,13 @@ void Drop(const std::string& from, const std::string& to, unsigned int seed)
     }
   }
   const shape::Mesh& part = feature->Cut.Feature.Surface;
-  const shape::FeatureBase& base = *feature->Cut.Base;
+  const shape::FeatureFootprint& base = *feature->Cut.Base;
   std::printf("draws=%d triangles=%d euler=%d loop=%d ", draws,
-    static_cast<int>(part.Triangles.rows()), shape::SurfaceTopology(part).EulerNumber,
+    static_cast<int>(part.Triangles.rows()), shape::ComputeTopology(part).EulerNumber,
     static_cast<int>(base.Loop.size()));
   const shape::PastePlacement elsewhere{ goal.Points.row(RandomPoint(random, goal)),
     Uniform(random, -180.0, 180.0),
-    Uniform(random, 0.05, 0.1) * shape::BoxDiagonal(goal.Points) / LoopRadius(base) };
+    Uniform(random, 0.05, 0.1) * shape::ComputeBoxDiagonal(goal.Points) / LoopRadius(base) };
   try
   {
     const shape::FeatureToPaste paste(part, base);
@@ -128,11 +128,11 @@ void Drop(const std::string& from, const std::string& to, unsigned int seed)
         size);
     shape::PasteTarget target(goal);
     const shape::PastedFeature pasted = paste.PasteOn(target, elsewhere);
-    const shape::Topology before = shape::SurfaceTopology(goal);
-    const shape::Topology after = shape::SurfaceTopology(pasted.Surface);
+    const shape::Topology before = shape::ComputeTopology(goal);
+    const shape::Topology after = shape::ComputeTopology(pasted.Surface);
     std::printf("conformal=%d%d target=%d result=%d open=%d,%d nonmanifold=%d before=",
-      base.ConformalRadius > 0.0 ? 1 : 0, static_cast<int>(pasted.Place.Layout), before.EulerNumber,
-      after.EulerNumber, before.OpenLoops, after.OpenLoops,
+      base.ConformalRadius > 0.0 ? 1 : 0, static_cast<int>(pasted.Position.Layout),
+      before.EulerNumber, after.EulerNumber, before.BoundaryLoops, after.BoundaryLoops,
       after.NonManifoldEdges + after.NonManifoldPoints + after.MisorientedEdges);
     for (const double angle : pasted.AnglesBefore)
     {
@@ -161,7 +161,7 @@ void Drag(const std::string& from, const std::string& to, int triangles, int upd
   {
     // As large as it must be for so many triangles.
     const int middle = RandomPoint(random, source);
-    double low = 0.0, high = 0.5 * shape::BoxDiagonal(source.Points);
+    double low = 0.0, high = 0.5 * shape::ComputeBoxDiagonal(source.Points);
     for (int step = 0; step < 20; ++step)
     {
       const double radius = (low + high) / 2.0;
@@ -179,8 +179,8 @@ void Drag(const std::string& from, const std::string& to, int triangles, int upd
   }
   const shape::FeatureToPaste paste(feature->Cut.Feature.Surface, *feature->Cut.Base);
   shape::PasteTarget target(goal);
-  shape::PastePlacement place;
-  place.Scale = 0.08 * shape::BoxDiagonal(goal.Points) / LoopRadius(*feature->Cut.Base);
+  shape::PastePlacement position;
+  position.Scale = 0.08 * shape::ComputeBoxDiagonal(goal.Points) / LoopRadius(*feature->Cut.Base);
   shape::PasteFeatureOptions options;
   options.Dragging = true;
   int refused = 0;
@@ -192,11 +192,11 @@ void Drag(const std::string& from, const std::string& to, int triangles, int upd
       for (int i = 0; i < updates; ++i)
       {
         const double share = static_cast<double>(i) / updates;
-        place.Seed = (1.0 - share) * at + share * to2;
-        place.Rotation = 360.0 * share;
+        position.Seed = (1.0 - share) * at + share * to2;
+        position.Rotation = 360.0 * share;
         try
         {
-          paste.PasteOn(target, place, options);
+          paste.PasteOn(target, position, options);
         }
         catch (const shape::InvalidInput&)
         {

@@ -1,5 +1,5 @@
-// Points and an outline in the plane, triangulated by PlanarDelaunay and by vtkDelaunay2D in one
-// run.
+// Points and an outline in the plane, triangulated by TriangulateInPlane and by vtkDelaunay2D in
+// one run.
 #include "Cost.h"
 
 #include "Base/Errors.h"
@@ -26,7 +26,7 @@ namespace
 
 constexpr const char* Usage = R"(planar_delaunay KIND POINTS
 
-KIND  random: in a square; grid: of a square lattice; circle: an outline; clustered: most near a
+KIND  random: in a square; grid: of a square lattice; circle: an outline; clustered: maximum near a
       corner of the square
 
 Prints how many triangles the points' hull, or the outline, has, and of each program how many it
@@ -39,7 +39,7 @@ On one core of a shared machine:
   clustered 1000     1978: all in 1.3 ms; all but 300 in 70 ms
   clustered 20000    39966: all in 29 ms; it ends with a segmentation fault)";
 
-Eigen::MatrixXd Places(const std::string& kind, int count)
+Eigen::MatrixXd Positions(const std::string& kind, int count)
 {
   std::mt19937 random(static_cast<unsigned int>(count));
   const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -89,7 +89,7 @@ int PointsOfHull(const Eigen::MatrixXd& points)
     for (const int point : order)
     {
       while (chain.size() > 1 &&
-        shape::Orientation(Eigen::RowVector2d(points.row(chain[chain.size() - 2])),
+        shape::EvaluateOrientation(Eigen::RowVector2d(points.row(chain[chain.size() - 2])),
           Eigen::RowVector2d(points.row(chain.back())), Eigen::RowVector2d(points.row(point))) < 0)
       {
         chain.pop_back();
@@ -115,7 +115,7 @@ int main(int argc, char** argv)
     {
       throw shape::InvalidInput(Usage);
     }
-    const Eigen::MatrixXd points = Places(argv[1], std::atoi(argv[2]));
+    const Eigen::MatrixXd points = Positions(argv[1], std::atoi(argv[2]));
     const auto count = static_cast<int>(points.rows());
     const bool isOutline = std::string(argv[1]) == "circle";
     std::printf("wanted %d\n",
@@ -127,18 +127,18 @@ int main(int argc, char** argv)
     }
     shape::PlanarTriangulation own;
     const benchmark::Cost cost =
-      benchmark::Measure([&] { own = shape::PlanarDelaunay(points, segments); });
+      benchmark::Measure([&] { own = shape::TriangulateInPlane(points, segments); });
     std::printf("ours %td in %.1f ms\n", own.Triangles.rows(), 1e3 * cost.Cpu);
     std::fflush(stdout);
 
-    vtkNew<vtkPoints> places;
-    places->SetDataTypeToDouble();
+    vtkNew<vtkPoints> positions;
+    positions->SetDataTypeToDouble();
     for (const auto& point : points.rowwise())
     {
-      places->InsertNextPoint(point(0), point(1), 0.0);
+      positions->InsertNextPoint(point(0), point(1), 0.0);
     }
     vtkNew<vtkPolyData> data, outline;
-    data->SetPoints(places);
+    data->SetPoints(positions);
     vtkNew<vtkDelaunay2D> peer;
     peer->SetInputData(data);
     peer->SetTolerance(0.0);
@@ -150,7 +150,7 @@ int main(int argc, char** argv)
       {
         polygon->InsertCellPoint(i);
       }
-      outline->SetPoints(places);
+      outline->SetPoints(positions);
       outline->SetPolys(polygon);
       peer->SetSourceData(outline);
     }

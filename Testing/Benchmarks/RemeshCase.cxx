@@ -54,7 +54,7 @@ int main(int argc, char** argv)
     options.EdgeLength = std::stod(argv[2]);
     options.Rounds = std::stoi(argv[3]);
     options.CreaseAngle = std::stod(argv[4]);
-    Write(argv[5], shape::IsotropicRemesh(benchmark::ReadOff(argv[1], false), options));
+    Write(argv[5], shape::RemeshIsotropically(benchmark::ReadOff(argv[1], false), options));
   }
   catch (const std::exception& problem)
   {

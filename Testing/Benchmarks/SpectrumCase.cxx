@@ -17,8 +17,8 @@ namespace
 
 constexpr const char* Usage = R"(spectrum_case MODEL PAIRS FILE
 
-MODEL  an OFF file; points at the same place are joined, the longest side of its box is made 1
-PAIRS  how many of the least eigenvalues
+MODEL  an OFF file; points at the same position are joined, the longest side of its box is made 1
+PAIRS  how many of the minimum eigenvalues
 FILE   is written: the matrices that the pairs are of, as doubles: n, the n masses, the number of
        entries of the stiffness, their rows, columns and values
 
@@ -55,10 +55,10 @@ void Run(const std::string& model, int pairs, const std::string& path)
   const shape::Mesh mesh = benchmark::ReadOff(model, true);
   shape::LaplaceSpectrum spectrum;
   const benchmark::Cost cost =
-    benchmark::Measure([&] { spectrum = shape::FindLaplaceSpectrum(mesh, pairs); });
-  const shape::IntrinsicTriangles flat = shape::IntrinsicDelaunay(mesh);
-  const Eigen::SparseMatrix<double> stiffness = shape::CotangentStiffness(
-    flat.Triangles, shape::AnglesOfSides(flat.Sides).Cotangents, mesh.Points.rows());
+    benchmark::Measure([&] { spectrum = shape::SolveLaplaceEigenproblem(mesh, pairs); });
+  const shape::IntrinsicTriangles flat = shape::BuildIntrinsicDelaunay(mesh);
+  const Eigen::SparseMatrix<double> stiffness = shape::BuildCotangentStiffness(
+    flat.Triangles, shape::ComputeAnglesFromLengths(flat.Sides).Cotangents, mesh.Points.rows());
   Write(path, stiffness, spectrum.Masses);
   double worst = 0.0;
   for (int k = 1; k < pairs; ++k)

@@ -2,8 +2,8 @@
 // points at the same place joined.
 #include "BenchmarkData.h"
 
+#include "Geometry/SelfIntersections.h"
 #include "Mesh/Topology.h"
-#include "Geometry/Crossings.h"
 
 #include <Eigen/Geometry>
 
@@ -27,9 +27,9 @@ std::string Percentiles(std::vector<double> values, const std::vector<double>& s
   std::string text;
   for (const double share : shares)
   {
-    const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+    const auto position = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
     char number[32];
-    std::snprintf(number, sizeof(number), "%s%.3g", text.empty() ? "" : "/", values[place]);
+    std::snprintf(number, sizeof(number), "%s%.3g", text.empty() ? "" : "/", values[position]);
     text += number;
   }
   return text;
@@ -39,7 +39,7 @@ std::string Percentiles(std::vector<double> values, const std::vector<double>& s
 /// is not.
 double Thickness(const shape::Mesh& mesh, const Eigen::MatrixXd& normals, int triangle)
 {
-  const Eigen::RowVector3d from = shape::Corners(mesh, triangle).colwise().mean();
+  const Eigen::RowVector3d from = shape::GetCorners(mesh, triangle).colwise().mean();
   const Eigen::RowVector3d along = -normals.row(triangle);
   double nearest = None;
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
@@ -65,14 +65,14 @@ void Print(const std::string& path)
   shape::Topology topology;
   try
   {
-    topology = shape::SurfaceTopology(mesh);
+    topology = shape::ComputeTopology(mesh);
   }
   catch (const std::exception& problem)
   {
     std::printf("%s: %s\n", name.c_str(), problem.what());
     return;
   }
-  const std::vector<int> flat = shape::FlatTriangles(mesh);
+  const std::vector<int> flat = shape::FindDegenerateTriangles(mesh);
   std::vector<int> round;
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
   {
@@ -81,19 +81,20 @@ void Print(const std::string& path)
       round.push_back(t);
     }
   }
-  const auto crossings = shape::FindCrossings({ mesh.Points, mesh.Triangles(round, Eigen::all) });
+  const auto crossings =
+    shape::FindSelfIntersections({ mesh.Points, mesh.Triangles(round, Eigen::all) });
   std::set<int> crossed;
   for (const shape::Crossing& crossing : crossings)
   {
     crossed.insert({ crossing.First, crossing.Second });
   }
-  const Eigen::MatrixXd areas = shape::AreaVectors(mesh);
+  const Eigen::MatrixXd areas = shape::ComputeAreaVectors(mesh);
   const Eigen::MatrixXd normals = areas.rowwise().normalized();
   std::vector<double> aspects, thickness, edges;
   const int step = std::max(1, static_cast<int>(mesh.Triangles.rows() / 3000));
   for (const int t : round)
   {
-    const Eigen::Matrix3d corners = shape::Corners(mesh, t);
+    const Eigen::Matrix3d corners = shape::GetCorners(mesh, t);
     double longest = 0.0, mean = 0.0;
     for (int k = 0; k < 3; ++k)
     {
@@ -114,13 +115,13 @@ void Print(const std::string& path)
     }
   }
   int withoutArea = 0;
-  const Eigen::VectorXd pointAreas = shape::PointAreas(mesh);
+  const Eigen::VectorXd pointAreas = shape::ComputePointAreas(mesh);
   for (int i = 0; i < mesh.Points.rows(); ++i)
   {
     withoutArea += topology.ComponentId(i) >= 0 && pointAreas(i) < 1e-14 ? 1 : 0;
   }
-  const bool closed =
-    topology.OpenLoops == 0 && topology.NonManifoldEdges == 0 && topology.NonManifoldPoints == 0;
+  const bool closed = topology.BoundaryLoops == 0 && topology.NonManifoldEdges == 0 &&
+    topology.NonManifoldPoints == 0;
   std::printf("%s: vertices %d, triangles %d, components %d, genus %g, closed manifold %s (open "
               "loops %d, non-manifold edges %d, pinched points %d, misoriented edges %d); "
               "crossing pairs %d (%d triangles); flat triangles %d, vertices without area %d; "
@@ -128,7 +129,7 @@ void Print(const std::string& path)
               "local edge (1/5/25/50 %%) %s\n",
     name.c_str(), static_cast<int>(mesh.Points.rows()), static_cast<int>(mesh.Triangles.rows()),
     topology.Components, topology.Components - 0.5 * topology.EulerNumber, closed ? "yes" : "NO",
-    topology.OpenLoops, topology.NonManifoldEdges, topology.NonManifoldPoints,
+    topology.BoundaryLoops, topology.NonManifoldEdges, topology.NonManifoldPoints,
     topology.MisorientedEdges, static_cast<int>(crossings.size()), static_cast<int>(crossed.size()),
     static_cast<int>(flat.size()), withoutArea, Percentiles(aspects, { 0.5, 0.9, 0.99, 1 }).c_str(),
     Percentiles(edges, { 0.01, 0.5, 0.99, 1 }).c_str(),

@@ -3,9 +3,9 @@
 #include "Cost.h"
 #include "FiniteElements.h"
 
+#include "Harmonic/HarmonicVolumeMap.h"
 #include "Search/CellLocator.h"
 #include "Solids/Nesting.h"
-#include "Harmonic/HarmonicVolumeMap.h"
 
 #include <cblas.h>
 #include <cmath>
@@ -33,13 +33,13 @@ METHOD  Accelerated, MultiLevel, SingleShot (OffsetDistance=, CollocationRatio=,
         Tolerance=) or FEM (Refine=, RadiusEdgeRatio=, Solver=, Ordering=, Threads=)
 Reference=FILE  for data B and C: where the values of refined finite elements at the random points
         inside are kept
-Weld=1  joins points at the same place first
-Places=4 in each triangle, Most=60000 of them in all, Interior=4000 points (with Winding=1 only where the surface
+Weld=1  joins points at the same position first
+Positions=4 in each triangle, Most=60000 of them in all, Interior=4000 points (with Winding=1 only where the surface
 winds around once), Seed=1
 
 Prints one line: CPU and wall seconds and the peak of memory above the start (MiB) of the method
 alone; root mean square errors divided by the longest side of the target's box: at the points, at
-random places inside triangles against the linear interpolation of the points' values and, for data
+random positions inside triangles against the linear interpolation of the points' values and, for data
 A, against the field; and at random points inside the solid against the field or the reference.)";
 
 constexpr int ReferenceSplits = 1;
@@ -94,7 +94,8 @@ Solution RunVolumeMap(const shape::Mesh& mesh, const Eigen::MatrixXd& values,
   options.Tolerance = Number(settings, "Tolerance", options.Tolerance);
   options.MaximumMemory = Number(settings, "MaximumMemory", 64.0);
   shape::HarmonicVolumeMapResult result;
-  cost = benchmark::Measure([&] { result = shape::HarmonicVolumeMap(mesh, values, {}, options); });
+  cost = benchmark::Measure(
+    [&] { result = shape::ComputeHarmonicVolumeMap(mesh, values, {}, options); });
   std::ostringstream text;
   text << "charges:" << result.Map.Points.rows() << ",offset:" << result.OffsetDistance
        << ",RMSEInside:" << result.Levels.back().RMSEInside;
@@ -119,8 +120,8 @@ Solution RunFiniteElements(const shape::Mesh& mesh, const Eigen::MatrixXd& value
   note = text.str();
   return [result](const Eigen::MatrixXd& points)
   {
-    const shape::CellPlaces places = shape::CellLocator(result.Solid).Find(points);
-    return Eigen::MatrixXd(places.Weights * result.Values);
+    const shape::CellPoints positions = shape::CellLocator(result.Solid).Find(points);
+    return Eigen::MatrixXd(positions.Weights * result.Values);
   };
 }
 
@@ -161,7 +162,7 @@ void Run(const std::string& model, const std::string& data, const std::string& m
   {
     mesh = benchmark::Subdivide(mesh);
   }
-  mesh = shape::OrientedByNesting(mesh, "the model");
+  mesh = shape::OrientByNesting(mesh, "the model");
   const auto seed = static_cast<unsigned int>(Number(settings, "Seed", 1));
   const std::string name =
     std::filesystem::path(path).stem().string() + (steps > 0 ? "@" + std::to_string(steps) : "");
@@ -170,9 +171,9 @@ void Run(const std::string& model, const std::string& data, const std::string& m
   const bool known = data == "A";
   const Eigen::MatrixXd values = known ? field.Evaluate(mesh.Points)
     : data == "B"
-    ? benchmark::SphereMap(mesh, Word(settings, "Cache", ".") + "/" + name + ".sphere")
+    ? benchmark::MapToSphere(mesh, Word(settings, "Cache", ".") + "/" + name + ".sphere")
     : benchmark::Deformed(mesh.Points);
-  const double size = shape::LongestSide(values);
+  const double size = shape::ComputeLongestBoxEdge(values);
 
   benchmark::Cost cost;
   std::string note;
@@ -180,12 +181,13 @@ void Run(const std::string& model, const std::string& data, const std::string& m
     ? RunFiniteElements(mesh, values, settings, cost, note)
     : RunVolumeMap(mesh, values, method, settings, cost, note);
 
-  const auto places = benchmark::RandomPlaces(mesh, static_cast<int>(Number(settings, "Places", 4)),
-    static_cast<int>(Number(settings, "Most", 60000)), seed + 1);
+  const auto positions =
+    benchmark::SampleRandomly(mesh, static_cast<int>(Number(settings, "Places", 4)),
+      static_cast<int>(Number(settings, "Most", 60000)), seed + 1);
   const double vertices = RootMeanSquare(solution(mesh.Points) - values) / size;
-  const Eigen::MatrixXd inTriangles = solution(places.Points);
+  const Eigen::MatrixXd inTriangles = solution(positions.Points);
   const double inside =
-    RootMeanSquare(inTriangles - benchmark::Interpolated(mesh, values, places)) / size;
+    RootMeanSquare(inTriangles - benchmark::Interpolated(mesh, values, positions)) / size;
   double insideField = NAN, interior = NAN;
   const std::string reference = Word(settings, "Reference", "");
   if (known || !reference.empty())
@@ -200,7 +202,7 @@ void Run(const std::string& model, const std::string& data, const std::string& m
   }
   if (known)
   {
-    insideField = RootMeanSquare(inTriangles - field.Evaluate(places.Points)) / size;
+    insideField = RootMeanSquare(inTriangles - field.Evaluate(positions.Points)) / size;
   }
   std::printf("model=%s points=%d data=%s method=%s cpu=%.3f wall=%.3f mib=%.1f vertices=%.3e "
               "inside=%.3e insidefield=%.3e interior=%.3e note=%s\n",

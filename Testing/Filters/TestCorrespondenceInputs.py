@@ -302,7 +302,7 @@ for what, data, _ in SURFACES:
     itself = copy(data)
     add_array(itself, points(data), 'TargetPosition')
     few = min(8, len(used))
-    difference = result('ShapeDifference', itself, data, NumberOfEigenpairs=few)
+    difference = result('MapDifference', itself, data, NumberOfEigenpairs=few)
     assert abs(array(difference, 'AreaDifference')[used] - 1).max() < 1e-6, what
     curve = result('MapErrorCurve', itself, data, itself)
     assert fact(curve, 'MapErrorCurve.Maximum') < 1e-9, what
@@ -320,7 +320,7 @@ for what, (data, words) in unsuited.items():
     itself = copy(data)
     add_array(itself, points(data), 'TargetPosition')
     for name, inputs in (('Parameterize', (data,)), ('GeodesicDistance', (data, cones)),
-                         ('LaplaceSpectrum', (data,)), ('ShapeDifference', (itself, data)),
+                         ('LaplaceSpectrum', (data,)), ('MapDifference', (itself, data)),
                          ('MapErrorCurve', (itself, data, itself))):
         found = result(name, *inputs)
         for word in words:

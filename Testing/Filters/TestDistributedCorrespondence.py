@@ -122,12 +122,12 @@ add_array(bent, 0.9 * array(mapped, 'TargetPosition'), 'TargetPosition')
 curve = run(shapemap.vtkShapeMapErrorCurve(), bent, target, shared)
 facts += [fact(curve, 'MapErrorCurve.Mean'), fact(curve, 'MapErrorCurve.Maximum')]
 assert facts[-2] > 0.001
-difference = shapemap.vtkShapeShapeDifference()
+difference = shapemap.vtkShapeMapDifference()
 differences = run(difference, mapped, target, NumberOfEigenpairs=30)
 keep('areas', differences, array(differences, 'AreaDifference'), 1e-6)
 keep('angles', differences, array(differences, 'ConformalDifference'), 1e-6)
 assert difference.GetOutputDataObject(1).GetNumberOfRows() == (30 if rank == 0 else 0)
-values = differences.GetFieldData().GetArray('ShapeDifference.AreaEigenvalues')
+values = differences.GetFieldData().GetArray('MapDifference.AreaEigenvalues')
 facts += [values.GetValue(i) for i in range(values.GetNumberOfTuples())]
 
 # Domains that other tests do not cut into pieces: a tile, and the plane with a free border.

@@ -12,7 +12,7 @@
 namespace shape
 {
 
-int ThreadCount()
+int GetThreadCount()
 {
   const char* limit = std::getenv("VTK_SMP_MAX_THREADS");
   const int asked = limit ? std::atoi(limit) : 0;
@@ -22,7 +22,7 @@ int ThreadCount()
 BlasThreads::BlasThreads(bool several)
   : Before(openblas_get_num_threads())
 {
-  openblas_set_num_threads(several ? ThreadCount() : 1);
+  openblas_set_num_threads(several ? GetThreadCount() : 1);
 }
 
 BlasThreads::~BlasThreads()
@@ -41,7 +41,7 @@ void ParallelFor(int count, int grain, const std::function<void(int begin, int e
     progress(1.0);
     return;
   }
-  const int threads = ThreadCount();
+  const int threads = GetThreadCount();
   oneapi::tbb::task_arena arena(threads);
   const auto runChunk = [&](int chunk)
   { body(chunk * grain, chunk + 1 < chunks ? (chunk + 1) * grain : count); };

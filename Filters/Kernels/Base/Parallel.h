@@ -9,12 +9,12 @@ namespace shape
 
 /// Threads that kernels use: VTK_SMP_MAX_THREADS where set to a positive number, else every
 /// available core.
-int ThreadCount();
+int GetThreadCount();
 
 /**
- * Lets BLAS use ThreadCount() threads while it lives, or one where the matrices are so small that
- * waiting for each other would cost the threads more than they gain: its own number is one setting
- * of the whole process, which is put back afterwards.
+ * Lets BLAS use GetThreadCount() threads while it lives, or one where the matrices are so small
+ * that waiting for each other would cost the threads more than they gain: its own number is one
+ * setting of the whole process, which is put back afterwards.
  */
 class BlasThreads
 {

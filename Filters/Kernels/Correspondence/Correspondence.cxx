@@ -1,20 +1,20 @@
 #include "Correspondence/Correspondence.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
-#include "Correspondence/Pair/CoarsePair.h"
+#include "Correspondence/Conformal/OrbifoldMap.h"
+#include "Correspondence/Conformal/SphereCommonDomain.h"
 #include "Correspondence/Functional/FunctionalMap.h"
-#include "Correspondence/Transport/GromovWasserstein.h"
-#include "Correspondence/Reversible/HarmonicLevels.h"
 #include "Correspondence/Functional/HeatKernelMap.h"
+#include "Correspondence/Functional/PartialFunctionalMap.h"
 #include "Correspondence/Landmarks/LandmarkCells.h"
+#include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Correspondence/Private/MethodInput.h"
-#include "Correspondence/Conformal/OrbifoldMap.h"
-#include "Correspondence/Functional/PartialFunctionalMap.h"
-#include "Correspondence/Conformal/SphereCommonDomain.h"
+#include "Correspondence/Reversible/HarmonicLevels.h"
+#include "Correspondence/Transport/GromovWasserstein.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 
 #include <cmath>
@@ -33,8 +33,8 @@ using Options = CorrespondenceOptions;
 struct Compact
 {
   Mesh Surface;
-  std::vector<int> Points; ///< of the surface given
-  Eigen::VectorXi PlaceOf; ///< n: in Points; -1
+  std::vector<int> Points;    ///< of the surface given
+  Eigen::VectorXi PositionOf; ///< n: in Points; -1
 };
 
 Compact Compacted(const Mesh& mesh, const std::string& name)
@@ -45,13 +45,13 @@ Compact Compacted(const Mesh& mesh, const std::string& name)
   {
     if (topology.ComponentId(i) >= 0)
     {
-      compact.PlaceOf(i) = static_cast<int>(compact.Points.size());
+      compact.PositionOf(i) = static_cast<int>(compact.Points.size());
       compact.Points.push_back(i);
     }
   }
   compact.Surface.Points = mesh.Points(compact.Points, Eigen::all);
   compact.Surface.Triangles =
-    mesh.Triangles.unaryExpr([&](int point) { return compact.PlaceOf(point); });
+    mesh.Triangles.unaryExpr([&](int point) { return compact.PositionOf(point); });
   return compact;
 }
 
@@ -61,26 +61,27 @@ bool HasFewer(const Compact& one, const Compact& other)
 }
 
 /// The map of all points of the surface given: the others go with the closest of the surface.
-PreciseMap Expanded(const PreciseMap& map, const Compact& from, const Mesh& given)
+SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Mesh& given)
 {
   if (from.Surface.Points.rows() == given.Points.rows())
   {
     return map;
   }
-  PreciseMap all{ Eigen::VectorXi(given.Points.rows()), Eigen::MatrixXd(given.Points.rows(), 3) };
+  SurfacePoints all{ Eigen::VectorXi(given.Points.rows()),
+    Eigen::MatrixXd(given.Points.rows(), 3) };
   const SurfaceLocator locator(from.Surface);
   for (Eigen::Index i = 0; i < given.Points.rows(); ++i)
   {
-    int place = from.PlaceOf(i);
-    if (place < 0)
+    int position = from.PositionOf(i);
+    if (position < 0)
     {
-      const ClosestPlace closest = locator.FindOne(given.Points.row(i));
+      const ClosestPoint closest = locator.FindOne(given.Points.row(i));
       Eigen::Index corner = 0;
       closest.Barycentric.maxCoeff(&corner);
-      place = from.Surface.Triangles(closest.Triangle, corner);
+      position = from.Surface.Triangles(closest.Triangle, corner);
     }
-    all.Triangles(i) = map.Triangles(place);
-    all.Barycentrics.row(i) = map.Barycentrics.row(place);
+    all.Triangles(i) = map.Triangles(position);
+    all.Barycentrics.row(i) = map.Barycentrics.row(position);
   }
   return all;
 }
@@ -89,13 +90,13 @@ PreciseMap Expanded(const PreciseMap& map, const Compact& from, const Mesh& give
 SurfaceMaps ThroughOrbifold(
   const Mesh& a, const Mesh& b, Landmarks landmarks, bool found, const Progress& progress)
 {
-  constexpr std::size_t most = 4;
-  if (found && landmarks.size() > most)
+  constexpr std::size_t maximum = 4;
+  if (found && landmarks.size() > maximum)
   {
-    landmarks.resize(most);
+    landmarks.resize(maximum);
   }
   const OrbifoldType type =
-    landmarks.size() == most ? OrbifoldType::Rectangle : OrbifoldType::Rhombus;
+    landmarks.size() == maximum ? OrbifoldType::Rectangle : OrbifoldType::Rhombus;
   OrbifoldMap map =
     MapThroughOrbifold(a, PointsOf(landmarks, 0), b, PointsOf(landmarks, 1), type, progress);
   return { std::move(map.AToB), std::move(map.BToA) };
@@ -120,9 +121,10 @@ void Begin(const Mesh& a, const Mesh& b, Landmarks& landmarks, Options::PartType
   options.BothWhole = !isA && !isB;
   options.PartA = isA || part == Part::Automatic;
   options.PartB = isB || part == Part::Automatic;
-  result.Start = AutomaticLandmarks(a, b, options, progress);
+  result.Start = FindLandmarks(a, b, options, progress);
   landmarks = result.Start.Pairs;
-  const double share = result.Start.Share, ratio = PointAreas(b).sum() / PointAreas(a).sum();
+  const double share = result.Start.Share,
+               ratio = ComputePointAreas(b).sum() / ComputePointAreas(a).sum();
   result.Part = { result.Start.Part,
     std::sqrt(result.Start.Part == Which::SurfaceB ? ratio / share : ratio * share), share };
 }
@@ -136,7 +138,7 @@ SurfaceMaps Functional(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   switch (part.Which)
   {
     case SurfacePart::WhichType::SurfaceA:
-      return PartialFunctionalMap(a, b, landmarks, part.Scale, partial, progress);
+      return ComputePartialFunctionalMap(a, b, landmarks, part.Scale, partial, progress);
     case SurfacePart::WhichType::SurfaceB:
     {
       Landmarks turned;
@@ -144,7 +146,8 @@ SurfaceMaps Functional(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
       {
         turned.push_back({ pointB, pointA });
       }
-      SurfaceMaps maps = PartialFunctionalMap(b, a, turned, 1.0 / part.Scale, partial, progress);
+      SurfaceMaps maps =
+        ComputePartialFunctionalMap(b, a, turned, 1.0 / part.Scale, partial, progress);
       return { std::move(maps.BToA), std::move(maps.AToB) };
     }
     case SurfacePart::WhichType::None:
@@ -152,7 +155,7 @@ SurfaceMaps Functional(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   }
   FunctionalMapOptions whole;
   whole.Refinement.Last = options.NumberOfEigenpairs;
-  return FunctionalMap(a, b, landmarks, whole, progress);
+  return ComputeFunctionalMap(a, b, landmarks, whole, progress);
 }
 
 /// How many points of a surface the method needs; 0: all.
@@ -166,9 +169,9 @@ int EnoughPoints(const Mesh& surface, const Options& options)
     case Options::MethodType::ReversibleHarmonic:
     {
       // Coarse maps are refined: two fifths of the points are as good and half the time.
-      constexpr int least = 2000;
+      constexpr int minimum = 2000;
       const auto points = static_cast<int>(surface.Points.rows());
-      return std::min(options.CoarsePoints, std::max(least, points / 5 * 2));
+      return std::min(options.CoarsePoints, std::max(minimum, points / 5 * 2));
     }
     default:
       return options.CoarsePoints;
@@ -198,7 +201,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
         }
       }
       GromovWassersteinResult coupled =
-        GromovWasserstein(a, b, result.Found ? Landmarks() : landmarks, own, progress);
+        ComputeGromovWassersteinMap(a, b, result.Found ? Landmarks() : landmarks, own, progress);
       result.CouplingDistortion = coupled.Distortion;
       result.CouplingError = coupled.Error;
       if (result.Found)
@@ -208,9 +211,9 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
       return pair.OnFine(coupled.Maps, lift);
     }
     case Options::MethodType::HeatKernel:
-      return pair.OnFine(HeatKernelMap(a, b, landmarks, {}, progress), lift);
+      return pair.OnFine(ComputeHeatKernelMap(a, b, landmarks, {}, progress), lift);
     case Options::MethodType::BlendedIntrinsic:
-      return pair.OnFine(BlendedIntrinsic(a, b, landmarks, {}, progress), lift);
+      return pair.OnFine(ComputeBlendedIntrinsicMap(a, b, landmarks, {}, progress), lift);
     case Options::MethodType::CommonSphere:
     {
       SphereCommonDomainResult common =
@@ -224,7 +227,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   }
   const SurfaceMaps start = options.Start == Options::StartType::FunctionalMap
     ? Functional(a, b, landmarks, options, result.Part, progress.Part(0.0, 0.4))
-    : LandmarkCells(a, b, landmarks, progress.Part(0.0, 0.1));
+    : MapByLandmarkCells(a, b, landmarks, progress.Part(0.0, 0.1));
   if (options.Start == Options::StartType::FunctionalMap &&
     result.Part.Which != SurfacePart::WhichType::None)
   {
@@ -234,14 +237,14 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   own.MaximumIterations = options.MaximumIterations;
   own.PinLandmarks = options.PinLandmarks && !result.Found;
   ReversibleHarmonicResult harmonic =
-    ReversibleHarmonicOfLevels(pair, start, landmarks, own, whole.Part(0.4, 1.0));
+    RefineReversibleHarmonicMap(pair, start, landmarks, own, whole.Part(0.4, 1.0));
   result.Iterations = static_cast<int>(harmonic.Energies.size());
   return std::move(harmonic.Maps);
 }
 
 } // namespace
 
-CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+CorrespondenceResult ComputeCorrespondence(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   const CorrespondenceOptions& options, const Progress& progress)
 {
   RequireOption(options.NumberOfEigenpairs >= 10, "NumberOfEigenpairs", options.NumberOfEigenpairs,
@@ -255,12 +258,12 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
   Landmarks own;
   for (const auto& [pointA, pointB] : landmarks)
   {
-    if (one.PlaceOf(pointA) < 0 || two.PlaceOf(pointB) < 0)
+    if (one.PositionOf(pointA) < 0 || two.PositionOf(pointB) < 0)
     {
       throw InvalidInput("landmark " + std::to_string(own.size()) +
         " is at a point that no triangle uses; put it on the surface");
     }
-    own.push_back({ one.PlaceOf(pointA), two.PlaceOf(pointB) });
+    own.push_back({ one.PositionOf(pointA), two.PositionOf(pointB) });
   }
   const bool find = own.empty();
   if (find)
@@ -297,7 +300,7 @@ CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmark
   result.Used = asGiven(pair.OnFine(own));
   result.Start.Pairs = asGiven(result.Start.Pairs);
   result.Start.Rival = asGiven(result.Start.Rival);
-  result.Facts = DescribeMaps(one.Surface, two.Surface, maps);
+  result.Facts = EvaluateMaps(one.Surface, two.Surface, maps);
   result.Maps = { Expanded(maps.AToB, one, a), Expanded(maps.BToA, two, b) };
   progress(1.0);
   return result;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Correspondence/Landmarks/AutomaticLandmarks.h"
 #include "Correspondence/Evaluate/SurfaceMapFacts.h"
+#include "Correspondence/Landmarks/AutomaticLandmarks.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Correspondence/Pair/SurfacePart.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -14,11 +14,11 @@ struct CorrespondenceOptions
 {
   enum class MethodType
   {
-    ReversibleHarmonic = 0, ///< shape::ReversibleHarmonic: for different shapes
-    FunctionalMap = 1,      ///< shape::FunctionalMap: for one shape that is bent
-    GromovWasserstein = 2,  ///< shape::GromovWasserstein: by distances between samples
-    HeatKernel = 3,         ///< shape::HeatKernelMap: from one landmark
-    BlendedIntrinsic = 4,   ///< shape::BlendedIntrinsic: genus 0
+    ReversibleHarmonic = 0, ///< shape::ComputeReversibleHarmonicMap: for different shapes
+    FunctionalMap = 1,      ///< shape::ComputeFunctionalMap: for one shape that is bent
+    GromovWasserstein = 2,  ///< shape::ComputeGromovWassersteinMap: by distances between samples
+    HeatKernel = 3,         ///< shape::ComputeHeatKernelMap: from one landmark
+    BlendedIntrinsic = 4,   ///< shape::ComputeBlendedIntrinsicMap: genus 0
     CommonSphere = 5,       ///< shape::MapThroughSphere: closed, genus 0, exactly one to one
     CommonOrbifold = 6      ///< shape::MapThroughOrbifold: the same, three or four landmarks
   };
@@ -39,8 +39,7 @@ struct CorrespondenceOptions
   /// methods take both for whole.
   enum class PartType
   {
-    Automatic =
-      0, ///< what FindPart says of the landmarks, or AutomaticLandmarks where it finds them
+    Automatic = 0, ///< what FindPart says of the landmarks, or FindLandmarks where it finds them
     None = 1,
     SurfaceA = 2,
     SurfaceB = 3
@@ -69,13 +68,13 @@ struct CorrespondenceResult
 /**
  * Which point of one surface corresponds to which point of another one, both ways, by one of
  * seven methods; each says in its header what surfaces it is for. Without landmarks those of
- * AutomaticLandmarks are used, on surfaces of one component; they are not pinned. CommonOrbifold
+ * FindLandmarks are used, on surfaces of one component; they are not pinned. CommonOrbifold
  * takes the first four of these.
  *
  * a, b: consistently oriented 2-manifolds, facing outwards where they are closed; points that no
  * triangle uses are left aside. Throws InvalidInput, SolveFailure, Aborted.
  */
-CorrespondenceResult Correspondence(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+CorrespondenceResult ComputeCorrespondence(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   const CorrespondenceOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

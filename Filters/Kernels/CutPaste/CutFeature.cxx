@@ -3,7 +3,7 @@
 #include "Base/Errors.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
-#include "Remesh/LoopInsertion.h"
+#include "Remesh/CurveImprinting.h"
 
 #include <Eigen/Geometry>
 
@@ -32,10 +32,10 @@ void Append(const FilledSurface& filled, DividedPart& rest)
   rest.OriginalPoints.resize(all, -1);
   rest.Ids.resize(all, -1);
   rest.OriginalTriangles.resize(triangles, -1);
-  rest.Places.Triangles.conservativeResize(all);
-  rest.Places.Triangles.tail(all - own).setConstant(-1);
-  rest.Places.Barycentrics.conservativeResize(all, 3);
-  rest.Places.Barycentrics.bottomRows(all - own).setZero();
+  rest.Positions.Triangles.conservativeResize(all);
+  rest.Positions.Triangles.tail(all - own).setConstant(-1);
+  rest.Positions.Barycentrics.conservativeResize(all, 3);
+  rest.Positions.Barycentrics.bottomRows(all - own).setZero();
 }
 
 /// Of each point of a loop of the feature the one of the rest that stands for its place. On a seam,
@@ -69,14 +69,14 @@ void FindBase(
   const std::vector<int> on = PointsAt(loop, result.Feature, result.Rest);
   const std::set<int> isOn(on.begin(), on.end());
   const FilledHole* best = nullptr;
-  int most = 0;
+  int maximum = 0;
   for (const FilledHole& hole : result.Holes)
   {
     const auto shared = static_cast<int>(std::count_if(
-      hole.Rim.begin(), hole.Rim.end(), [&](int point) { return isOn.count(point) > 0; }));
-    if (shared > most)
+      hole.Loop.begin(), hole.Loop.end(), [&](int point) { return isOn.count(point) > 0; }));
+    if (shared > maximum)
     {
-      most = shared;
+      maximum = shared;
       best = &hole;
     }
   }
@@ -84,8 +84,8 @@ void FindBase(
   {
     std::vector<int> triangles(best->Triangles);
     std::iota(triangles.begin(), triangles.end(), best->FirstTriangle);
-    result.Seed = MiddleOfTriangles(filled, triangles);
-    result.Base = BaseOnSurface(filled, result.Seed, std::move(loop), on, progress);
+    result.Seed = FindCenterOfTriangles(filled, triangles);
+    result.Base = BuildFeatureBaseOnSurface(filled, result.Seed, std::move(loop), on, progress);
   }
 }
 
@@ -106,8 +106,8 @@ FilledSurface Filled(const Mesh& rest, const std::vector<std::vector<int>>& loop
     }
     enough = std::max(enough, 0.5 * area.norm() / meanArea + static_cast<double>(loop.size()));
   }
-  int& most = options.Filler.MaximumPoints;
-  most = enough < most ? static_cast<int>(enough) : most;
+  int& maximum = options.Filler.MaximumPoints;
+  maximum = enough < maximum ? static_cast<int>(enough) : maximum;
   return FillLoops(rest, loops, options, progress);
 }
 
@@ -126,7 +126,7 @@ void RenumberRims(const DividedPart& part, std::size_t first, std::vector<Filled
         copies[part.Ids[corner]] = corner;
       }
     }
-    for (int& point : hole.Rim)
+    for (int& point : hole.Loop)
     {
       const auto copy = copies.find(part.Ids[point]);
       point = copy == copies.end() ? point : copy->second;
@@ -148,7 +148,7 @@ void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
   progress(0.1);
   if (options.FillHole)
   {
-    const Mesh whole = Seamless(result.Rest);
+    const Mesh whole = MergeSeam(result.Rest);
     FilledSurface filled = Filled(whole, division.CutLoops(whole, result.Rest.Ids),
       division.MeanArea(), options.Fill, progress.Part(0.1, 0.6));
     Append(filled, result.Rest);
@@ -199,7 +199,7 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
     if (index == -1 || index == i)
     {
       RequireFinite(curves[i], "the loop");
-      loops.push_back(LoopThrough(curves[i], *this->Locator, *this->Paths,
+      loops.push_back(TraceLoopThrough(curves[i], *this->Locator, *this->Paths,
         progress.Part(static_cast<double>(i) / count, (i + 1.0) / count)));
     }
   }
@@ -212,8 +212,8 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
   progress(0.0);
   const std::vector<SurfaceLoop> loops =
     this->LoopsThrough(curves, options.LoopIndex, progress.Part(0.0, 0.2));
-  InsertedLoops split =
-    InsertLoops(this->Joined.Surface, loops, { options.SnapShare }, progress.Part(0.2, 0.3));
+  ImprintedCurves split =
+    ImprintCurves(this->Joined.Surface, loops, { options.SnapShare }, progress.Part(0.2, 0.3));
   // Of a curve that touches itself the longest part.
   std::vector<std::vector<int>> chosen;
   std::vector<char> isTaken(loops.size(), 0);
@@ -229,7 +229,7 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
   CutFeatureResult result;
   result.WeldedPoints = this->Joined.WeldedPoints;
   result.LoopsLeftOut = static_cast<int>(split.Loops.size() - chosen.size());
-  std::vector<char> isFeature = TrianglesOnSide(split.Surface, chosen, options.Side);
+  std::vector<char> isFeature = MarkTrianglesOnSide(split.Surface, chosen, options.Side);
   const SurfaceDivision division(
     this->Surface, this->Joined, std::move(split), std::move(isFeature));
   Divide(division, options, result, progress.Part(0.3, 1.0));
@@ -241,7 +241,7 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<char>& isSelected,
 {
   progress(0.0);
   const auto count = static_cast<int>(this->Joined.Triangles.size());
-  InsertedLoops split;
+  ImprintedCurves split;
   split.Surface = this->Joined.Surface;
   split.OriginalTriangles = Eigen::VectorXi::LinSpaced(count, 0, count - 1);
   std::vector<char> isFeature;

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "CutPaste/FeatureBase.h"
-#include "Fill/FillHoles.h"
+#include "CutPaste/FeatureFootprint.h"
 #include "CutPaste/LoopSides.h"
 #include "CutPaste/SurfaceDivision.h"
-#include "Search/ClosestPoint.h"
+#include "Fill/FillHoles.h"
 #include "Geodesics/SurfaceLoop.h"
 #include "Geodesics/SurfacePath.h"
+#include "Mesh/Mesh.h"
+#include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
 
@@ -23,7 +23,7 @@ struct CutFeatureOptions
 {
   LoopSide Side = LoopSide::Smaller;
   int LoopIndex = -1;      ///< which of the curves cuts, from 0 on; -1: all
-  double SnapShare = 0.05; ///< see LoopInsertionOptions
+  double SnapShare = 0.05; ///< see CurveImprintingOptions
   bool FillHole = true;    ///< whether what is left is closed where the feature was
   FillHolesOptions Fill;   ///< its triangles become as large as the surface's beside the loop
 };
@@ -32,9 +32,10 @@ struct CutFeatureOptions
 struct CutFeatureResult
 {
   DividedPart Feature;
-  DividedPart Rest;                ///< all else and, where FillHole is on, the fills
-  std::vector<FilledHole> Holes;   ///< of Rest
-  std::optional<FeatureBase> Base; ///< at the feature's longest cut loop, where its hole was filled
+  DividedPart Rest;              ///< all else and, where FillHole is on, the fills
+  std::vector<FilledHole> Holes; ///< of Rest
+  std::optional<FeatureFootprint>
+    Base; ///< at the feature's longest cut loop, where its hole was filled
   Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< of the base: the middle of the fill
   int WeldedPoints = 0;                                 ///< of the surface: see WeldedSurface
   int Loops = 0;          ///< closed loops of the feature that were cut
@@ -50,7 +51,7 @@ struct CutFeatureResult
  * a feature back in the same position, we embed the loop in a parameterization of the fill region,
  * and also take the initial boundary frames from this new surface": the result's Base.
  *
- * Curves run anywhere: triangles that they go through are split (InsertLoops). Holes that the
+ * Curves run anywhere: triangles that they go through are split (ImprintCurves). Holes that the
  * surface had stay. Where a cut ends at the surface's border there is no hole to fill; a point
  * where a part then hangs together at one point only is doubled. Owns what depends on the surface
  * alone; not for several threads at once.

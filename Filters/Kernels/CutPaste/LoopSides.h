@@ -26,7 +26,7 @@ enum class LoopSide
  * where loops do not part their component, as one around a handle does not, or run along its border
  * alone.
  */
-std::vector<char> TrianglesOnSide(
+std::vector<char> MarkTrianglesOnSide(
   const Mesh& surface, const std::vector<std::vector<int>>& loops, LoopSide side);
 
 } // namespace shape

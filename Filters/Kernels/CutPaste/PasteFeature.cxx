@@ -42,23 +42,23 @@ void RequireSimple(const Eigen::MatrixXd& loop)
   }
 }
 
-BoundaryHandle LoopHandle(const Mesh& feature, const FeatureBase& base)
+BoundaryHandle LoopHandle(const Mesh& feature, const FeatureFootprint& base)
 {
   const auto size = static_cast<Eigen::Index>(base.Loop.size());
-  if (size < 3 || base.LoopPlaces.rows() != size || base.Normals.rows() != size)
+  if (size < 3 || base.LoopPositions.rows() != size || base.Normals.rows() != size)
   {
     throw InvalidInput("the feature's loop has " + std::to_string(size) + " points, " +
-      std::to_string(base.LoopPlaces.rows()) + " places in the plane and " +
+      std::to_string(base.LoopPositions.rows()) + " places in the plane and " +
       std::to_string(base.Normals.rows()) +
       " normals; it needs as many of each, and at least 3: "
       "cut it again");
   }
-  Eigen::MatrixXd places(size, 3);
+  Eigen::MatrixXd positions(size, 3);
   for (Eigen::Index i = 0; i < size; ++i)
   {
-    places.row(i) = feature.Points.row(base.Loop[i]);
+    positions.row(i) = feature.Points.row(base.Loop[i]);
   }
-  return CurveHandle(places, true, base.Normals);
+  return BuildCurveHandle(positions, true, base.Normals);
 }
 
 /// The greatest angle by which one of the rotations differs from the first, in radians.
@@ -113,14 +113,14 @@ double MeanSide(const BoundaryHandle& curve)
   double sum = 0.0;
   for (const auto side : curve.Segments.rowwise())
   {
-    sum += (curve.Places.row(side(1)) - curve.Places.row(side(0))).norm();
+    sum += (curve.Positions.row(side(1)) - curve.Positions.row(side(0))).norm();
   }
   return sum / static_cast<double>(curve.Segments.rows());
 }
 
 } // namespace
 
-double Percentile(const Eigen::VectorXd& values, double share)
+double ComputePercentile(const Eigen::VectorXd& values, double share)
 {
   if (values.size() == 0)
   {
@@ -132,34 +132,35 @@ double Percentile(const Eigen::VectorXd& values, double share)
   return sorted[static_cast<std::size_t>(std::ceil(std::clamp(share, 0.0, 1.0) * last))];
 }
 
-FeatureToPaste::FeatureToPaste(Mesh feature, FeatureBase base, const DeformOptions& options,
+FeatureToPaste::FeatureToPaste(Mesh feature, FeatureFootprint base, const DeformOptions& options,
   const DeformFields& fields, const Progress& progress)
   : Feature(std::move(feature))
-  , Kind(SurfaceTopology(this->Feature))
+  , Kind(ComputeTopology(this->Feature))
   , Stand(std::move(base))
-  , Cut(CutEdges(this->Feature.Triangles, LoopChords(this->Feature.Triangles, this->Stand.Loop),
-      static_cast<int>(this->Feature.Points.rows())))
+  , Cut(
+      SplitEdges(this->Feature.Triangles, FindLoopChords(this->Feature.Triangles, this->Stand.Loop),
+        static_cast<int>(this->Feature.Points.rows())))
   , Fans(this->Cut.Triangles,
-      this->Feature.Points.rows() + static_cast<Eigen::Index>(this->Cut.Middles.size()))
+      this->Feature.Points.rows() + static_cast<Eigen::Index>(this->Cut.Midpoints.size()))
   , Handle(LoopHandle(this->Feature, this->Stand))
-  , NormalsBefore(this->LoopNormals(this->WithMiddles(this->Feature.Points)))
+  , NormalsBefore(this->LoopNormals(this->WithMidpoints(this->Feature.Points)))
 {
-  RequireSimple(this->Stand.LoopPlaces);
+  RequireSimple(this->Stand.LoopPositions);
   this->Prepared =
-    PrepareDeformation(MakePointGraph(this->Feature), this->Handle, options, fields, progress);
+    PrepareDeformation(BuildPointGraph(this->Feature), this->Handle, options, fields, progress);
   // The middles are on chords of the loop: at its points the front begins.
   Eigen::VectorXd arrivals = Eigen::VectorXd::Zero(this->Fans.First.size() - 1);
   arrivals.head(this->Feature.Points.rows()) = this->Prepared->Arrivals();
-  const Mesh cut{ this->WithMiddles(this->Feature.Points), this->Cut.Triangles };
+  const Mesh cut{ this->WithMidpoints(this->Feature.Points), this->Cut.Triangles };
   this->NormalReach = ReachOfRing(cut, this->Fans, this->Stand.Loop, arrivals);
-  this->Turning = std::make_unique<JoinTurning>(
+  this->Turning = std::make_unique<SeamNormals>(
     cut, this->Fans, this->Stand.Loop, arrivals, TurningWidth * MeanSide(this->Handle));
 }
 
 void FeatureToPaste::Check(const PastedFeature& pasted) const
 {
   RequireFinite(pasted.Surface.Points, "the joined surface");
-  const Topology found = SurfaceTopology(pasted.Surface);
+  const Topology found = ComputeTopology(pasted.Surface);
   const bool isManifold = this->Kind.NonManifoldEdges + this->Kind.NonManifoldPoints == 0;
   const int faults = found.NonManifoldEdges + found.NonManifoldPoints;
   if (found.EulerNumber != pasted.EulerNumber || (isManifold && faults > 0))
@@ -196,14 +197,14 @@ Eigen::MatrixXd FeatureToPaste::LoopNormals(const Eigen::MatrixXd& points) const
   return normals;
 }
 
-Eigen::MatrixXd FeatureToPaste::WithMiddles(const Eigen::MatrixXd& points) const
+Eigen::MatrixXd FeatureToPaste::WithMidpoints(const Eigen::MatrixXd& points) const
 {
-  const auto middles = static_cast<Eigen::Index>(this->Cut.Middles.size());
-  Eigen::MatrixXd all(points.rows() + middles, 3);
+  const auto midpoints = static_cast<Eigen::Index>(this->Cut.Midpoints.size());
+  Eigen::MatrixXd all(points.rows() + midpoints, 3);
   all.topRows(points.rows()) = points;
-  for (Eigen::Index i = 0; i < middles; ++i)
+  for (Eigen::Index i = 0; i < midpoints; ++i)
   {
-    const auto [a, b] = this->Cut.Middles[i];
+    const auto [a, b] = this->Cut.Midpoints[i];
     all.row(points.rows() + i) = 0.5 * (points.row(a) + points.row(b));
   }
   return all;
@@ -227,10 +228,10 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   pose = OptimizeBoundaryNormals(
     *this->Prepared, this->Handle, pose, wanted,
     [this](const DeformedShape& shape)
-    { return this->LoopNormals(this->WithMiddles(shape.Points)); },
+    { return this->LoopNormals(this->WithMidpoints(shape.Points)); },
     search, progress.Part(0.0, 0.7))
            .Pose;
-  Eigen::MatrixXd deformed = this->WithMiddles(
+  Eigen::MatrixXd deformed = this->WithMidpoints(
     this->Prepared->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.7, 1.0))
       .Points);
   // A point at a bend of the loop goes to the mean of several places: what that leaves is turned
@@ -246,30 +247,31 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
 PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
-  Landing landing = target.Land(this->Stand, placement, !options.Dragging, progress.Part(0.0, 0.3));
+  LoopOnTarget landing =
+    target.Land(this->Stand, placement, !options.Dragging, progress.Part(0.0, 0.3));
   // The offsets within the feature grow with Scale: as if it were deformed at its own size, to a
   // pose that is as much smaller.
-  HandlePose pose = PoseHandle(this->Handle, landing.Places / placement.Scale, landing.Normals);
+  HandlePose pose = PoseHandle(this->Handle, landing.Positions / placement.Scale, landing.Normals);
   const Eigen::VectorXd before = AnglesAcross(
-    this->LoopNormals(this->WithMiddles(this->Prepared->Deform(pose, this->NormalReach).Points)),
-    landing.Normals, HandleTangents(this->Handle, pose.Places));
+    this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),
+    landing.Normals, ComputeHandleTangents(this->Handle, pose.Positions));
   const Eigen::MatrixXd deformed = options.OptimizeNormals
     ? this->Smoothly(pose, landing.Normals, options, progress.Part(0.3, 0.9))
-    : this->WithMiddles(
+    : this->WithMidpoints(
         this->Prepared
           ->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.3, 0.9))
           .Points);
   // Where the loop takes the place of the ring, point for point, no edge can be there twice.
   const auto given = static_cast<int>(this->Feature.Points.rows());
   const bool fits = landing.Join.Triangles.rows() == 0;
-  PastedFeature result =
-    JoinedSurface(target.Surface(), fits ? CutEdges(this->Feature.Triangles, {}, given) : this->Cut,
-      this->Stand, landing, placement.Scale * deformed.topRows(fits ? given : deformed.rows()));
+  PastedFeature result = JoinFeatureAndTarget(target.Surface(),
+    fits ? SplitEdges(this->Feature.Triangles, {}, given) : this->Cut, this->Stand, landing,
+    placement.Scale * deformed.topRows(fits ? given : deformed.rows()));
   result.AnglesBefore = before;
-  result.AnglesAfter = AnglesAcross(
-    this->LoopNormals(deformed), landing.Normals, HandleTangents(this->Handle, pose.Places));
+  result.AnglesAfter = AnglesAcross(this->LoopNormals(deformed), landing.Normals,
+    ComputeHandleTangents(this->Handle, pose.Positions));
   result.Facts = this->Prepared->Facts();
-  result.Place = std::move(landing);
+  result.Position = std::move(landing);
   // A disk is taken from the target, and the feature glued in along a circle.
   result.EulerNumber = target.EulerNumber() - 1 + this->Kind.EulerNumber;
   if (!options.Dragging)

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Mesh/Topology.h"
-#include "CutPaste/FeatureBase.h"
-#include "CutPaste/JoinTurning.h"
+#include "CutPaste/FeatureFootprint.h"
 #include "CutPaste/PasteTarget.h"
 #include "CutPaste/PastedFeature.h"
+#include "CutPaste/SeamNormals.h"
 #include "Deform/ShapeDeformation.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Topology.h"
 #include "Search/TriangleWalk.h"
 
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ struct PasteFeatureOptions
 };
 
 /// The value that a share (0 to 1) of the values does not exceed; 0 where there are none.
-double Percentile(const Eigen::VectorXd& values, double share);
+double ComputePercentile(const Eigen::VectorXd& values, double share);
 
 /// A feature prepared for being set down, again and again: see PasteTarget, ShapeDeformation.
 class FeatureToPaste
@@ -38,7 +38,7 @@ public:
    * closed curve of at least 3 points of the feature, crosses itself in the plane or runs
    * clockwise there, or as PrepareDeformation; Aborted.
    */
-  FeatureToPaste(Mesh feature, FeatureBase base, const DeformOptions& options = {},
+  FeatureToPaste(Mesh feature, FeatureFootprint base, const DeformOptions& options = {},
     const DeformFields& fields = {}, const Progress& progress = {});
 
   /**
@@ -52,7 +52,7 @@ public:
    *
    * OptimizeNormals turns the frames (OptimizeBoundaryNormals) so that the feature's normals at the
    * loop, of its triangles by their angles, become the target's; then the points near the loop by
-   * what is left (JoinTurning, as far as 4 sides of the loop). Where the loop moves as a rigid body
+   * what is left (SeamNormals, as far as 4 sides of the loop). Where the loop moves as a rigid body
    * the feature keeps the angle at which it stood; as the frames come to differ by 5 degrees, the
    * target's count.
    *
@@ -62,27 +62,27 @@ public:
     const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
 
   const Mesh& Surface() const { return this->Feature; }
-  const FeatureBase& Base() const { return this->Stand; }
+  const FeatureFootprint& Base() const { return this->Stand; }
   const ShapeDeformation& Deformation() const { return *this->Prepared; }
 
 private:
   Eigen::MatrixXd Smoothly(HandlePose pose, const Eigen::MatrixXd& normals,
     const PasteFeatureOptions& options, const Progress& progress) const;
   Eigen::MatrixXd LoopNormals(const Eigen::MatrixXd& points) const;
-  Eigen::MatrixXd WithMiddles(const Eigen::MatrixXd& points) const;
+  Eigen::MatrixXd WithMidpoints(const Eigen::MatrixXd& points) const;
 
   void Check(const PastedFeature& pasted) const;
 
   Mesh Feature;
   Topology Kind; ///< of the feature
-  FeatureBase Stand;
+  FeatureFootprint Stand;
   CutTriangles Cut;  ///< the feature's, at the chords of its loop, so that all can be turned there
   TriangleFans Fans; ///< of these
   BoundaryHandle Handle;
   Eigen::MatrixXd NormalsBefore; ///< at the loop, where the feature was cut
   double NormalReach;            ///< arrival time of the last point that these depend on
   std::unique_ptr<ShapeDeformation> Prepared;
-  std::unique_ptr<JoinTurning> Turning;
+  std::unique_ptr<SeamNormals> Turning;
 };
 
 } // namespace shape

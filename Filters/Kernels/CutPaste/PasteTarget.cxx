@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "ExponentialMap/ConformalPatch.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Geometry>
 
@@ -20,7 +21,7 @@ double MeanEdgeLength(const Mesh& mesh)
   double sum = 0.0;
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    const Eigen::Matrix3d corners = Corners(mesh, t);
+    const Eigen::Matrix3d corners = GetCorners(mesh, t);
     for (int k = 0; k < 3; ++k)
     {
       sum += (corners.row((k + 1) % 3) - corners.row(k)).norm();
@@ -30,14 +31,14 @@ double MeanEdgeLength(const Mesh& mesh)
 }
 
 /// Whether another layout might not have this fault.
-bool IsOfLayout(FootprintFault fault)
+bool IsOfLayout(CoveredRegionFault fault)
 {
-  return fault == FootprintFault::Flipped || fault == FootprintFault::Overlaps ||
-    fault == FootprintFault::Collapsed;
+  return fault == CoveredRegionFault::Flipped || fault == CoveredRegionFault::Overlaps ||
+    fault == CoveredRegionFault::Collapsed;
 }
 
 /// What the base's x axis becomes where its normal is turned to `normal` by the shortest way.
-Eigen::RowVector3d TurnedAxis(const FeatureBase& base, const Eigen::RowVector3d& normal)
+Eigen::RowVector3d TurnedAxis(const FeatureFootprint& base, const Eigen::RowVector3d& normal)
 {
   const Eigen::Vector3d from = base.Normal.transpose(), to = normal.transpose();
   if (from.dot(to) < -1.0 + 1e-12)
@@ -51,20 +52,20 @@ Eigen::RowVector3d TurnedAxis(const FeatureBase& base, const Eigen::RowVector3d&
     .transpose();
 }
 
-std::string Reason(const Footprint& cover)
+std::string Reason(const CoveredRegion& cover)
 {
   switch (cover.Fault)
   {
-    case FootprintFault::Flipped:
+    case CoveredRegionFault::Flipped:
       return "its loop goes through " + std::to_string(cover.FlippedAtLoop) +
         " triangles there that are flipped when the target is laid out flat";
-    case FootprintFault::Overlaps:
+    case CoveredRegionFault::Overlaps:
       return "the target wraps around there, so that its footprint would cover it twice";
-    case FootprintFault::NotADisk:
+    case CoveredRegionFault::NotADisk:
       return "its footprint there goes around a handle or a hole of the target";
-    case FootprintFault::LeavesSurface:
+    case CoveredRegionFault::LeavesSurface:
       return "its footprint there leaves the target over its rim";
-    case FootprintFault::Collapsed:
+    case CoveredRegionFault::Collapsed:
       return "its loop shrinks to a point there when the target is laid out flat";
     default:
       return "its footprint reaches beyond the target there";
@@ -73,14 +74,15 @@ std::string Reason(const Footprint& cover)
 
 /// Whether a side of the loop has lost its length: its points are in triangles whose image has
 /// none.
-bool IsCollapsed(const Eigen::MatrixXd& places, const Eigen::MatrixXd& image)
+bool IsCollapsed(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& image)
 {
-  constexpr double least = 1e-6; // of its length in the plane
-  const Eigen::Index size = places.rows();
+  constexpr double minimum = 1e-6; // of its length in the plane
+  const Eigen::Index size = positions.rows();
   for (Eigen::Index i = 0; i < size; ++i)
   {
     const Eigen::Index j = (i + 1) % size;
-    if (!((places.row(i) - places.row(j)).norm() > least * (image.row(i) - image.row(j)).norm()))
+    if (!((positions.row(i) - positions.row(j)).norm() >
+          minimum * (image.row(i) - image.row(j)).norm()))
     {
       return true;
     }
@@ -94,8 +96,8 @@ bool IsCollapsed(const Eigen::MatrixXd& places, const Eigen::MatrixXd& image)
 struct PasteTarget::Trial
 {
   TangentFrame Seed;
-  Footprint Cover;
-  Band Join;
+  CoveredRegion Cover;
+  SeamBand Join;
   TargetLayout Layout = TargetLayout::ExponentialMap;
 };
 
@@ -104,17 +106,17 @@ PasteTarget::PasteTarget(
   : Kind(RequireManifold(surface, "the target"))
   , Map(surface, options, progress)
   , Finder(surface)
-  , Normals(PointNormals(surface))
+  , Normals(ComputePointNormals(surface))
   , MeanEdge(MeanEdgeLength(surface))
 {
 }
 
-PasteTarget::Trial PasteTarget::Try(const FeatureBase& base, const ClosestPlace& seed,
+PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestPoint& seed,
   const PastePlacement& placement, bool quick, const Progress& progress)
 {
   const Eigen::Rotation2Dd turn(placement.Rotation * M_PI / 180.0);
   const Eigen::MatrixXd loop =
-    placement.Scale * base.LoopPlaces * turn.toRotationMatrix().transpose();
+    placement.Scale * base.LoopPositions * turn.toRotationMatrix().transpose();
   const Eigen::RowVector3d axis = TurnedAxis(base, this->Map.Normal(seed));
   Trial trial;
   // The distance along the surface is longer than that in the plane: the patch grows until it holds
@@ -126,7 +128,8 @@ PasteTarget::Trial PasteTarget::Try(const FeatureBase& base, const ClosestPlace&
     const ExponentialPatch patch =
       this->Map.Around(seed, placement.Scale * base.ConformalRadius, axis, progress);
     trial.Seed = patch.Seed;
-    if (this->TryConformally(patch, base.IsRefined, loop, trial, progress) == FootprintFault::None)
+    if (this->TryConformally(patch, base.IsRefined, loop, trial, progress) ==
+      CoveredRegionFault::None)
     {
       return trial;
     }
@@ -136,15 +139,15 @@ PasteTarget::Trial PasteTarget::Try(const FeatureBase& base, const ClosestPlace&
     const ExponentialPatch patch = this->Map.Around(seed, radius, axis, progress);
     trial.Seed = patch.Seed;
     this->TryOn(patch, loop, trial);
-    bool isBeyond = trial.Cover.Fault == FootprintFault::BeyondPatch;
+    bool isBeyond = trial.Cover.Fault == CoveredRegionFault::BeyondPatch;
     if (IsOfLayout(trial.Cover.Fault))
     {
-      FootprintFault fault = this->TryConformally(patch, false, loop, trial, progress);
+      CoveredRegionFault fault = this->TryConformally(patch, false, loop, trial, progress);
       if (IsOfLayout(fault) && !quick)
       {
         fault = this->TryConformally(patch, true, loop, trial, progress);
       }
-      isBeyond = fault == FootprintFault::BeyondPatch && !quick;
+      isBeyond = fault == CoveredRegionFault::BeyondPatch && !quick;
     }
     if (!isBeyond)
     {
@@ -158,65 +161,65 @@ PasteTarget::Trial PasteTarget::Try(const FeatureBase& base, const ClosestPlace&
 void PasteTarget::TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, Trial& trial)
 {
   trial.Cover = this->Finder.Find(patch, loop, 0.02 * this->MeanEdge);
-  if (trial.Cover.Fault == FootprintFault::None &&
-    IsCollapsed(this->PlacesOf(trial.Cover), trial.Cover.Loop))
+  if (trial.Cover.Fault == CoveredRegionFault::None &&
+    IsCollapsed(this->GetLoopPositions(trial.Cover), trial.Cover.Loop))
   {
-    trial.Cover.Fault = FootprintFault::Collapsed;
+    trial.Cover.Fault = CoveredRegionFault::Collapsed;
   }
-  if (trial.Cover.Fault == FootprintFault::None)
+  if (trial.Cover.Fault == CoveredRegionFault::None)
   {
     try
     {
-      trial.Join = JoinToRing(trial.Cover.Loop, trial.Cover.RingImage);
+      trial.Join = TriangulateSeamBand(trial.Cover.Loop, trial.Cover.RingImage);
     }
     catch (const InvalidInput&) // the ring crosses itself or the loop
     {
-      trial.Cover.Fault = FootprintFault::Overlaps;
+      trial.Cover.Fault = CoveredRegionFault::Overlaps;
     }
   }
 }
 
-Eigen::MatrixXd PasteTarget::PlacesOf(const Footprint& cover) const
+Eigen::MatrixXd PasteTarget::GetLoopPositions(const CoveredRegion& cover) const
 {
-  return Pulled(cover.Places, this->Surface().Triangles, this->Surface().Points);
+  return PullBack(cover.Positions, this->Surface().Triangles, this->Surface().Points);
 }
 
-FootprintFault PasteTarget::TryConformally(const ExponentialPatch& patch, bool refine,
+CoveredRegionFault PasteTarget::TryConformally(const ExponentialPatch& patch, bool refine,
   const Eigen::MatrixXd& loop, Trial& trial, const Progress& progress)
 {
   if (patch.Triangles.empty())
   {
-    return FootprintFault::BeyondPatch;
+    return CoveredRegionFault::BeyondPatch;
   }
   Trial other;
   try
   {
-    this->TryOn(LaidOutConformally(this->Surface(), patch, refine, progress), loop, other);
+    this->TryOn(FlattenPatchConformally(this->Surface(), patch, refine, progress), loop, other);
   }
   catch (const SolveFailure&) // it cannot be laid out: what is wrong with it is known
   {
-    return FootprintFault::Flipped;
+    return CoveredRegionFault::Flipped;
   }
-  if (other.Cover.Fault == FootprintFault::None)
+  if (other.Cover.Fault == CoveredRegionFault::None)
   {
     trial.Cover = std::move(other.Cover);
     trial.Join = std::move(other.Join);
-    trial.Layout = refine ? TargetLayout::LeastDistortion : TargetLayout::Conformal;
+    trial.Layout = refine ? TargetLayout::MinimumDistortion : TargetLayout::Conformal;
   }
   return other.Cover.Fault;
 }
 
-Landing PasteTarget::Land(
-  const FeatureBase& base, const PastePlacement& placement, bool search, const Progress& progress)
+LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacement& placement,
+  bool search, const Progress& progress)
 {
   RequireOption(
     placement.Scale > 0.0 && std::isfinite(placement.Scale), "Scale", placement.Scale, "positive");
   RequireOption(std::isfinite(placement.Rotation), "Rotation", placement.Rotation, "finite");
   RequireFinite(placement.Seed, "Seed");
-  const ClosestPlace seed = this->Map.Locator().FindOne(placement.Seed, this->LastTriangle);
+  const ClosestPoint seed = this->Map.Locator().FindOne(placement.Seed, this->LastTriangle);
   this->LastTriangle = seed.Triangle;
   Trial trial = this->Try(base, seed, placement, !search, progress);
-  if (trial.Cover.Fault != FootprintFault::None)
+  if (trial.Cover.Fault != CoveredRegionFault::None)
   {
     std::ostringstream words;
     words << "the feature does not fit at the seed: " << Reason(trial.Cover);
@@ -228,7 +231,7 @@ Landing PasteTarget::Land(
       {
         smaller.Scale = (good + bad) / 2.0;
         const bool fits =
-          this->Try(base, seed, smaller, true, progress).Cover.Fault == FootprintFault::None;
+          this->Try(base, seed, smaller, true, progress).Cover.Fault == CoveredRegionFault::None;
         (fits ? good : bad) = smaller.Scale;
       }
       if (good > 0.0)
@@ -246,12 +249,13 @@ Landing PasteTarget::Land(
     }
     throw InvalidInput(words.str());
   }
-  Landing landing;
+  LoopOnTarget landing;
   landing.Layout = trial.Layout;
   landing.Seed = trial.Seed;
   const Eigen::MatrixXi& triangles = this->Surface().Triangles;
-  landing.Places = this->PlacesOf(trial.Cover);
-  landing.Normals = Pulled(trial.Cover.Places, triangles, this->Normals).rowwise().normalized();
+  landing.Positions = this->GetLoopPositions(trial.Cover);
+  landing.Normals =
+    PullBack(trial.Cover.Positions, triangles, this->Normals).rowwise().normalized();
   landing.Cover = std::move(trial.Cover);
   landing.Join = std::move(trial.Join);
   return landing;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Mesh/Topology.h"
-#include "CutPaste/FeatureBase.h"
-#include "CutPaste/Footprint.h"
-#include "CutPaste/Stitch.h"
+#include "CutPaste/CoveredRegion.h"
+#include "CutPaste/FeatureFootprint.h"
+#include "CutPaste/SeamBand.h"
 #include "ExponentialMap/ExponentialMap.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Topology.h"
 
 #include <Eigen/Core>
 
@@ -22,23 +22,23 @@ struct PastePlacement
 };
 
 /// How a target is laid out in the plane: by its exponential map, or in one of the two ways of
-/// LaidOutConformally.
+/// FlattenPatchConformally.
 enum class TargetLayout
 {
   ExponentialMap,
   Conformal,
-  LeastDistortion
+  MinimumDistortion
 };
 
 /// Where a feature's loop comes to lie on a target.
-struct Landing
+struct LoopOnTarget
 {
   TargetLayout Layout = TargetLayout::ExponentialMap;
-  TangentFrame Seed;       ///< XAxis: where the base's is turned to, before Rotation
-  Eigen::MatrixXd Places;  ///< n x 3: of the loop's points, on the target
-  Eigen::MatrixXd Normals; ///< n x 3: unit normals of the target there
-  Footprint Cover;         ///< what they cover
-  Band Join;               ///< the triangles between the loop and the ring of Cover
+  TangentFrame Seed;         ///< XAxis: where the base's is turned to, before Rotation
+  Eigen::MatrixXd Positions; ///< n x 3: of the loop's points, on the target
+  Eigen::MatrixXd Normals;   ///< n x 3: unit normals of the target there
+  CoveredRegion Cover;       ///< what they cover
+  SeamBand Join;             ///< the triangles between the loop and the ring of Cover
 };
 
 /**
@@ -67,21 +67,21 @@ public:
    * largest scale that it would take. search: whether to look for that scale, and to refine a
    * conformal layout: else the landing is quick. Aborted.
    */
-  Landing Land(const FeatureBase& base, const PastePlacement& placement, bool search = true,
-    const Progress& progress = {});
+  LoopOnTarget Land(const FeatureFootprint& base, const PastePlacement& placement,
+    bool search = true, const Progress& progress = {});
 
 private:
   struct Trial;
-  Trial Try(const FeatureBase& base, const ClosestPlace& seed, const PastePlacement& placement,
+  Trial Try(const FeatureFootprint& base, const ClosestPoint& seed, const PastePlacement& placement,
     bool quick, const Progress& progress);
   void TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, Trial& trial);
-  Eigen::MatrixXd PlacesOf(const Footprint& cover) const;
-  FootprintFault TryConformally(const ExponentialPatch& patch, bool refine,
+  Eigen::MatrixXd GetLoopPositions(const CoveredRegion& cover) const;
+  CoveredRegionFault TryConformally(const ExponentialPatch& patch, bool refine,
     const Eigen::MatrixXd& loop, Trial& trial, const Progress& progress);
 
   Topology Kind;
   ExponentialMap Map;
-  FootprintFinder Finder;
+  CoveredRegionFinder Finder;
   Eigen::MatrixXd Normals; ///< PointNormals
   double MeanEdge;
   int LastTriangle = -1; ///< of the seed before: the next one is likely near

@@ -9,12 +9,12 @@ namespace
 class Assembly
 {
 public:
-  Assembly(const Mesh& target, const CutTriangles& feature, const FeatureBase& base,
-    const Landing& landing)
+  Assembly(const Mesh& target, const CutTriangles& feature, const FeatureFootprint& base,
+    const LoopOnTarget& landing)
     : Target(target)
     , Feature(feature)
     , Base(base)
-    , Place(landing)
+    , Position(landing)
   {
   }
 
@@ -23,19 +23,19 @@ public:
   {
     PastedFeature result;
     std::vector<bool> isGone(this->Target.Triangles.rows(), false);
-    for (const int triangle : this->Place.Cover.Triangles)
+    for (const int triangle : this->Position.Cover.Triangles)
     {
       isGone[triangle] = true;
     }
     const std::vector<int> number = this->Number(result.TargetPoints);
     const auto kept = static_cast<int>(result.TargetPoints.size());
-    const auto count =
-      this->Target.Triangles.rows() - static_cast<Eigen::Index>(this->Place.Cover.Triangles.size());
-    const Eigen::MatrixXi& band = this->Place.Join.Triangles;
+    const auto count = this->Target.Triangles.rows() -
+      static_cast<Eigen::Index>(this->Position.Cover.Triangles.size());
+    const Eigen::MatrixXi& band = this->Position.Join.Triangles;
     result.BandTriangles = static_cast<int>(band.rows());
     result.TargetTriangles.reserve(count);
-    const auto middles = static_cast<Eigen::Index>(this->Place.Join.Middles.size());
-    result.Surface.Points.resize(kept + deformed.rows() + middles, 3);
+    const auto midpoints = static_cast<Eigen::Index>(this->Position.Join.Midpoints.size());
+    result.Surface.Points.resize(kept + deformed.rows() + midpoints, 3);
     for (int i = 0; i < kept; ++i)
     {
       result.Surface.Points.row(i) = this->Target.Points.row(result.TargetPoints[i]);
@@ -57,23 +57,23 @@ public:
       }
     }
     const auto loop = static_cast<int>(this->Base.Loop.size());
-    const auto ring = static_cast<int>(this->Place.Cover.Ring.size());
+    const auto ring = static_cast<int>(this->Position.Cover.Ring.size());
     const int last = kept + static_cast<int>(deformed.rows());
     const auto numberOf = [&](int corner)
     {
       return corner < loop     ? kept + this->Base.Loop[corner]
-        : corner < loop + ring ? number[this->Place.Cover.Ring[corner - loop]]
+        : corner < loop + ring ? number[this->Position.Cover.Ring[corner - loop]]
                                : last + corner - loop - ring;
     };
-    for (const auto& [a, b] : this->Feature.Middles)
+    for (const auto& [a, b] : this->Feature.Midpoints)
     {
-      result.Middles.push_back({ kept + a, kept + b });
+      result.Midpoints.push_back({ kept + a, kept + b });
     }
-    for (Eigen::Index i = 0; i < middles; ++i)
+    for (Eigen::Index i = 0; i < midpoints; ++i)
     {
-      const int a = numberOf(this->Place.Join.Middles[i][0]);
-      const int b = numberOf(this->Place.Join.Middles[i][1]);
-      result.Middles.push_back({ a, b });
+      const int a = numberOf(this->Position.Join.Midpoints[i][0]);
+      const int b = numberOf(this->Position.Join.Midpoints[i][1]);
+      result.Midpoints.push_back({ a, b });
       result.Surface.Points.row(last + i) =
         0.5 * (result.Surface.Points.row(a) + result.Surface.Points.row(b));
     }
@@ -94,19 +94,20 @@ private:
   std::vector<int> Number(std::vector<int>& points) const
   {
     std::vector<int> number(this->Target.Points.rows(), 0);
-    for (const int triangle : this->Place.Cover.Triangles)
+    for (const int triangle : this->Position.Cover.Triangles)
     {
       for (int k = 0; k < 3; ++k)
       {
         number[this->Target.Triangles(triangle, k)] = -1;
       }
     }
-    const std::vector<int>& ring = this->Place.Cover.Ring;
+    const std::vector<int>& ring = this->Position.Cover.Ring;
     const auto loop = static_cast<int>(this->Base.Loop.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       // One of the loop's points takes the place of those that lie on it.
-      number[ring[i]] = this->Place.Join.RingPoints(static_cast<Eigen::Index>(i)) < loop ? -1 : 0;
+      number[ring[i]] =
+        this->Position.Join.RingPoints(static_cast<Eigen::Index>(i)) < loop ? -1 : 0;
     }
     for (int point = 0; point < static_cast<int>(number.size()); ++point)
     {
@@ -118,7 +119,7 @@ private:
     }
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const int same = this->Place.Join.RingPoints(static_cast<Eigen::Index>(i));
+      const int same = this->Position.Join.RingPoints(static_cast<Eigen::Index>(i));
       if (same < loop)
       {
         number[ring[i]] = static_cast<int>(points.size()) + this->Base.Loop[same];
@@ -129,14 +130,14 @@ private:
 
   const Mesh& Target;
   const CutTriangles& Feature;
-  const FeatureBase& Base;
-  const Landing& Place;
+  const FeatureFootprint& Base;
+  const LoopOnTarget& Position;
 };
 
 } // namespace
 
-PastedFeature JoinedSurface(const Mesh& target, const CutTriangles& feature,
-  const FeatureBase& base, const Landing& landing, const Eigen::MatrixXd& deformed)
+PastedFeature JoinFeatureAndTarget(const Mesh& target, const CutTriangles& feature,
+  const FeatureFootprint& base, const LoopOnTarget& landing, const Eigen::MatrixXd& deformed)
 {
   return Assembly(target, feature, base, landing).Make(deformed);
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Mesh/EdgeMiddles.h"
-#include "CutPaste/FeatureBase.h"
+#include "CutPaste/FeatureFootprint.h"
 #include "CutPaste/PasteTarget.h"
 #include "Deform/ShapeDeformation.h"
+#include "Mesh/EdgeMidpoints.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -23,11 +23,11 @@ struct PastedFeature
   std::vector<int> TargetPoints;
   /// Of each of the points after these: the two that it is between, where an edge of the feature
   /// that joined two points of its loop, or one of the band, is cut.
-  std::vector<std::array<int, 2>> Middles;
+  std::vector<std::array<int, 2>> Midpoints;
   std::vector<int> TargetTriangles;  ///< of each of the first triangles: the one of the target
   int BandTriangles = 0;             ///< those after them
   std::vector<int> FeatureTriangles; ///< of each of the rest: the one of the feature
-  Landing Place;
+  LoopOnTarget Position;
   /// n: degrees, about the loop, between the feature's normals at its points and the target's
   /// there, with the frames as they are and turned.
   Eigen::VectorXd AnglesBefore, AnglesAfter;
@@ -38,7 +38,7 @@ struct PastedFeature
 /// Puts the surface together, and what tells where its parts come from. target: what the feature is
 /// set down on. feature: its triangles, cut at the chords of its loop; deformed: its points where
 /// they come to lie, the middles last.
-PastedFeature JoinedSurface(const Mesh& target, const CutTriangles& feature,
-  const FeatureBase& base, const Landing& landing, const Eigen::MatrixXd& deformed);
+PastedFeature JoinFeatureAndTarget(const Mesh& target, const CutTriangles& feature,
+  const FeatureFootprint& base, const LoopOnTarget& landing, const Eigen::MatrixXd& deformed);
 
 } // namespace shape

@@ -1,9 +1,9 @@
 #include "CutPaste/SurfaceDivision.h"
 
 #include "Base/DisjointSets.h"
-#include "Mesh/HalfEdges.h"
-#include "Mesh/BorderLoops.h"
 #include "Geodesics/TriangleStrip.h"
+#include "Mesh/BoundaryLoops.h"
+#include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
 
@@ -15,7 +15,7 @@
 namespace shape
 {
 
-Mesh Seamless(const DividedPart& part)
+Mesh MergeSeam(const DividedPart& part)
 {
   Mesh whole = part.Surface;
   std::map<int, int> first; // by id
@@ -31,14 +31,14 @@ Mesh Seamless(const DividedPart& part)
 }
 
 SurfaceDivision::SurfaceDivision(const Mesh& surface, const WeldedSurface& joined,
-  InsertedLoops split, std::vector<char> isFeature)
+  ImprintedCurves split, std::vector<char> isFeature)
   : Surface(surface)
   , Joined(joined)
   , Split(std::move(split))
   , IsFeature(std::move(isFeature))
 {
   const Mesh& mesh = this->Split.Surface;
-  const std::vector<HalfEdge> edges = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  const std::vector<HalfEdge> edges = SortHalfEdges(mesh.Triangles, mesh.Points.rows());
   for (std::size_t i = 0; i + 1 < edges.size(); ++i)
   {
     const HalfEdge &one = edges[i], &other = edges[i + 1];
@@ -69,7 +69,7 @@ double SurfaceDivision::MeanArea() const
   double area = 0.0;
   for (const int triangle : beside)
   {
-    const Eigen::Matrix3d corners = Corners(this->Joined.Surface, triangle);
+    const Eigen::Matrix3d corners = GetCorners(this->Joined.Surface, triangle);
     area += 0.5 * (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0)).norm();
   }
   return beside.empty() ? 0.0 : area / static_cast<double>(beside.size());
@@ -90,11 +90,11 @@ int SurfaceDivision::GivenPoint(int triangle, int point) const
 }
 
 /// Where a new point is in a triangle that has it.
-SurfacePlace SurfaceDivision::NewPlace(int triangle, int point) const
+SurfacePoint SurfaceDivision::NewPosition(int triangle, int point) const
 {
-  const PreciseMap& added = this->Split.NewPoints;
+  const SurfacePoints& added = this->Split.NewPoints;
   const Eigen::Index row = point - this->Surface.Points.rows();
-  const PlaceSupport support(
+  const PointSupport support(
     this->Joined.Surface, { added.Triangles(row), added.Barycentrics.row(row) });
   const int joined = this->Split.OriginalTriangles(triangle);
   return { this->OriginalOf(triangle), support.In(this->Joined.Surface, joined).Barycentric };
@@ -107,17 +107,17 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
   std::vector<Eigen::RowVector3i> triangles; // of the given points, then of those added
   // On a seam, whose points are doubled, a new point is doubled, too: each side has its own data.
   std::map<std::array<int, 3>, int> numberOfAdded;
-  std::vector<std::pair<int, SurfacePlace>> added;
+  std::vector<std::pair<int, SurfacePoint>> added;
   const auto add = [&](int triangle, int point)
   {
-    const SurfacePlace place = this->NewPlace(triangle, point);
-    const PlaceSupport support(this->Surface, place);
+    const SurfacePoint position = this->NewPosition(triangle, point);
+    const PointSupport support(this->Surface, position);
     const auto [low, high] = std::minmax(support.Points[0], support.Points[1]);
     const auto [found, isNew] =
       numberOfAdded.insert({ { point, low, high }, given + static_cast<int>(added.size()) });
     if (isNew)
     {
-      added.emplace_back(point, place);
+      added.emplace_back(point, position);
     }
     return found->second;
   };
@@ -153,7 +153,7 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
   }
   const auto count = static_cast<Eigen::Index>(points.size());
   part.Surface.Points.resize(count, 3);
-  part.Places = { Eigen::VectorXi(count), Eigen::MatrixXd(count, 3) };
+  part.Positions = { Eigen::VectorXi(count), Eigen::MatrixXd(count, 3) };
   for (Eigen::Index row = 0; row < count; ++row)
   {
     const int point = points[row], triangle = firsts[point];
@@ -162,8 +162,8 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
     part.OriginalPoints.push_back(isGiven ? point : -1);
     part.Ids.push_back(id);
     part.Surface.Points.row(row) = this->Split.Surface.Points.row(id);
-    part.Places.Triangles(row) = isGiven ? triangle : added[point - given].second.Triangle;
-    part.Places.Barycentrics.row(row) = isGiven
+    part.Positions.Triangles(row) = isGiven ? triangle : added[point - given].second.Triangle;
+    part.Positions.Barycentrics.row(row) = isGiven
       ? Eigen::RowVector3d((this->Surface.Triangles.row(triangle).array() == point).cast<double>())
       : added[point - given].second.Barycentric;
   }
@@ -179,8 +179,8 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
 std::vector<std::vector<int>> SurfaceDivision::CutLoops(
   const Mesh& part, const std::vector<int>& ids) const
 {
-  std::vector<std::vector<int>> loops = BorderLoops(part).Loops;
-  const auto isOfOldBorder = [&](const std::vector<int>& loop)
+  std::vector<std::vector<int>> loops = FindBoundaryLoops(part).Loops;
+  const auto isOfOldBoundary = [&](const std::vector<int>& loop)
   {
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
@@ -192,7 +192,7 @@ std::vector<std::vector<int>> SurfaceDivision::CutLoops(
     }
     return false;
   };
-  loops.erase(std::remove_if(loops.begin(), loops.end(), isOfOldBorder), loops.end());
+  loops.erase(std::remove_if(loops.begin(), loops.end(), isOfOldBoundary), loops.end());
   return loops;
 }
 
@@ -201,8 +201,8 @@ void SurfaceDivision::PartPinches(DividedPart& part) const
   Mesh& mesh = part.Surface;
   // Corners at one point are joined across edges that their triangles share.
   DisjointSets fans(static_cast<int>(mesh.Triangles.size()));
-  const Eigen::MatrixXi whole = Seamless(part).Triangles;
-  const std::vector<HalfEdge> edges = SortedHalfEdges(whole, mesh.Points.rows());
+  const Eigen::MatrixXi whole = MergeSeam(part).Triangles;
+  const std::vector<HalfEdge> edges = SortHalfEdges(whole, mesh.Points.rows());
   const auto cornerOf = [&](int triangle, int point)
   {
     const auto row = whole.row(triangle);
@@ -238,8 +238,8 @@ void SurfaceDivision::PartPinches(DividedPart& part) const
     }
   }
   mesh.Points = mesh.Points(all, Eigen::all).eval();
-  part.Places.Triangles = part.Places.Triangles(all).eval();
-  part.Places.Barycentrics = part.Places.Barycentrics(all, Eigen::all).eval();
+  part.Positions.Triangles = part.Positions.Triangles(all).eval();
+  part.Positions.Barycentrics = part.Positions.Barycentrics(all, Eigen::all).eval();
   for (std::size_t i = points; i < all.size(); ++i)
   {
     part.OriginalPoints.push_back(part.OriginalPoints[all[i]]);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
-#include "Remesh/LoopInsertion.h"
 #include "Geometry/SurfaceWelding.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/SurfacePoints.h"
+#include "Remesh/CurveImprinting.h"
 
 #include <set>
 #include <utility>
@@ -17,21 +17,21 @@ struct DividedPart
 {
   Mesh Surface;                       ///< points of the surface in their order, then new ones
   std::vector<int> OriginalPoints;    ///< of each point: the surface's, or -1
-  PreciseMap Places;                  ///< where it is on the surface; triangle -1: not on it
+  SurfacePoints Positions;            ///< where it is on the surface; triangle -1: not on it
   std::vector<int> OriginalTriangles; ///< of each: the surface's that it is in, or -1: in none
   std::vector<int> Ids; ///< of each point: see SurfaceDivision; -1: not on the surface
 };
 
 /// A part whose seams are closed: the same points, of those with one id the first alone.
-Mesh Seamless(const DividedPart& part);
+Mesh MergeSeam(const DividedPart& part);
 
-/// A surface divided in two along edges, which it may have been given by InsertLoops.
+/// A surface divided in two along edges, which it may have been given by ImprintCurves.
 class SurfaceDivision
 {
 public:
   /// surface, joined: kept by reference. split: of the joined surface. isFeature: of each of its
   /// triangles.
-  SurfaceDivision(const Mesh& surface, const WeldedSurface& joined, InsertedLoops split,
+  SurfaceDivision(const Mesh& surface, const WeldedSurface& joined, ImprintedCurves split,
     std::vector<char> isFeature);
 
   double CutLength() const { return this->Length; } ///< 0: nothing is divided
@@ -50,11 +50,11 @@ public:
 private:
   int OriginalOf(int triangle) const;
   int GivenPoint(int triangle, int point) const;
-  SurfacePlace NewPlace(int triangle, int point) const;
+  SurfacePoint NewPosition(int triangle, int point) const;
 
   const Mesh& Surface;
   const WeldedSurface& Joined;
-  InsertedLoops Split;
+  ImprintedCurves Split;
   std::vector<char> IsFeature;
   std::set<std::pair<int, int>> Cut; ///< edges between feature and rest, the lower point first
   std::set<int> CutPoints;

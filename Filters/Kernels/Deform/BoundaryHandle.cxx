@@ -22,10 +22,10 @@ class Neighbourhood
 {
 public:
   explicit Neighbourhood(const BoundaryHandle& handle)
-    : First(FirstSamples(handle))
-    , Before(handle.Places.rows())
-    , After(handle.Places.rows())
-    , Around(handle.Places.rows())
+    : First(GetFirstSamples(handle))
+    , Before(handle.Positions.rows())
+    , After(handle.Positions.rows())
+    , Around(handle.Positions.rows())
   {
     for (const auto& segment : handle.Segments.rowwise())
     {
@@ -50,7 +50,7 @@ public:
   bool OnSurface(int sample) const { return !this->Around[this->First[sample]].empty(); }
 
   /// From the sample before to the sample after; 0 where there is no one such.
-  Eigen::Vector3d Tangent(int sample, const Eigen::MatrixXd& places) const
+  Eigen::Vector3d Tangent(int sample, const Eigen::MatrixXd& positions) const
   {
     const int own = this->First[sample];
     const std::vector<int>&before = this->Before[own], &after = this->After[own];
@@ -61,7 +61,7 @@ public:
     // Where both segments lead away, or both arrive, the curve is run through in their order.
     const int from = !before.empty() ? before.front() : after.size() == 2 ? after.front() : own;
     const int to = !after.empty() ? after.back() : before.size() == 2 ? before.back() : own;
-    return (places.row(to) - places.row(from)).transpose();
+    return (positions.row(to) - positions.row(from)).transpose();
   }
 
   /// All neighbours, some perhaps twice.
@@ -80,7 +80,7 @@ private:
   std::vector<std::vector<int>> Before, After, Around;
 };
 
-Eigen::Matrix3d LeastRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+Eigen::Matrix3d MinimumRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
@@ -98,7 +98,7 @@ Eigen::Matrix3d FittedRotation(const Eigen::Matrix3d& products, const Eigen::Mat
   }
   if (values(1) <= 1e-9 * values(0))
   {
-    return LeastRotation(before * svd.matrixV().col(0), svd.matrixU().col(0)) * before;
+    return MinimumRotation(before * svd.matrixV().col(0), svd.matrixU().col(0)) * before;
   }
   Eigen::Matrix3d u = svd.matrixU();
   if (u.determinant() * svd.matrixV().determinant() < 0.0)
@@ -111,17 +111,18 @@ Eigen::Matrix3d FittedRotation(const Eigen::Matrix3d& products, const Eigen::Mat
 /// How much of the handle each sample stands for, so that dense samples count no more.
 Eigen::VectorXd Shares(const BoundaryHandle& handle)
 {
-  Eigen::VectorXd shares = Eigen::VectorXd::Zero(handle.Places.rows());
-  const double size = BoxDiagonal(handle.Places);
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(handle.Positions.rows());
+  const double size = ComputeBoxDiagonal(handle.Positions);
   for (const auto& segment : handle.Segments.rowwise())
   {
     const double length =
-      (handle.Places.row(segment(0)) - handle.Places.row(segment(1))).norm() * size;
+      (handle.Positions.row(segment(0)) - handle.Positions.row(segment(1))).norm() * size;
     shares(segment(0)) += length;
     shares(segment(1)) += length;
   }
-  const Mesh surface{ handle.Places, handle.Triangles };
-  shares += handle.Triangles.rows() > 0 ? PointAreas(surface) : Eigen::VectorXd(0.0 * shares);
+  const Mesh surface{ handle.Positions, handle.Triangles };
+  shares +=
+    handle.Triangles.rows() > 0 ? ComputePointAreas(surface) : Eigen::VectorXd(0.0 * shares);
   if (!(shares.sum() > 0.0))
   {
     shares.setOnes();
@@ -130,7 +131,7 @@ Eigen::VectorXd Shares(const BoundaryHandle& handle)
 }
 
 /// The rotation of the handle as a whole.
-Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& places)
+Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& positions)
 {
   const Eigen::VectorXd shares = Shares(handle);
   const auto centred = [&](const Eigen::MatrixXd& rows) -> Eigen::MatrixXd
@@ -139,7 +140,7 @@ Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixX
     return rows.rowwise() - centre;
   };
   const Eigen::Matrix3d products =
-    centred(places).transpose() * shares.asDiagonal() * centred(handle.Places);
+    centred(positions).transpose() * shares.asDiagonal() * centred(handle.Positions);
   return FittedRotation(products, Eigen::Matrix3d::Identity());
 }
 
@@ -163,18 +164,18 @@ bool MakeFrame(
 class SampleRotation
 {
 public:
-  SampleRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& places)
+  SampleRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& positions)
     : Handle(handle)
-    , Places(places)
+    , Positions(positions)
     , Near(handle)
-    , Whole(WholeRotation(handle, places))
+    , Whole(WholeRotation(handle, positions))
   {
   }
 
   Eigen::Matrix3d Of(int sample, const Eigen::Vector3d& normal, const Eigen::Vector3d& moved) const
   {
-    const Eigen::Vector3d tangent = this->Near.Tangent(sample, this->Handle.Places);
-    const Eigen::Vector3d along = this->Near.Tangent(sample, this->Places);
+    const Eigen::Vector3d tangent = this->Near.Tangent(sample, this->Handle.Positions);
+    const Eigen::Vector3d along = this->Near.Tangent(sample, this->Positions);
     if (!this->Near.OnSurface(sample) && tangent.norm() > 0.0 && along.norm() > 0.0)
     {
       Eigen::Matrix3d from, to;
@@ -182,14 +183,15 @@ public:
       {
         return to * from.transpose();
       }
-      return LeastRotation(this->Whole * tangent, along) * this->Whole;
+      return MinimumRotation(this->Whole * tangent, along) * this->Whole;
     }
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
     double size = 0.0;
     for (const int j : this->Near.All(sample))
     {
-      const Eigen::RowVector3d from = this->Handle.Places.row(j) - this->Handle.Places.row(sample);
-      products += (this->Places.row(j) - this->Places.row(sample)).transpose() * from;
+      const Eigen::RowVector3d from =
+        this->Handle.Positions.row(j) - this->Handle.Positions.row(sample);
+      products += (this->Positions.row(j) - this->Positions.row(sample)).transpose() * from;
       size += from.squaredNorm();
     }
     products += (size > 0.0 ? size : 1.0) * moved * normal.transpose();
@@ -198,7 +200,7 @@ public:
 
 private:
   const BoundaryHandle& Handle;
-  const Eigen::MatrixXd& Places;
+  const Eigen::MatrixXd& Positions;
   Neighbourhood Near;
   Eigen::Matrix3d Whole;
 };
@@ -214,10 +216,10 @@ Eigen::MatrixXd UnitRows(Eigen::MatrixXd rows)
 }
 
 /// The normals of the handle's own surface, 0 elsewhere.
-Eigen::MatrixXd SurfaceNormals(const BoundaryHandle& handle, const Eigen::MatrixXd& places)
+Eigen::MatrixXd SurfaceNormals(const BoundaryHandle& handle, const Eigen::MatrixXd& positions)
 {
-  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(places.rows(), 3);
-  const Eigen::MatrixXd vectors = AreaVectors(Mesh{ places, handle.Triangles });
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(positions.rows(), 3);
+  const Eigen::MatrixXd vectors = ComputeAreaVectors(Mesh{ positions, handle.Triangles });
   for (Eigen::Index t = 0; t < handle.Triangles.rows(); ++t)
   {
     for (const int sample : handle.Triangles.row(t))
@@ -241,11 +243,11 @@ void RequireSize(const Eigen::MatrixXd& rows, Eigen::Index samples, const std::s
 
 } // namespace
 
-BoundaryHandle CurveHandle(
-  const Eigen::MatrixXd& places, bool closed, const Eigen::MatrixXd& normals)
+BoundaryHandle BuildCurveHandle(
+  const Eigen::MatrixXd& positions, bool closed, const Eigen::MatrixXd& normals)
 {
-  const auto samples = static_cast<int>(places.rows());
-  BoundaryHandle handle{ places, {}, {}, normals };
+  const auto samples = static_cast<int>(positions.rows());
+  BoundaryHandle handle{ positions, {}, {}, normals };
   handle.Segments.resize(std::max(0, closed ? samples : samples - 1), 2);
   for (int i = 0; i < handle.Segments.rows(); ++i)
   {
@@ -254,35 +256,36 @@ BoundaryHandle CurveHandle(
   return handle;
 }
 
-std::vector<int> FirstSamples(const BoundaryHandle& handle)
+std::vector<int> GetFirstSamples(const BoundaryHandle& handle)
 {
-  const PointTree tree(handle.Places);
-  const double tolerance = 1e-9 * BoxDiagonal(handle.Places);
+  const PointTree tree(handle.Positions);
+  const double tolerance = 1e-9 * ComputeBoxDiagonal(handle.Positions);
   std::vector<int> first;
-  for (Eigen::Index i = 0; i < handle.Places.rows(); ++i)
+  for (Eigen::Index i = 0; i < handle.Positions.rows(); ++i)
   {
-    first.push_back(tree.Within(handle.Places.row(i), tolerance).front());
+    first.push_back(tree.Within(handle.Positions.row(i), tolerance).front());
   }
   return first;
 }
 
-Eigen::MatrixXd HandleTangents(const BoundaryHandle& handle, const Eigen::MatrixXd& places)
+Eigen::MatrixXd ComputeHandleTangents(
+  const BoundaryHandle& handle, const Eigen::MatrixXd& positions)
 {
   const Neighbourhood near(handle);
-  Eigen::MatrixXd tangents(places.rows(), 3);
-  for (int i = 0; i < static_cast<int>(places.rows()); ++i)
+  Eigen::MatrixXd tangents(positions.rows(), 3);
+  for (int i = 0; i < static_cast<int>(positions.rows()); ++i)
   {
-    tangents.row(i) = near.Tangent(i, places).transpose();
+    tangents.row(i) = near.Tangent(i, positions).transpose();
   }
   return tangents;
 }
 
 HandlePose PoseHandle(
-  const BoundaryHandle& handle, const Eigen::MatrixXd& places, const Eigen::MatrixXd& normals)
+  const BoundaryHandle& handle, const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals)
 {
-  const Eigen::Index samples = handle.Places.rows();
-  RequireSize(handle.Places, samples, "places");
-  RequireSize(places, samples, "target places");
+  const Eigen::Index samples = handle.Positions.rows();
+  RequireSize(handle.Positions, samples, "places");
+  RequireSize(positions, samples, "target places");
   const bool before = handle.Normals.size() > 0, after = normals.size() > 0;
   if (before != after)
   {
@@ -295,15 +298,15 @@ HandlePose PoseHandle(
     RequireSize(handle.Normals, samples, "source normals");
     RequireSize(normals, samples, "target normals");
   }
-  if (places == handle.Places && (!before || normals == handle.Normals))
+  if (positions == handle.Positions && (!before || normals == handle.Normals))
   {
-    return RestPose(handle); // to the last bit
+    return GetRestPose(handle); // to the last bit
   }
   const Eigen::MatrixXd from =
-    UnitRows(before ? handle.Normals : SurfaceNormals(handle, handle.Places));
-  const Eigen::MatrixXd to = UnitRows(before ? normals : SurfaceNormals(handle, places));
-  const SampleRotation rotation(handle, places);
-  HandlePose pose{ places, {} };
+    UnitRows(before ? handle.Normals : SurfaceNormals(handle, handle.Positions));
+  const Eigen::MatrixXd to = UnitRows(before ? normals : SurfaceNormals(handle, positions));
+  const SampleRotation rotation(handle, positions);
+  HandlePose pose{ positions, {} };
   for (int i = 0; i < static_cast<int>(samples); ++i)
   {
     pose.Rotations.push_back(rotation.Of(i, from.row(i).transpose(), to.row(i).transpose()));
@@ -311,16 +314,16 @@ HandlePose PoseHandle(
   return pose;
 }
 
-HandlePose RestPose(const BoundaryHandle& handle)
+HandlePose GetRestPose(const BoundaryHandle& handle)
 {
-  return { handle.Places,
-    std::vector<Eigen::Matrix3d>(handle.Places.rows(), Eigen::Matrix3d::Identity()) };
+  return { handle.Positions,
+    std::vector<Eigen::Matrix3d>(handle.Positions.rows(), Eigen::Matrix3d::Identity()) };
 }
 
-void TurnAboutTangents(
+void RotateAboutTangents(
   const BoundaryHandle& handle, const Eigen::VectorXd& angles, HandlePose& pose)
 {
-  const Eigen::MatrixXd tangents = HandleTangents(handle, pose.Places);
+  const Eigen::MatrixXd tangents = ComputeHandleTangents(handle, pose.Positions);
   for (Eigen::Index i = 0; i < tangents.rows(); ++i)
   {
     const Eigen::Vector3d axis = tangents.row(i).transpose();

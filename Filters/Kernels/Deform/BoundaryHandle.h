@@ -13,7 +13,7 @@ namespace shape
  */
 struct BoundaryHandle
 {
-  Eigen::MatrixXd Places;    ///< s x 3, in the model's units
+  Eigen::MatrixXd Positions; ///< s x 3, in the model's units
   Eigen::MatrixXi Segments;  ///< l x 2 samples: the curves
   Eigen::MatrixXi Triangles; ///< m x 3 samples: the surface
   Eigen::MatrixXd Normals;   ///< s x 3, of any length, or no rows
@@ -22,21 +22,22 @@ struct BoundaryHandle
 /// Where the samples of a handle go, and how the shape turns there.
 struct HandlePose
 {
-  Eigen::MatrixXd Places;                 ///< s x 3
+  Eigen::MatrixXd Positions;              ///< s x 3
   std::vector<Eigen::Matrix3d> Rotations; ///< s: columns turn, x -> R x
 };
 
 /// A curve through places (s x 3) in their order; closed, it goes back to the first one.
-BoundaryHandle CurveHandle(
-  const Eigen::MatrixXd& places, bool closed, const Eigen::MatrixXd& normals = {});
+BoundaryHandle BuildCurveHandle(
+  const Eigen::MatrixXd& positions, bool closed, const Eigen::MatrixXd& normals = {});
 
 /// The sample itself, or the first one at its place, for each (within 1e-9 of the diagonal).
-std::vector<int> FirstSamples(const BoundaryHandle& handle);
+std::vector<int> GetFirstSamples(const BoundaryHandle& handle);
 
 /// The direction from the sample before each one to the sample after it (s x 3): the axis that
 /// equation 12 turns frames about. Not normalised; 0 where a sample is on no curve, or more than
 /// two segments meet.
-Eigen::MatrixXd HandleTangents(const BoundaryHandle& handle, const Eigen::MatrixXd& places);
+Eigen::MatrixXd ComputeHandleTangents(
+  const BoundaryHandle& handle, const Eigen::MatrixXd& positions);
 
 /**
  * The pose of a handle whose samples go to `places` (s x 3), where the shape's normals are to be
@@ -52,15 +53,15 @@ Eigen::MatrixXd HandleTangents(const BoundaryHandle& handle, const Eigen::Matrix
  * Throws InvalidInput where sizes differ, a value is not finite, or one of the handle and the
  * target has normals and the other has none.
  */
-HandlePose PoseHandle(
-  const BoundaryHandle& handle, const Eigen::MatrixXd& places, const Eigen::MatrixXd& normals = {});
+HandlePose PoseHandle(const BoundaryHandle& handle, const Eigen::MatrixXd& positions,
+  const Eigen::MatrixXd& normals = {});
 
 /// The handle at its own place.
-HandlePose RestPose(const BoundaryHandle& handle);
+HandlePose GetRestPose(const BoundaryHandle& handle);
 
 /// Turns each sample's rotation by an angle (s, radians) about the tangent of the posed curve, by
 /// the right-hand rule along the segments: M_i of equation 12. Samples without a tangent stay.
-void TurnAboutTangents(
+void RotateAboutTangents(
   const BoundaryHandle& handle, const Eigen::VectorXd& angles, HandlePose& pose);
 
 } // namespace shape

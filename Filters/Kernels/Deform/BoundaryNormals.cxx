@@ -40,7 +40,7 @@ public:
     , Wanted(wanted)
     , NormalsOf(normals)
     , Options(options)
-    , Tangents(HandleTangents(handle, pose.Places))
+    , Tangents(ComputeHandleTangents(handle, pose.Positions))
     , Now(this->At(Eigen::VectorXd::Zero(wanted.rows())))
   {
     for (auto tangent : this->Tangents.rowwise())
@@ -70,7 +70,7 @@ public:
     }
   }
 
-  double MeanDeviation() const { return MeanAngle(this->Now.Normals, this->Wanted); }
+  double MeanDeviation() const { return ComputeMeanAngle(this->Now.Normals, this->Wanted); }
   const HandlePose& Pose() const { return this->Now.Pose; }
   const Eigen::VectorXd& Angles() const { return this->Now.Angles; }
 
@@ -88,7 +88,7 @@ private:
   State At(const Eigen::VectorXd& angles) const
   {
     State state{ angles, this->Start, {}, 0.0 };
-    TurnAboutTangents(this->Handle, angles, state.Pose);
+    RotateAboutTangents(this->Handle, angles, state.Pose);
     state.Normals = this->NormalsOf(this->Deformation.Deform(state.Pose, this->Options.Reach));
     for (Eigen::Index i = 0; i < this->Wanted.rows(); ++i)
     {
@@ -211,10 +211,10 @@ BoundaryNormalsResult OptimizeBoundaryNormals(const ShapeDeformation& deformatio
   const BoundaryHandle& handle, const HandlePose& pose, const Eigen::MatrixXd& wanted,
   const NormalsOfShape& normals, const BoundaryNormalsOptions& options, const Progress& progress)
 {
-  if (wanted.rows() != handle.Places.rows() || pose.Places.rows() != handle.Places.rows())
+  if (wanted.rows() != handle.Positions.rows() || pose.Positions.rows() != handle.Positions.rows())
   {
     throw InvalidInput("there are " + std::to_string(wanted.rows()) + " wanted normals and " +
-      std::to_string(handle.Places.rows()) + " samples of the handle; give one for each");
+      std::to_string(handle.Positions.rows()) + " samples of the handle; give one for each");
   }
   NormalSearch search(deformation, handle, pose, wanted, normals, options);
   BoundaryNormalsResult result;
@@ -232,7 +232,7 @@ BoundaryNormalsResult OptimizeBoundaryNormals(const ShapeDeformation& deformatio
   return result;
 }
 
-double MeanAngle(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+double ComputeMeanAngle(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   double sum = 0.0;
   int count = 0;

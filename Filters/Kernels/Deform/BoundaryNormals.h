@@ -27,7 +27,7 @@ struct BoundaryNormalsOptions
 struct BoundaryNormalsResult
 {
   HandlePose Pose;        ///< the given one, turned
-  Eigen::VectorXd Angles; ///< s, radians: see TurnAboutTangents
+  Eigen::VectorXd Angles; ///< s, radians: see RotateAboutTangents
   double Before = 0.0;    ///< degrees between the shape's normals and those wanted: the mean, of
   double After = 0.0;     ///< samples that want one
   int LineSearches = 0;
@@ -54,6 +54,6 @@ BoundaryNormalsResult OptimizeBoundaryNormals(const ShapeDeformation& deformatio
 
 /// Degrees between two fields of unit normals (s x 3), in the mean over the rows where neither is
 /// zero; 0 where there are none.
-double MeanAngle(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+double ComputeMeanAngle(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #include "Deform/Deform.h"
 
-#include "Mesh/Topology.h"
 #include "Deform/Private/PointParameters.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,7 +20,7 @@ bool AreSame(const Matrix& a, const Matrix& b)
   return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
 }
 
-std::vector<int> OrderByPlace(const Eigen::MatrixXd& points)
+std::vector<int> OrderByPosition(const Eigen::MatrixXd& points)
 {
   std::vector<int> order(points.rows());
   std::iota(order.begin(), order.end(), 0);
@@ -72,17 +72,17 @@ Field Sorted(const Field& field, const std::vector<int>& order)
 
 } // namespace
 
-HandlePose PoseAt(const BoundaryHandle& handle, const HandleTarget& target,
+HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
   const PoseOptions& options, const PointGraph& graph)
 {
-  HandlePose pose = PoseHandle(handle, target.Places, target.Normals);
+  HandlePose pose = PoseHandle(handle, target.Positions, target.Normals);
   if (target.Turns.Turns.rows() > 0)
   {
-    AddSetTurns(handle, target.Turns, pose);
+    AddPrescribedRotations(handle, target.Turns, pose);
   }
   if (options.BiasWeight != 0.0)
   {
-    BiasFrames(handle, HandleNormals(handle, graph), options, pose);
+    BiasFrames(handle, ComputeHandleNormals(handle, graph), options, pose);
   }
   return pose;
 }
@@ -99,7 +99,7 @@ bool Deformer::Fits(const DeformProblem& problem) const
 {
   const DeformProblem& own = this->Problem;
   return this->Deformation && problem.Options == own.Options &&
-    AreSame(problem.Handle.Places, own.Handle.Places) &&
+    AreSame(problem.Handle.Positions, own.Handle.Positions) &&
     AreSame(problem.Handle.Segments, own.Handle.Segments) &&
     AreSame(problem.Handle.Triangles, own.Handle.Triangles) &&
     AreSame(problem.Fields.Rigidity, own.Fields.Rigidity) &&
@@ -125,8 +125,9 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
     if (!hasShape)
     {
       RequireFinite(problem.Shape.Points, "the shape");
-      this->Order = OrderByPlace(problem.Shape.Points);
-      this->Graph = MakePointGraph(Sorted(problem.Shape, this->Order), {}, progress.Part(0.0, 0.2));
+      this->Order = OrderByPosition(problem.Shape.Points);
+      this->Graph =
+        BuildPointGraph(Sorted(problem.Shape, this->Order), {}, progress.Part(0.0, 0.2));
     }
     const DeformFields& fields = problem.Fields;
     this->Deformation = PrepareDeformation(this->Graph, problem.Handle, problem.Options,
@@ -135,7 +136,7 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
       progress.Part(0.2, 0.8));
   }
   const DeformedShape sorted =
-    this->Deformation->Deform(PoseAt(problem.Handle, target, options, this->Graph),
+    this->Deformation->Deform(PoseHandleAt(problem.Handle, target, options, this->Graph),
       std::numeric_limits<double>::infinity(), progress.Part(0.8, 1.0));
   DeformedShape deformed{ Eigen::MatrixXd(sorted.Points.rows(), 3),
     std::vector<Eigen::Matrix3d>(sorted.Rotations.size()) };

@@ -26,14 +26,14 @@ struct DeformProblem
 /// Where a handle goes.
 struct HandleTarget
 {
-  Eigen::MatrixXd Places;  ///< s x 3
-  Eigen::MatrixXd Normals; ///< s x 3 where the handle has normals, else no rows
-  SetTurns Turns;          ///< no rows where none are set
+  Eigen::MatrixXd Positions; ///< s x 3
+  Eigen::MatrixXd Normals;   ///< s x 3 where the handle has normals, else no rows
+  PrescribedRotations Turns; ///< no rows where none are set
 };
 
 /// The pose of a handle at a target: frames by PoseHandle, with turns that were set and a bias.
 /// graph: of the shape, for normals that the handle lacks. Throws InvalidInput.
-HandlePose PoseAt(const BoundaryHandle& handle, const HandleTarget& target,
+HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
   const PoseOptions& options, const PointGraph& graph);
 
 /**
@@ -44,8 +44,8 @@ HandlePose PoseAt(const BoundaryHandle& handle, const HandleTarget& target,
 class Deformer
 {
 public:
-  /// Throws InvalidInput (see MakePointGraph, PrepareDeformation, PoseAt), Aborted; what it keeps
-  /// is whole all the same.
+  /// Throws InvalidInput (see BuildPointGraph, PrepareDeformation, PoseHandleAt), Aborted; what it
+  /// keeps is whole all the same.
   DeformedShape Deform(const DeformProblem& problem, const HandleTarget& target,
     const PoseOptions& options = {}, const Progress& progress = {});
 

@@ -2,8 +2,8 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
-#include "Mesh/Mesh.h"
 #include "Linear/SparseSolve.h"
+#include "Mesh/Mesh.h"
 #include "Search/PointTree.h"
 
 #include <Eigen/Eigenvalues>
@@ -57,15 +57,16 @@ std::vector<std::pair<int, int>> HandleLinks(
 
 } // namespace
 
-void AddSetTurns(const BoundaryHandle& handle, const SetTurns& turns, HandlePose& pose)
+void AddPrescribedRotations(
+  const BoundaryHandle& handle, const PrescribedRotations& turns, HandlePose& pose)
 {
-  const auto samples = static_cast<int>(handle.Places.rows());
+  const auto samples = static_cast<int>(handle.Positions.rows());
   if (turns.Turns.rows() != samples || turns.Turns.cols() != 3 || turns.IsSet.size() != samples)
   {
     throw InvalidInput("the handle has " + std::to_string(samples) + " points, but turns for " +
       std::to_string(turns.Turns.rows()) + "; give each a turn of three numbers, and a flag");
   }
-  const std::vector<int> first = FirstSamples(handle);
+  const std::vector<int> first = GetFirstSamples(handle);
   const std::vector<std::pair<int, int>> links = HandleLinks(handle, first);
   DisjointSets pieces(samples);
   for (const auto& [a, b] : links)
@@ -104,7 +105,7 @@ void AddSetTurns(const BoundaryHandle& handle, const SetTurns& turns, HandlePose
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(count, 3);
     for (const auto& [a, b] : links)
     {
-      const double weight = 1.0 / (handle.Places.row(a) - handle.Places.row(b)).norm();
+      const double weight = 1.0 / (handle.Positions.row(a) - handle.Positions.row(b)).norm();
       for (const auto& [from, to] : { std::pair(a, b), std::pair(b, a) })
       {
         if (unknown[from] < 0)
@@ -157,7 +158,7 @@ void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
   RequireOption(given.allFinite() && given.norm() > 0.0, "the length of BiasFrame", given.norm(),
     "positive and finite");
   const Eigen::Vector3d direction = given.normalized();
-  const Eigen::MatrixXd tangents = HandleTangents(handle, pose.Places);
+  const Eigen::MatrixXd tangents = ComputeHandleTangents(handle, pose.Positions);
   for (Eigen::Index i = 0; i < normals.rows(); ++i)
   {
     if (!(normals.row(i).norm() > 0.0))
@@ -178,14 +179,14 @@ void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
   }
 }
 
-Eigen::MatrixXd HandleNormals(const BoundaryHandle& handle, const PointGraph& shape)
+Eigen::MatrixXd ComputeHandleNormals(const BoundaryHandle& handle, const PointGraph& shape)
 {
   if (handle.Normals.size() > 0)
   {
     return handle.Normals;
   }
-  const Eigen::RowVector3d centre = handle.Places.colwise().mean();
-  const Eigen::MatrixXd ways = handle.Places.rowwise() - centre;
+  const Eigen::RowVector3d centre = handle.Positions.colwise().mean();
+  const Eigen::MatrixXd ways = handle.Positions.rowwise() - centre;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(ways.transpose() * ways);
   Eigen::RowVector3d plane = Eigen::RowVector3d::Zero();
   if (axes.eigenvalues()(1) > 1e-12 * axes.eigenvalues()(2))
@@ -200,13 +201,13 @@ Eigen::MatrixXd HandleNormals(const BoundaryHandle& handle, const PointGraph& sh
     }
     plane = plane.dot(area) < 0.0 ? Eigen::RowVector3d(-plane) : plane;
   }
-  const PointTree tree(shape.Places);
-  const double near = 1e-6 * BoxDiagonal(shape.Places) + shape.MeanLength;
-  Eigen::MatrixXd normals(handle.Places.rows(), 3);
+  const PointTree tree(shape.Positions);
+  const double near = 1e-6 * ComputeBoxDiagonal(shape.Positions) + shape.MeanLength;
+  Eigen::MatrixXd normals(handle.Positions.rows(), 3);
   for (Eigen::Index i = 0; i < normals.rows(); ++i)
   {
-    const int node = tree.Nearest(handle.Places.row(i), 1).front();
-    const bool known = (shape.Places.row(node) - handle.Places.row(i)).norm() <= near &&
+    const int node = tree.Nearest(handle.Positions.row(i), 1).front();
+    const bool known = (shape.Positions.row(node) - handle.Positions.row(i)).norm() <= near &&
       shape.Normals.row(node).norm() > 0.0;
     normals.row(i) = known ? Eigen::RowVector3d(shape.Normals.row(node)) : plane;
   }

@@ -17,7 +17,7 @@ struct PoseOptions
 };
 
 /// Turns that were set at some samples of a handle.
-struct SetTurns
+struct PrescribedRotations
 {
   Eigen::MatrixXd Turns; ///< s x 3: rotation vectors (axis times angle in radians), as x -> R x
   Eigen::VectorXi IsSet; ///< s: not 0 where the turn counts
@@ -32,21 +32,22 @@ struct SetTurns
  *
  * Throws InvalidInput where sizes differ or a turn that is set is not finite.
  */
-void AddSetTurns(const BoundaryHandle& handle, const SetTurns& turns, HandlePose& pose);
+void AddPrescribedRotations(
+  const BoundaryHandle& handle, const PrescribedRotations& turns, HandlePose& pose);
 
 /**
  * Turns each rotation so that the shape's posed normal there comes nearer to BiasFrame: along the
  * least rotation that would take it there, by the share BiasWeight of its angle (the bias frame F_B
  * and alpha of section 2.2). What the handle's pose is otherwise, about that normal, stays.
  *
- * normals: s x 3, at rest (HandleNormals); samples where it is 0 stay. Throws InvalidInput where an
- * option is out of its range.
+ * normals: s x 3, at rest (ComputeHandleNormals); samples where it is 0 stay. Throws InvalidInput
+ * where an option is out of its range.
  */
 void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
   const PoseOptions& options, HandlePose& pose);
 
 /// Normals of the shape at a handle (s x 3): the handle's own, else those of the shape's triangles
 /// around the nearest node, else that of the plane that the handle fits best, else 0.
-Eigen::MatrixXd HandleNormals(const BoundaryHandle& handle, const PointGraph& shape);
+Eigen::MatrixXd ComputeHandleNormals(const BoundaryHandle& handle, const PointGraph& shape);
 
 } // namespace shape

@@ -1,16 +1,16 @@
 #include "Deform/ShapeDeformation.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
-#include "Deform/Private/BaseDeformation.h"
 #include "Deform/Private/BoundaryRelative.h"
 #include "Deform/Private/FrontDeformation.h"
 #include "Deform/Private/HandleSources.h"
 #include "Deform/Private/LaplacianSmoothing.h"
+#include "Deform/Private/MultiresolutionDeformation.h"
 #include "Deform/Private/PointParameters.h"
 #include "Deform/Private/SegmentHierarchy.h"
-#include "Deform/Private/SourceMotions.h"
-#include "Geometry/GraphIslands.h"
+#include "Deform/Private/SourceTransforms.h"
+#include "Geometry/GraphComponents.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,15 +26,15 @@ namespace
 /// Throws InvalidInput where a pose does not have a place and a rotation for each sample.
 void RequirePose(const BoundaryHandle& handle, const HandlePose& pose)
 {
-  const Eigen::Index samples = handle.Places.rows();
-  if (pose.Places.rows() != samples || pose.Places.cols() != 3 ||
+  const Eigen::Index samples = handle.Positions.rows();
+  if (pose.Positions.rows() != samples || pose.Positions.cols() != 3 ||
     static_cast<Eigen::Index>(pose.Rotations.size()) != samples)
   {
-    throw InvalidInput("the pose has " + std::to_string(pose.Places.rows()) + " places and " +
+    throw InvalidInput("the pose has " + std::to_string(pose.Positions.rows()) + " places and " +
       std::to_string(pose.Rotations.size()) + " rotations, but the handle has " +
       std::to_string(samples) + " points; give one of each");
   }
-  RequireFinite(pose.Places, "the pose");
+  RequireFinite(pose.Positions, "the pose");
 }
 
 std::unique_ptr<NodeDeformation> SolveInFull(
@@ -51,17 +51,17 @@ std::unique_ptr<NodeDeformation> Solve(
   NodeProblem problem, const DeformOptions& options, const Progress& progress)
 {
   // As the paper has it: above 2000 points, a base of 1000; larger shapes have larger ones.
-  constexpr int few = 2000, least = 1000, share = 20;
+  constexpr int few = 2000, minimum = 1000, share = 20;
   using Type = DeformOptions::MultiresolutionType;
   const int inner = problem.Graph.Size() - static_cast<int>(problem.Sources.size());
-  const int base = std::max(least, inner / share);
+  const int base = std::max(minimum, inner / share);
   const bool coarse = options.Multiresolution == Type::On ||
     (options.Multiresolution == Type::Automatic && inner > few);
   if (!coarse || inner <= base)
   {
     return SolveInFull(std::move(problem), options.Method, progress);
   }
-  return std::make_unique<BaseDeformation>(
+  return std::make_unique<MultiresolutionDeformation>(
     std::move(problem), base,
     [&](NodeProblem one, const Progress& part)
     { return SolveInFull(std::move(one), options.Method, part); },
@@ -89,12 +89,12 @@ Eigen::VectorXi LabelsOfNodes(
 /// Beside a handle that is this much larger, or far away, the shape would be one point.
 void RequireNear(const BoundaryHandle& handle, const PointGraph& graph)
 {
-  constexpr double least = 1e-9;
-  Eigen::MatrixXd all(handle.Places.rows() + graph.Places.rows(), 3);
-  all << handle.Places, graph.Places;
-  const double shape = LongestSide(graph.Places), both = LongestSide(all);
+  constexpr double minimum = 1e-9;
+  Eigen::MatrixXd all(handle.Positions.rows() + graph.Positions.rows(), 3);
+  all << handle.Positions, graph.Positions;
+  const double shape = ComputeLongestBoxEdge(graph.Positions), both = ComputeLongestBoxEdge(all);
   // AttachHandle says what is not finite.
-  if (std::isfinite(both) && shape < least * both && (shape > 0.0 || both > 1e50))
+  if (std::isfinite(both) && shape < minimum * both && (shape > 0.0 || both > 1e50))
   {
     std::ostringstream words;
     words << "the shape's longest side is " << shape << ", and " << both
@@ -127,7 +127,8 @@ ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle
   own.Shape = graph;
   own.Handle = handle;
   own.Sources = AttachHandle(graph, handle, progress.Part(0.0, 0.1));
-  own.Facts.Islands = JoinIslands(own.Sources.Graph, own.Sources.Nodes, progress.Part(0.1, 0.2));
+  own.Facts.Islands =
+    ConnectComponents(own.Sources.Graph, own.Sources.Nodes, progress.Part(0.1, 0.2));
   own.Facts.WeldedPoints = static_cast<int>(graph.NodeOf.size()) - graph.Size();
   const FrontSweep sweep =
     SweepFront(own.Sources.Graph, own.Sources.Nodes, progress.Part(0.2, 0.3));
@@ -181,9 +182,9 @@ DeformedShape ShapeDeformation::Deform(
 {
   const Prepared& own = *this->Impl;
   RequirePose(own.Handle, pose);
-  const NodeMotions sources = MoveSources(own.Sources, own.Handle, pose, own.Scales);
+  const NodeTransforms sources = MoveSources(own.Sources, own.Handle, pose, own.Scales);
   constexpr double everywhere = std::numeric_limits<double>::infinity();
-  NodeMotions motions = own.Nodes->Move(sources, own.Smoothing ? everywhere : reach, progress);
+  NodeTransforms motions = own.Nodes->Move(sources, own.Smoothing ? everywhere : reach, progress);
   if (own.Smoothing)
   {
     own.Smoothing->Apply(motions);
@@ -199,7 +200,7 @@ DeformedShape ShapeDeformation::Deform(
     {
       const Eigen::Matrix3d turn =
         own.Scales(node) * motions.Rotations[node] - Eigen::Matrix3d::Identity();
-      const Eigen::RowVector3d offset = own.Shape.Points.row(i) - own.Shape.Places.row(node);
+      const Eigen::RowVector3d offset = own.Shape.Points.row(i) - own.Shape.Positions.row(node);
       result.Points.row(i) += offset * turn.transpose();
     }
   }

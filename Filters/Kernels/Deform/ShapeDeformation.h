@@ -75,7 +75,7 @@ private:
 /**
  * Prepares a shape for a handle by the method and at the resolution that the options name.
  *
- * graph: of the shape's points (MakePointGraph). Throws InvalidInput where an option is out of its
+ * graph: of the shape's points (BuildPointGraph). Throws InvalidInput where an option is out of its
  * range, a field has another size, the handle has no samples or a wrong one, or the shape is less
  * than 1e-9 as large as it and the handle together; Aborted.
  */

@@ -12,14 +12,14 @@
 
 namespace shape
 {
-double SmoothFall(double x, double radius)
+double EvaluateSmoothFalloff(double x, double radius)
 {
   const double ratio = x / radius;
   const double rest = std::max(1.0 - ratio * ratio, 0.0);
   return rest * rest * rest;
 }
 
-double InverseDistanceWeight(double distance, double power)
+double EvaluateInverseDistanceWeight(double distance, double power)
 {
   const double square = distance * distance + 1e-6;
   return 1.0 / (power == 2.0 ? square : std::pow(square, 0.5 * power));
@@ -108,13 +108,13 @@ UpwindFront::UpwindFront(const PointGraph& graph, const FrontSweep& sweep,
   const int n = graph.Size();
   this->Begins.resize(n, 0);
   this->Ends.resize(n, 0);
-  this->Places.resize(3, n);
+  this->Positions.resize(3, n);
   for (int rank = 0; rank < n; ++rank)
   {
     const int node = sweep.Nodes[rank];
     this->Powers.push_back(powers(node));
     this->Weights.push_back(graph.Weights(node));
-    this->Places.col(rank) = graph.Places.row(node).transpose();
+    this->Positions.col(rank) = graph.Positions.row(node).transpose();
   }
   int end = sweep.Sources;
   for (int rank = sweep.Sources; rank < n; ++rank)
@@ -135,10 +135,10 @@ void UpwindFront::FindDistances(int rank, double* distances) const
   const int begin = this->Begins[rank], end = this->Ends[rank];
   if (this->Distance == FrontDistance::Euclidean)
   {
-    const Eigen::Vector3d place = this->Places.col(rank);
+    const Eigen::Vector3d position = this->Positions.col(rank);
     for (int j = begin; j < end; ++j)
     {
-      distances[j - begin] = (this->Places.col(j) - place).norm();
+      distances[j - begin] = (this->Positions.col(j) - position).norm();
     }
     return;
   }
@@ -185,9 +185,9 @@ bool UpwindFront::Row(int rank, float* weights) const
   for (int j = 0; j < count; ++j)
   {
     const double before = arrival - this->Sweep.Arrivals[begin + j];
-    row[j] = SmoothFall(before, radius) * (1.0 - SmoothFall(before, nearest)) *
-      this->Weights[begin + j] *
-      InverseDistanceWeight(row[j] / this->Graph.MeanLength, this->Powers[rank]);
+    row[j] = EvaluateSmoothFalloff(before, radius) *
+      (1.0 - EvaluateSmoothFalloff(before, nearest)) * this->Weights[begin + j] *
+      EvaluateInverseDistanceWeight(row[j] / this->Graph.MeanLength, this->Powers[rank]);
     largest = std::max(largest, row[j]);
   }
   const int parent = this->Sweep.Parents[rank] - begin;

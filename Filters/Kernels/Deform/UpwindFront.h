@@ -26,16 +26,16 @@ struct FrontSweep
 };
 
 /// sources: different nodes. Throws InvalidInput where the front does not reach all nodes
-/// (JoinIslands first), Aborted.
+/// (ConnectComponents first), Aborted.
 FrontSweep SweepFront(
   const PointGraph& graph, const std::vector<int>& sources, const Progress& progress = {});
 
 /// w of equation 4, 1 / (d^k + epsilon), with d in mean links and epsilon so small that it only
 /// keeps the weights of points at one place finite: k, `power`, may be 0 to 32 then.
-double InverseDistanceWeight(double distance, double power);
+double EvaluateInverseDistanceWeight(double distance, double power);
 
 /// f of equation 7: from 1 at 0 smoothly to 0 at `radius` and beyond.
-double SmoothFall(double x, double radius);
+double EvaluateSmoothFalloff(double x, double radius);
 
 /// Between which points the distance d of equation 4 is measured.
 enum class FrontDistance
@@ -89,7 +89,7 @@ private:
   int Empty = 0;
   std::vector<int> Begins, Ends;
   std::vector<double> Powers, Weights; ///< of each rank
-  Eigen::MatrixXd Places;              ///< of each rank, one a column
+  Eigen::MatrixXd Positions;           ///< of each rank, one a column
 };
 
 } // namespace shape

@@ -14,7 +14,7 @@ Mesh Oriented(const Mesh& surface, const Progress& progress)
 {
   try
   {
-    return OrientedByNesting(surface, "the Surface", progress);
+    return OrientByNesting(surface, "the Surface", progress);
   }
   catch (const InvalidInput& error)
   {

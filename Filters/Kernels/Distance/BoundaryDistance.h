@@ -18,7 +18,7 @@ struct BoundaryDistanceOptions
  * The Euclidean distance to a triangulated surface.
  *
  * With a sign, the surface is closed, of one or several components that face any way: a component
- * within another bounds a void in its solid (see OrientedByNesting), and the sign is that of the
+ * within another bounds a void in its solid (see OrientByNesting), and the sign is that of the
  * angle-weighted pseudonormal (see SignedDistance).
  */
 class BoundaryDistance

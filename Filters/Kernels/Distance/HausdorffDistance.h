@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
@@ -9,21 +9,21 @@
 namespace shape
 {
 
-/// Places on a surface, and how far each is from another one.
-struct PlacesAndDistances
+/// Positions on a surface, and how far each is from another one.
+struct SampledDistances
 {
-  Eigen::MatrixXd Places;    ///< n x 3
+  Eigen::MatrixXd Positions; ///< n x 3
   Eigen::MatrixXd Nearest;   ///< n x 3: on the other one
   Eigen::VectorXd Distances; ///< n
 };
 
 /// How many random places on a surface are compared with the other one.
-inline constexpr int ComparedPlaces = 50000;
+inline constexpr int ComparedPositions = 50000;
 
 /// Those of the points that triangles of `from` use, and of `random` places evenly over its area.
 /// Throws InvalidInput where it has no triangle, Aborted.
-PlacesAndDistances DistancesBetween(const Mesh& from, const SurfaceLocator& to,
-  int random = ComparedPlaces, const Progress& progress = {});
+SampledDistances ComputeDistancesToSurface(const Mesh& from, const SurfaceLocator& to,
+  int random = ComparedPositions, const Progress& progress = {});
 
 /// How far two surfaces are apart, in their units.
 struct HausdorffDistances
@@ -35,12 +35,12 @@ struct HausdorffDistances
 
 /**
  * The two one-sided Hausdorff distances between triangulated surfaces, at the places of
- * DistancesBetween: what is found is never more than the distance, and misses it by less than the
- * mean spacing of the places.
+ * ComputeDistancesToSurface: what is found is never more than the distance, and misses it by less
+ * than the mean spacing of the places.
  *
  * Throws InvalidInput where a surface has no triangle, Aborted.
  */
-HausdorffDistances HausdorffDistance(
+HausdorffDistances ComputeHausdorffDistance(
   const Mesh& first, const Mesh& second, const Progress& progress = {});
 
 } // namespace shape

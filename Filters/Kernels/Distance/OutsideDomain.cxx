@@ -5,9 +5,10 @@
 namespace shape
 {
 
-Eigen::VectorXd DomainTolerances(const Mesh& surface, const ClosestPoints& closest, double farthest)
+Eigen::VectorXd ComputeDomainTolerances(
+  const Mesh& surface, const ClosestPoints& closest, double farthest)
 {
-  const double least = 1e-6 * LongestSide(surface.Points);
+  const double minimum = 1e-6 * ComputeLongestBoxEdge(surface.Points);
   Eigen::VectorXd tolerances(closest.Triangles.size());
   for (Eigen::Index i = 0; i < tolerances.size(); ++i)
   {
@@ -20,17 +21,17 @@ Eigen::VectorXd DomainTolerances(const Mesh& surface, const ClosestPoints& close
           surface.Points.row(surface.Triangles(t, (k + 1) % 3)))
           .norm());
     }
-    tolerances(i) = std::max(least, std::min(farthest, 0.25 * longest));
+    tolerances(i) = std::max(minimum, std::min(farthest, 0.25 * longest));
   }
   return tolerances;
 }
 
-Eigen::VectorXi OutsideDomain(const SignedDistance& boundary, const Eigen::MatrixXd& points,
-  double farthest, const Progress& progress)
+Eigen::VectorXi FindPointsOutsideDomain(const SignedDistance& boundary,
+  const Eigen::MatrixXd& points, double farthest, const Progress& progress)
 {
   const SignedDistance::Result at = boundary.Evaluate(points, progress);
   const Eigen::VectorXd tolerances =
-    DomainTolerances(boundary.Locator().Surface(), at.Closest, farthest);
+    ComputeDomainTolerances(boundary.Locator().GetSurface(), at.Closest, farthest);
   return (at.Distances.array() > tolerances.array()).cast<int>();
 }
 

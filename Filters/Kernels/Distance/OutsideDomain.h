@@ -7,7 +7,7 @@ namespace shape
 
 /// How far outside a closed surface points belong to its domain all the same, given the closest
 /// points of `surface` (n): see OutsideDomain.
-Eigen::VectorXd DomainTolerances(
+Eigen::VectorXd ComputeDomainTolerances(
   const Mesh& surface, const ClosestPoints& closest, double farthest);
 
 /**
@@ -21,7 +21,7 @@ Eigen::VectorXd DomainTolerances(
  *
  * Throws Aborted.
  */
-Eigen::VectorXi OutsideDomain(const SignedDistance& boundary, const Eigen::MatrixXd& points,
-  double farthest, const Progress& progress = {});
+Eigen::VectorXi FindPointsOutsideDomain(const SignedDistance& boundary,
+  const Eigen::MatrixXd& points, double farthest, const Progress& progress = {});
 
 } // namespace shape

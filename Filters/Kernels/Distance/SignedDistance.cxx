@@ -1,7 +1,7 @@
 #include "Distance/SignedDistance.h"
 
-#include "Mesh/HalfEdges.h"
 #include "Base/Parallel.h"
+#include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
 
@@ -25,13 +25,13 @@ constexpr double Flat = 1e-10;
 
 SignedDistance::SignedDistance(const Mesh& surface)
   : Surface(surface)
-  , TriangleNormals(AreaVectors(surface).rowwise().normalized())
+  , TriangleNormals(ComputeAreaVectors(surface).rowwise().normalized())
   , EdgeNormals(3 * surface.Triangles.rows(), 3)
   , PointNormals(Eigen::MatrixXd::Zero(surface.Points.rows(), 3))
 {
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
-    const Eigen::Matrix3d corners = Corners(surface, t);
+    const Eigen::Matrix3d corners = GetCorners(surface, t);
     const RowVector3d u = corners.row(1) - corners.row(0);
     const RowVector3d v = corners.row(2) - corners.row(0);
     const double longest2 = std::max({ u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm() });
@@ -47,7 +47,7 @@ SignedDistance::SignedDistance(const Mesh& surface)
       this->PointNormals.row(surface.Triangles(t, k)) += angle * this->TriangleNormals.row(t);
     }
   }
-  const std::vector<HalfEdge> sides = SortedHalfEdges(surface.Triangles, surface.Points.rows());
+  const std::vector<HalfEdge> sides = SortHalfEdges(surface.Triangles, surface.Points.rows());
   for (auto first = sides.begin(); first != sides.end();)
   {
     RowVector3d sum = RowVector3d::Zero();
@@ -69,7 +69,7 @@ SignedDistance::Result SignedDistance::Evaluate(
 {
   Result result{ {}, this->Surface.Find(points, progress.Part(0.0, 0.9)) };
   result.Distances = result.Closest.Distances;
-  const Mesh& surface = this->Surface.Surface();
+  const Mesh& surface = this->Surface.GetSurface();
   const Eigen::MatrixXi& triangles = surface.Triangles;
   std::vector<int> unsure;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
@@ -102,7 +102,7 @@ SignedDistance::Result SignedDistance::Evaluate(
       for (int k = begin; k < end; ++k)
       {
         const int i = unsure[k];
-        if (WindingNumber(surface.Points, triangles, points.row(i)) > 0.5)
+        if (ComputeWindingNumber(surface.Points, triangles, points.row(i)) > 0.5)
         {
           result.Distances(i) = -result.Distances(i);
         }

@@ -55,8 +55,8 @@ std::string Described(const std::vector<int>& genus)
 
 } // namespace
 
-double TargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets, const Mesh& target,
-  const Progress& progress)
+double ComputeTargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets,
+  const Mesh& target, const Progress& progress)
 {
   const std::vector<int> from =
     GenusOfComponents(boundary, RequireClosedSurface(boundary, "the Boundary"));
@@ -70,7 +70,8 @@ double TargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets, cons
       "close handles that are noise first");
   }
   const Eigen::VectorXd distances = SurfaceLocator(target).Find(targets, progress).Distances;
-  return std::sqrt(distances.squaredNorm() / distances.size()) / LongestSide(target.Points);
+  return std::sqrt(distances.squaredNorm() / distances.size()) /
+    ComputeLongestBoxEdge(target.Points);
 }
 
 } // namespace shape

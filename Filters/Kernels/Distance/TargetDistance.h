@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -15,7 +15,7 @@ namespace shape
  * the target is not closed, or its components have other genera than the boundary's: then no
  * continuous map takes one onto the other one to one; Aborted.
  */
-double TargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets, const Mesh& target,
-  const Progress& progress = {});
+double ComputeTargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets,
+  const Mesh& target, const Progress& progress = {});
 
 } // namespace shape

@@ -1,9 +1,9 @@
 #include "ExponentialMap/ExponentialFacts.h"
 
-#include "Mesh/HalfEdges.h"
 #include "Geometry/Orientation.h"
-#include "Quality/MapQuality.h"
+#include "Mesh/HalfEdges.h"
 #include "Planar/PlanarLocator.h"
+#include "Quality/MapQuality.h"
 
 #include <algorithm>
 #include <array>
@@ -34,13 +34,13 @@ Eigen::VectorXi SoundTriangles(const ExponentialPatch& patch)
 }
 
 /// Of values (t), those that half of the weights, and 95 % of them, do not exceed; 0 without any.
-DistortionSpread SpreadOf(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
+DistortionStatistics SpreadOf(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
 {
   std::vector<int> order(values.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return values(a) < values(b); });
   const double sum = weights.sum();
-  DistortionSpread spread;
+  DistortionStatistics spread;
   double done = 0.0;
   for (const int i : order)
   {
@@ -53,12 +53,12 @@ DistortionSpread SpreadOf(const Eigen::VectorXd& values, const Eigen::VectorXd& 
 
 } // namespace
 
-Mesh PatchSurface(const Mesh& surface, const ExponentialPatch& patch)
+Mesh BuildPatchSurface(const Mesh& surface, const ExponentialPatch& patch)
 {
   return { surface.Points(patch.Points, Eigen::all), patch.Corners };
 }
 
-bool OverlapsItself(const ExponentialPatch& patch)
+bool IsOverlappingItself(const ExponentialPatch& patch)
 {
   std::vector<char> torn(patch.Corners.rows(), 0);
   for (const int row : patch.Torn)
@@ -73,9 +73,9 @@ bool OverlapsItself(const ExponentialPatch& patch)
       whole.push_back(row);
     }
   }
-  const PlanarLocator locator(patch.Places, patch.Corners, patch.Torn);
+  const PlanarLocator locator(patch.Positions, patch.Corners, patch.Torn);
   const std::vector<HalfEdge> sides =
-    SortedHalfEdges(patch.Corners(whole, Eigen::all), patch.Places.rows());
+    SortHalfEdges(patch.Corners(whole, Eigen::all), patch.Positions.rows());
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
     const HalfEdge& side = sides[begin];
@@ -87,9 +87,9 @@ bool OverlapsItself(const ExponentialPatch& patch)
     {
       continue;
     }
-    const RowVector2d a = patch.Places.row(side.Begin), b = patch.Places.row(side.End);
+    const RowVector2d a = patch.Positions.row(side.Begin), b = patch.Positions.row(side.End);
     const auto runsThrough = [&](int row)
-    { return MeetsTriangle(a, b, patch.Places(patch.Corners.row(row), Eigen::all)); };
+    { return SegmentMeetsTriangle(a, b, patch.Positions(patch.Corners.row(row), Eigen::all)); };
     if (locator.AnyNear(a.cwiseMin(b), a.cwiseMax(b), runsThrough))
     {
       return true;
@@ -98,7 +98,7 @@ bool OverlapsItself(const ExponentialPatch& patch)
   return false;
 }
 
-ExponentialFacts FactsOf(
+ExponentialFacts ComputeExponentialFacts(
   const Mesh& surface, const ExponentialPatch& patch, double radius, const Progress& progress)
 {
   ExponentialFacts facts;
@@ -112,10 +112,10 @@ ExponentialFacts FactsOf(
     cells.EndCell();
   }
   const Eigen::MatrixXd points = surface.Points(patch.Points, Eigen::all);
-  Eigen::MatrixXd images = Eigen::MatrixXd::Zero(patch.Places.rows(), 3);
-  images.leftCols(2) = patch.Places;
-  const MapQualityResult quality =
-    MapQuality(points, images, cells, ExtentOf(points, images, cells), progress.Part(0.0, 0.8));
+  Eigen::MatrixXd images = Eigen::MatrixXd::Zero(patch.Positions.rows(), 3);
+  images.leftCols(2) = patch.Positions;
+  const MapQualityResult quality = EvaluateMapQuality(
+    points, images, cells, ComputeMapExtent(points, images, cells), progress.Part(0.0, 0.8));
   facts.ConformalDistortions =
     quality.Measures.col(static_cast<int>(MapMeasure::ConformalDistortion));
   facts.SymmetricDirichlets =
@@ -128,13 +128,13 @@ ExponentialFacts FactsOf(
   double area = 0.0;
   for (Eigen::Index row = 0; row < patch.Corners.rows(); ++row)
   {
-    const RowVector2d a = patch.Places.row(patch.Corners(row, 0));
-    const RowVector2d u = patch.Places.row(patch.Corners(row, 1)) - a,
-                      v = patch.Places.row(patch.Corners(row, 2)) - a;
+    const RowVector2d a = patch.Positions.row(patch.Corners(row, 0));
+    const RowVector2d u = patch.Positions.row(patch.Corners(row, 1)) - a,
+                      v = patch.Positions.row(patch.Corners(row, 2)) - a;
     area += sound(row) ? 0.5 * (u(0) * v(1) - u(1) * v(0)) : 0.0;
   }
   facts.Coverage = area / (M_PI * radius * radius);
-  facts.Overlaps = OverlapsItself(patch);
+  facts.Overlaps = IsOverlappingItself(patch);
   progress(1.0);
   return facts;
 }

@@ -1,12 +1,12 @@
 #include "ExponentialMap/ExponentialMap.h"
 
 #include "Base/Errors.h"
-#include "Mesh/HalfEdges.h"
-#include "Geometry/Orientation.h"
-#include "Mesh/Topology.h"
 #include "ExponentialMap/Private/ExponentialFront.h"
+#include "Geometry/Orientation.h"
 #include "Geometry/PointGraph.h"
 #include "Geometry/SmoothedNormals.h"
+#include "Mesh/HalfEdges.h"
+#include "Mesh/Topology.h"
 
 #include <Eigen/Geometry>
 
@@ -23,7 +23,7 @@ using Eigen::RowVector3d;
 namespace
 {
 
-void RequireUsable(const Mesh& surface, const ExponentialMapOptions& options)
+void RequireSupportedFeatures(const Mesh& surface, const ExponentialMapOptions& options)
 {
   if (surface.Triangles.rows() == 0)
   {
@@ -35,10 +35,10 @@ void RequireUsable(const Mesh& surface, const ExponentialMapOptions& options)
 }
 
 /// Of each node, whether it is an end of an edge with one triangle.
-std::vector<char> NodesOnRim(const Eigen::MatrixXi& triangles, int nodes)
+std::vector<char> NodesOnLoop(const Eigen::MatrixXi& triangles, int nodes)
 {
-  std::vector<char> onRim(nodes, 0);
-  const std::vector<HalfEdge> sides = SortedHalfEdges(triangles, nodes);
+  std::vector<char> onLoop(nodes, 0);
+  const std::vector<HalfEdge> sides = SortHalfEdges(triangles, nodes);
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
     const HalfEdge& side = sides[begin];
@@ -48,10 +48,10 @@ std::vector<char> NodesOnRim(const Eigen::MatrixXi& triangles, int nodes)
     }
     if (end == begin + 1)
     {
-      onRim[side.Low()] = onRim[side.High()] = 1;
+      onLoop[side.Low()] = onLoop[side.High()] = 1;
     }
   }
-  return onRim;
+  return onLoop;
 }
 
 /// The longest of a triangle's sides, squared.
@@ -98,7 +98,7 @@ struct ExponentialMap::Target
   Eigen::MatrixXi Nodes;  ///< m x 3: the triangles' corners
   Eigen::MatrixXd Normals;
   ExponentialFront Front;
-  std::vector<char> OnRim; ///< nodes
+  std::vector<char> OnLoop; ///< nodes
   PointsOfNodes Copies;
   std::vector<int> Rows; ///< of points: in the last patch, if they are in it
 };
@@ -107,7 +107,7 @@ void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
 {
   for (const int node : this->Front.Nodes())
   {
-    patch.ReachesRim = patch.ReachesRim || this->OnRim[node];
+    patch.ReachesBoundary = patch.ReachesBoundary || this->OnLoop[node];
     for (int i = this->Copies.First[node]; i < this->Copies.First[node + 1]; ++i)
     {
       const int point = this->Copies.Points[i];
@@ -116,12 +116,12 @@ void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
     }
   }
   const auto count = static_cast<Eigen::Index>(patch.Points.size());
-  patch.Places.resize(count, 2);
+  patch.Positions.resize(count, 2);
   patch.Distances.resize(count);
   for (Eigen::Index row = 0; row < count; ++row)
   {
     const int node = this->NodeOf(patch.Points[row]);
-    patch.Places.row(row) = this->Front.Image(node).transpose();
+    patch.Positions.row(row) = this->Front.Image(node).transpose();
     patch.Distances(row) = this->Front.Distance(node);
   }
 }
@@ -133,27 +133,27 @@ void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
   const std::vector<ExponentialFront::Triangle>& triangles = this->Front.Triangles();
   patch.Triangles.reserve(triangles.size());
   patch.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  const bool isWelded = this->OnRim.size() < this->Rows.size();
+  const bool isWelded = this->OnLoop.size() < this->Rows.size();
   for (const auto& [triangle, nodes] : triangles)
   {
     const auto row = static_cast<int>(patch.Triangles.size());
     patch.Triangles.push_back(triangle);
     for (int k = 0; k < 3; ++k)
     {
-      const int point = isWelded ? this->Locator.Surface().Triangles(triangle, k) : nodes[k];
+      const int point = isWelded ? this->Locator.GetSurface().Triangles()(triangle, k) : nodes[k];
       patch.Corners(row, k) = this->Rows[point];
     }
-    const RowVector2d a = patch.Places.row(patch.Corners(row, 0)),
-                      b = patch.Places.row(patch.Corners(row, 1)),
-                      c = patch.Places.row(patch.Corners(row, 2));
-    const Eigen::Vector3d p = this->Front.Place(nodes[0]), q = this->Front.Place(nodes[1]),
-                          r = this->Front.Place(nodes[2]);
+    const RowVector2d a = patch.Positions.row(patch.Corners(row, 0)),
+                      b = patch.Positions.row(patch.Corners(row, 1)),
+                      c = patch.Positions.row(patch.Corners(row, 2));
+    const Eigen::Vector3d p = this->Front.Position(nodes[0]), q = this->Front.Position(nodes[1]),
+                          r = this->Front.Position(nodes[2]);
     const double longest2 = LongestSide2(p, q, r);
     if (LongestSide2(a, b, c) > torn2 * longest2)
     {
       patch.Torn.push_back(row);
     }
-    if (Orientation(a, b, c) <= 0 && (q - p).cross(r - p).norm() > flat * longest2)
+    if (EvaluateOrientation(a, b, c) <= 0 && (q - p).cross(r - p).norm() > flat * longest2)
     {
       patch.Flipped.push_back(row);
     }
@@ -163,23 +163,23 @@ void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
 ExponentialMap::ExponentialMap(
   const Mesh& surface, const ExponentialMapOptions& options, const Progress& progress)
 {
-  RequireUsable(surface, options);
+  RequireSupportedFeatures(surface, options);
   PointGraphOptions linked;
   linked.Nearest = 0; // points that no triangle uses are no part of the surface
-  PointGraph graph = MakePointGraph(
+  PointGraph graph = BuildPointGraph(
     ShapeElements{ surface.Points, {}, surface.Triangles, {} }, linked, progress.Part(0.0, 0.4));
   Eigen::MatrixXi nodes =
     surface.Triangles.unaryExpr([&](int point) { return graph.NodeOf(point); });
   Eigen::MatrixXd normals =
-    SmoothedNormals(graph, nodes, options.NormalSmoothing, progress.Part(0.4, 0.6));
+    SmoothNormals(graph, nodes, options.NormalSmoothing, progress.Part(0.4, 0.6));
   ExponentialFront front(graph, nodes, normals, options.UpwindAverage);
   progress(0.7);
   SurfaceLocator locator(surface);
   progress(0.9);
-  std::vector<char> onRim = NodesOnRim(nodes, graph.Size());
+  std::vector<char> onLoop = NodesOnLoop(nodes, graph.Size());
   PointsOfNodes copies(graph.NodeOf, graph.Size());
   this->Impl.reset(new Target{ std::move(locator), std::move(graph.NodeOf), std::move(nodes),
-    std::move(normals), std::move(front), std::move(onRim), std::move(copies),
+    std::move(normals), std::move(front), std::move(onLoop), std::move(copies),
     std::vector<int>(surface.Points.rows()) });
   progress(1.0);
 }
@@ -190,7 +190,7 @@ ExponentialMap& ExponentialMap::operator=(ExponentialMap&&) noexcept = default;
 
 const Mesh& ExponentialMap::Surface() const
 {
-  return this->Impl->Locator.Surface();
+  return this->Impl->Locator.GetSurface();
 }
 
 const SurfaceLocator& ExponentialMap::Locator() const
@@ -198,27 +198,27 @@ const SurfaceLocator& ExponentialMap::Locator() const
   return this->Impl->Locator;
 }
 
-RowVector3d ExponentialMap::Normal(const ClosestPlace& place) const
+RowVector3d ExponentialMap::Normal(const ClosestPoint& position) const
 {
-  const Eigen::RowVector3i nodes = this->Impl->Nodes.row(place.Triangle);
+  const Eigen::RowVector3i nodes = this->Impl->Nodes.row(position.Triangle);
   RowVector3d normal = RowVector3d::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    normal += place.Barycentric(k) * this->Impl->Normals.row(nodes(k));
+    normal += position.Barycentric(k) * this->Impl->Normals.row(nodes(k));
   }
   // Corners with opposite normals have none between them.
   constexpr double opposite = 1e-9;
   if (normal.norm() < opposite)
   {
     Eigen::Index nearest = 0;
-    place.Barycentric.maxCoeff(&nearest);
+    position.Barycentric.maxCoeff(&nearest);
     return this->Impl->Normals.row(nodes(nearest));
   }
   return normal.normalized();
 }
 
 ExponentialPatch ExponentialMap::Around(
-  const ClosestPlace& seed, double radius, const RowVector3d& xDirection, const Progress& progress)
+  const ClosestPoint& seed, double radius, const RowVector3d& xDirection, const Progress& progress)
 {
   RequireOption(std::isfinite(radius) && radius > 0.0, "Radius", radius, "positive and finite");
   if (seed.Triangle < 0 || seed.Triangle >= this->Surface().Triangles.rows() ||
@@ -228,8 +228,8 @@ ExponentialPatch ExponentialMap::Around(
                        "take the closest place to a point");
   }
   ExponentialPatch patch;
-  patch.Seed = FrameAt(
-    seed.Barycentric * Corners(this->Surface(), seed.Triangle), this->Normal(seed), xDirection);
+  patch.Seed = BuildTangentFrame(
+    seed.Barycentric * GetCorners(this->Surface(), seed.Triangle), this->Normal(seed), xDirection);
   this->Impl->Front.Run(
     patch.Seed, this->Impl->Nodes.row(seed.Triangle), seed.Barycentric, radius, progress);
   this->Impl->AddPoints(patch);

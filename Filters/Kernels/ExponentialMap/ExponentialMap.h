@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Search/ClosestPoint.h"
 #include "Geometry/TangentFrame.h"
+#include "Mesh/Mesh.h"
+#include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
 
@@ -27,16 +27,16 @@ struct ExponentialPatch
 {
   TangentFrame Seed;          ///< the plane's (0, 0) and axes, on the surface
   std::vector<int> Points;    ///< k points of the surface, in the order in which the front met them
-  Eigen::MatrixXd Places;     ///< k x 2, in the model's units
+  Eigen::MatrixXd Positions;  ///< k x 2, in the model's units
   Eigen::VectorXd Distances;  ///< k: along the surface from the seed
   std::vector<int> Triangles; ///< t triangles of the surface whose corners are all in Points
-  Eigen::MatrixXi Corners;    ///< t x 3: these as rows of Places
+  Eigen::MatrixXi Corners;    ///< t x 3: these as rows of Positions
   /// Rows of Corners whose image is not counter-clockwise, though the triangle has an area.
   std::vector<int> Flipped;
   /// Rows of Corners whose image is more than twice as long as the triangle: the map is cut open
   /// where the front met itself behind a limb or a hole.
   std::vector<int> Torn;
-  bool ReachesRim = false; ///< whether an edge with one triangle has an end in Points
+  bool ReachesBoundary = false; ///< whether an edge with one triangle has an end in Points
 };
 
 /**
@@ -76,11 +76,11 @@ public:
   ///@{
   /**
    * The patch that the front covers before it is `radius` (> 0) from a seed: a place of the
-   * surface, or the one closest to a position. xDirection: see FrameAt. guess: a triangle that is
-   * likely near to the seed, or -1. Throws InvalidInput where the radius is not positive or
+   * surface, or the one closest to a position. xDirection: see BuildTangentFrame. guess: a triangle
+   * that is likely near to the seed, or -1. Throws InvalidInput where the radius is not positive or
    * something is not finite; Aborted.
    */
-  ExponentialPatch Around(const ClosestPlace& seed, double radius,
+  ExponentialPatch Around(const ClosestPoint& seed, double radius,
     const Eigen::RowVector3d& xDirection = Eigen::RowVector3d::Zero(),
     const Progress& progress = {});
   ExponentialPatch Around(const Eigen::RowVector3d& seed, double radius,
@@ -89,7 +89,7 @@ public:
   ///@}
 
   /// The unit normal at a place: those of its triangle's corners, as smoothed, and between them.
-  Eigen::RowVector3d Normal(const ClosestPlace& place) const;
+  Eigen::RowVector3d Normal(const ClosestPoint& position) const;
 
   const Mesh& Surface() const;
   const SurfaceLocator& Locator() const; ///< of the surface

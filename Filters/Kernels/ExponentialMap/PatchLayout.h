@@ -26,7 +26,7 @@ struct PatchLayout
 
 /// The patch around the place closest to `seed`, and how good it is. map: of the options' surface.
 /// Throws as ExponentialMap::Around does, and InvalidInput where no point lies within the radius.
-PatchLayout LayOutPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
+PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
   const Eigen::RowVector3d& xDirection, const PatchLayoutOptions& options = {},
   const Progress& progress = {});
 

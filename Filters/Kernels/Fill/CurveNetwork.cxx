@@ -2,7 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
-#include "Mesh/SamePlaces.h"
+#include "Mesh/CoincidentPoints.h"
 #include "Mesh/Topology.h"
 
 #include <Eigen/Geometry>
@@ -31,12 +31,12 @@ public:
     , Near(points.rows())
   {
     this->Network.Normals = Eigen::MatrixXd::Zero(points.rows(), 3);
-    const std::vector<int> place = FirstAtPlace(points);
+    const std::vector<int> position = FindCoincidentPoints(points);
     for (const std::vector<int>& line : polylines)
     {
       for (std::size_t i = 0; i + 1 < line.size(); ++i)
       {
-        const int a = place[line[i]], b = place[line[i + 1]];
+        const int a = position[line[i]], b = position[line[i + 1]];
         if (a != b &&
           std::find(this->Near[a].begin(), this->Near[a].end(), b) == this->Near[a].end())
         {
@@ -48,7 +48,7 @@ public:
     }
     for (Eigen::Index i = 0; i < normals.rows(); ++i)
     {
-      this->Network.Normals.row(place[i]) += normals.row(i).stableNormalized();
+      this->Network.Normals.row(position[i]) += normals.row(i).stableNormalized();
     }
     this->Prune();
     this->FillNormals();
@@ -261,12 +261,12 @@ private:
   {
     std::vector<int> face;
     bool isSimple = true;
-    std::set<int> places;
+    std::set<int> positions;
     Side side(a, b);
     while (this->Visited.insert(side).second)
     {
       face.push_back(side.first);
-      isSimple = places.insert(side.first).second && isSimple;
+      isSimple = positions.insert(side.first).second && isSimple;
       const std::vector<int>& near = this->Near[side.second];
       const auto back = std::find(near.begin(), near.end(), side.first) - near.begin();
       const auto count = static_cast<std::ptrdiff_t>(near.size());
@@ -289,7 +289,7 @@ private:
       return;
     }
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    this->Network.Rims.push_back(std::move(face));
+    this->Network.Loops.push_back(std::move(face));
   }
 
   /// Whether most of a face's sides run as the polylines do.
@@ -300,9 +300,9 @@ private:
     {
       forward += this->Forward.count({ face[i], face[(i + 1) % face.size()] });
     }
-    const auto least = std::min_element(face.begin(), face.end()) - face.begin();
-    const int next = face[(least + 1) % face.size()];
-    const int last = face[(least + face.size() - 1) % face.size()];
+    const auto minimum = std::min_element(face.begin(), face.end()) - face.begin();
+    const int next = face[(minimum + 1) % face.size()];
+    const int last = face[(minimum + face.size() - 1) % face.size()];
     return 2 * forward > face.size() || (2 * forward == face.size() && next < last);
   }
 
@@ -337,8 +337,8 @@ private:
 
 } // namespace
 
-CurveNetwork FindRims(const Eigen::MatrixXd& points, const std::vector<std::vector<int>>& polylines,
-  const Eigen::MatrixXd& normals)
+CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
+  const std::vector<std::vector<int>>& polylines, const Eigen::MatrixXd& normals)
 {
   RequireFinite(points, "the curves");
   RequireFinite(normals, "the curves' normals");

@@ -13,7 +13,7 @@ struct CurveNetwork
   /// Points of each patch's rim in order, the patch to the left seen from the tips of the normals;
   /// of points at the same place the first. Patches that share a curve run through it against each
   /// other.
-  std::vector<std::vector<int>> Rims;
+  std::vector<std::vector<int>> Loops;
   Eigen::MatrixXd Normals; ///< n x 3: unit, of the patches at the points; 0 at others
   int LooseSegments = 0;   ///< that end in the open, or belong to ends that do: left out
   int SkippedFaces = 0;    ///< that come back to a place, as around an island: left out
@@ -36,7 +36,7 @@ struct CurveNetwork
  * 3 for none. Throws InvalidInput where a point is out of range or not finite, and where a network
  * with neither normals nor a plane has points where three segments meet, with their number.
  */
-CurveNetwork FindRims(const Eigen::MatrixXd& points, const std::vector<std::vector<int>>& polylines,
-  const Eigen::MatrixXd& normals);
+CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
+  const std::vector<std::vector<int>>& polylines, const Eigen::MatrixXd& normals);
 
 } // namespace shape

@@ -1,9 +1,9 @@
 #include "Fill/FairSurface.h"
 
 #include "Base/Errors.h"
-#include "Linear/SparseSolve.h"
 #include "Geometry/PatchNormals.h"
 #include "Laplacian/CotangentWeights.h"
+#include "Linear/SparseSolve.h"
 
 #include <Eigen/Geometry>
 
@@ -36,7 +36,8 @@ Eigen::VectorXd VoronoiAreas(const Mesh& patch, const TriangleAngles& angles)
       areas(to) += share;
     }
   }
-  return areas.cwiseMax(0.1 * LumpedMasses(patch.Triangles, angles.Areas, patch.Points.rows()));
+  return areas.cwiseMax(
+    0.1 * ComputeLumpedMasses(patch.Triangles, angles.Areas, patch.Points.rows()));
 }
 
 /// The patch's geometry at one iteration.
@@ -49,17 +50,17 @@ struct Geometry
   Eigen::VectorXd SecondForm; ///< n: the sum of their squares, at most four times the median
 };
 
-Geometry Measure(const Mesh& patch, const Eigen::MatrixXd& rimNormals)
+Geometry Measure(const Mesh& patch, const Eigen::MatrixXd& loopNormals)
 {
   const Eigen::Index points = patch.Points.rows();
-  const TriangleAngles angles = AnglesOfTriangles(patch);
+  const TriangleAngles angles = ComputeTriangleAngles(patch);
   Geometry is;
-  is.Stiffness = CotangentStiffness(patch.Triangles, angles.Cotangents, points);
+  is.Stiffness = BuildCotangentStiffness(patch.Triangles, angles.Cotangents, points);
   is.Areas = VoronoiAreas(patch, angles);
-  const double least = 1e-12 * is.Areas.mean();
-  is.Areas = is.Areas.cwiseMax(std::max(least, std::numeric_limits<double>::min()));
-  is.Normals = MaxNormals(patch);
-  is.Normals.topRows(rimNormals.rows()) = rimNormals;
+  const double minimum = 1e-12 * is.Areas.mean();
+  is.Areas = is.Areas.cwiseMax(std::max(minimum, std::numeric_limits<double>::min()));
+  is.Normals = ComputeMaxNormals(patch);
+  is.Normals.topRows(loopNormals.rows()) = loopNormals;
   const Eigen::MatrixXd laplacian = is.Stiffness * patch.Points;
   is.Curvature = laplacian.cwiseProduct(is.Normals).rowwise().sum().cwiseQuotient(2.0 * is.Areas);
   is.SecondForm = Eigen::VectorXd::Zero(points);
@@ -93,9 +94,9 @@ Sparse WithRowsScaled(Sparse matrix, const Eigen::VectorXd& scales)
 }
 
 /// The rows and columns of the points after the rim.
-Sparse Inner(const Sparse& all, Eigen::Index rim)
+Sparse Inner(const Sparse& all, Eigen::Index loop)
 {
-  const Eigen::Index inner = all.rows() - rim;
+  const Eigen::Index inner = all.rows() - loop;
   return all.bottomRightCorner(inner, inner);
 }
 
@@ -105,9 +106,9 @@ class NewtonStep
 public:
   /// cautious: shorter steps, of what is sure to be positive definite. again: with the derivative
   /// of the last time.
-  Eigen::VectorXd Find(const Geometry& is, Eigen::Index rim, bool cautious, bool again)
+  Eigen::VectorXd Find(const Geometry& is, Eigen::Index loop, bool cautious, bool again)
   {
-    const Eigen::Index inner = is.Areas.size() - rim;
+    const Eigen::Index inner = is.Areas.size() - loop;
     const Eigen::VectorXd residual = -(is.Stiffness * is.Curvature).tail(inner);
     if (again)
     {
@@ -116,8 +117,8 @@ public:
     const Sparse bending = is.Stiffness * WithRowsScaled(is.Stiffness, is.Areas.cwiseInverse());
     const Sparse turned = WithRowsScaled(is.Stiffness, is.SecondForm);
     const Sparse squares = turned.transpose();
-    const Sparse plain = Inner(bending, rim);
-    const Sparse derivative = plain - 0.5 * Inner(squares + turned, rim);
+    const Sparse plain = Inner(bending, loop);
+    const Sparse derivative = plain - 0.5 * Inner(squares + turned, loop);
     Eigen::VectorXd step;
     // Where the surface bends much over its width the derivative may not be positive definite.
     if ((cautious || !this->TrySolve(derivative, 2.0 * residual, step)) &&
@@ -148,10 +149,10 @@ private:
 };
 
 /// The share of a step after which no edge has turned by more than about 45 degrees.
-double SafeShare(const Mesh& patch, const Eigen::VectorXd& step, Eigen::Index rim)
+double SafeShare(const Mesh& patch, const Eigen::VectorXd& step, Eigen::Index loop)
 {
   double steepest = 0.0;
-  const auto moved = [&](int point) { return point < rim ? 0.0 : step(point - rim); };
+  const auto moved = [&](int point) { return point < loop ? 0.0 : step(point - loop); };
   for (const auto& triangle : patch.Triangles.rowwise())
   {
     for (int k = 0; k < 3; ++k)
@@ -167,86 +168,86 @@ double SafeShare(const Mesh& patch, const Eigen::VectorXd& step, Eigen::Index ri
   return steepest > 1.0 ? 1.0 / steepest : 1.0;
 }
 
-double MeanRimEdge(const Eigen::MatrixXd& points, Eigen::Index rim)
+double MeanLoopEdge(const Eigen::MatrixXd& points, Eigen::Index loop)
 {
   double sum = 0.0;
-  for (Eigen::Index i = 0; i < rim; ++i)
+  for (Eigen::Index i = 0; i < loop; ++i)
   {
-    sum += (points.row((i + 1) % rim) - points.row(i)).norm();
+    sum += (points.row((i + 1) % loop) - points.row(i)).norm();
   }
-  return sum / static_cast<double>(rim);
+  return sum / static_cast<double>(loop);
 }
 
 } // namespace
 
-Eigen::MatrixXd BiharmonicSurface(const Mesh& disk, const SurfaceRim& rim)
+Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loop)
 {
-  const Eigen::Index points = disk.Points.rows(), corners = rim.Points.rows();
-  Eigen::MatrixXd places = Eigen::MatrixXd::Zero(points, 3);
-  places.topRows(corners) = rim.Points;
+  const Eigen::Index points = disk.Points.rows(), corners = loop.Points.rows();
+  Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(points, 3);
+  positions.topRows(corners) = loop.Points;
   if (points == corners)
   {
-    return places;
+    return positions;
   }
-  const TriangleAngles angles = AnglesOfTriangles(disk);
-  const Sparse stiffness = CotangentStiffness(disk.Triangles, angles.Cotangents, points);
-  Eigen::VectorXd masses = LumpedMasses(disk.Triangles, angles.Areas, points);
+  const TriangleAngles angles = ComputeTriangleAngles(disk);
+  const Sparse stiffness = BuildCotangentStiffness(disk.Triangles, angles.Cotangents, points);
+  Eigen::VectorXd masses = ComputeLumpedMasses(disk.Triangles, angles.Areas, points);
   masses = masses.cwiseMax(1e-9 * masses.mean());
   // What flows over the rim: its conormals, out of the patch, times the length that each point has.
   Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(points, 3);
   for (Eigen::Index i = 0; i < corners; ++i)
   {
     const Eigen::Index next = (i + 1) % corners;
-    const RowVector3d side = rim.Points.row(next) - rim.Points.row(i);
-    const RowVector3d normal = (rim.Normals.row(i) + rim.Normals.row(next)).stableNormalized();
+    const RowVector3d side = loop.Points.row(next) - loop.Points.row(i);
+    const RowVector3d normal = (loop.Normals.row(i) + loop.Normals.row(next)).stableNormalized();
     flux.row(i) += 0.5 * side.cross(normal);
     flux.row(next) += 0.5 * side.cross(normal);
   }
   const Sparse weighted = WithRowsScaled(stiffness, masses.cwiseInverse()).transpose();
   SparseCholesky solver;
   solver.Factorize(Inner(Sparse(weighted * stiffness), corners));
-  const Eigen::MatrixXd right = weighted * (flux - stiffness * places);
-  places.bottomRows(points - corners) = solver.Solve(right.bottomRows(points - corners));
-  return places;
+  const Eigen::MatrixXd right = weighted * (flux - stiffness * positions);
+  positions.bottomRows(points - corners) = solver.Solve(right.bottomRows(points - corners));
+  return positions;
 }
 
-FairSurfaceResult FairSurface(const Mesh& start, const Eigen::MatrixXd& rimNormals,
+FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loopNormals,
   const FairSurfaceOptions& options, const Progress& progress)
 {
-  const Eigen::Index rim = rimNormals.rows(), inner = start.Points.rows() - rim;
+  const Eigen::Index loop = loopNormals.rows(), inner = start.Points.rows() - loop;
   Mesh patch = start;
   FairSurfaceResult result{ start.Points, 0, inner == 0 };
-  double least = std::numeric_limits<double>::infinity(), last = least;
-  double share = 1.0, taken = 1.0, lastLength = least;
-  const double enough = options.Tolerance * MeanRimEdge(start.Points, rim);
+  double minimum = std::numeric_limits<double>::infinity(), last = minimum;
+  double share = 1.0, taken = 1.0, lastLength = minimum;
+  const double enough = options.Tolerance * MeanLoopEdge(start.Points, loop);
   NewtonStep newton;
   bool isNear = false; // so near that the derivative changes hardly any more
-  constexpr double leastShare = 0.25;
+  constexpr double minimumShare = 0.25;
   int stalls = 0;
   while (!result.Converged && stalls < 2 && result.Iterations < options.MaximumIterations)
   {
     const double begin = static_cast<double>(result.Iterations) / options.MaximumIterations;
     progress(begin);
-    const Geometry is = Measure(patch, rimNormals);
+    const Geometry is = Measure(patch, loopNormals);
     progress(begin);
     const double energy = is.Curvature.dot(is.Stiffness * is.Curvature);
-    if (energy < least)
+    if (energy < minimum)
     {
-      least = energy;
+      minimum = energy;
       result.Points = patch.Points;
     }
-    const Eigen::VectorXd step = newton.Find(is, rim, energy > last, isNear && energy <= last);
+    const Eigen::VectorXd step = newton.Find(is, loop, energy > last, isNear && energy <= last);
     last = energy;
     // Steps that do not become shorter, as they should by what was taken of the last one, go to and
     // fro.
     const double length = step.cwiseAbs().maxCoeff();
     const bool goesAstray = length > (1.0 - 0.3 * taken) * lastLength;
-    stalls = share == leastShare && goesAstray ? stalls + 1 : 0;
-    share = goesAstray ? std::max(leastShare, 0.5 * share) : std::min(1.0, 2.0 * share);
+    stalls = share == minimumShare && goesAstray ? stalls + 1 : 0;
+    share = goesAstray ? std::max(minimumShare, 0.5 * share) : std::min(1.0, 2.0 * share);
     constexpr double nearby = 0.1;
     isNear = length <= nearby * enough / options.Tolerance && length <= 0.8 * lastLength;
     lastLength = length;
-    taken = std::min(share, SafeShare(patch, step, rim));
+    taken = std::min(share, SafeShare(patch, step, loop));
     patch.Points.bottomRows(inner) += (taken * step).asDiagonal() * is.Normals.bottomRows(inner);
     ++result.Iterations;
     if (length <= enough)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -10,7 +10,7 @@ namespace shape
 
 /// A rim: a closed curve, and which way a surface leaves it. The surface is to its left, seen from
 /// the tips of the normals.
-struct SurfaceRim
+struct BoundaryLoop
 {
   Eigen::MatrixXd Points;  ///< k x 3
   Eigen::MatrixXd Normals; ///< k x 3: unit normals of the surface
@@ -20,11 +20,11 @@ struct SurfaceRim
  * A surface tangent to the rim's normals, as smooth as a linear equation makes it: places of the
  * points of a disk (n x 3), the rim first, whose bilaplacian is zero, by mixed finite elements: the
  * Laplacian at the rim is what the conormals there ask for. Not invariant to how the disk is
- * stretched; a start for FairSurface.
+ * stretched; a start for SolveFairSurface.
  *
  * disk: n points, in the plane or in space. Throws SolveFailure.
  */
-Eigen::MatrixXd BiharmonicSurface(const Mesh& disk, const SurfaceRim& rim);
+Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loop);
 
 struct FairSurfaceOptions
 {
@@ -58,7 +58,7 @@ struct FairSurfaceResult
  * converge the smoothest surface met, by the Dirichlet energy of the mean curvature, is the result.
  * Throws SolveFailure where a sparse factorisation breaks down; Aborted.
  */
-FairSurfaceResult FairSurface(const Mesh& start, const Eigen::MatrixXd& rimNormals,
+FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loopNormals,
   const FairSurfaceOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

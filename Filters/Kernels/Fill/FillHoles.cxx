@@ -1,11 +1,11 @@
 #include "Fill/FillHoles.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "Fill/LoopChoice.h"
-#include "Fill/Private/PatchCrossings.h"
-#include "Fill/RimNormals.h"
-#include "Mesh/BorderLoops.h"
+#include "Fill/LoopNormals.h"
+#include "Fill/Private/PatchSelfIntersections.h"
+#include "Mesh/BoundaryLoops.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <array>
@@ -54,14 +54,14 @@ Progress PartOf(const Progress& progress, std::size_t i, std::size_t count)
 
 struct SurfaceFiller::Hole
 {
-  Hole(SurfaceRim border, const HoleFillerOptions& options)
-    : Filler(std::move(border), options)
+  Hole(BoundaryLoop boundary, const HoleFillerOptions& options)
+    : Filler(std::move(boundary), options)
   {
-    this->Facts.Nonplanarity = Nonplanarity(this->Filler.Rim().Points);
+    this->Facts.Nonplanarity = ComputeNonplanarity(this->Filler.Loop().Points);
   }
 
   HoleFiller Filler;
-  RimCorners Corners;
+  LoopCorners Corners;
   FilledHole Facts;
   Mesh Patch;
   bool IsFilled = false;
@@ -81,7 +81,8 @@ SurfaceFiller::SurfaceFiller(
   }
   const TriangleFans fans(surface.Triangles, surface.Points.rows());
   this->Add(
-    rims, [&](const std::vector<int>& points) { return RimNormals(surface, fans, points); },
+    rims,
+    [&](const std::vector<int>& points) { return ComputeBoundaryNormals(surface, fans, points); },
     options);
 }
 
@@ -99,16 +100,16 @@ SurfaceFiller::SurfaceFiller(const Mesh& surface, const std::vector<std::vector<
 void SurfaceFiller::Add(const std::vector<std::vector<int>>& rims,
   const std::function<Eigen::MatrixXd(const std::vector<int>&)>& normals, HoleFillerOptions options)
 {
-  this->Taken = std::make_unique<TakenEdges>(this->Surface, rims);
+  this->Taken = std::make_unique<UsedEdges>(this->Surface, rims);
   for (int i = 0; i < static_cast<int>(rims.size()); ++i)
   {
-    RimCorners corners = CornersOfRim(rims[i], this->Surface.Points);
+    LoopCorners corners = FindRimCorners(rims[i], this->Surface.Points);
     options.IsTaken = this->Taken->Of(i, corners.Points);
-    const SurfaceRim border{ this->Surface.Points(corners.Points, Eigen::all),
+    const BoundaryLoop boundary{ this->Surface.Points(corners.Points, Eigen::all),
       normals(corners.Points) };
-    this->Holes.emplace_back(border, options);
+    this->Holes.emplace_back(boundary, options);
     this->Holes.back().Facts.Number = i;
-    this->Holes.back().Facts.Rim = rims[i];
+    this->Holes.back().Facts.Loop = rims[i];
     this->Holes.back().Corners = std::move(corners);
   }
 }
@@ -147,7 +148,7 @@ FilledSurface SurfaceFiller::Joined(const Hole* last) const
   {
     const FilledHole& facts = joined.Holes[i];
     const Mesh& patch = order[i]->Patch;
-    const RimCorners& corners = order[i]->Corners;
+    const LoopCorners& corners = order[i]->Corners;
     const auto rim = static_cast<int>(corners.Points.size());
     joined.Surface.Points.middleRows(facts.FirstPoint, facts.Points) =
       patch.Points.bottomRows(facts.Points);
@@ -178,7 +179,7 @@ bool SurfaceFiller::Try(
   }
   catch (const SolveFailure& problem)
   {
-    throw SolveFailure("the hole at point " + std::to_string(hole.Facts.Rim.front()) + ": " +
+    throw SolveFailure("the hole at point " + std::to_string(hole.Facts.Loop.front()) + ": " +
       problem.what() + "; repair the loop with Clean, or leave it out");
   }
 }
@@ -191,15 +192,16 @@ void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const P
   Mesh bestPatch;
   FilledHole best;
   std::optional<FillMethod> unsettled;
-  int least = std::numeric_limits<int>::max();
+  int minimum = std::numeric_limits<int>::max();
   const auto consider = [&]
   {
     const FilledSurface all = this->Joined(&hole);
     const auto crossings = static_cast<int>(
-      PatchCrossings(all.Surface, all.Holes.back().FirstTriangle, progress, least).size());
-    if (crossings < least)
+      FindPatchSelfIntersections(all.Surface, all.Holes.back().FirstTriangle, progress, minimum)
+        .size());
+    if (crossings < minimum)
     {
-      least = crossings;
+      minimum = crossings;
       bestPatch = hole.Patch;
       best = hole.Facts;
     }
@@ -228,21 +230,21 @@ void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const P
       reason += NameOf(method) + " was not found; ";
     }
   }
-  if (least > 0 && unsettled)
+  if (minimum > 0 && unsettled)
   {
     this->Try(hole, *unsettled, options, progress);
     consider();
   }
-  if (best.Rim.empty())
+  if (best.Loop.empty())
   {
-    throw SolveFailure("the hole at point " + std::to_string(hole.Facts.Rim.front()) +
+    throw SolveFailure("the hole at point " + std::to_string(hole.Facts.Loop.front()) +
       " cannot be filled: " + reason + "repair the loop with Clean, or leave it out");
   }
   hole.Patch = std::move(bestPatch);
   hole.Facts = std::move(best);
   hole.Facts.Reason = reason +
-    (least == 0 ? NameOf(hole.Facts.Method) + " does not meet them"
-                : "least of all " + NameOf(hole.Facts.Method));
+    (minimum == 0 ? NameOf(hole.Facts.Method) + " does not meet them"
+                  : "least of all " + NameOf(hole.Facts.Method));
 }
 
 /// Fills each by the method asked for, or Automatic's first; returns which need another one.
@@ -278,7 +280,8 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
   std::vector<bool> fails = this->FillEach(options, progress.Part(0.0, 0.7));
   FilledSurface filled = this->Joined(nullptr);
   const auto first = static_cast<int>(this->Surface.Triangles.rows());
-  std::vector<Crossing> crossings = PatchCrossings(filled.Surface, first, progress.Part(0.7, 0.75));
+  std::vector<Crossing> crossings =
+    FindPatchSelfIntersections(filled.Surface, first, progress.Part(0.7, 0.75));
   // In the first round one by one, so that a fill that is to be replaced is in no other's way; then
   // those that met no fill before they were there themselves.
   const int rounds = options.Method == FillMethod::Automatic ? 2 : 0;
@@ -314,7 +317,7 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
     }
     fails.assign(fails.size(), false);
     filled = this->Joined(nullptr);
-    crossings = PatchCrossings(filled.Surface, first, progress.Part(0.95, 0.95));
+    crossings = FindPatchSelfIntersections(filled.Surface, first, progress.Part(0.95, 0.95));
   }
   for (const Crossing& crossing : crossings)
   {
@@ -327,7 +330,7 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
 FilledSurface FillHoles(
   const Mesh& surface, const FillHolesOptions& options, const Progress& progress)
 {
-  return FillLoops(surface, BorderLoops(surface).Loops, options, progress);
+  return FillLoops(surface, FindBoundaryLoops(surface).Loops, options, progress);
 }
 
 FilledSurface FillLoops(const Mesh& surface, const std::vector<std::vector<int>>& loops,

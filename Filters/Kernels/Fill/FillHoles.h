@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Fill/HoleFiller.h"
-#include "Fill/RimCorners.h"
+#include "Fill/LoopCorners.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -26,9 +26,9 @@ struct FillHolesOptions
 /// A hole of a surface that was filled.
 struct FilledHole
 {
-  int Number = 0;       ///< of the loop among those given
-  std::vector<int> Rim; ///< points of the surface, with the fill to the left
-  int FirstPoint = 0;   ///< of the fill's own, in the filled surface
+  int Number = 0;        ///< of the loop among those given
+  std::vector<int> Loop; ///< points of the surface, with the fill to the left
+  int FirstPoint = 0;    ///< of the fill's own, in the filled surface
   int Points = 0;
   int FirstTriangle = 0; ///< of the fill, in the filled surface
   int Triangles = 0;
@@ -60,9 +60,9 @@ struct FilledSurface
 class SurfaceFiller
 {
 public:
-  /// loops: of the surface's points, with the surface to the left, as BorderLoops finds them; each
-  /// of at least 3 points. Throws InvalidInput where an index is out of range or a point is not
-  /// finite.
+  /// loops: of the surface's points, with the surface to the left, as FindBoundaryLoops finds them;
+  /// each of at least 3 points. Throws InvalidInput where an index is out of range or a point is
+  /// not finite.
   SurfaceFiller(const Mesh& surface, const std::vector<std::vector<int>>& loops,
     const HoleFillerOptions& options = {});
 
@@ -88,11 +88,11 @@ private:
   FilledSurface Joined(const Hole* last) const;
 
   Mesh Surface;
-  std::unique_ptr<TakenEdges> Taken;
+  std::unique_ptr<UsedEdges> Taken;
   std::vector<Hole> Holes;
 };
 
-/// Fills holes of a surface, of any triangles: all of BorderLoops. Throws as SurfaceFiller.
+/// Fills holes of a surface, of any triangles: all of FindBoundaryLoops. Throws as SurfaceFiller.
 FilledSurface FillHoles(
   const Mesh& surface, const FillHolesOptions& options = {}, const Progress& progress = {});
 

@@ -8,7 +8,7 @@
 namespace shape
 {
 
-std::vector<FillSources> SourcesOfFills(const Mesh& surface, const std::vector<FilledHole>& holes)
+std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes)
 {
   std::vector<int> triangleAt(surface.Points.rows(), -1);
   const int count = holes.empty() ? 0 : holes.front().FirstTriangle;
@@ -22,14 +22,14 @@ std::vector<FillSources> SourcesOfFills(const Mesh& surface, const std::vector<F
   std::vector<FillSources> sources;
   for (const FilledHole& hole : holes)
   {
-    Eigen::MatrixXd rim(hole.Rim.size(), 3);
-    for (std::size_t i = 0; i < hole.Rim.size(); ++i)
+    Eigen::MatrixXd loop(hole.Loop.size(), 3);
+    for (std::size_t i = 0; i < hole.Loop.size(); ++i)
     {
-      rim.row(static_cast<Eigen::Index>(i)) = surface.Points.row(hole.Rim[i]);
+      loop.row(static_cast<Eigen::Index>(i)) = surface.Points.row(hole.Loop[i]);
     }
-    const PointTree tree(rim);
-    const auto nearest = [&](const Eigen::RowVector3d& place)
-    { return hole.Rim[tree.Nearest(place, 1).front()]; };
+    const PointTree tree(loop);
+    const auto nearest = [&](const Eigen::RowVector3d& position)
+    { return hole.Loop[tree.Nearest(position, 1).front()]; };
     FillSources& own = sources.emplace_back();
     for (int i = hole.FirstPoint; i < hole.FirstPoint + hole.Points; ++i)
     {
@@ -37,25 +37,25 @@ std::vector<FillSources> SourcesOfFills(const Mesh& surface, const std::vector<F
     }
     for (int t = hole.FirstTriangle; t < hole.FirstTriangle + hole.Triangles; ++t)
     {
-      own.Triangles.push_back(triangleAt[nearest(Corners(surface, t).colwise().mean())]);
+      own.Triangles.push_back(triangleAt[nearest(GetCorners(surface, t).colwise().mean())]);
     }
   }
   return sources;
 }
 
-Eigen::MatrixXd ValuesOnFill(
+Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values)
 {
   std::map<int, int> rows; // of the patch: the rim, then the fill's own points
   std::vector<int> points;
-  for (const int point : hole.Rim)
+  for (const int point : hole.Loop)
   {
     if (rows.insert({ point, static_cast<int>(points.size()) }).second)
     {
       points.push_back(point);
     }
   }
-  const auto rim = static_cast<Eigen::Index>(points.size());
+  const auto loop = static_cast<Eigen::Index>(points.size());
   for (int i = 0; i < hole.Points; ++i)
   {
     rows[hole.FirstPoint + i] = static_cast<int>(points.size());
@@ -67,10 +67,10 @@ Eigen::MatrixXd ValuesOnFill(
   {
     corner = rows.at(corner);
   }
-  const Eigen::MatrixXd rimValues =
-    values(std::vector<int>(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(rim)),
+  const Eigen::MatrixXd loopValues =
+    values(std::vector<int>(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loop)),
       Eigen::all);
-  return HarmonicValues(patch, rimValues).bottomRows(hole.Points);
+  return SolveHarmonicValues(patch, loopValues).bottomRows(hole.Points);
 }
 
 } // namespace shape

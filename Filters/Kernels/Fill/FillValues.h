@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Fill/FillHoles.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -19,11 +19,11 @@ struct FillSources
 
 /// Of each fill. surface: with the fills, whose triangles are behind all others. Neither is empty
 /// where the fill is not; a triangle is -1 where the rim has none.
-std::vector<FillSources> SourcesOfFills(const Mesh& surface, const std::vector<FilledHole>& holes);
+std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes);
 
 /// Values of a fill's points (hole.Points x d) from those at its rim: smooth continuations
-/// (HarmonicValues). values: n x d, of all points; the others' rows mean nothing.
-Eigen::MatrixXd ValuesOnFill(
+/// (SolveHarmonicValues). values: n x d, of all points; the others' rows mean nothing.
+Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values);
 
 } // namespace shape

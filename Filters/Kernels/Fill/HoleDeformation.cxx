@@ -1,6 +1,6 @@
 #include "Fill/HoleDeformation.h"
 
-#include "Fill/RimNormals.h"
+#include "Fill/LoopNormals.h"
 
 #include <limits>
 #include <numeric>
@@ -10,25 +10,25 @@
 namespace shape
 {
 HoleDeformation::HoleDeformation(
-  HolePatch patch, SurfaceRim rim, bool optimizeNormals, const Progress& progress)
+  HolePatch patch, BoundaryLoop loop, bool optimizeNormals, const Progress& progress)
   : Patch(std::move(patch))
-  , Rim(std::move(rim))
-  , Graph(MakePointGraph(FlatSurface(this->Patch)))
+  , Loop(std::move(loop))
+  , Graph(BuildPointGraph(BuildFlatSurface(this->Patch)))
 {
-  const Eigen::Index corners = this->Rim.Points.rows();
+  const Eigen::Index corners = this->Loop.Points.rows();
   Eigen::MatrixXd up = Eigen::MatrixXd::Zero(corners, 3);
   up.col(2).setOnes();
-  this->Handle = CurveHandle(this->Graph.Places.topRows(corners), true, up);
+  this->Handle = BuildCurveHandle(this->Graph.Positions.topRows(corners), true, up);
   this->Prepared =
     PrepareDeformation(this->Graph, this->Handle, this->PreparedFor, {}, progress.Part(0.0, 0.5));
   BoundaryNormalsOptions options;
   options.LineSearches = optimizeNormals ? options.LineSearches : 0;
   options.Reach = 4.0 * this->Graph.MeanLength;
   this->Frames = OptimizeBoundaryNormals(
-    *this->Prepared, this->Handle, PoseHandle(this->Handle, this->Rim.Points, this->Rim.Normals),
-    this->Rim.Normals,
+    *this->Prepared, this->Handle, PoseHandle(this->Handle, this->Loop.Points, this->Loop.Normals),
+    this->Loop.Normals,
     [&](const DeformedShape& shape) {
-      return PatchRimNormals({ shape.Points, this->Triangles() }, corners);
+      return ComputePatchBoundaryNormals({ shape.Points, this->Triangles() }, corners);
     },
     options, progress.Part(0.5, 1.0));
 }
@@ -46,15 +46,15 @@ Eigen::MatrixXd HoleDeformation::Points(
   BiasFrames(this->Handle, this->Handle.Normals, frames, pose);
   const double all = std::numeric_limits<double>::infinity();
   Eigen::MatrixXd points = this->Prepared->Deform(pose, all, progress.Part(0.7, 1.0)).Points;
-  points.topRows(this->Rim.Points.rows()) = this->Rim.Points;
+  points.topRows(this->Loop.Points.rows()) = this->Loop.Points;
   return points;
 }
 
-Eigen::MatrixXd PatchRimNormals(const Mesh& patch, Eigen::Index rim)
+Eigen::MatrixXd ComputePatchBoundaryNormals(const Mesh& patch, Eigen::Index loop)
 {
-  std::vector<int> points(rim);
+  std::vector<int> points(loop);
   std::iota(points.begin(), points.end(), 0);
-  return RimNormals(patch, TriangleFans(patch.Triangles, patch.Points.rows()), points);
+  return ComputeBoundaryNormals(patch, TriangleFans(patch.Triangles, patch.Points.rows()), points);
 }
 
 } // namespace shape

@@ -2,10 +2,10 @@
 
 #include "Base/Progress.h"
 #include "Deform/BoundaryNormals.h"
-#include "Fill/FairSurface.h"
 #include "Deform/HandleFrames.h"
-#include "Fill/HolePatch.h"
 #include "Deform/ShapeDeformation.h"
+#include "Fill/FairSurface.h"
+#include "Fill/HolePatch.h"
 
 #include <Eigen/Core>
 
@@ -27,7 +27,7 @@ class HoleDeformation
 public:
   /// patch: its layout is the disk that is deformed. Throws Aborted.
   HoleDeformation(
-    HolePatch patch, SurfaceRim rim, bool optimizeNormals, const Progress& progress = {});
+    HolePatch patch, BoundaryLoop loop, bool optimizeNormals, const Progress& progress = {});
 
   /// Where the disk's points go (n x 3); the rim exactly to its points. frames: turn the rim's
   /// frames further. Throws InvalidInput where an option is out of its range, Aborted.
@@ -43,7 +43,7 @@ public:
 
 private:
   HolePatch Patch;
-  SurfaceRim Rim;
+  BoundaryLoop Loop;
   PointGraph Graph;
   BoundaryHandle Handle;
   BoundaryNormalsResult Frames;
@@ -51,7 +51,7 @@ private:
   DeformOptions PreparedFor;
 };
 
-/// The normals of a patch at its rim, its first `rim` points: see RimNormals.
-Eigen::MatrixXd PatchRimNormals(const Mesh& patch, Eigen::Index rim);
+/// The normals of a patch at its rim, its first `rim` points: see ComputeBoundaryNormals.
+Eigen::MatrixXd ComputePatchBoundaryNormals(const Mesh& patch, Eigen::Index loop);
 
 } // namespace shape

@@ -2,8 +2,8 @@
 
 #include "Base/Errors.h"
 #include "Fill/Private/FairPatch.h"
+#include "Fill/Private/OuterChords.h"
 #include "Laplacian/Membrane.h"
-#include "Fill/Private/RimChords.h"
 
 #include <utility>
 
@@ -15,22 +15,22 @@ namespace
 const Eigen::MatrixXd NoNormals(0, 3);
 
 /// The membrane of a patch's own layout.
-void Tauten(HolePatch& patch, const Eigen::MatrixXd& rim, const Progress& progress)
+void Tauten(HolePatch& patch, const Eigen::MatrixXd& loop, const Progress& progress)
 {
   constexpr int rounds = 2;
-  patch.Surface.Points = MembranePoints(FlatSurface(patch), rim, rounds, progress);
+  patch.Surface.Points = SolveMembrane(BuildFlatSurface(patch), loop, rounds, progress);
 }
 
 } // namespace
 
-HoleFiller::HoleFiller(SurfaceRim rim, const HoleFillerOptions& options)
-  : Border(std::move(rim))
+HoleFiller::HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options)
+  : Border(std::move(loop))
   , Options(options)
 {
   RequireOption(options.EdgeGrowth >= 0.0, "EdgeGrowth", options.EdgeGrowth, "at least 0");
   RequireOption(options.MaximumPoints >= 1, "MaximumPoints", options.MaximumPoints, "at least 1");
-  this->Sizes = { RimSizes(this->Border.Points), options.EdgeGrowth, options.MaximumPoints,
-    options.IsTaken, ChordsOutside(this->Border) };
+  this->Sizes = { ComputeBoundarySizes(this->Border.Points), options.EdgeGrowth,
+    options.MaximumPoints, options.IsTaken, FindOuterChords(this->Border) };
 }
 
 HoleFill HoleFiller::Fill(FillMethod method, const DeformOptions& options,
@@ -60,8 +60,9 @@ const HolePatch& HoleFiller::Span(const Progress& progress)
   if (!this->Coarse)
   {
     const Eigen::MatrixXd& points = this->Border.Points;
-    this->Coarse = MembranePatch(points, this->Sizes, progress);
-    const Eigen::MatrixXd normals = PatchRimNormals(this->Coarse->Surface, points.rows());
+    this->Coarse = BuildMembranePatch(points, this->Sizes, progress);
+    const Eigen::MatrixXd normals =
+      ComputePatchBoundaryNormals(this->Coarse->Surface, points.rows());
     for (Eigen::Index i = 0; i < normals.rows(); ++i)
     {
       if (this->Border.Normals.row(i).squaredNorm() == 0.0)
@@ -75,7 +76,8 @@ const HolePatch& HoleFiller::Span(const Progress& progress)
 
 double HoleFiller::Deviation(const Mesh& patch) const
 {
-  return MeanAngle(PatchRimNormals(patch, this->Border.Points.rows()), this->Border.Normals);
+  return ComputeMeanAngle(
+    ComputePatchBoundaryNormals(patch, this->Border.Points.rows()), this->Border.Normals);
 }
 
 HoleFill HoleFiller::Deformation(
@@ -83,7 +85,7 @@ HoleFill HoleFiller::Deformation(
 {
   if (!this->Deformed)
   {
-    HolePatch patch = Retriangulated(
+    HolePatch patch = RemeshPatch(
       this->Span(progress.Part(0.0, 0.2)), this->Sizes, NoNormals, progress.Part(0.2, 0.4));
     this->Deformed = std::make_unique<HoleDeformation>(
       std::move(patch), this->Border, this->Options.OptimizeNormals, progress.Part(0.4, 0.7));
@@ -101,7 +103,8 @@ HoleFill HoleFiller::Fair(const Progress& progress)
   if (!this->FairFill)
   {
     const HolePatch& membrane = this->Span(progress.Part(0.0, 0.1));
-    FairPatchResult fair = FairPatch(membrane, this->Border, this->Sizes, progress.Part(0.1, 1.0));
+    FairPatchResult fair =
+      BuildFairPatch(membrane, this->Border, this->Sizes, progress.Part(0.1, 1.0));
     HoleFill fill;
     fill.Patch = std::move(fair.Patch);
     fill.DeviationBefore = this->Deviation(membrane.Surface);
@@ -118,7 +121,7 @@ HoleFill HoleFiller::Membrane(const Progress& progress)
 {
   if (!this->MembraneFill)
   {
-    HolePatch patch = Retriangulated(
+    HolePatch patch = RemeshPatch(
       this->Span(progress.Part(0.0, 0.3)), this->Sizes, NoNormals, progress.Part(0.3, 0.6));
     Tauten(patch, this->Border.Points, progress.Part(0.6, 1.0));
     HoleFill fill;

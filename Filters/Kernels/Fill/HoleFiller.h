@@ -1,11 +1,11 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Deform/ShapeDeformation.h"
 #include "Fill/FairSurface.h"
 #include "Fill/HoleDeformation.h"
 #include "Fill/HolePatch.h"
-#include "Deform/ShapeDeformation.h"
+#include "Mesh/Mesh.h"
 
 #include <functional>
 #include <memory>
@@ -20,8 +20,8 @@ enum class FillMethod
   Automatic,   ///< Fair; where that meets the surface or itself Deformation, then Membrane; where
                ///< all do, the one that does it least
   Deformation, ///< a flat disk deformed until its outline is the rim: HoleDeformation
-  Fair,        ///< tangent to the surface, of harmonic mean curvature: FairSurface
-  Membrane     ///< as taut as can be, with a crease along the rim: MembranePoints
+  Fair,        ///< tangent to the surface, of harmonic mean curvature: SolveFairSurface
+  Membrane     ///< as taut as can be, with a crease along the rim: SolveMembrane
 };
 
 struct HoleFillerOptions
@@ -56,14 +56,14 @@ class HoleFiller
 public:
   /// rim: no two neighbours at the same place; fewer than 3 points are filled by no triangle. A
   /// zero normal counts as the membrane's there.
-  explicit HoleFiller(SurfaceRim rim, const HoleFillerOptions& options = {});
+  explicit HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options = {});
 
   /// method: any but Automatic. Throws InvalidInput where an option is out of its range,
   /// SolveFailure, Aborted.
   HoleFill Fill(FillMethod method, const DeformOptions& options = {},
     const PoseOptions& frames = {}, const Progress& progress = {});
 
-  const SurfaceRim& Rim() const { return this->Border; }
+  const BoundaryLoop& Loop() const { return this->Border; }
 
 private:
   const HolePatch& Span(const Progress& progress);
@@ -73,7 +73,7 @@ private:
   HoleFill Membrane(const Progress& progress);
   double Deviation(const Mesh& patch) const;
 
-  SurfaceRim Border;
+  BoundaryLoop Border;
   HoleFillerOptions Options;
   PatchSizes Sizes;
   std::optional<HolePatch> Coarse; ///< the membrane

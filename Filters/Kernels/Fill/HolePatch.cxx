@@ -2,8 +2,8 @@
 
 #include "Base/Errors.h"
 #include "Fill/Private/HoleDisk.h"
-#include "Laplacian/Membrane.h"
 #include "Geometry/PatchNormals.h"
+#include "Laplacian/Membrane.h"
 #include "Parameterize/ConformalFlattening.h"
 #include "Planar/PlanarLocator.h"
 #include "Search/PointTree.h"
@@ -42,35 +42,35 @@ public:
   }
 
   /// Linear in the triangle that the place is in; outside of all that of the nearest point.
-  double At(const RowVector2d& place, const Eigen::VectorXd& values) const
+  double At(const RowVector2d& position, const Eigen::VectorXd& values) const
   {
-    const PlanarPlace found = this->Locator.Find(place);
-    return found.Triangle < 0 ? values(this->Nearest(place))
+    const PlanarPoint found = this->Locator.Find(position);
+    return found.Triangle < 0 ? values(this->Nearest(position))
                               : found.Barycentric.dot(values(this->Corners(found)));
   }
 
   /// The same of the points of a surface, its triangles curved to normals.
-  RowVector3d OnSurface(
-    const RowVector2d& place, const Eigen::MatrixXd& points, const Eigen::MatrixXd& normals) const
+  RowVector3d OnSurface(const RowVector2d& position, const Eigen::MatrixXd& points,
+    const Eigen::MatrixXd& normals) const
   {
-    const PlanarPlace found = this->Locator.Find(place);
+    const PlanarPoint found = this->Locator.Find(position);
     if (found.Triangle < 0)
     {
-      return points.row(this->Nearest(place));
+      return points.row(this->Nearest(position));
     }
     const Eigen::RowVector3i corners = this->Corners(found);
-    return CurvedPlace(
+    return EvaluateCurvedTriangle(
       points(corners, Eigen::all), normals(corners, Eigen::all), found.Barycentric);
   }
 
 private:
-  Eigen::RowVector3i Corners(const PlanarPlace& place) const
+  Eigen::RowVector3i Corners(const PlanarPoint& position) const
   {
-    return this->Triangles.row(place.Triangle);
+    return this->Triangles.row(position.Triangle);
   }
-  int Nearest(const RowVector2d& place) const
+  int Nearest(const RowVector2d& position) const
   {
-    return this->Tree.Nearest({ place.x(), place.y(), 0.0 }, 1).front();
+    return this->Tree.Nearest({ position.x(), position.y(), 0.0 }, 1).front();
   }
 
   const Eigen::MatrixXi& Triangles;
@@ -81,21 +81,21 @@ private:
 /// By how much another surface of the same triangles is longer around each point (n).
 Eigen::VectorXd Stretch(const Mesh& surface, const Mesh& other)
 {
-  const Eigen::VectorXd areas = PointAreas(surface), otherAreas = PointAreas(other);
-  const double least = 1e-6 * (areas.mean() + otherAreas.mean());
-  return (otherAreas.array() + least).cwiseQuotient(areas.array() + least).sqrt();
+  const Eigen::VectorXd areas = ComputePointAreas(surface), otherAreas = ComputePointAreas(other);
+  const double minimum = 1e-6 * (areas.mean() + otherAreas.mean());
+  return (otherAreas.array() + minimum).cwiseQuotient(areas.array() + minimum).sqrt();
 }
 
 /// Wanted edge lengths at the points of a surface (n).
 Eigen::VectorXd WantedSizes(const Mesh& surface, const PatchSizes& sizes)
 {
-  const Eigen::Index rim = sizes.Rim.size();
-  const Eigen::VectorXd areas = PointAreas(surface);
+  const Eigen::Index loop = sizes.Loop.size();
+  const Eigen::VectorXd areas = ComputePointAreas(surface);
   const Eigen::VectorXd even =
-    HarmonicValues(surface, sizes.Rim.array().log().matrix()).array().exp();
-  const PointTree tree(surface.Points.topRows(rim));
+    SolveHarmonicValues(surface, sizes.Loop.array().log().matrix()).array().exp();
+  const PointTree tree(surface.Points.topRows(loop));
   Eigen::VectorXd distances = Eigen::VectorXd::Zero(even.size());
-  for (Eigen::Index i = rim; i < distances.size(); ++i)
+  for (Eigen::Index i = loop; i < distances.size(); ++i)
   {
     const int nearest = tree.Nearest(surface.Points.row(i), 1).front();
     distances(i) = (surface.Points.row(i) - surface.Points.row(nearest)).norm();
@@ -117,24 +117,24 @@ HolePatch Triangulated(const Mesh& surface, const Eigen::MatrixXd& flat,
   const Eigen::VectorXd& wanted, const Eigen::MatrixXd& normals, const PatchSizes& sizes,
   const Progress& progress)
 {
-  const Eigen::Index rim = sizes.Rim.size();
+  const Eigen::Index loop = sizes.Loop.size();
   const FlatField field(flat, surface.Triangles);
   Eigen::VectorXd edges =
     wanted.cwiseProduct(Stretch(surface, { InSpace(flat), surface.Triangles }));
   // The side that suits most points.
   const Eigen::ArrayXd counts =
-    PointAreas({ InSpace(flat), surface.Triangles }).array() / edges.array().square();
+    ComputePointAreas({ InSpace(flat), surface.Triangles }).array() / edges.array().square();
   FlatDiskOptions options;
   options.Edge = std::exp((counts * edges.array().log()).sum() / counts.sum());
   options.Growth = 0.1;
-  options.Size = [&](const RowVector2d& place) { return field.At(place, edges); };
+  options.Size = [&](const RowVector2d& position) { return field.At(position, edges); };
   options.IsTaken = sizes.IsTaken;
   options.IsOutside = sizes.IsOutside;
-  const FlatDisk disk = TriangulateDisk(flat.topRows(rim), options, progress);
+  const FlatDisk disk = TriangulateDisk(flat.topRows(loop), options, progress);
   HolePatch patch{ { Eigen::MatrixXd(disk.Points.rows(), 3), disk.Triangles }, disk.Points };
   for (Eigen::Index i = 0; i < disk.Points.rows(); ++i)
   {
-    patch.Surface.Points.row(i) = i < rim
+    patch.Surface.Points.row(i) = i < loop
       ? RowVector3d(surface.Points.row(i))
       : field.OnSurface(disk.Points.row(i), surface.Points, normals);
   }
@@ -143,18 +143,18 @@ HolePatch Triangulated(const Mesh& surface, const Eigen::MatrixXd& flat,
 
 } // namespace
 
-Mesh FlatSurface(const HolePatch& patch)
+Mesh BuildFlatSurface(const HolePatch& patch)
 {
   return { InSpace(patch.Flat), patch.Surface.Triangles };
 }
 
-Eigen::VectorXd RimSizes(const Eigen::MatrixXd& rim)
+Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop)
 {
-  const Eigen::Index count = rim.rows();
+  const Eigen::Index count = loop.rows();
   Eigen::VectorXd sides(count);
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    sides(i) = (rim.row((i + 1) % count) - rim.row(i)).norm();
+    sides(i) = (loop.row((i + 1) % count) - loop.row(i)).norm();
   }
   sides = sides.cwiseMax(1e-3 * sides.mean());
   // Four sides before and after each point, the near ones counting more.
@@ -174,21 +174,21 @@ Eigen::VectorXd RimSizes(const Eigen::MatrixXd& rim)
   return sizes;
 }
 
-HolePatch MembranePatch(
-  const Eigen::MatrixXd& rim, const PatchSizes& patchSizes, const Progress& progress)
+HolePatch BuildMembranePatch(
+  const Eigen::MatrixXd& loop, const PatchSizes& patchSizes, const Progress& progress)
 {
-  const Eigen::Index corners = rim.rows();
+  const Eigen::Index corners = loop.rows();
   Eigen::VectorXd sides(corners);
   for (Eigen::Index i = 0; i < corners; ++i)
   {
-    sides(i) = (rim.row((i + 1) % corners) - rim.row(i)).norm();
+    sides(i) = (loop.row((i + 1) % corners) - loop.row(i)).norm();
   }
-  const Eigen::MatrixXd outline = CircleOutline(sides);
-  const Eigen::VectorXd& sizes = patchSizes.Rim;
+  const Eigen::MatrixXd outline = BuildCircleOutline(sides);
+  const Eigen::VectorXd& sizes = patchSizes.Loop;
   std::vector<double> angles; // of the corners, rising
-  const auto angleOf = [](const RowVector2d& place)
+  const auto angleOf = [](const RowVector2d& position)
   {
-    const double angle = std::atan2(place.y(), place.x());
+    const double angle = std::atan2(position.y(), position.x());
     return angle < 0.0 ? angle + 2.0 * M_PI : angle;
   };
   for (Eigen::Index i = 0; i < corners; ++i)
@@ -198,40 +198,40 @@ HolePatch MembranePatch(
   FlatDiskOptions options;
   options.Edge = sizes.mean();
   options.Growth = CoarseGrowth;
-  options.Size = [&](const RowVector2d& place)
+  options.Size = [&](const RowVector2d& position)
   {
     // The nearest corners are those in the same direction.
-    const auto after = std::upper_bound(angles.begin(), angles.end(), angleOf(place));
+    const auto after = std::upper_bound(angles.begin(), angles.end(), angleOf(position));
     const Eigen::Index corner = std::max<std::ptrdiff_t>(after - angles.begin(), 1) - 1;
-    return sizes(corner) + CoarseGrowth * (place - outline.row(corner)).norm();
+    return sizes(corner) + CoarseGrowth * (position - outline.row(corner)).norm();
   };
   options.IsTaken = patchSizes.IsTaken;
   options.IsOutside = patchSizes.IsOutside;
   const FlatDisk disk = TriangulateDisk(outline, options, progress.Part(0.0, 0.7));
   HolePatch patch{ { InSpace(disk.Points), disk.Triangles }, disk.Points };
   constexpr int rounds = 3;
-  patch.Surface.Points = MembranePoints(patch.Surface, rim, rounds, progress.Part(0.7, 1.0));
+  patch.Surface.Points = SolveMembrane(patch.Surface, loop, rounds, progress.Part(0.7, 1.0));
   return patch;
 }
 
-double GreatestStretch(const Mesh& one, const Mesh& other)
+double ComputeMaximumStretch(const Mesh& one, const Mesh& other)
 {
   const Eigen::ArrayXd logs = Stretch(one, other).array().log();
   return std::exp((logs - logs.mean()).abs().maxCoeff());
 }
 
-HolePatch Retriangulated(const HolePatch& patch, const PatchSizes& sizes,
-  const Eigen::MatrixXd& rimNormals, const Progress& progress)
+HolePatch RemeshPatch(const HolePatch& patch, const PatchSizes& sizes,
+  const Eigen::MatrixXd& loopNormals, const Progress& progress)
 {
-  const Eigen::Index rim = sizes.Rim.size();
+  const Eigen::Index loop = sizes.Loop.size();
   const Eigen::VectorXd wanted = WantedSizes(patch.Surface, sizes);
   progress(0.2);
-  const Eigen::MatrixXd flat = ConformalFlattening(patch.Surface, progress.Part(0.2, 0.4));
+  const Eigen::MatrixXd flat = FlattenConformally(patch.Surface, progress.Part(0.2, 0.4));
   Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(patch.Flat.rows(), 3);
-  if (rimNormals.rows() > 0)
+  if (loopNormals.rows() > 0)
   {
-    normals = MaxNormals(patch.Surface);
-    normals.topRows(rim) = rimNormals;
+    normals = ComputeMaxNormals(patch.Surface);
+    normals.topRows(loop) = loopNormals;
   }
   HolePatch finer =
     Triangulated(patch.Surface, flat, wanted, normals, sizes, progress.Part(0.4, 1.0));

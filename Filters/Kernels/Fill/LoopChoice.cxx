@@ -12,7 +12,7 @@
 namespace shape
 {
 
-double LoopLength(const Eigen::MatrixXd& points, const std::vector<int>& loop)
+double ComputeLoopLength(const Eigen::MatrixXd& points, const std::vector<int>& loop)
 {
   double length = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -49,13 +49,13 @@ std::vector<int> ChooseLoops(
   const auto isTooLong = [&](int loop)
   {
     return choice.MaximumLength > 0.0 &&
-      LoopLength(surface.Points, loops[loop]) > choice.MaximumLength;
+      ComputeLoopLength(surface.Points, loops[loop]) > choice.MaximumLength;
   };
   chosen.erase(std::remove_if(chosen.begin(), chosen.end(), isTooLong), chosen.end());
   return chosen;
 }
 
-double Nonplanarity(const Eigen::MatrixXd& points)
+double ComputeNonplanarity(const Eigen::MatrixXd& points)
 {
   constexpr Eigen::Index planar = 3;
   if (points.rows() <= planar)

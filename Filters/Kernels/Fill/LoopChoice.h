@@ -19,7 +19,7 @@ struct LoopChoice
     Chosen
   };
   LoopsType Loops = LoopsType::All;
-  std::vector<int> Indices;   ///< for Chosen: in the order of BorderLoops, the longest being 0
+  std::vector<int> Indices; ///< for Chosen: in the order of FindBoundaryLoops, the longest being 0
   double MaximumLength = 0.0; ///< around the loop, in the model's units; 0: any. >= 0
 };
 
@@ -29,11 +29,11 @@ std::vector<int> ChooseLoops(
   const Mesh& surface, const std::vector<std::vector<int>>& loops, const LoopChoice& choice);
 
 /// How long a closed line through points is.
-double LoopLength(const Eigen::MatrixXd& points, const std::vector<int>& loop);
+double ComputeLoopLength(const Eigen::MatrixXd& points, const std::vector<int>& loop);
 
 /// The farthest of points (n x 3) from the plane that fits them best, over their greatest distance
 /// from their mean, doubled.
-double Nonplanarity(const Eigen::MatrixXd& points);
+double ComputeNonplanarity(const Eigen::MatrixXd& points);
 
 /// Throws InvalidInput where a loop has fewer than 3 points, one that the surface lacks, or where a
 /// coordinate is not finite.

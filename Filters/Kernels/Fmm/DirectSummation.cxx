@@ -44,7 +44,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
   Check(sources, charges, points);
   const double scale = ScaleFor(sources);
   const double factor = InverseFourPi * (gradient ? scale * scale : scale);
-  const Eigen::MatrixXd places = scale * points;
+  const Eigen::MatrixXd positions = scale * points;
   const int m = static_cast<int>(sources.rows());
   const int n = static_cast<int>(points.rows());
   const int k = static_cast<int>(charges.cols());
@@ -69,7 +69,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
           sum.Columns = columns;
           sum.Spans = &span;
           sum.SpanCount = 1;
-          sum.Points = places.data() + begin;
+          sum.Points = positions.data() + begin;
           sum.PointStride = n;
           sum.PointCount = end - begin;
           sum.Values = values.data() + begin + valuesPerColumn * column * std::ptrdiff_t(n);
@@ -85,13 +85,14 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
 
 } // namespace
 
-Eigen::MatrixXd DirectPotentials(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
-  const Eigen::MatrixXd& points, RootError error, const Progress& progress)
+Eigen::MatrixXd SumPotentialsDirectly(const Eigen::MatrixXd& sources,
+  const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points, RootError error,
+  const Progress& progress)
 {
   return Sum(sources, charges, points, false, error, progress);
 }
 
-Eigen::MatrixXd DirectGradients(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
+Eigen::MatrixXd SumGradientsDirectly(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, const Progress& progress)
 {
   return Sum(sources, charges, points, true, RootError::Rounding, progress);

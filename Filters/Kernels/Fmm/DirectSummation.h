@@ -19,12 +19,12 @@ namespace shape
  * largest coordinate).
  * Throws InvalidInput where the numbers of rows or columns do not fit, Aborted.
  */
-Eigen::MatrixXd DirectPotentials(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
-  const Eigen::MatrixXd& points, RootError error = RootError::Rounding,
-  const Progress& progress = {});
+Eigen::MatrixXd SumPotentialsDirectly(const Eigen::MatrixXd& sources,
+  const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points,
+  RootError error = RootError::Rounding, const Progress& progress = {});
 
 /// The gradients of the same potentials: n x 3k, column 3 r + c is d phi_r / d y_c.
-Eigen::MatrixXd DirectGradients(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
+Eigen::MatrixXd SumGradientsDirectly(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, const Progress& progress = {});
 
 } // namespace shape

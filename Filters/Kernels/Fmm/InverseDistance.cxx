@@ -84,12 +84,12 @@ HWY_INLINE void SumBlock(const InverseDistanceSum& sum, const double* points,
   constexpr int sums = Gradient ? 3 * Columns : Columns;
   const Tag d;
   const std::ptrdiff_t lanes = hn::Lanes(d);
-  Vector place[Vectors][3], total[Vectors][sums];
+  Vector position[Vectors][3], total[Vectors][sums];
   for (int v = 0; v < Vectors; ++v)
   {
     for (int c = 0; c < 3; ++c)
     {
-      place[v][c] = hn::LoadU(d, points + v * lanes + c * pointStride);
+      position[v][c] = hn::LoadU(d, points + v * lanes + c * pointStride);
     }
     for (int c = 0; c < sums; ++c)
     {
@@ -104,9 +104,9 @@ HWY_INLINE void SumBlock(const InverseDistanceSum& sum, const double* points,
     {
       for (int v = 0; v < Vectors; ++v)
       {
-        const Vector x = hn::Sub(place[v][0], hn::Set(d, source[0]));
-        const Vector y = hn::Sub(place[v][1], hn::Set(d, source[1]));
-        const Vector z = hn::Sub(place[v][2], hn::Set(d, source[2]));
+        const Vector x = hn::Sub(position[v][0], hn::Set(d, source[0]));
+        const Vector y = hn::Sub(position[v][1], hn::Set(d, source[1]));
+        const Vector z = hn::Sub(position[v][2], hn::Set(d, source[2]));
         const Vector inverse =
           InverseRoot<Error>(d, hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))));
         if constexpr (Gradient)
@@ -162,26 +162,26 @@ void SumAll(const InverseDistanceSum& sum)
       continue;
     }
     // The last points are copied, the last of them as often as lanes are left.
-    constexpr int most = static_cast<int>(hn::MaxLanes(Tag()));
-    double points[3 * most], values[sums * most];
+    constexpr int maximum = static_cast<int>(hn::MaxLanes(Tag()));
+    double points[3 * maximum], values[sums * maximum];
     for (int lane = 0; lane < lanes; ++lane)
     {
       const int from = i + lane < sum.PointCount ? i + lane : sum.PointCount - 1;
       for (int c = 0; c < 3; ++c)
       {
-        points[c * most + lane] = sum.Points[from + c * sum.PointStride];
+        points[c * maximum + lane] = sum.Points[from + c * sum.PointStride];
       }
       for (int c = 0; c < sums; ++c)
       {
-        values[c * most + lane] = sum.Values[from + c * sum.ValueStride];
+        values[c * maximum + lane] = sum.Values[from + c * sum.ValueStride];
       }
     }
-    SumBlock<Columns, Gradient, Error, 1>(sum, points, most, values, most);
+    SumBlock<Columns, Gradient, Error, 1>(sum, points, maximum, values, maximum);
     for (int lane = 0; i + lane < sum.PointCount; ++lane)
     {
       for (int c = 0; c < sums; ++c)
       {
-        sum.Values[i + lane + c * sum.ValueStride] = values[c * most + lane];
+        sum.Values[i + lane + c * sum.ValueStride] = values[c * maximum + lane];
       }
     }
   }

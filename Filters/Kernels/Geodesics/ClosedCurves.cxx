@@ -1,7 +1,7 @@
 #include "Geodesics/ClosedCurves.h"
 
 #include "Base/Errors.h"
-#include "Mesh/SamePlaces.h"
+#include "Mesh/CoincidentPoints.h"
 
 #include <algorithm>
 #include <map>
@@ -13,17 +13,17 @@ namespace
 {
 
 /// A polyline's places, none twice in a row.
-std::vector<int> PlacesOf(const std::vector<int>& polyline, const std::vector<int>& first)
+std::vector<int> GetLoopPositions(const std::vector<int>& polyline, const std::vector<int>& first)
 {
-  std::vector<int> places;
+  std::vector<int> positions;
   for (const int point : polyline)
   {
-    if (places.empty() || places.back() != first[point])
+    if (positions.empty() || positions.back() != first[point])
     {
-      places.push_back(first[point]);
+      positions.push_back(first[point]);
     }
   }
-  return places;
+  return positions;
 }
 
 /// Polylines that are open, and which of them end at each place.
@@ -78,24 +78,24 @@ private:
 
 } // namespace
 
-std::vector<Eigen::MatrixXd> ClosedCurves(const Eigen::MatrixXd& points,
+std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
   const std::vector<std::vector<int>>& polylines, const std::string& name)
 {
-  const std::vector<int> first = FirstAtPlace(points);
+  const std::vector<int> first = FindCoincidentPoints(points);
   std::vector<Eigen::MatrixXd> curves;
   const auto add = [&](const std::vector<int>& way)
   { curves.emplace_back(points(std::vector<int>(way.begin(), way.end() - 1), Eigen::all)); };
   std::vector<std::vector<int>> open;
   for (const std::vector<int>& polyline : polylines)
   {
-    const std::vector<int> places = PlacesOf(polyline, first);
-    if (places.size() > 1 && places.front() == places.back())
+    const std::vector<int> positions = GetLoopPositions(polyline, first);
+    if (positions.size() > 1 && positions.front() == positions.back())
     {
-      add(places);
+      add(positions);
     }
-    else if (places.size() > 1)
+    else if (positions.size() > 1)
     {
-      open.push_back(places);
+      open.push_back(positions);
     }
   }
   OpenLines lines(open);

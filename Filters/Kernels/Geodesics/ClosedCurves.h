@@ -17,7 +17,7 @@ namespace shape
  * (k x 3), the last one joined to the first. name: what errors call the data. Throws InvalidInput
  * where a curve is open, with the place where it ends.
  */
-std::vector<Eigen::MatrixXd> ClosedCurves(const Eigen::MatrixXd& points,
+std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
   const std::vector<std::vector<int>>& polylines, const std::string& name);
 
 } // namespace shape

@@ -13,7 +13,7 @@ namespace shape
 EdgeGraph::EdgeGraph(const Mesh& mesh)
   : First(mesh.Points.rows() + 1, 0)
 {
-  std::vector<HalfEdge> once = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  std::vector<HalfEdge> once = SortHalfEdges(mesh.Triangles, mesh.Points.rows());
   const auto same = [](const HalfEdge& a, const HalfEdge& b)
   { return a.Low() == b.Low() && a.High() == b.High(); };
   once.erase(std::unique(once.begin(), once.end(), same), once.end());
@@ -71,7 +71,8 @@ void EdgeGraph::Lower(
   }
 }
 
-Eigen::VectorXd EdgeGeodesics(const Mesh& mesh, const EdgeSeeds& seeds, const Progress& progress)
+Eigen::VectorXd ComputeEdgeGeodesics(
+  const Mesh& mesh, const EdgeSeeds& seeds, const Progress& progress)
 {
   Eigen::VectorXd distances =
     Eigen::VectorXd::Constant(mesh.Points.rows(), std::numeric_limits<double>::infinity());

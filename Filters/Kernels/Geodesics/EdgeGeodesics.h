@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -37,7 +37,7 @@ private:
 
 /// The length of the shortest path along edges from the seeds to each point: n distances in the
 /// model's units, never less than the surface's own; infinite where no path leads. Throws Aborted.
-Eigen::VectorXd EdgeGeodesics(
+Eigen::VectorXd ComputeEdgeGeodesics(
   const Mesh& mesh, const EdgeSeeds& seeds, const Progress& progress = {});
 
 } // namespace shape

@@ -1,9 +1,9 @@
 #include "Geodesics/ExactGeodesics.h"
 
 #include "Base/Parallel.h"
-#include "Mesh/Topology.h"
-#include "Geodesics/Private/SideFrames.h"
+#include "Geodesics/Private/HalfEdgeFrames.h"
 #include "Geodesics/Private/WindowPropagation.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <atomic>
@@ -28,10 +28,10 @@ struct Worker
 
 } // namespace
 
-Eigen::VectorXd ExactGeodesics(
+Eigen::VectorXd ComputeExactGeodesics(
   const Mesh& mesh, const ClosestPoints& seeds, const Progress& progress)
 {
-  const SideFrames frames(mesh);
+  const HalfEdgeFrames frames(mesh);
   WindowPropagation propagation(mesh, frames);
   for (Eigen::Index i = 0; i < seeds.Triangles.size(); ++i)
   {
@@ -45,15 +45,15 @@ Eigen::VectorXd ExactGeodesics(
   return propagation.Distances();
 }
 
-Eigen::VectorXd ExactGeodesicsBetween(
-  const Mesh& mesh, const PreciseMap& from, const PreciseMap& to, const Progress& progress)
+Eigen::VectorXd ComputeExactGeodesicsBetween(
+  const Mesh& mesh, const SurfacePoints& from, const SurfacePoints& to, const Progress& progress)
 {
   const int count = static_cast<int>(from.Triangles.size());
-  const SideFrames frames(mesh);
-  const Eigen::VectorXi component = SurfaceTopology(mesh).ComponentId;
+  const HalfEdgeFrames frames(mesh);
+  const Eigen::VectorXi component = ComputeTopology(mesh).ComponentId;
   Eigen::VectorXd distances(count);
   std::vector<Worker> workers(
-    std::clamp(ThreadCount(), 1, std::max(count, 1)), { { mesh, frames }, -1 });
+    std::clamp(GetThreadCount(), 1, std::max(count, 1)), { { mesh, frames }, -1 });
   std::atomic<int> taken{ 0 }, done{ 0 };
   // Which worker takes a pair, and where it is interrupted, changes nothing of its distance.
   const auto work = [&](Worker& worker)

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/SurfacePoints.h"
 #include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ namespace shape
  * least one. Returns n distances in the model's units; infinite where no path leads. Throws
  * Aborted.
  */
-Eigen::VectorXd ExactGeodesics(
+Eigen::VectorXd ComputeExactGeodesics(
   const Mesh& mesh, const ClosestPoints& seeds, const Progress& progress = {});
 
 /**
@@ -34,7 +34,7 @@ Eigen::VectorXd ExactGeodesics(
  * where no path leads. A pair takes the longer the more of the surface its path could lead through.
  * Throws Aborted.
  */
-Eigen::VectorXd ExactGeodesicsBetween(
-  const Mesh& mesh, const PreciseMap& from, const PreciseMap& to, const Progress& progress = {});
+Eigen::VectorXd ComputeExactGeodesicsBetween(const Mesh& mesh, const SurfacePoints& from,
+  const SurfacePoints& to, const Progress& progress = {});
 
 } // namespace shape

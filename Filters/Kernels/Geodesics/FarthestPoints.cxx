@@ -7,7 +7,7 @@
 namespace shape
 {
 
-std::vector<int> FarthestPoints(const Mesh& mesh, int count, const Progress& progress)
+std::vector<int> SampleFarthestPoints(const Mesh& mesh, int count, const Progress& progress)
 {
   std::vector<int> samples = { mesh.Triangles.minCoeff() };
   Eigen::VectorXd nearest = Eigen::VectorXd::Constant(mesh.Points.rows(), -1.0);

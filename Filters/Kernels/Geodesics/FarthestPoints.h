@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 
@@ -12,6 +12,6 @@ namespace shape
 /// Dodgson, "Fast marching farthest point sampling", 2003, on edges): `count` of them, or all where
 /// there are fewer. The first is the first that a triangle uses; each component has one before
 /// distances within it count. mesh: at least one triangle. Throws Aborted.
-std::vector<int> FarthestPoints(const Mesh& mesh, int count, const Progress& progress = {});
+std::vector<int> SampleFarthestPoints(const Mesh& mesh, int count, const Progress& progress = {});
 
 } // namespace shape

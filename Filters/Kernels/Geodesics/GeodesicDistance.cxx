@@ -1,11 +1,11 @@
 #include "Geodesics/GeodesicDistance.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "Geodesics/EdgeGeodesics.h"
 #include "Geodesics/ExactGeodesics.h"
 #include "Geodesics/HeatGeodesics.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
 
 #include <cmath>
 
@@ -17,16 +17,16 @@ namespace
 using MethodType = GeodesicDistanceOptions::MethodType;
 
 /// The corners of the triangles that places lie in, and how far they are.
-EdgeSeeds CornersAround(const Mesh& mesh, const ClosestPoints& places)
+EdgeSeeds CornersAround(const Mesh& mesh, const ClosestPoints& positions)
 {
   EdgeSeeds seeds;
-  seeds.Distances.resize(3 * places.Triangles.size());
-  for (Eigen::Index i = 0; i < places.Triangles.size(); ++i)
+  seeds.Distances.resize(3 * positions.Triangles.size());
+  for (Eigen::Index i = 0; i < positions.Triangles.size(); ++i)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const int point = mesh.Triangles(places.Triangles(i), k);
-      seeds.Distances(3 * i + k) = (mesh.Points.row(point) - places.Positions.row(i)).norm();
+      const int point = mesh.Triangles(positions.Triangles(i), k);
+      seeds.Distances(3 * i + k) = (mesh.Points.row(point) - positions.Positions.row(i)).norm();
       seeds.Points.push_back(point);
     }
   }
@@ -39,9 +39,9 @@ Eigen::VectorXd Distances(
   switch (method)
   {
     case MethodType::Exact:
-      return ExactGeodesics(mesh, seeds, progress);
+      return ComputeExactGeodesics(mesh, seeds, progress);
     case MethodType::Dijkstra:
-      return EdgeGeodesics(mesh, CornersAround(mesh, seeds), progress);
+      return ComputeEdgeGeodesics(mesh, CornersAround(mesh, seeds), progress);
     case MethodType::Heat:
       break;
   }
@@ -50,7 +50,7 @@ Eigen::VectorXd Distances(
 
 } // namespace
 
-GeodesicDistanceResult GeodesicDistance(const Mesh& mesh, const Eigen::MatrixXd& seeds,
+GeodesicDistanceResult ComputeGeodesicDistance(const Mesh& mesh, const Eigen::MatrixXd& seeds,
   const GeodesicDistanceOptions& options, const Progress& progress)
 {
   RequireManifold(mesh, "the surface");
@@ -59,9 +59,9 @@ GeodesicDistanceResult GeodesicDistance(const Mesh& mesh, const Eigen::MatrixXd&
   {
     throw InvalidInput("the Seeds have no points; give at least one place to measure from");
   }
-  const ClosestPoints places = SurfaceLocator(mesh).Find(seeds, progress.Part(0.0, 0.1));
+  const ClosestPoints positions = SurfaceLocator(mesh).Find(seeds, progress.Part(0.0, 0.1));
   GeodesicDistanceResult result;
-  result.Distances = Distances(mesh, places, options.Method, progress.Part(0.1, 1.0));
+  result.Distances = Distances(mesh, positions, options.Method, progress.Part(0.1, 1.0));
   for (double& distance : result.Distances)
   {
     if (std::isinf(distance))

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 #include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
@@ -14,8 +14,8 @@ struct GeodesicDistanceOptions
   enum class MethodType
   {
     Heat,    ///< HeatGeodesics: smooth, near to the shortest paths
-    Exact,   ///< ExactGeodesics
-    Dijkstra ///< EdgeGeodesics: along edges, never too short
+    Exact,   ///< ComputeExactGeodesics
+    Dijkstra ///< ComputeEdgeGeodesics: along edges, never too short
   };
   MethodType Method = MethodType::Heat;
 };
@@ -33,7 +33,7 @@ struct GeodesicDistanceResult
  * place of the surface. Throws InvalidInput where the surface is no such one, a coordinate is not
  * finite or there is no seed, SolveFailure, Aborted.
  */
-GeodesicDistanceResult GeodesicDistance(const Mesh& mesh, const Eigen::MatrixXd& seeds,
+GeodesicDistanceResult ComputeGeodesicDistance(const Mesh& mesh, const Eigen::MatrixXd& seeds,
   const GeodesicDistanceOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -1,10 +1,10 @@
 #include "Geodesics/HeatGeodesics.h"
 
-#include "Mesh/HalfEdges.h"
 #include "Base/Parallel.h"
-#include "Mesh/Topology.h"
-#include "Laplacian/CotangentWeights.h"
 #include "Geodesics/EdgeGeodesics.h"
+#include "Laplacian/CotangentWeights.h"
+#include "Mesh/HalfEdges.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +22,13 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 Eigen::VectorXd InsideOf(const Mesh& mesh)
 {
   Eigen::VectorXd inside = Eigen::VectorXd::Ones(mesh.Points.rows());
-  const std::vector<int> twins = SideTwins(mesh.Triangles, mesh.Points.rows());
+  const std::vector<int> twins = FindTwins(mesh.Triangles, mesh.Points.rows());
   for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
     if (twins[side] < 0)
     {
       inside(mesh.Triangles(side / 3, side % 3)) = 0.0;
-      inside(mesh.Triangles(side / 3, NextSide(side) % 3)) = 0.0;
+      inside(mesh.Triangles(side / 3, NextHalfEdge(side) % 3)) = 0.0;
     }
   }
   return inside;
@@ -45,7 +45,7 @@ double Extent(const Mesh& mesh, const Eigen::VectorXi& componentId)
       firsts.push_back(point);
     }
   }
-  const Eigen::VectorXd distances = EdgeGeodesics(
+  const Eigen::VectorXd distances = ComputeEdgeGeodesics(
     mesh, { firsts, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(firsts.size())) });
   double extent = 0.0;
   for (const double distance : distances)
@@ -71,8 +71,8 @@ Eigen::SparseMatrix<double> Shifted(
 
 HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
   : Given(mesh.Triangles)
-  , Flat(IntrinsicDelaunay(mesh))
-  , ComponentId(SurfaceTopology(mesh).ComponentId)
+  , Flat(BuildIntrinsicDelaunay(mesh))
+  , ComponentId(ComputeTopology(mesh).ComponentId)
   , Inside(InsideOf(mesh))
 {
   this->Corners.resize(this->Flat.Sides.rows(), 3);
@@ -85,10 +85,10 @@ HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
   progress(0.2);
   constexpr double share = 1.0 / 300.0, rest = 1e-9;
   const Eigen::Index points = mesh.Points.rows();
-  const TriangleAngles angles = AnglesOfSides(this->Flat.Sides);
+  const TriangleAngles angles = ComputeAnglesFromLengths(this->Flat.Sides);
   const Eigen::SparseMatrix<double> stiffness =
-    CotangentStiffness(this->Flat.Triangles, angles.Cotangents, points);
-  const Eigen::VectorXd masses = LumpedMasses(this->Flat.Triangles, angles.Areas, points);
+    BuildCotangentStiffness(this->Flat.Triangles, angles.Cotangents, points);
+  const Eigen::VectorXd masses = ComputeLumpedMasses(this->Flat.Triangles, angles.Areas, points);
   const double side =
     std::max(this->Flat.Sides.mean(), share * 2.0 * Extent(mesh, this->ComponentId));
   const double time = side * side;
@@ -99,10 +99,10 @@ HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
   progress(0.8);
   if (this->Inside.minCoeff() == 0.0)
   {
-    const Eigen::VectorXd border = Eigen::VectorXd::Ones(points) - this->Inside;
+    const Eigen::VectorXd boundary = Eigen::VectorXd::Ones(points) - this->Inside;
     const Eigen::SparseMatrix<double> kept =
       this->Inside.asDiagonal() * stiffness * this->Inside.asDiagonal();
-    const Eigen::VectorXd diagonal = this->Inside.cwiseProduct(masses) + border;
+    const Eigen::VectorXd diagonal = this->Inside.cwiseProduct(masses) + boundary;
     this->HeatWithin.emplace();
     this->HeatWithin->Factorize(Shifted(kept, time, diagonal));
   }
@@ -135,9 +135,9 @@ Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
   return divergence;
 }
 
-Eigen::VectorXd HeatGeodesics::Distances(const PreciseMap& seeds) const
+Eigen::VectorXd HeatGeodesics::Distances(const SurfacePoints& seeds) const
 {
-  return this->Distances(Pushed(
+  return this->Distances(PushForward(
     seeds, this->Given, Eigen::VectorXd::Ones(seeds.Triangles.size()), this->ComponentId.size()));
 }
 
@@ -174,14 +174,14 @@ void HeatGeodesics::Begin(
   const Eigen::Ref<const Eigen::VectorXd>& seeds, Eigen::Ref<Eigen::VectorXd> distances) const
 {
   const int components = this->ComponentId.maxCoeff() + 1;
-  std::vector<double> least(components, Infinity);
+  std::vector<double> minimum(components, Infinity);
   std::vector<char> hasSeed(components, 0);
   for (Eigen::Index point = 0; point < seeds.size(); ++point)
   {
     const int component = this->ComponentId(point);
     if (component >= 0)
     {
-      least[component] = std::min(least[component], distances(point));
+      minimum[component] = std::min(minimum[component], distances(point));
       hasSeed[component] |= seeds(point) > 0.0;
     }
   }
@@ -189,11 +189,11 @@ void HeatGeodesics::Begin(
   {
     const int component = this->ComponentId(point);
     distances(point) =
-      component >= 0 && hasSeed[component] ? distances(point) - least[component] : Infinity;
+      component >= 0 && hasSeed[component] ? distances(point) - minimum[component] : Infinity;
   }
 }
 
-Eigen::MatrixXd HeatDistances(
+Eigen::MatrixXd ComputeHeatDistances(
   const Mesh& mesh, const std::vector<int>& points, const Progress& progress)
 {
   constexpr int batch = 32; // sets that one pass over the factors serves

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
 #include "Base/Progress.h"
-#include "Linear/SparseSolve.h"
 #include "Laplacian/IntrinsicDelaunay.h"
+#include "Linear/SparseSolve.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
 
@@ -32,7 +32,7 @@ public:
 
   /// n distances in the model's units from the nearest of the places, 0 at the least; infinite
   /// where a component has none.
-  Eigen::VectorXd Distances(const PreciseMap& seeds) const;
+  Eigen::VectorXd Distances(const SurfacePoints& seeds) const;
 
   /// The same from c sets at once: columns of how much of a seed is at each point, n x c, >= 0.
   Eigen::MatrixXd Distances(const Eigen::MatrixXd& seeds) const;
@@ -57,7 +57,7 @@ private:
 
 /// n x s: those from each of s points that have a triangle; infinite as above. Throws SolveFailure,
 /// Aborted.
-Eigen::MatrixXd HeatDistances(
+Eigen::MatrixXd ComputeHeatDistances(
   const Mesh& mesh, const std::vector<int>& points, const Progress& progress = {});
 
 } // namespace shape

@@ -7,20 +7,20 @@
 namespace shape
 {
 
-SurfaceLoop LoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
+SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
   SurfacePaths& paths, const Progress& progress)
 {
-  std::vector<SurfacePlace> places;
+  std::vector<SurfacePoint> places;
   std::vector<Eigen::RowVector3d> positions;
   int guess = -1;
   for (const auto& point : points.rowwise())
   {
-    const ClosestPlace place = locator.FindOne(point, guess);
-    guess = place.Triangle;
-    if (positions.empty() || positions.back() != place.Position)
+    const ClosestPoint position = locator.FindOne(point, guess);
+    guess = position.Triangle;
+    if (positions.empty() || positions.back() != position.Position)
     {
-      places.push_back({ place.Triangle, place.Barycentric });
-      positions.push_back(place.Position);
+      places.push_back({ position.Triangle, position.Barycentric });
+      positions.push_back(position.Position);
     }
   }
   if (places.size() > 1 && positions.front() == positions.back())
@@ -43,7 +43,7 @@ SurfaceLoop LoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& loc
           progress(done);
           return true;
         }));
-    loop.Places.insert(loop.Places.end(), path.Places.begin(), path.Places.end() - 1);
+    loop.Positions.insert(loop.Positions.end(), path.Positions.begin(), path.Positions.end() - 1);
     loop.Triangles.insert(loop.Triangles.end(), path.Triangles.begin(), path.Triangles.end());
   }
   progress(1.0);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Search/ClosestPoint.h"
 #include "Geodesics/SurfacePath.h"
+#include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
 
@@ -14,7 +14,7 @@ namespace shape
 /// A closed path over a surface that is straight in each triangle.
 struct SurfaceLoop
 {
-  std::vector<SurfacePlace> Places;
+  std::vector<SurfacePoint> Positions;
   std::vector<int> Triangles; ///< of the stretch from each place to the next one, or to the first
 };
 
@@ -23,7 +23,7 @@ struct SurfaceLoop
  * to the first, each leg a locally shortest path. locator, paths: of the same surface. Throws
  * InvalidInput where there are fewer than three different places or no path leads on, Aborted.
  */
-SurfaceLoop LoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
+SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
   SurfacePaths& paths, const Progress& progress = {});
 
 } // namespace shape

@@ -1,8 +1,8 @@
 #include "Geodesics/SurfacePath.h"
 
 #include "Base/Errors.h"
-#include "Mesh/HalfEdges.h"
 #include "Geodesics/TriangleStrip.h"
+#include "Mesh/HalfEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ using Eigen::RowVector3d;
 std::vector<int> TwinsOf(const Mesh& surface)
 {
   std::vector<int> twins(surface.Triangles.size(), -1);
-  const std::vector<HalfEdge> edges = SortedHalfEdges(surface.Triangles, surface.Points.rows());
+  const std::vector<HalfEdge> edges = SortHalfEdges(surface.Triangles, surface.Points.rows());
   for (std::size_t first = 0, next = 0; first < edges.size(); first = next)
   {
     while (next < edges.size() && edges[next].Low() == edges[first].Low() &&
@@ -43,9 +43,9 @@ std::vector<int> TwinsOf(const Mesh& surface)
   return twins;
 }
 
-RowVector3d PositionOf(const Mesh& surface, const SurfacePlace& place)
+RowVector3d PositionOf(const Mesh& surface, const SurfacePoint& position)
 {
-  return place.Barycentric * Corners(surface, place.Triangle);
+  return position.Barycentric * GetCorners(surface, position.Triangle);
 }
 
 } // namespace
@@ -107,7 +107,7 @@ public:
         continue;
       }
       const RowVector3d from = this->Crossings[side];
-      for (const int next : { NextSide(twin), PreviousSide(twin) })
+      for (const int next : { NextHalfEdge(twin), PreviousHalfEdge(twin) })
       {
         this->Reach(next, side, from, this->Distances[side]);
       }
@@ -138,7 +138,7 @@ private:
   /// of it.
   RowVector3d CrossingOf(int side, const RowVector3d& from) const
   {
-    const int next = NextSide(side);
+    const int next = NextHalfEdge(side);
     const RowVector3d begin = this->Surface.Points.row(this->Surface.Triangles(side / 3, side % 3));
     const RowVector3d edge =
       this->Surface.Points.row(this->Surface.Triangles(next / 3, next % 3)) - begin;
@@ -147,7 +147,8 @@ private:
     {
       return begin;
     }
-    const auto foot = [&](const RowVector3d& place) { return (place - begin).dot(edge) / squared; };
+    const auto foot = [&](const RowVector3d& position)
+    { return (position - begin).dot(edge) / squared; };
     const double near = foot(from), far = foot(this->Target);
     const double height = (from - begin - near * edge).norm();
     const double both = height + (this->Target - begin - far * edge).norm();
@@ -202,10 +203,10 @@ SurfacePaths::SurfacePaths(const Mesh& surface)
 SurfacePaths::~SurfacePaths() = default;
 
 /// The triangles that a place lies in.
-std::vector<int> SurfacePaths::TrianglesAt(const SurfacePlace& place) const
+std::vector<int> SurfacePaths::TrianglesAt(const SurfacePoint& position) const
 {
-  std::vector<int> triangles = { place.Triangle };
-  const PlaceSupport support(this->Surface, place);
+  std::vector<int> triangles = { position.Triangle };
+  const PointSupport support(this->Surface, position);
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     for (int side = 3 * triangles[i]; side < 3 * triangles[i] + 3; ++side)
@@ -222,7 +223,7 @@ std::vector<int> SurfacePaths::TrianglesAt(const SurfacePlace& place) const
 }
 
 SurfacePath SurfacePaths::Find(
-  const SurfacePlace& from, const SurfacePlace& to, const Progress& progress)
+  const SurfacePoint& from, const SurfacePoint& to, const Progress& progress)
 {
   auto [first, sides] = this->Search->Find(this->TrianglesAt(from), PositionOf(this->Surface, from),
     this->TrianglesAt(to), PositionOf(this->Surface, to), progress);

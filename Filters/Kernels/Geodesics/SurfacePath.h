@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -13,7 +13,7 @@ namespace shape
 
 /// A place on a surface: in a triangle, with barycentric coordinates >= 0 whose sum is 1. Those
 /// opposite an edge that it lies on are exactly 0, so that it lies at a point where one is 1.
-struct SurfacePlace
+struct SurfacePoint
 {
   int Triangle = -1;
   Eigen::RowVector3d Barycentric = Eigen::RowVector3d::Zero();
@@ -22,8 +22,8 @@ struct SurfacePlace
 /// A path over a surface that is straight in each triangle.
 struct SurfacePath
 {
-  std::vector<SurfacePlace> Places; ///< its ends, and where it passes a point or crosses an edge
-  std::vector<int> Triangles;       ///< of each stretch between two places: one that it lies in
+  std::vector<SurfacePoint> Positions; ///< its ends, and where it passes a point or crosses an edge
+  std::vector<int> Triangles;          ///< of each stretch between two places: one that it lies in
   double Length = 0.0;
 };
 
@@ -54,13 +54,13 @@ public:
 
   /// The path between two places on the surface; takes as long as the part of the surface is large
   /// that it could lead through. Throws InvalidInput where none leads, Aborted.
-  SurfacePath Find(const SurfacePlace& from, const SurfacePlace& to, const Progress& progress = {});
+  SurfacePath Find(const SurfacePoint& from, const SurfacePoint& to, const Progress& progress = {});
 
   /// Of side 3 t + k the one beside it, or -1 on the border.
   const std::vector<int>& Twins() const { return this->SideTwins; }
 
 private:
-  std::vector<int> TrianglesAt(const SurfacePlace& place) const;
+  std::vector<int> TrianglesAt(const SurfacePoint& position) const;
 
   const Mesh& Surface;
   std::vector<int> SideTwins;

@@ -1,7 +1,7 @@
 #include "Geodesics/TriangleStrip.h"
 
-#include "Mesh/HalfEdges.h"
 #include "Geodesics/Private/PlanarFunnel.h"
+#include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
 
@@ -31,48 +31,48 @@ double Angle(const RowVector2d& a, const RowVector2d& b)
 
 } // namespace
 
-PlaceSupport::PlaceSupport(const Mesh& surface, const SurfacePlace& place)
+PointSupport::PointSupport(const Mesh& surface, const SurfacePoint& position)
 {
   for (int k = 0; k < 3; ++k)
   {
-    if (place.Barycentric(k) > 0.0)
+    if (position.Barycentric(k) > 0.0)
     {
-      this->Points[this->Count] = surface.Triangles(place.Triangle, k);
-      this->Weights[this->Count++] = place.Barycentric(k);
+      this->Points[this->Count] = surface.Triangles(position.Triangle, k);
+      this->Weights[this->Count++] = position.Barycentric(k);
     }
   }
 }
 
-bool PlaceSupport::IsIn(const Eigen::RowVector3i& triangle) const
+bool PointSupport::IsIn(const Eigen::RowVector3i& triangle) const
 {
   return std::all_of(this->Points.begin(), this->Points.begin() + this->Count,
     [&](int point) { return (triangle.array() == point).any(); });
 }
 
-bool PlaceSupport::IsOn(int a, int b) const
+bool PointSupport::IsOn(int a, int b) const
 {
   return std::all_of(this->Points.begin(), this->Points.begin() + this->Count,
     [&](int point) { return point == a || point == b; });
 }
 
-SurfacePlace PlaceSupport::In(const Mesh& surface, int triangle) const
+SurfacePoint PointSupport::In(const Mesh& surface, int triangle) const
 {
-  SurfacePlace place{ triangle, RowVector3d::Zero() };
+  SurfacePoint position{ triangle, RowVector3d::Zero() };
   for (int i = 0; i < this->Count; ++i)
   {
     for (int k = 0; k < 3; ++k)
     {
       if (surface.Triangles(triangle, k) == this->Points[i])
       {
-        place.Barycentric(k) = this->Weights[i];
+        position.Barycentric(k) = this->Weights[i];
       }
     }
   }
-  return place;
+  return position;
 }
 
 TriangleStrip::TriangleStrip(const Mesh& surface, const std::vector<int>& twins,
-  const SurfacePlace& from, const SurfacePlace& to, int first, std::vector<int> sides)
+  const SurfacePoint& from, const SurfacePoint& to, int first, std::vector<int> sides)
   : Surface(surface)
   , Twins(twins)
   , From(surface, from)
@@ -127,12 +127,12 @@ int TriangleStrip::Begin(int side) const
 
 int TriangleStrip::End(int side) const
 {
-  return this->Begin(NextSide(side));
+  return this->Begin(NextHalfEdge(side));
 }
 
 int TriangleStrip::Apex(int side) const
 {
-  return this->Begin(PreviousSide(side));
+  return this->Begin(PreviousHalfEdge(side));
 }
 
 bool TriangleStrip::Touches(int side, int point) const
@@ -168,7 +168,7 @@ void TriangleStrip::Trim()
 }
 
 /// A side's apex, left of the side laid out in the plane.
-RowVector2d TriangleStrip::ApexPlace(
+RowVector2d TriangleStrip::ApexPosition(
   int side, const RowVector2d& begin, const RowVector2d& end) const
 {
   const auto& points = this->Surface.Points;
@@ -185,19 +185,19 @@ RowVector2d TriangleStrip::ApexPlace(
 }
 
 /// A place in the triangle of a side whose corners are laid out.
-RowVector2d TriangleStrip::PlaceOf(const PlaceSupport& support, int side, const RowVector2d& begin,
-  const RowVector2d& end, const RowVector2d& apex) const
+RowVector2d TriangleStrip::PositionOf(const PointSupport& support, int side,
+  const RowVector2d& begin, const RowVector2d& end, const RowVector2d& apex) const
 {
-  RowVector2d place = RowVector2d::Zero();
+  RowVector2d position = RowVector2d::Zero();
   for (int i = 0; i < support.Count; ++i)
   {
     const int point = support.Points[i];
-    place += support.Weights[i] *
+    position += support.Weights[i] *
       (point == this->Begin(side)    ? begin
           : point == this->End(side) ? end
                                      : apex);
   }
-  return place;
+  return position;
 }
 
 /// Unfolds the strip into the plane. A side's begin is on the right of the way over it.
@@ -209,19 +209,19 @@ void TriangleStrip::LayOut()
   const RowVector3d edge =
     this->Surface.Points.row(this->End(first)) - this->Surface.Points.row(this->Begin(first));
   Portal portal{ { edge.norm(), 0.0 }, { 0.0, 0.0 } };
-  RowVector2d apex = this->ApexPlace(first, portal.Right, portal.Left);
-  this->FromPlace = this->PlaceOf(this->From, first, portal.Right, portal.Left, apex);
-  this->ToPlace = this->PlaceOf(this->To, first, portal.Right, portal.Left, apex);
+  RowVector2d apex = this->ApexPosition(first, portal.Right, portal.Left);
+  this->FromPosition = this->PositionOf(this->From, first, portal.Right, portal.Left, apex);
+  this->ToPosition = this->PositionOf(this->To, first, portal.Right, portal.Left, apex);
   for (std::size_t i = 0; i < this->Sides.size(); ++i)
   {
     this->Portals.push_back(portal);
     const int twin = this->Twins[this->Sides[i]];
-    apex = this->ApexPlace(twin, portal.Left, portal.Right);
+    apex = this->ApexPosition(twin, portal.Left, portal.Right);
     if (i + 1 == this->Sides.size())
     {
-      this->ToPlace = this->PlaceOf(this->To, twin, portal.Left, portal.Right, apex);
+      this->ToPosition = this->PositionOf(this->To, twin, portal.Left, portal.Right, apex);
     }
-    else if (this->Sides[i + 1] == NextSide(twin))
+    else if (this->Sides[i + 1] == NextHalfEdge(twin))
     {
       portal.Left = apex;
     }
@@ -235,7 +235,7 @@ void TriangleStrip::LayOut()
 /// The shortest path in the plane: where it turns, and its length.
 void TriangleStrip::FindTurns()
 {
-  PlanarFunnel funnel(this->FromPlace);
+  PlanarFunnel funnel(this->FromPosition);
   const auto count = static_cast<int>(this->Portals.size());
   for (int i = 0; i < count; ++i)
   {
@@ -248,10 +248,10 @@ void TriangleStrip::FindTurns()
       funnel.AddRight(this->Portals[i].Right, i);
     }
   }
-  funnel.AddLeft(this->ToPlace, count);
+  funnel.AddLeft(this->ToPosition, count);
   this->Turns.clear();
   this->PathLength = 0.0;
-  RowVector2d before = this->FromPlace;
+  RowVector2d before = this->FromPosition;
   for (const FunnelPoint& at : funnel.PathToLast())
   {
     const int side = this->Sides[at.Portal];
@@ -261,45 +261,45 @@ void TriangleStrip::FindTurns()
     {
       ++last;
     }
-    this->Turns.push_back({ at.Portal, last, at.IsLeft, point, at.Place });
-    this->PathLength += (at.Place - before).norm();
-    before = at.Place;
+    this->Turns.push_back({ at.Portal, last, at.IsLeft, point, at.Position });
+    this->PathLength += (at.Position - before).norm();
+    before = at.Position;
   }
-  this->PathLength += (this->ToPlace - before).norm();
+  this->PathLength += (this->ToPosition - before).norm();
 }
 
 /// Between the path before and after a turn, through the strip.
 double TriangleStrip::AngleInStrip(std::size_t turn) const
 {
   const Turn& at = this->Turns[turn];
-  const RowVector2d before = turn == 0 ? this->FromPlace : this->Turns[turn - 1].Place;
+  const RowVector2d before = turn == 0 ? this->FromPosition : this->Turns[turn - 1].Position;
   const RowVector2d after =
-    turn + 1 == this->Turns.size() ? this->ToPlace : this->Turns[turn + 1].Place;
-  RowVector2d direction = before - at.Place;
+    turn + 1 == this->Turns.size() ? this->ToPosition : this->Turns[turn + 1].Position;
+  RowVector2d direction = before - at.Position;
   double angle = 0.0;
   for (int i = at.First; i <= at.Last; ++i)
   {
     const RowVector2d next =
-      (at.IsLeft ? this->Portals[i].Right : this->Portals[i].Left) - at.Place;
+      (at.IsLeft ? this->Portals[i].Right : this->Portals[i].Left) - at.Position;
     angle += Angle(direction, next);
     direction = next;
   }
-  return angle + Angle(direction, after - at.Place);
+  return angle + Angle(direction, after - at.Position);
 }
 
 /// The sum of the angles of all triangles around a point of a side; infinite on the border.
 double TriangleStrip::AngleAround(int side, int point) const
 {
-  const int first = this->Begin(side) == point ? side : NextSide(side);
+  const int first = this->Begin(side) == point ? side : NextHalfEdge(side);
   double angle = 0.0;
   int at = first;
   do
   {
-    const RowVector3d place = this->Surface.Points.row(point);
-    const RowVector3d a = this->Surface.Points.row(this->End(at)) - place;
-    const RowVector3d b = this->Surface.Points.row(this->Apex(at)) - place;
+    const RowVector3d position = this->Surface.Points.row(point);
+    const RowVector3d a = this->Surface.Points.row(this->End(at)) - position;
+    const RowVector3d b = this->Surface.Points.row(this->Apex(at)) - position;
     angle += std::atan2(a.cross(b).norm(), a.dot(b));
-    at = this->Twins[PreviousSide(at)];
+    at = this->Twins[PreviousHalfEdge(at)];
   } while (at >= 0 && at != first);
   return at < 0 ? std::numeric_limits<double>::infinity() : angle;
 }
@@ -311,7 +311,7 @@ bool TriangleStrip::Detour(const Turn& turn, std::vector<int>& sides) const
   const int after = this->TriangleAt(turn.Last + 1);
   for (int at = this->Sides[turn.First]; at / 3 != after;)
   {
-    const int side = turn.IsLeft ? NextSide(at) : PreviousSide(at);
+    const int side = turn.IsLeft ? NextHalfEdge(at) : PreviousHalfEdge(at);
     at = this->Twins[side];
     if (at < 0)
     {
@@ -323,7 +323,7 @@ bool TriangleStrip::Detour(const Turn& turn, std::vector<int>& sides) const
 }
 
 /// Where the straight way between two places of the plane crosses a side of the strip.
-SurfacePlace TriangleStrip::Crossing(
+SurfacePoint TriangleStrip::Crossing(
   int step, const RowVector2d& before, const RowVector2d& after) const
 {
   constexpr double rounding = 1e-12; // of a side: a place so near to its end is there
@@ -333,15 +333,15 @@ SurfacePlace TriangleStrip::Crossing(
   double share = sine != 0.0 ? Cross(before - portal.Right, along) / sine : 0.5;
   share = share < rounding ? 0.0 : share > 1.0 - rounding ? 1.0 : share;
   const int side = this->Sides[step];
-  SurfacePlace place{ side / 3, RowVector3d::Zero() };
-  place.Barycentric(side % 3) = 1.0 - share;
-  place.Barycentric(NextSide(side) % 3) = share;
-  return place;
+  SurfacePoint position{ side / 3, RowVector3d::Zero() };
+  position.Barycentric(side % 3) = 1.0 - share;
+  position.Barycentric(NextHalfEdge(side) % 3) = share;
+  return position;
 }
 
 /// A triangle, of some steps of the strip, that two places of the path lie in.
 int TriangleStrip::TriangleOfBoth(
-  const PlaceSupport& a, const PlaceSupport& b, int first, int last) const
+  const PointSupport& a, const PointSupport& b, int first, int last) const
 {
   int step = first;
   while (step < last &&
@@ -357,24 +357,24 @@ SurfacePath TriangleStrip::Path() const
 {
   SurfacePath path;
   path.Length = this->PathLength;
-  path.Places.push_back(this->From.In(this->Surface, this->First));
-  const auto add = [&](const SurfacePlace& place, int triangle)
+  path.Positions.push_back(this->From.In(this->Surface, this->First));
+  const auto add = [&](const SurfacePoint& position, int triangle)
   {
-    const PlaceSupport before(this->Surface, path.Places.back()), own(this->Surface, place);
+    const PointSupport before(this->Surface, path.Positions.back()), own(this->Surface, position);
     if (own.Count > 1 || before.Count > 1 || own.Points[0] != before.Points[0])
     {
-      path.Places.push_back(place);
+      path.Positions.push_back(position);
       path.Triangles.push_back(triangle);
     }
   };
   // From turn to turn: the sides that the stretch crosses touch neither.
   const auto count = static_cast<int>(this->Sides.size());
   int begin = 0, next = 0; // the first step at the turn before, and the first one past it
-  RowVector2d before = this->FromPlace;
+  RowVector2d before = this->FromPosition;
   for (std::size_t i = 0; i <= this->Turns.size(); ++i)
   {
     const bool isEnd = i == this->Turns.size();
-    const RowVector2d after = isEnd ? this->ToPlace : this->Turns[i].Place;
+    const RowVector2d after = isEnd ? this->ToPosition : this->Turns[i].Position;
     const int until = isEnd ? count : this->Turns[i].First;
     const int end = isEnd ? count : this->Turns[i].Last + 1;
     const bool crosses = next < until;
@@ -382,20 +382,20 @@ SurfacePath TriangleStrip::Path() const
     {
       add(this->Crossing(next, before, after), this->Sides[next] / 3);
     }
-    SurfacePlace place{ this->TriangleAt(end), RowVector3d::Zero() };
+    SurfacePoint position{ this->TriangleAt(end), RowVector3d::Zero() };
     if (isEnd)
     {
-      place = this->To.In(this->Surface, place.Triangle);
+      position = this->To.In(this->Surface, position.Triangle);
     }
     else
     {
-      const Eigen::RowVector3i corners = this->Surface.Triangles.row(place.Triangle);
-      place.Barycentric = (corners.array() == this->Turns[i].Point).cast<double>();
+      const Eigen::RowVector3i corners = this->Surface.Triangles.row(position.Triangle);
+      position.Barycentric = (corners.array() == this->Turns[i].Point).cast<double>();
     }
-    add(place,
+    add(position,
       crosses ? this->TriangleAt(until)
-              : this->TriangleOfBoth(PlaceSupport(this->Surface, path.Places.back()),
-                  PlaceSupport(this->Surface, place), begin, end));
+              : this->TriangleOfBoth(PointSupport(this->Surface, path.Positions.back()),
+                  PointSupport(this->Surface, position), begin, end));
     begin = until;
     next = std::max(next, end);
     before = after;

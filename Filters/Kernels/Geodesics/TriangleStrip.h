@@ -11,16 +11,16 @@ namespace shape
 {
 
 /// The points of a surface that a place lies between, with their weights: one, two or three.
-struct PlaceSupport
+struct PointSupport
 {
-  PlaceSupport(const Mesh& surface, const SurfacePlace& place);
+  PointSupport(const Mesh& surface, const SurfacePoint& position);
 
   /// Whether all of them are corners of a triangle.
   bool IsIn(const Eigen::RowVector3i& triangle) const;
   /// Whether all of them are one of two points.
   bool IsOn(int a, int b) const;
   /// The place in a triangle that has all of them.
-  SurfacePlace In(const Mesh& surface, int triangle) const;
+  SurfacePoint In(const Mesh& surface, int triangle) const;
 
   int Count = 0;
   std::array<int, 3> Points = { -1, -1, -1 };
@@ -34,8 +34,8 @@ public:
   /// twins: of the surface's sides, -1 on the border. sides: those that the strip crosses, in
   /// order, as sides of the triangles that it leaves; first: its first triangle, which `from` lies
   /// in.
-  TriangleStrip(const Mesh& surface, const std::vector<int>& twins, const SurfacePlace& from,
-    const SurfacePlace& to, int first, std::vector<int> sides);
+  TriangleStrip(const Mesh& surface, const std::vector<int>& twins, const SurfacePoint& from,
+    const SurfacePoint& to, int first, std::vector<int> sides);
 
   /// Finds the shortest path within the strip.
   void FindPath();
@@ -59,7 +59,7 @@ private:
     int First, Last;
     bool IsLeft;
     int Point;
-    Eigen::RowVector2d Place;
+    Eigen::RowVector2d Position;
   };
 
   int TriangleAt(int step) const;
@@ -69,25 +69,26 @@ private:
   bool Touches(int side, int point) const;
   void Trim();
   void LayOut();
-  Eigen::RowVector2d ApexPlace(
+  Eigen::RowVector2d ApexPosition(
     int side, const Eigen::RowVector2d& begin, const Eigen::RowVector2d& end) const;
-  Eigen::RowVector2d PlaceOf(const PlaceSupport& support, int side, const Eigen::RowVector2d& begin,
-    const Eigen::RowVector2d& end, const Eigen::RowVector2d& apex) const;
+  Eigen::RowVector2d PositionOf(const PointSupport& support, int side,
+    const Eigen::RowVector2d& begin, const Eigen::RowVector2d& end,
+    const Eigen::RowVector2d& apex) const;
   void FindTurns();
   double AngleInStrip(std::size_t turn) const;
   double AngleAround(int side, int point) const;
   bool Detour(const Turn& turn, std::vector<int>& sides) const;
-  SurfacePlace Crossing(
+  SurfacePoint Crossing(
     int step, const Eigen::RowVector2d& before, const Eigen::RowVector2d& after) const;
-  int TriangleOfBoth(const PlaceSupport& a, const PlaceSupport& b, int first, int last) const;
+  int TriangleOfBoth(const PointSupport& a, const PointSupport& b, int first, int last) const;
 
   const Mesh& Surface;
   const std::vector<int>& Twins;
-  PlaceSupport From, To;
+  PointSupport From, To;
   int First;
   std::vector<int> Sides;
   std::vector<Portal> Portals;
-  Eigen::RowVector2d FromPlace, ToPlace;
+  Eigen::RowVector2d FromPosition, ToPosition;
   std::vector<Turn> Turns;
   double PathLength = 0.0;
 };

@@ -13,7 +13,7 @@ namespace
 {
 
 /// From one point of a curve to the next.
-constexpr double MostSteps = 10000.0;
+constexpr double MaximumSteps = 10000.0;
 
 /// The length of a curve from its beginning to each of its points, as a share of the whole.
 Eigen::VectorXd Shares(const Curve& curve, const std::string& name)
@@ -54,25 +54,25 @@ MatchedCurves MatchCurves(const std::vector<Curve>& sources, const std::vector<C
   }
   std::vector<Eigen::RowVector3d> points, images;
   std::vector<int> curves;
-  std::vector<double> places;
+  std::vector<double> positions;
   for (std::size_t c = 0; c < sources.size(); ++c)
   {
     const std::string which = "curve " + std::to_string(c) + " of ";
     const Eigen::VectorXd shares = Shares(sources[c], which + name);
     const Eigen::VectorXd targetShares = Shares(targets[c], which + "the target of " + name);
-    const auto add = [&](double place)
+    const auto add = [&](double position)
     {
-      const auto i = std::min(static_cast<Eigen::Index>(place), sources[c].rows() - 2);
-      const double t = place - static_cast<double>(i);
+      const auto i = std::min(static_cast<Eigen::Index>(position), sources[c].rows() - 2);
+      const double t = position - static_cast<double>(i);
       points.emplace_back((1.0 - t) * sources[c].row(i) + t * sources[c].row(i + 1));
       images.push_back(At(targets[c], targetShares, (1.0 - t) * shares(i) + t * shares(i + 1)));
       curves.push_back(static_cast<int>(c));
-      places.push_back(place);
+      positions.push_back(position);
     };
     for (Eigen::Index i = 0; i + 1 < sources[c].rows(); ++i)
     {
       const double length = (sources[c].row(i + 1) - sources[c].row(i)).norm();
-      if (!(length <= MostSteps * longestStep))
+      if (!(length <= MaximumSteps * longestStep))
       {
         throw InvalidInput(which + name +
           " is far longer than the shape it belongs to (at its point " + std::to_string(i) +
@@ -92,7 +92,7 @@ MatchedCurves MatchCurves(const std::vector<Curve>& sources, const std::vector<C
   }
   MatchedCurves matched{ Eigen::MatrixXd(points.size(), 3), Eigen::MatrixXd(points.size(), 3),
     Eigen::VectorXi::Map(curves.data(), curves.size()),
-    Eigen::VectorXd::Map(places.data(), places.size()) };
+    Eigen::VectorXd::Map(positions.data(), positions.size()) };
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     matched.Points.row(i) = points[i];

@@ -14,10 +14,10 @@ using Curve = Eigen::MatrixXd;
 /// Points of curves, and what lies at the same share of the length of the paired curves.
 struct MatchedCurves
 {
-  Eigen::MatrixXd Points;  ///< k x 3
-  Eigen::MatrixXd Targets; ///< k x 3
-  Eigen::VectorXi Curves;  ///< k: which curve
-  Eigen::VectorXd Places;  ///< k: i + t, where t of the way from point i of it to the next
+  Eigen::MatrixXd Points;    ///< k x 3
+  Eigen::MatrixXd Targets;   ///< k x 3
+  Eigen::VectorXi Curves;    ///< k: which curve
+  Eigen::VectorXd Positions; ///< k: i + t, where t of the way from point i of it to the next
 };
 
 /**

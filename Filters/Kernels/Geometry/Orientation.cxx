@@ -133,7 +133,7 @@ int SignOf(double value)
 
 } // namespace
 
-int Orientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
+int EvaluateOrientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
   const Eigen::RowVector3d& c, const Eigen::RowVector3d& d)
 {
   const Eigen::RowVector3d u = b - a, v = c - a, w = d - a;
@@ -161,7 +161,7 @@ int Orientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
   return Sum(Sum(x, y), z).Sign();
 }
 
-int Orientation(
+int EvaluateOrientation(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c)
 {
   const Eigen::RowVector2d u = b - a, v = c - a;
@@ -176,8 +176,8 @@ int Orientation(
     .Sign();
 }
 
-int InCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c,
-  const Eigen::RowVector2d& d)
+int EvaluateInCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
+  const Eigen::RowVector2d& c, const Eigen::RowVector2d& d)
 {
   const Eigen::RowVector2d u = a - d, v = b - d, w = c - d;
   const double uv = u(0) * v(1), vu = u(1) * v(0);
@@ -207,32 +207,33 @@ int InCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eig
   return Sum(Sum(x, y), z).Sign();
 }
 
-bool MeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
+bool SegmentMeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
   const Eigen::Matrix<double, 3, 2>& triangle)
 {
   bool left = false, right = false;
   for (int k = 0; k < 3; ++k)
   {
     const Eigen::RowVector2d p = triangle.row(k), q = triangle.row((k + 1) % 3);
-    if (Orientation(p, q, a) <= 0 && Orientation(p, q, b) <= 0)
+    if (EvaluateOrientation(p, q, a) <= 0 && EvaluateOrientation(p, q, b) <= 0)
     {
       return false;
     }
-    const int side = Orientation(a, b, p);
+    const int side = EvaluateOrientation(a, b, p);
     left = left || side > 0;
     right = right || side < 0;
   }
   return left && right;
 }
 
-std::vector<int> TurnedOver(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& places)
+std::vector<int> FindInvertedTriangles(
+  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& positions)
 {
   std::vector<int> rows;
   for (int t = 0; t < static_cast<int>(triangles.rows()); ++t)
   {
-    const Eigen::RowVector2d a = places.row(triangles(t, 0)), b = places.row(triangles(t, 1)),
-                             c = places.row(triangles(t, 2));
-    if (Orientation(a, b, c) <= 0)
+    const Eigen::RowVector2d a = positions.row(triangles(t, 0)), b = positions.row(triangles(t, 1)),
+                             c = positions.row(triangles(t, 2));
+    if (EvaluateOrientation(a, b, c) <= 0)
     {
       rows.push_back(t);
     }

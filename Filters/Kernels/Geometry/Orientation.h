@@ -17,25 +17,26 @@ namespace shape
  * predicates", 1997) do. Coordinates must be finite; the sixth power of their differences must
  * neither over- nor underflow.
  */
-int Orientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
+int EvaluateOrientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
   const Eigen::RowVector3d& c, const Eigen::RowVector3d& d);
 
 /// The same in the plane: 1 where a, b, c run counter-clockwise, 0 where they lie on one line.
-int Orientation(
+int EvaluateOrientation(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c);
 
 /// 1 where d lies inside the circle through a, b, c, which run counter-clockwise; 0 on it. Exact as
 /// above; the fourth power of the differences must neither over- nor underflow.
-int InCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c,
-  const Eigen::RowVector2d& d);
+int EvaluateInCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
+  const Eigen::RowVector2d& c, const Eigen::RowVector2d& d);
 
 /// Whether the segment from a to b runs through the inside of a triangle whose corners run
 /// counter-clockwise: no line along a side of either has them on different sides. Exact as above.
-bool MeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
+bool SegmentMeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
   const Eigen::Matrix<double, 3, 2>& triangle);
 
 /// The rows of triangles (m x 3) that do not run counter-clockwise between places (n x 2). Exact as
 /// above.
-std::vector<int> TurnedOver(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& places);
+std::vector<int> FindInvertedTriangles(
+  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& positions);
 
 } // namespace shape

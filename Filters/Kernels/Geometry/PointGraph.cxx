@@ -1,11 +1,11 @@
 #include "Geometry/PointGraph.h"
 
 #include "Base/Errors.h"
+#include "Geometry/SurfaceWelding.h"
 #include "Mesh/Extent.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Topology.h"
 #include "Search/PointTree.h"
-#include "Geometry/SurfaceWelding.h"
 
 #include <Eigen/Geometry>
 
@@ -31,7 +31,7 @@ void RequireCorners(const Eigen::MatrixXi& elements, Eigen::Index points)
 
 void Weld(const Eigen::MatrixXd& points, PointGraph& graph, const Progress& progress)
 {
-  const std::vector<int> first = FirstNearby(points, progress);
+  const std::vector<int> first = FindPointsWithinTolerance(points, progress);
   graph.NodeOf.resize(points.rows());
   for (int i = 0; i < static_cast<int>(first.size()); ++i)
   {
@@ -42,7 +42,7 @@ void Weld(const Eigen::MatrixXd& points, PointGraph& graph, const Progress& prog
       graph.PointOf.push_back(i);
     }
   }
-  graph.Places = points(graph.PointOf, Eigen::all);
+  graph.Positions = points(graph.PointOf, Eigen::all);
 }
 
 Eigen::MatrixXi NodesOf(const Eigen::MatrixXi& elements, const Eigen::VectorXi& nodeOf)
@@ -80,7 +80,7 @@ void LinkLoosePoints(const PointGraph& graph, int nearest, std::vector<std::pair
   {
     return;
   }
-  const PointTree tree(graph.Places);
+  const PointTree tree(graph.Positions);
   for (int i = 0; i < graph.Size(); ++i)
   {
     if (i % 65536 == 0)
@@ -89,7 +89,7 @@ void LinkLoosePoints(const PointGraph& graph, int nearest, std::vector<std::pair
     }
     if (!linked[i])
     {
-      for (const int j : tree.Nearest(graph.Places.row(i), nearest + 1))
+      for (const int j : tree.Nearest(graph.Positions.row(i), nearest + 1))
       {
         if (j != i)
         {
@@ -117,7 +117,7 @@ void AddWeights(PointGraph& graph, const Eigen::MatrixXi& lines, const Eigen::Ma
     }
   };
   const auto side = [&](const auto& corners, int k) -> Eigen::Vector3d
-  { return (graph.Places.row(corners(k)) - graph.Places.row(corners(0))).transpose(); };
+  { return (graph.Positions.row(corners(k)) - graph.Positions.row(corners(0))).transpose(); };
   for (const auto& line : lines.rowwise())
   {
     add(line, side(line, 1).norm() * length);
@@ -166,15 +166,15 @@ void AddCurvatures(PointGraph& graph, const Eigen::MatrixXi& triangles)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const Eigen::Vector3d corner = graph.Places.row(triangle(k)).transpose();
-      const Eigen::Vector3d a = graph.Places.row(triangle((k + 1) % 3)).transpose() - corner;
-      const Eigen::Vector3d b = graph.Places.row(triangle((k + 2) % 3)).transpose() - corner;
+      const Eigen::Vector3d corner = graph.Positions.row(triangle(k)).transpose();
+      const Eigen::Vector3d a = graph.Positions.row(triangle((k + 1) % 3)).transpose() - corner;
+      const Eigen::Vector3d b = graph.Positions.row(triangle((k + 2) % 3)).transpose() - corner;
       defects(triangle(k)) -= AngleBetween(a, b);
       areas(triangle(k)) += a.cross(b).norm() / 6.0;
       inside[triangle(k)] = 1;
     }
   }
-  const std::vector<HalfEdge> sides = SortedHalfEdges(triangles, graph.Size());
+  const std::vector<HalfEdge> sides = SortHalfEdges(triangles, graph.Size());
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
     while (end < sides.size() && sides[end].Low() == sides[begin].Low() &&
@@ -248,13 +248,13 @@ void SetLinks(PointGraph& graph, std::vector<std::pair<int, int>> links)
   {
     for (const auto& [a, b] : links)
     {
-      const double length = (graph.Places.row(a) - graph.Places.row(b)).norm();
+      const double length = (graph.Positions.row(a) - graph.Positions.row(b)).norm();
       lower ? put(b, a, length) : put(a, b, length);
     }
   }
 }
 
-std::vector<std::pair<int, int>> LinksOf(const PointGraph& graph)
+std::vector<std::pair<int, int>> ListLinks(const PointGraph& graph)
 {
   std::vector<std::pair<int, int>> links;
   links.reserve(graph.Neighbours.size() / 2);
@@ -271,7 +271,7 @@ std::vector<std::pair<int, int>> LinksOf(const PointGraph& graph)
   return links;
 }
 
-double MeanLink(const PointGraph& graph)
+double ComputeMeanLinkLength(const PointGraph& graph)
 {
   double sum = 0.0, weights = 0.0, plain = 0.0;
   for (int i = 0; i < graph.Size(); ++i)
@@ -288,7 +288,7 @@ double MeanLink(const PointGraph& graph)
   return weights > 0.0 ? sum / weights : plain / links;
 }
 
-PointGraph MakePointGraph(
+PointGraph BuildPointGraph(
   const ShapeElements& shape, const PointGraphOptions& options, const Progress& progress)
 {
   if (shape.Points.rows() == 0)
@@ -317,14 +317,14 @@ PointGraph MakePointGraph(
   SetLinks(graph, std::move(links));
   AddWeights(graph, lines, triangles, tetrahedra);
   AddCurvatures(graph, Unwelded(triangles));
-  graph.MeanLength = MeanLink(graph);
+  graph.MeanLength = ComputeMeanLinkLength(graph);
   progress(1.0);
   return graph;
 }
 
-PointGraph MakePointGraph(const Mesh& surface, const PointGraphOptions& options)
+PointGraph BuildPointGraph(const Mesh& surface, const PointGraphOptions& options)
 {
-  return MakePointGraph(ShapeElements{ surface.Points, {}, surface.Triangles, {} }, options);
+  return BuildPointGraph(ShapeElements{ surface.Points, {}, surface.Triangles, {} }, options);
 }
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -30,14 +30,14 @@ struct PointGraphOptions
  * The points of a shape and who is next to whom, for what spreads over shapes of any kind: curves,
  * surfaces, solids, soups and point sets, manifold or not.
  *
- * Nodes are the points, those at one place welded (FirstNearby). The neighbours of node i are
- * Neighbours[First[i]] ... Neighbours[First[i + 1] - 1], by number, Lengths[...] away.
+ * Nodes are the points, those at one place welded (FindPointsWithinTolerance). The neighbours of
+ * node i are Neighbours[First[i]] ... Neighbours[First[i + 1] - 1], by number, Lengths[...] away.
  */
 struct PointGraph
 {
-  Eigen::MatrixXd Points; ///< all of the shape, welded or not
-  Eigen::MatrixXd Places; ///< n x 3
-  std::vector<int> First; ///< n + 1
+  Eigen::MatrixXd Points;    ///< all of the shape, welded or not
+  Eigen::MatrixXd Positions; ///< n x 3
+  std::vector<int> First;    ///< n + 1
   std::vector<int> Neighbours;
   std::vector<double> Lengths;
   /// n: how much of the shape a node stands for (equation 8 of the paper below), so that a dense
@@ -52,28 +52,28 @@ struct PointGraph
   Eigen::MatrixXd Normals;  ///< n x 3: unit normals of the triangles around each node, or 0
   Eigen::VectorXi NodeOf;   ///< points: the node of each
   std::vector<int> PointOf; ///< n: the first point of each node
-  double MeanLength = 0.0;  ///< MeanLink
+  double MeanLength = 0.0;  ///< ComputeMeanLinkLength
 
-  int Size() const { return static_cast<int>(this->Places.rows()); }
+  int Size() const { return static_cast<int>(this->Positions.rows()); }
 };
 
 /// The graph of a shape. Throws InvalidInput where there is no point, a coordinate is not finite,
 /// the longest side of their box is neither 0 nor between 1e-50 and 1e50, or an element has a point
 /// out of range; Aborted.
-PointGraph MakePointGraph(
+PointGraph BuildPointGraph(
   const ShapeElements& shape, const PointGraphOptions& options = {}, const Progress& progress = {});
 
 /// The graph of a surface.
-PointGraph MakePointGraph(const Mesh& surface, const PointGraphOptions& options = {});
+PointGraph BuildPointGraph(const Mesh& surface, const PointGraphOptions& options = {});
 
 /// Replaces the links of a graph by these pairs of different nodes, in any order, some perhaps
 /// twice, with the lengths of the straight ways between them.
 void SetLinks(PointGraph& graph, std::vector<std::pair<int, int>> links);
 
 /// The mean length of the links, each node's counting by its weight; 0 where there are none.
-double MeanLink(const PointGraph& graph);
+double ComputeMeanLinkLength(const PointGraph& graph);
 
 /// The links of a graph, each once, the lower node first, in order.
-std::vector<std::pair<int, int>> LinksOf(const PointGraph& graph);
+std::vector<std::pair<int, int>> ListLinks(const PointGraph& graph);
 
 } // namespace shape

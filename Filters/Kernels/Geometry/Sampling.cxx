@@ -30,7 +30,7 @@ double Random(std::mt19937_64& generator)
 /// bends, as shares of the mean. Stronger contrasts starve the flat parts: on TwoTorus, its
 /// polycube and a scanned bear, 0.3 was worse than 0.5 by up to a tenth in the boundary error of
 /// the harmonic map.
-constexpr double LeastDensity = 0.5, MostDensity = 4.0;
+constexpr double MinimumDensity = 0.5, MaximumDensity = 4.0;
 
 /// Points spread at random over a surface, with the normals of their triangles.
 struct RandomPoints
@@ -41,7 +41,7 @@ struct RandomPoints
 
 RandomPoints SpreadAtRandom(const Mesh& surface, int count, unsigned int seed)
 {
-  const Eigen::MatrixXd vectors = AreaVectors(surface);
+  const Eigen::MatrixXd vectors = ComputeAreaVectors(surface);
   const Eigen::VectorXd areas = vectors.rowwise().norm();
   std::vector<double> sums(areas.size());
   std::partial_sum(areas.begin(), areas.end(), sums.begin());
@@ -49,9 +49,9 @@ RandomPoints SpreadAtRandom(const Mesh& surface, int count, unsigned int seed)
   RandomPoints spread{ Eigen::MatrixXd(count, 3), Eigen::MatrixXd(count, 3) };
   for (int i = 0; i < count; ++i)
   {
-    const double place = Random(generator) * sums.back();
+    const double position = Random(generator) * sums.back();
     const auto t = std::min<Eigen::Index>(
-      std::upper_bound(sums.begin(), sums.end(), place) - sums.begin(), areas.size() - 1);
+      std::upper_bound(sums.begin(), sums.end(), position) - sums.begin(), areas.size() - 1);
     const double root = std::sqrt(Random(generator)), share = Random(generator);
     spread.Points.row(i) = (1.0 - root) * surface.Points.row(surface.Triangles(t, 0)) +
       root * (1.0 - share) * surface.Points.row(surface.Triangles(t, 1)) +
@@ -114,7 +114,7 @@ Eigen::MatrixXd SampleSurface(
         ? "cannot spread " + std::to_string(count) + " points over a surface; ask for at least 4"
         : "the surface to sample has no area");
   }
-  const double radius = PackingRadius(area, count);
+  const double radius = ComputePackingRadius(area, count);
   const int candidates = (mode == SamplingMode::Uniform ? 5 : 10) * count;
   const RandomPoints spread = SpreadAtRandom(surface, candidates, seed);
   Eigen::VectorXd radii = Eigen::VectorXd::Constant(candidates, radius);
@@ -124,7 +124,7 @@ Eigen::MatrixXd SampleSurface(
     // their number goes with k: with the bending within a given radius.
     const Eigen::VectorXd bending = Bending(spread, 2.0 * radius, progress.Part(0.0, 0.3));
     Eigen::ArrayXd density = bending.array().max(1e-6) / std::max(bending.mean(), 1e-6);
-    density = density.max(LeastDensity).min(MostDensity);
+    density = density.max(MinimumDensity).min(MaximumDensity);
     radii = radius * (density / density.mean()).rsqrt();
   }
   const Eigen::VectorXi kept =
@@ -132,20 +132,20 @@ Eigen::MatrixXd SampleSurface(
   return spread.Points(kept, Eigen::all);
 }
 
-std::vector<Eigen::MatrixXd> SampleSurfaces(const std::vector<Mesh>& surfaces, int count, int least,
-  SamplingMode mode, unsigned int seed, const Progress& progress)
+std::vector<Eigen::MatrixXd> SampleSurfaces(const std::vector<Mesh>& surfaces, int count,
+  int minimum, SamplingMode mode, unsigned int seed, const Progress& progress)
 {
   Eigen::VectorXd areas(surfaces.size());
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
-    areas(s) = AreaVectors(surfaces[s]).rowwise().norm().sum();
+    areas(s) = ComputeAreaVectors(surfaces[s]).rowwise().norm().sum();
   }
   std::vector<Eigen::MatrixXd> points;
   double done = 0.0;
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
     const double share = areas(s) / areas.sum();
-    const int asked = std::max(least, static_cast<int>(std::round(share * count)));
+    const int asked = std::max(minimum, static_cast<int>(std::round(share * count)));
     points.push_back(
       SampleSurface(surfaces[s], asked, mode, seed, progress.Part(done, done + share)));
     done += share;
@@ -153,7 +153,7 @@ std::vector<Eigen::MatrixXd> SampleSurfaces(const std::vector<Mesh>& surfaces, i
   return points;
 }
 
-double PackingRadius(double area, int count)
+double ComputePackingRadius(double area, int count)
 {
   return std::sqrt(area / (2.0 * std::sqrt(3.0) * count));
 }
@@ -228,7 +228,7 @@ Eigen::VectorXi EliminateSamples(
   return Eigen::VectorXi::Map(kept.data(), kept.size());
 }
 
-Eigen::VectorXd SampledAreas(const Eigen::MatrixXd& points)
+Eigen::VectorXd ComputeSampledAreas(const Eigen::MatrixXd& points)
 {
   const Eigen::Index n = points.rows();
   // The nearest found is the point itself.
@@ -257,10 +257,10 @@ Eigen::VectorXd SampledAreas(const Eigen::MatrixXd& points)
   return (areas / mean).cwiseMax(0.1).cwiseMin(10.0);
 }
 
-Eigen::VectorXi SpatialOrder(const Eigen::MatrixXd& points)
+Eigen::VectorXi FindSpatialOrder(const Eigen::MatrixXd& points)
 {
   const Eigen::RowVector3d low = points.colwise().minCoeff();
-  const double side = std::max(LongestSide(points), 1e-300);
+  const double side = std::max(ComputeLongestBoxEdge(points), 1e-300);
   std::vector<std::pair<std::uint64_t, int>> keys(points.rows());
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {

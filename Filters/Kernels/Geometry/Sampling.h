@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 
@@ -35,11 +35,11 @@ Eigen::MatrixXd SampleSurface(const Mesh& surface, int count, SamplingMode mode,
 
 /// The same for several surfaces: `count` points shared out by area, but at least `least` to each.
 /// The points of each surface.
-std::vector<Eigen::MatrixXd> SampleSurfaces(const std::vector<Mesh>& surfaces, int count, int least,
-  SamplingMode mode, unsigned int seed = 1, const Progress& progress = {});
+std::vector<Eigen::MatrixXd> SampleSurfaces(const std::vector<Mesh>& surfaces, int count,
+  int minimum, SamplingMode mode, unsigned int seed = 1, const Progress& progress = {});
 
 /// The radius of the `count` equal discs that pack a plane of this area most densely.
-double PackingRadius(double area, int count);
+double ComputePackingRadius(double area, int count);
 
 /// The `count` rows of `points` (n x 3) that weighted elimination keeps, ascending, where radii (n)
 /// is half the spacing wanted at each. Throws Aborted.
@@ -56,10 +56,10 @@ Eigen::VectorXi EliminateSamples(const Eigen::MatrixXd& points, const Eigen::Vec
  * 3k points 3.06e-3 / 2.93e-3 and 3.01e-3 / 2.33e-3, two-torus to its polycube 5.18e-3 / 4.70e-3
  * and 4.96e-3 / 4.34e-3.
  */
-Eigen::VectorXd SampledAreas(const Eigen::MatrixXd& points);
+Eigen::VectorXd ComputeSampledAreas(const Eigen::MatrixXd& points);
 
 /// The rows of `points` in an order in which neighbours in space are mostly neighbours in the list
 /// (Morton's): taking every k-th one spreads a subset evenly.
-Eigen::VectorXi SpatialOrder(const Eigen::MatrixXd& points);
+Eigen::VectorXi FindSpatialOrder(const Eigen::MatrixXd& points);
 
 } // namespace shape

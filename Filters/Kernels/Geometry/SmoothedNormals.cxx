@@ -67,10 +67,10 @@ void FillNormals(const PointGraph& graph, Eigen::MatrixXd& normals)
 
 } // namespace
 
-Eigen::MatrixXd SmoothedNormals(
+Eigen::MatrixXd SmoothNormals(
   const PointGraph& graph, const Eigen::MatrixXi& triangles, int rounds, const Progress& progress)
 {
-  Eigen::MatrixXd normals = PointNormals({ graph.Places, triangles });
+  Eigen::MatrixXd normals = ComputePointNormals({ graph.Positions, triangles });
   FillNormals(graph, normals);
   for (int round = 0; round < rounds; ++round)
   {

@@ -16,7 +16,7 @@ namespace shape
  * A node without an area around it has the mean of its neighbours' normals, or (0, 0, 1) where no
  * node linked to it has one. triangles: m x 3, of nodes. Throws Aborted.
  */
-Eigen::MatrixXd SmoothedNormals(const PointGraph& graph, const Eigen::MatrixXi& triangles,
-  int rounds, const Progress& progress = {});
+Eigen::MatrixXd SmoothNormals(const PointGraph& graph, const Eigen::MatrixXi& triangles, int rounds,
+  const Progress& progress = {});
 
 } // namespace shape

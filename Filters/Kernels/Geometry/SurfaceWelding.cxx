@@ -35,7 +35,7 @@ std::vector<int> FirstOfEach(const Mesh& surface, const std::vector<int>& placeO
     }
   }
   sound.conservativeResize(count, 3);
-  const std::vector<HalfEdge> sides = SortedHalfEdges(sound, points);
+  const std::vector<HalfEdge> sides = SortHalfEdges(sound, points);
   std::vector<std::pair<std::array<int, 2>, std::array<int, 2>>> alone; // places, points
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
@@ -86,20 +86,20 @@ Eigen::MatrixXd WithUnusedAside(const Mesh& surface)
   {
     isUsed[corner] = true;
   }
-  Eigen::MatrixXd places = surface.Points;
-  for (Eigen::Index point = 0; point < places.rows(); ++point)
+  Eigen::MatrixXd positions = surface.Points;
+  for (Eigen::Index point = 0; point < positions.rows(); ++point)
   {
     if (!isUsed[point])
     {
-      places.row(point) = surface.Points.row(surface.Triangles(0, 0));
+      positions.row(point) = surface.Points.row(surface.Triangles(0, 0));
     }
   }
-  return places;
+  return positions;
 }
 
 } // namespace
 
-std::vector<int> FirstNearby(const Eigen::MatrixXd& points, const Progress& progress)
+std::vector<int> FindPointsWithinTolerance(const Eigen::MatrixXd& points, const Progress& progress)
 {
   const auto count = static_cast<int>(points.rows());
   std::vector<int> first(count, -1);
@@ -108,10 +108,10 @@ std::vector<int> FirstNearby(const Eigen::MatrixXd& points, const Progress& prog
     return first;
   }
   // Of size 1, so that squares neither overflow nor vanish.
-  const double size = LongestSide(points);
-  const Eigen::MatrixXd places = (points.rowwise() - points.row(0)) / (size > 0.0 ? size : 1.0);
-  const double within = WeldTolerance * BoxDiagonal(places);
-  const PointTree tree(places);
+  const double size = ComputeLongestBoxEdge(points);
+  const Eigen::MatrixXd positions = (points.rowwise() - points.row(0)) / (size > 0.0 ? size : 1.0);
+  const double within = WeldTolerance * ComputeBoxDiagonal(positions);
+  const PointTree tree(positions);
   for (int i = 0; i < count; ++i)
   {
     if (i % 65536 == 0)
@@ -120,7 +120,7 @@ std::vector<int> FirstNearby(const Eigen::MatrixXd& points, const Progress& prog
     }
     if (first[i] < 0)
     {
-      for (const int j : tree.Within(places.row(i), within))
+      for (const int j : tree.Within(positions.row(i), within))
       {
         first[j] = first[j] < 0 ? i : first[j];
       }
@@ -142,9 +142,9 @@ WeldedSurface::WeldedSurface(const Mesh& surface, const Progress& progress, cons
     throw InvalidInput("a triangle of " + name +
       " uses a point that does not exist; make the surface anew, or run Clean on it");
   }
-  const Eigen::MatrixXd places = WithUnusedAside(surface);
-  RequireFinite(places, name);
-  this->First = FirstOfEach(surface, FirstNearby(places, progress));
+  const Eigen::MatrixXd positions = WithUnusedAside(surface);
+  RequireFinite(positions, name);
+  this->First = FirstOfEach(surface, FindPointsWithinTolerance(positions, progress));
   for (int t = 0; t < static_cast<int>(surface.Triangles.rows()); ++t)
   {
     const Eigen::RowVector3i at =

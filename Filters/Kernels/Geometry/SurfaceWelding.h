@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -15,7 +15,8 @@ namespace shape
 constexpr double WeldTolerance = 1e-9;
 
 /// Of each point (n x 3, finite) the first one at its place: itself, mostly. Throws Aborted.
-std::vector<int> FirstNearby(const Eigen::MatrixXd& points, const Progress& progress = {});
+std::vector<int> FindPointsWithinTolerance(
+  const Eigen::MatrixXd& points, const Progress& progress = {});
 
 /**
  * A surface whose seams are closed: sides of triangles that are alone between their points become

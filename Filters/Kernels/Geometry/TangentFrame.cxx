@@ -7,7 +7,8 @@ namespace shape
 
 using Eigen::RowVector3d;
 
-RowVector3d TurnedBetween(const RowVector3d& vector, const RowVector3d& from, const RowVector3d& to)
+RowVector3d RotateBetweenNormals(
+  const RowVector3d& vector, const RowVector3d& from, const RowVector3d& to)
 {
   constexpr double opposite = 1e-12;
   const double cosine = from.dot(to);
@@ -25,7 +26,7 @@ RowVector3d TurnedBetween(const RowVector3d& vector, const RowVector3d& from, co
   return cosine * vector + axis.cross(vector) + axis.dot(vector) / (1.0 + cosine) * axis;
 }
 
-TangentFrame FrameAt(
+TangentFrame BuildTangentFrame(
   const RowVector3d& origin, const RowVector3d& normal, const RowVector3d& xDirection)
 {
   constexpr double nothing = 1e-12;
@@ -38,7 +39,7 @@ TangentFrame FrameAt(
   }
   if (x.norm() < nothing)
   {
-    x = TurnedBetween(RowVector3d::UnitX(), RowVector3d::UnitZ(), normal);
+    x = RotateBetweenNormals(RowVector3d::UnitX(), RowVector3d::UnitZ(), normal);
     x -= x.dot(normal) * normal;
   }
   x.normalize();

@@ -7,11 +7,11 @@ namespace shape
 {
 
 MovedPoints ApplyVolumeMap(
-  const LayeredMap& map, const Eigen::MatrixXd& points, const Progress& progress)
+  const PiecewiseHarmonicMap& map, const Eigen::MatrixXd& points, const Progress& progress)
 {
   MovedPoints moved;
   moved.OutsideDomain =
-    OutsideDomain(map.Domain(), points, map.Farthest(), progress.Part(0.0, 0.5));
+    FindPointsOutsideDomain(map.Domain(), points, map.Farthest(), progress.Part(0.0, 0.5));
   const Eigen::MatrixXd values = map.Evaluate(points, progress.Part(0.5, 1.0));
   moved.Points = moved.OutsideDomain.replicate(1, 3).array().select(points, values);
   if (!moved.Points.allFinite())

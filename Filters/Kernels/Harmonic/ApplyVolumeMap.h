@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Harmonic/LayeredMap.h"
+#include "Harmonic/PiecewiseHarmonicMap.h"
 
 namespace shape
 {
@@ -14,11 +14,11 @@ struct MovedPoints
 /**
  * The values of a volume map at the points (n x 3, finite) of its domain. Points outside keep their
  * place and have OutsideDomain 1: see the function of that name. For the way back see
- * LayeredInverse.
+ * PiecewiseInverseMap.
  *
  * Throws SolveFailure where the map is not finite, Aborted.
  */
 MovedPoints ApplyVolumeMap(
-  const LayeredMap& map, const Eigen::MatrixXd& points, const Progress& progress = {});
+  const PiecewiseHarmonicMap& map, const Eigen::MatrixXd& points, const Progress& progress = {});
 
 } // namespace shape

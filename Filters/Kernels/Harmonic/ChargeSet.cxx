@@ -2,7 +2,7 @@
 
 #include "Base/Parallel.h"
 #include "Fmm/DirectSummation.h"
-#include "Fmm/FastSummation.h"
+#include "Fmm/FmmSummation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +21,16 @@ double ToleranceFor(const ChargeSet& set, double error)
 {
   constexpr int count = 64;
   const Eigen::RowVector3d middle = set.Points.colwise().mean();
-  Eigen::MatrixXd places(count, 3);
+  Eigen::MatrixXd positions(count, 3);
   for (int i = 0; i < count; ++i)
   {
-    places.row(i) = 0.95 * set.Points.row(i * set.Points.rows() / count) + 0.05 * middle;
+    positions.row(i) = 0.95 * set.Points.row(i * set.Points.rows() / count) + 0.05 * middle;
   }
-  const Eigen::MatrixXd image = DirectPotentials(set.Points, set.Charges, places) +
-    places * set.Affine.leftCols<3>().transpose();
+  const Eigen::MatrixXd image = SumPotentialsDirectly(set.Points, set.Charges, positions) +
+    positions * set.Affine.leftCols<3>().transpose();
   const double size = (image.colwise().maxCoeff() - image.colwise().minCoeff()).maxCoeff();
-  const Eigen::MatrixXd absolute = DirectPotentials(set.Points, set.Charges.cwiseAbs(), places);
+  const Eigen::MatrixXd absolute =
+    SumPotentialsDirectly(set.Points, set.Charges.cwiseAbs(), positions);
   return error * size / absolute.maxCoeff();
 }
 
@@ -43,18 +44,18 @@ Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool g
   if (pairs > worthATry && points.allFinite())
   {
     const double tolerance = ToleranceFor(set, error);
-    if (tolerance >= FastSummationOptions::LeastTolerance)
+    if (tolerance >= FmmSummationOptions::MinimumTolerance)
     {
-      FastSummationOptions options;
+      FmmSummationOptions options;
       options.Tolerance = std::min(tolerance, 1e-3);
-      const FastSummation fast(set.Points, points, options, progress.Part(0.0, 0.3));
+      const FmmSummation fast(set.Points, points, options, progress.Part(0.0, 0.3));
       return gradients ? fast.Gradients(set.Charges, progress.Part(0.3, 1.0))
                        : fast.Potentials(set.Charges, progress.Part(0.3, 1.0));
     }
   }
   return gradients
-    ? DirectGradients(set.Points, set.Charges, points, progress)
-    : DirectPotentials(set.Points, set.Charges, points, RootError::Rounding, progress);
+    ? SumGradientsDirectly(set.Points, set.Charges, points, progress)
+    : SumPotentialsDirectly(set.Points, set.Charges, points, RootError::Rounding, progress);
 }
 
 } // namespace
@@ -68,7 +69,7 @@ Eigen::MatrixXd Evaluate(
   return values;
 }
 
-Eigen::MatrixXd Jacobians(
+Eigen::MatrixXd EvaluateJacobians(
   const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress)
 {
   constexpr double error = 1e-10;
@@ -83,7 +84,7 @@ Eigen::MatrixXd Jacobians(
   return values;
 }
 
-Eigen::MatrixXd PotentialMatrix(
+Eigen::MatrixXd BuildPotentialMatrix(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources, const Progress& progress)
 {
   Eigen::MatrixXd matrix(points.rows(), sources.rows());

@@ -22,7 +22,7 @@ struct ChargeSet
   Eigen::Matrix<double, 3, 4> Affine = Eigen::Matrix<double, 3, 4>::Identity(); ///< [A b]
 };
 
-/// f at `points` (n x 3), n x 3. Large sums are taken by the multipole method (FastSummation.h)
+/// f at `points` (n x 3), n x 3. Large sums are taken by the multipole method (FmmSummation.h)
 /// where that is faster and its root mean square error no more than `error` of the image's size.
 /// The same bits for any number of threads; not finite at a charge's own place. Throws Aborted.
 Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
@@ -30,11 +30,11 @@ Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
 
 /// The derivative of f at `points`, n x 9: column 3 r + c is d f_r / d y_c. The same bits for any
 /// number of threads; not finite at a charge's own place. Throws Aborted.
-Eigen::MatrixXd Jacobians(
+Eigen::MatrixXd EvaluateJacobians(
   const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress = {});
 
 /// The potentials 1 / (4 pi |y_i - x_j|): points' count x sources' count. Throws Aborted.
-Eigen::MatrixXd PotentialMatrix(
+Eigen::MatrixXd BuildPotentialMatrix(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources, const Progress& progress = {});
 
 } // namespace shape

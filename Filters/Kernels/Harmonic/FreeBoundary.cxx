@@ -1,11 +1,11 @@
 #include "Harmonic/FreeBoundary.h"
 
-#include "Mesh/Cells.h"
 #include "Base/Errors.h"
-#include "Search/ClosestPoint.h"
+#include "Mesh/Cells.h"
 #include "Quality/MapQuality.h"
-#include "Untangle/SimplexPatch.h"
+#include "Search/ClosestPoint.h"
 #include "Tetrahedra/Tetrahedralize.h"
+#include "Untangle/SimplexPatch.h"
 #include "Untangle/Untangle.h"
 
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@ namespace
 {
 
 constexpr int Tetrahedron = 10;
-constexpr int MostSteps = 30;
+constexpr int MaximumSteps = 30;
 
 /// Some points stay on a surface, the others are free.
 class OnSurface : public PointConstraint
@@ -33,7 +33,7 @@ public:
     , Held(std::move(held))
     , Normals(Eigen::MatrixXd::Zero(surface.Points.rows(), 3))
   {
-    const Eigen::MatrixXd areas = AreaVectors(surface);
+    const Eigen::MatrixXd areas = ComputeAreaVectors(surface);
     for (Eigen::Index t = 0; t < areas.rows(); ++t)
     {
       for (int k = 0; k < 3; ++k)
@@ -46,22 +46,23 @@ public:
 
   int Freedom(int point) const override { return this->Held[point] ? 2 : 3; }
 
-  PointDirections Directions(int, const Eigen::RowVector3d& place) const override
+  PointDirections Directions(int, const Eigen::RowVector3d& position) const override
   {
-    const ClosestPoints closest = this->Locator.Find(place);
-    const Eigen::Vector3d normal = Pulled(closest, this->Locator.Surface().Triangles, this->Normals)
-                                     .row(0)
-                                     .normalized()
-                                     .transpose();
+    const ClosestPoints closest = this->Locator.Find(position);
+    const Eigen::Vector3d normal =
+      PullBack(closest, this->Locator.GetSurface().Triangles(), this->Normals)
+        .row(0)
+        .normalized()
+        .transpose();
     PointDirections directions(3, 2);
     directions.col(0) = normal.unitOrthogonal();
     directions.col(1) = normal.cross(directions.col(0));
     return directions;
   }
 
-  Eigen::RowVector3d Nearest(int, const Eigen::RowVector3d& place) const override
+  Eigen::RowVector3d Nearest(int, const Eigen::RowVector3d& position) const override
   {
-    return this->Locator.Find(place).Positions.row(0);
+    return this->Locator.Find(position).Positions.row(0);
   }
 
 private:
@@ -128,7 +129,7 @@ double Distortion(const TetrahedralizeResult& solid, const Eigen::MatrixXd& imag
     cells.EndCell();
   }
   const MapQualityResult quality =
-    MapQuality(solid.Points, images, cells, ExtentOf(solid.Points, images, cells));
+    EvaluateMapQuality(solid.Points, images, cells, ComputeMapExtent(solid.Points, images, cells));
   MapQualitySums sums;
   sums.Add(quality, Eigen::VectorXi::Ones(solid.Tetrahedra.rows()));
   return sums.Mean(MapMeasure::SymmetricDirichlet);
@@ -147,7 +148,7 @@ SimplexPatch WholePatch(const Solid& solid, double size)
     {
       edges.col(k) = size * (solid.Rest.row(c[k + 1]) - solid.Rest.row(c[0])).transpose();
     }
-    patch.Simplices.push_back({ c, HatGradients(edges) });
+    patch.Simplices.push_back({ c, ComputeHatGradients(edges) });
     for (const int point : c)
     {
       used[point] = 1;
@@ -165,7 +166,7 @@ SimplexPatch WholePatch(const Solid& solid, double size)
 
 } // namespace
 
-FreeBoundaryResult FreeBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets,
+FreeBoundaryResult SlideBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets,
   const Mesh& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
   const HarmonicVolumeMapResult& map, const Progress& progress)
 {
@@ -183,8 +184,8 @@ FreeBoundaryResult FreeBoundary(const Mesh& boundary, const Eigen::MatrixXd& tar
     }
     return images;
   };
-  const double size =
-    std::cbrt(std::abs(EnclosedVolume({ targets, boundary.Triangles }) / EnclosedVolume(boundary)));
+  const double size = std::cbrt(std::abs(
+    ComputeEnclosedVolume({ targets, boundary.Triangles }) / ComputeEnclosedVolume(boundary)));
   FreeBoundaryResult result{ targets, map, 0.0, 0.0, false };
   const Eigen::MatrixXd images = carry(map.Map, targets);
   result.DistortionBefore = Distortion(tetrahedra, images / size);
@@ -198,8 +199,8 @@ FreeBoundaryResult FreeBoundary(const Mesh& boundary, const Eigen::MatrixXd& tar
   }
   const OnSurface constraint(target, held);
   PatchOptions steps;
-  steps.MaximumSteps = steps.FurtherSteps = MostSteps;
-  LowerEnergy(
+  steps.MaximumSteps = steps.FurtherSteps = MaximumSteps;
+  MinimizeEnergy(
     solid.Moved.Points, WholePatch(solid, size), &constraint, steps, progress.Part(0.3, 0.6));
 
   Eigen::MatrixXd freed = targets;
@@ -211,7 +212,7 @@ FreeBoundaryResult FreeBoundary(const Mesh& boundary, const Eigen::MatrixXd& tar
     }
   }
   HarmonicVolumeMapResult again =
-    HarmonicVolumeMap(boundary, freed, features, options, progress.Part(0.6, 0.95));
+    ComputeHarmonicVolumeMap(boundary, freed, features, options, progress.Part(0.6, 0.95));
   const double after = Distortion(tetrahedra, carry(again.Map, freed) / size);
   if (after < result.DistortionBefore)
   {

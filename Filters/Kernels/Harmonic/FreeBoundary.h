@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Harmonic/HarmonicVolumeMap.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -25,11 +25,11 @@ struct FreeBoundaryResult
  * elliptic energy (EllipticEnergy) with the points of the boundary on the target; then the harmonic
  * map with these values is solved. Creases of the target do not hold points.
  *
- * boundary, targets, features, options: of HarmonicVolumeMap; map: its result. Throws what that,
- * Tetrahedralize and Untangle throw; SolveFailure where tetrahedra stay inverted, as they do where
- * the boundary map folds; Aborted.
+ * boundary, targets, features, options: of ComputeHarmonicVolumeMap; map: its result. Throws what
+ * that, Tetrahedralize and Untangle throw; SolveFailure where tetrahedra stay inverted, as they do
+ * where the boundary map folds; Aborted.
  */
-FreeBoundaryResult FreeBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets,
+FreeBoundaryResult SlideBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets,
   const Mesh& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
   const HarmonicVolumeMapResult& map, const Progress& progress = {});
 

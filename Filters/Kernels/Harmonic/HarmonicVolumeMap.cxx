@@ -1,7 +1,7 @@
 #include "Harmonic/HarmonicVolumeMap.h"
 
 #include "Harmonic/NearSourceSystem.h"
-#include "Harmonic/Private/Solvers.h"
+#include "Harmonic/Private/FundamentalSolutionSolvers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,26 +19,26 @@ double NearestOffset(const Mesh& boundary, const HarmonicVolumeMapOptions& optio
 {
   if (options.OffsetDistance == 0.0)
   {
-    const double area = PointAreas(boundary).sum();
+    const double area = ComputePointAreas(boundary).sum();
     const double spacing = std::sqrt(area / (options.CollocationRatio * boundary.Points.rows()));
     return std::clamp(1.25 * spacing, 0.01, 0.15);
   }
   return options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot
     ? options.OffsetDistance
-    : options.OffsetDistance / Coarseness(SubsetCount(boundary, options));
+    : options.OffsetDistance / ComputeCoarseness(ComputeSubsetCount(boundary, options));
 }
 
 } // namespace
 
-HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::MatrixXd& targets,
-  const VolumeFeatures& features, const HarmonicVolumeMapOptions& given, const Progress& progress,
-  AcceleratedSetup* setup)
+HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Mesh& boundary,
+  const Eigen::MatrixXd& targets, const VolumeFeatures& features,
+  const HarmonicVolumeMapOptions& given, const Progress& progress, AcceleratedSetup* setup)
 {
-  RequireUsable(features, given);
+  RequireSupportedFeatures(features, given);
   const ScaledBoundary scaled = ScaleBoundary(boundary, targets);
   HarmonicVolumeMapOptions options = given;
   options.OffsetDistance = NearestOffset(scaled.Surface, options);
-  BoundaryProblem problem(scaled, features, options, progress.Part(0.0, 0.05));
+  FundamentalSolutionFit problem(scaled, features, options, progress.Part(0.0, 0.05));
   HarmonicVolumeMapResult result;
   result.OffsetDistance = options.OffsetDistance;
   result.Levels.push_back(problem.Errors());
@@ -62,11 +62,11 @@ HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::Mat
     if (problem.HasFeatures())
     {
       // What the features ask for beyond is smooth near the boundary: few, farther charges can.
-      constexpr double mostCollocations = 6000.0, mostSources = 8000.0;
+      constexpr double maximumCollocations = 6000.0, maximumSources = 8000.0;
       const auto points = static_cast<double>(scaled.Surface.Points.rows());
       HarmonicVolumeMapOptions smooth = options;
-      smooth.CollocationRatio = std::min(smooth.CollocationRatio, mostCollocations / points);
-      smooth.SourceRatio = std::min(smooth.SourceRatio, mostSources / points);
+      smooth.CollocationRatio = std::min(smooth.CollocationRatio, maximumCollocations / points);
+      smooth.SourceRatio = std::min(smooth.SourceRatio, maximumSources / points);
       const double near = result.OffsetDistance;
       SolveMultiLevel(problem, smooth, result, progress.Part(0.7, 1.0));
       result.OffsetDistance = std::min(near, result.OffsetDistance);

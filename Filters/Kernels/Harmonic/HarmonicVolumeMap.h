@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Harmonic/ChargeSet.h"
 #include "Geometry/Sampling.h"
+#include "Harmonic/ChargeSet.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 
@@ -72,7 +72,7 @@ struct HarmonicVolumeMapResult
     int Sources = 0;           ///< columns of the system
     int Collocations = 0;      ///< rows of the system, features included
     double RMSEVertices = 0.0; ///< at the boundary's points
-    double RMSEInside = 0.0;   ///< at a place in each triangle (OffCentres)
+    double RMSEInside = 0.0;   ///< at a place in each triangle (ComputeOffCentres)
     double Maximum = 0.0;      ///< over both
     double Seconds = 0.0;
     bool Kept = true; ///< false: no factor of it lowers what is left, so it is not in the sum
@@ -101,7 +101,7 @@ struct HarmonicVolumeMapResult
  * Accelerated: a charge for each point of the boundary, 0.9 spacings outside of it, and a few
  * hundred farther ones; equations at its points and centroids, by least squares; GMRES
  * preconditioned by local blocks, sums by the multipole method (NearSourceSystem.h,
- * SchwarzPreconditioner.h, FastSummation.h). Then triangles that hold most of what is left are
+ * SchwarzPreconditioner.h, FmmSummation.h). Then triangles that hold most of what is left are
  * halved and a further map is fitted to that, until the tolerance is met. Time and memory grow
  * nearly as the boundary does. CPU seconds of sphere maps: bear_bis of 10096 points 1.8,
  * RMSEInside 9.1e-5; bunny00 of 37706, 3.0, 7.5e-5; the same in 113114, 6.0, 6.4e-5
@@ -126,8 +126,9 @@ struct HarmonicVolumeMapResult
  * setup: what Accelerated sets up for a boundary (NearSourceSystem.h), kept from call to call: it
  * is made again only where the boundary differs.
  */
-HarmonicVolumeMapResult HarmonicVolumeMap(const Mesh& boundary, const Eigen::MatrixXd& targets,
-  const VolumeFeatures& features = {}, const HarmonicVolumeMapOptions& options = {},
-  const Progress& progress = {}, AcceleratedSetup* setup = nullptr);
+HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Mesh& boundary,
+  const Eigen::MatrixXd& targets, const VolumeFeatures& features = {},
+  const HarmonicVolumeMapOptions& options = {}, const Progress& progress = {},
+  AcceleratedSetup* setup = nullptr);
 
 } // namespace shape

@@ -2,9 +2,9 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
-#include "Solids/Nesting.h"
-#include "Harmonic/Private/InverseSearch.h"
 #include "Distance/OutsideDomain.h"
+#include "Harmonic/Private/InverseSearch.h"
+#include "Solids/Nesting.h"
 
 #include <Eigen/LU>
 
@@ -23,13 +23,13 @@ namespace
 using Indices = std::vector<int>;
 
 /// Seeds that are tried for one point, nearest first.
-constexpr int MostStarts = 12;
+constexpr int MaximumStarts = 12;
 
 /// The nearest of `places` (k x 3) to each point, nearest first: n x min(count, k) rows of it.
-Eigen::MatrixXi Nearest(
-  const Eigen::MatrixXd& places, const Eigen::MatrixXd& points, int count, const Progress& progress)
+Eigen::MatrixXi Nearest(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& points, int count,
+  const Progress& progress)
 {
-  const auto k = static_cast<int>(places.rows());
+  const auto k = static_cast<int>(positions.rows());
   Eigen::MatrixXi nearest(points.rows(), std::min(count, k));
   ParallelFor(
     static_cast<int>(points.rows()), 64,
@@ -40,7 +40,7 @@ Eigen::MatrixXi Nearest(
       {
         for (int j = 0; j < k; ++j)
         {
-          byDistance[j] = { (places.row(j) - points.row(i)).squaredNorm(), j };
+          byDistance[j] = { (positions.row(j) - points.row(i)).squaredNorm(), j };
         }
         std::partial_sort(
           byDistance.begin(), byDistance.begin() + nearest.cols(), byDistance.end());
@@ -57,17 +57,17 @@ Eigen::MatrixXi Nearest(
 /// The points of a lattice over the domain's box that lie inside.
 Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress& progress)
 {
-  const Eigen::MatrixXd& points = domain.Locator().Surface().Points;
+  const Eigen::MatrixXd& points = domain.Locator().GetSurface().Points();
   const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
-  const double spacing = LongestSide(points) / across;
+  const double spacing = ComputeLongestBoxEdge(points) / across;
   const Eigen::RowVector3i counts = ((high - low) / spacing).array().ceil().max(1.0).cast<int>();
   Eigen::MatrixXd lattice(counts.prod(), 3);
   for (int i = 0; i < lattice.rows(); ++i)
   {
-    const Eigen::RowVector3d place(
+    const Eigen::RowVector3d position(
       i % counts(0), i / counts(0) % counts(1), i / (counts(0) * counts(1)));
     lattice.row(i) =
-      low.array() + (place.array() + 0.5) * (high - low).array() / counts.cast<double>().array();
+      low.array() + (position.array() + 0.5) * (high - low).array() / counts.cast<double>().array();
   }
   const Eigen::VectorXd distances = domain.Evaluate(lattice, progress).Distances;
   Indices inside;
@@ -83,7 +83,7 @@ Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress
 
 /// How much farther from the image's boundary than the tolerance there a point may lie whose
 /// preimage is within the tolerance of the domain's.
-constexpr double MostStretch = 4.0;
+constexpr double MaximumStretch = 4.0;
 
 Mesh ImageOf(const ChargeSet& map, const Mesh& domain, const Progress& progress)
 {
@@ -93,7 +93,7 @@ Mesh ImageOf(const ChargeSet& map, const Mesh& domain, const Progress& progress)
     throw InvalidInput("the map is not finite at a point of the surface that bounds its domain; "
                        "move the charges away from it");
   }
-  return FacingOutwards(std::move(image));
+  return OrientOutwards(std::move(image));
 }
 
 } // namespace
@@ -103,8 +103,8 @@ InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest
   : Map(map)
   , Options(options)
   , Farthest(farthest)
-  , Domain(OrientedByNesting(domain, "the surface of the Map"))
-  , Image(ImageOf(map, this->Domain.Locator().Surface(), progress.Part(0.0, 0.2)))
+  , Domain(OrientByNesting(domain, "the surface of the Map"))
+  , Image(ImageOf(map, this->Domain.Locator().GetSurface(), progress.Part(0.0, 0.2)))
 {
   if (!(options.Tolerance > 0.0) || options.MaximumIterations < 1 || options.SeedsAcross < 1)
   {
@@ -115,15 +115,15 @@ InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest
   this->SeedImages = Evaluate(map, this->Seeds, progress.Part(0.4, 0.6));
   // A map folds first at its boundary, and in the middle of long triangles, too.
   constexpr Eigen::Index wanted = 5000;
-  const Eigen::MatrixXd onBoundary = RandomPlaces(
+  const Eigen::MatrixXd onBoundary = SampleRandomly(
     domain, static_cast<int>(std::max(wanted - domain.Points.rows(), Eigen::Index(0))), 1);
   Eigen::MatrixXd sampled(this->Seeds.rows() + domain.Points.rows() + onBoundary.rows(), 3);
   sampled << this->Seeds, domain.Points, onBoundary;
-  const Eigen::MatrixXd jacobians = Jacobians(map, sampled, progress.Part(0.6, 1.0));
+  const Eigen::MatrixXd jacobians = EvaluateJacobians(map, sampled, progress.Part(0.6, 1.0));
   int positive = 0, negative = 0;
   for (Eigen::Index i = 0; i < jacobians.rows(); ++i)
   {
-    const double determinant = Square(jacobians, i).determinant();
+    const double determinant = GetJacobian(jacobians, i).determinant();
     positive += determinant > 0.0;
     negative += determinant < 0.0;
   }
@@ -132,16 +132,16 @@ InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest
 
 std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& point) const
 {
-  const Mesh& image = this->Image.Locator().Surface();
+  const Mesh& image = this->Image.Locator().GetSurface();
   const SignedDistance::Result at = this->Image.Evaluate(point);
   const double tolerance =
-    DomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity())(0);
-  if (!this->DeterminantChangesSign && at.Distances(0) > MostStretch * tolerance)
+    ComputeDomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity())(0);
+  if (!this->DeterminantChangesSign && at.Distances(0) > MaximumStretch * tolerance)
   {
     return {};
   }
   const Eigen::RowVector3d onBoundary =
-    Pulled(at.Closest, image.Triangles, this->Domain.Locator().Surface().Points);
+    PullBack(at.Closest, image.Triangles, this->Domain.Locator().GetSurface().Points());
   if (this->Seeds.rows() == 0)
   {
     return onBoundary;
@@ -158,10 +158,10 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
 
 InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  const Mesh& image = this->Image.Locator().Surface();
+  const Mesh& image = this->Image.Locator().GetSurface();
   const SignedDistance::Result at = this->Image.Evaluate(points, progress.Part(0.0, 0.15));
   const Eigen::VectorXd tolerances =
-    DomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity());
+    ComputeDomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity());
   Result result{ points,
     Eigen::VectorXi::Constant(points.rows(), static_cast<int>(State::Outside)) };
   Indices open;
@@ -169,7 +169,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
   {
     // The domain's own tolerance may be stretched by the map: whether the place that is found lies
     // in the domain decides.
-    if (this->DeterminantChangesSign || at.Distances(i) <= MostStretch * tolerances(i))
+    if (this->DeterminantChangesSign || at.Distances(i) <= MaximumStretch * tolerances(i))
     {
       open.push_back(i);
     }
@@ -177,9 +177,9 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
 
   // The image's triangles are the domain's: a place on the one is a place on the other.
   const Eigen::MatrixXd onBoundary =
-    Pulled(at.Closest, image.Triangles, this->Domain.Locator().Surface().Points);
+    PullBack(at.Closest, image.Triangles, this->Domain.Locator().GetSurface().Points());
   const Eigen::MatrixXi nearest =
-    Nearest(this->SeedImages, points, MostStarts, progress.Part(0.15, 0.2));
+    Nearest(this->SeedImages, points, MaximumStarts, progress.Part(0.15, 0.2));
   const auto startOf = [&](int i, int attempt) -> Eigen::RowVector3d
   {
     const bool onIt = attempt == 0 &&
@@ -188,8 +188,9 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     return onIt ? onBoundary.row(i) : this->Seeds.row(nearest(i, std::max(0, attempt - 2)));
   };
 
-  const Limits limits{ this->Options.Tolerance * LongestSide(image.Points),
-    0.25 * LongestSide(this->Domain.Locator().Surface().Points), this->Options.MaximumIterations };
+  const Limits limits{ this->Options.Tolerance * ComputeLongestBoxEdge(image.Points),
+    0.25 * ComputeLongestBoxEdge(this->Domain.Locator().GetSurface().Points()),
+    this->Options.MaximumIterations };
   Steps steps(progress.Part(0.2, 1.0));
   // First from the nearest start, then walking from the boundary and from the nearest seed, then
   // from other seeds: where the map folds, those may lie on the right side of it.
@@ -222,15 +223,15 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     Search search;
     if (walks)
     {
-      search = Walk(this->Map, starts, targets, limits, steps);
+      search = WalkToTargets(this->Map, starts, targets, limits, steps);
     }
     else
     {
-      search = StartAt(this->Map, starts, targets, steps.Next());
-      Newton(this->Map, search, limits, steps);
+      search = StartSearch(this->Map, starts, targets, steps.Next());
+      IterateNewton(this->Map, search, limits, steps);
     }
     const Eigen::VectorXi outside =
-      OutsideDomain(this->Domain, search.Places, this->Farthest, steps.Next());
+      FindPointsOutsideDomain(this->Domain, search.Positions, this->Farthest, steps.Next());
     Indices left;
     for (std::size_t i = 0; i < open.size(); ++i)
     {
@@ -238,7 +239,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
       const bool solved = search.Misses(i) <= limits.Goal;
       if (solved && !outside(i))
       {
-        result.Points.row(id) = search.Places.row(i);
+        result.Points.row(id) = search.Positions.row(i);
         result.States(id) = static_cast<int>(State::Found);
       }
       // Near the boundary of an image without folds, the one preimage lies outside: no other start

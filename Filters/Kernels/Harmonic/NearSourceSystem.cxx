@@ -26,7 +26,7 @@ constexpr double CoarseOffset = 0.5;
 /// The area-weighted normals at the points (n x 3, unit), zero where there is none.
 Eigen::MatrixXd AreaNormals(const Mesh& surface)
 {
-  const Eigen::MatrixXd vectors = AreaVectors(surface);
+  const Eigen::MatrixXd vectors = ComputeAreaVectors(surface);
   Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(surface.Points.rows(), 3);
   for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
   {
@@ -46,14 +46,14 @@ struct CoarseLevel
   Eigen::VectorXi Clusters;
 };
 
-CoarseLevel PlaceCoarse(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
+CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
   const Eigen::MatrixXd& normals, const Eigen::VectorXd& areas, int perCluster,
   const Progress& progress)
 {
-  constexpr int fewest = 64, most = 3000;
+  constexpr int fewest = 64, maximum = 3000;
   const int n = static_cast<int>(sites.rows());
-  const int wanted = std::clamp(n / perCluster, std::min(fewest, n), most);
-  const auto parts = MedianClusters(sites, (n + wanted - 1) / wanted);
+  const int wanted = std::clamp(n / perCluster, std::min(fewest, n), maximum);
+  const auto parts = SplitAtMedians(sites, (n + wanted - 1) / wanted);
   const auto count = static_cast<Eigen::Index>(parts.size());
   Eigen::MatrixXd centres(count, 3), directions(count, 3);
   Eigen::VectorXd offsets(count);
@@ -61,16 +61,16 @@ CoarseLevel PlaceCoarse(const SignedDistance& boundary, const Eigen::MatrixXd& s
   level.Clusters.resize(n);
   for (Eigen::Index p = 0; p < count; ++p)
   {
-    const Eigen::MatrixXd places = sites(parts[p], Eigen::all);
-    const Eigen::RowVector3d mean = places.colwise().mean();
+    const Eigen::MatrixXd positions = sites(parts[p], Eigen::all);
+    const Eigen::RowVector3d mean = positions.colwise().mean();
     Eigen::Index closest = 0;
-    (places.rowwise() - mean).rowwise().squaredNorm().minCoeff(&closest);
-    centres.row(p) = places.row(closest);
+    (positions.rowwise() - mean).rowwise().squaredNorm().minCoeff(&closest);
+    centres.row(p) = positions.row(closest);
     directions.row(p) = normals.row(parts[p][closest]);
     offsets(p) = CoarseOffset * SpacingOfRootArea * std::sqrt(areas(parts[p]).sum());
     level.Clusters(parts[p]).setConstant(static_cast<int>(p));
   }
-  const NearSources placed = PlaceNearSources(boundary, centres, directions, offsets, progress);
+  const NearSources placed = InsertNearSources(boundary, centres, directions, offsets, progress);
   level.Sources = placed.Points;
   // A cluster whose charge found no room joins the nearest one that has.
   Eigen::VectorXi number = Eigen::VectorXi::Constant(count, -1);
@@ -100,8 +100,8 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
   const Mesh& surface, const Eigen::VectorXi& points)
 {
   const int n = static_cast<int>(surface.Points.rows());
-  const Eigen::VectorXd areas = 0.5 * AreaVectors(surface).rowwise().norm();
-  const Eigen::VectorXd around = PointAreas(surface);
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(surface).rowwise().norm();
+  const Eigen::VectorXd around = ComputePointAreas(surface);
   Eigen::VectorXi number = Eigen::VectorXi::Constant(n, -1);
   for (Eigen::Index k = 0; k < points.size(); ++k)
   {
@@ -133,8 +133,8 @@ NearSourceSystem::NearSourceSystem(
   const SignedDistance& boundary, const Mesh& surface, Effort effort, const Progress& progress)
 {
   const Eigen::MatrixXd normals = AreaNormals(surface);
-  const Eigen::VectorXd areas = PointAreas(surface);
-  const NearSources near = PlaceNearSources(boundary, surface.Points, normals,
+  const Eigen::VectorXd areas = ComputePointAreas(surface);
+  const NearSources near = InsertNearSources(boundary, surface.Points, normals,
     NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(), progress.Part(0.0, 0.3));
   if (near.Sites.size() == 0)
   {
@@ -147,29 +147,29 @@ NearSourceSystem::NearSourceSystem(
   const auto hundredth = offsets.begin() + offsets.size() / 100;
   std::nth_element(offsets.begin(), hundredth, offsets.end());
   this->NearOffset = *hundredth;
-  const CoarseLevel coarse =
-    PlaceCoarse(boundary, surface.Points(near.Sites, Eigen::all), normals(near.Sites, Eigen::all),
-      areas(near.Sites), effort == Effort::Little ? 128 : 32, progress.Part(0.3, 0.4));
+  const CoarseLevel coarse = PositionCoarse(boundary, surface.Points(near.Sites, Eigen::all),
+    normals(near.Sites, Eigen::all), areas(near.Sites), effort == Effort::Little ? 128 : 32,
+    progress.Part(0.3, 0.4));
   const Eigen::Index n = surface.Points.rows(), m = surface.Triangles.rows();
   this->System.Sites = surface.Points(near.Sites, Eigen::all);
   this->System.Sources = near.Points;
   this->System.Rows.resize(n + m, 3);
-  this->System.Rows << surface.Points, Centroids(surface);
+  this->System.Rows << surface.Points, ComputeCentroids(surface);
   this->System.Tests = HatMeans(surface, near.Sites);
   this->System.Weights.resize(n + m);
-  this->System.Weights << 0.25 * areas, 0.375 * AreaVectors(surface).rowwise().norm();
+  this->System.Weights << 0.25 * areas, 0.375 * ComputeAreaVectors(surface).rowwise().norm();
   this->AllSources.resize(near.Points.rows() + coarse.Sources.rows(), 3);
   this->AllSources << near.Points, coarse.Sources;
   SchwarzOptions blocks;
   if (effort != Effort::Little)
   {
     blocks.Around = 200;
-    blocks.MostAmplified = 0.0;
+    blocks.MaximumAmplification = 0.0;
   }
   this->Preconditioner = std::make_unique<SchwarzPreconditioner>(
     this->System, coarse.Sources, coarse.Clusters, blocks, progress.Part(0.4, 0.9));
-  this->Sums = std::make_unique<FastSummation>(
-    this->AllSources, this->System.Rows, FastSummationOptions(), progress.Part(0.9, 1.0));
+  this->Sums = std::make_unique<FmmSummation>(
+    this->AllSources, this->System.Rows, FmmSummationOptions(), progress.Part(0.9, 1.0));
 }
 
 Eigen::MatrixXd NearSourceSystem::Values(
@@ -181,7 +181,7 @@ Eigen::MatrixXd NearSourceSystem::Values(
 GmresResult NearSourceSystem::Solve(
   const Eigen::MatrixXd& values, const GmresOptions& options, const Progress& progress) const
 {
-  return Gmres([&](const Eigen::MatrixXd& charges) { return this->Values(charges); },
+  return SolveGmres([&](const Eigen::MatrixXd& charges) { return this->Values(charges); },
     [&](const Eigen::MatrixXd& residual) { return this->Preconditioner->Apply(residual); }, values,
     this->System.Weights, options, progress);
 }

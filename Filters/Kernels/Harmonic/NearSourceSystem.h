@@ -1,9 +1,9 @@
 #pragma once
 
 #include "Distance/SignedDistance.h"
-#include "Fmm/FastSummation.h"
-#include "Linear/Gmres.h"
+#include "Fmm/FmmSummation.h"
 #include "Harmonic/SchwarzPreconditioner.h"
+#include "Linear/Gmres.h"
 
 #include <memory>
 
@@ -52,7 +52,7 @@ private:
   double NearOffset = 0.0;
   int WithoutCharge = 0;
   std::unique_ptr<SchwarzPreconditioner> Preconditioner;
-  std::unique_ptr<FastSummation> Sums;
+  std::unique_ptr<FmmSummation> Sums;
 };
 
 /// What is set up once for all targets of a boundary.

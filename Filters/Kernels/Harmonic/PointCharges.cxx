@@ -35,11 +35,11 @@ HWY_INLINE Vector InverseRoot(Wide wide, Vector square)
 /// Adds the sums over all charges: 3 numbers of the field and, where asked for, 9 of its
 /// derivative.
 template <bool WithDerivative>
-HWY_INLINE void Sum(const double* packed, size_t stride, const double* place, double* sums)
+HWY_INLINE void Sum(const double* packed, size_t stride, const double* position, double* sums)
 {
   const Wide wide;
-  const Vector x = hn::Set(wide, place[0]), y = hn::Set(wide, place[1]),
-               z = hn::Set(wide, place[2]);
+  const Vector x = hn::Set(wide, position[0]), y = hn::Set(wide, position[1]),
+               z = hn::Set(wide, position[2]);
   Vector field[3], slope[9];
   for (Vector& entry : field)
   {
@@ -82,14 +82,14 @@ HWY_INLINE void Sum(const double* packed, size_t stride, const double* place, do
   }
 }
 
-void Field(const double* packed, size_t stride, const double* place, double* sums)
+void Field(const double* packed, size_t stride, const double* position, double* sums)
 {
-  Sum<false>(packed, stride, place, sums);
+  Sum<false>(packed, stride, position, sums);
 }
 
-void FieldAndSlope(const double* packed, size_t stride, const double* place, double* sums)
+void FieldAndSlope(const double* packed, size_t stride, const double* position, double* sums)
 {
-  Sum<true>(packed, stride, place, sums);
+  Sum<true>(packed, stride, position, sums);
 }
 
 } // namespace shape::HWY_NAMESPACE
@@ -122,7 +122,7 @@ PointCharges::PointCharges(const ChargeSet& set)
     return;
   }
   this->Origin = set.Points.colwise().minCoeff();
-  const double size = LongestSide(set.Points);
+  const double size = ComputeLongestBoxEdge(set.Points);
   this->Size = size > 0.0 ? size : 1.0;
   this->Stride = static_cast<std::size_t>((count + Lanes - 1) / Lanes * Lanes);
   Eigen::MatrixXd packed = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Stride), 6);
@@ -132,24 +132,24 @@ PointCharges::PointCharges(const ChargeSet& set)
   this->Packed.assign(packed.data(), packed.data() + packed.size());
 }
 
-Eigen::Vector3d PointCharges::Evaluate(const Eigen::Vector3d& place) const
+Eigen::Vector3d PointCharges::Evaluate(const Eigen::Vector3d& position) const
 {
   Eigen::Vector3d sums = Eigen::Vector3d::Zero();
   if (this->Stride > 0)
   {
-    const Eigen::Vector3d scaled = (place - this->Origin.transpose()) / this->Size;
+    const Eigen::Vector3d scaled = (position - this->Origin.transpose()) / this->Size;
     HWY_DYNAMIC_DISPATCH(Field)(this->Packed.data(), this->Stride, scaled.data(), sums.data());
   }
-  return sums + this->Affine.leftCols<3>() * place + this->Affine.col(3);
+  return sums + this->Affine.leftCols<3>() * position + this->Affine.col(3);
 }
 
 Eigen::Vector3d PointCharges::Evaluate(
-  const Eigen::Vector3d& place, Eigen::Matrix3d& jacobian) const
+  const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const
 {
   Eigen::Matrix<double, 12, 1> sums = Eigen::Matrix<double, 12, 1>::Zero();
   if (this->Stride > 0)
   {
-    const Eigen::Vector3d scaled = (place - this->Origin.transpose()) / this->Size;
+    const Eigen::Vector3d scaled = (position - this->Origin.transpose()) / this->Size;
     HWY_DYNAMIC_DISPATCH(FieldAndSlope)
     (this->Packed.data(), this->Stride, scaled.data(), sums.data());
   }
@@ -158,7 +158,7 @@ Eigen::Vector3d PointCharges::Evaluate(
   {
     jacobian.row(r) += sums.segment<3>(3 + 3 * r).transpose() / this->Size;
   }
-  return sums.head<3>() + this->Affine.leftCols<3>() * place + this->Affine.col(3);
+  return sums.head<3>() + this->Affine.leftCols<3>() * position + this->Affine.col(3);
 }
 
 } // namespace shape

@@ -21,10 +21,10 @@ public:
   explicit PointCharges(const ChargeSet& set);
 
   /// f at y; infinite or NaN at a charge's own place.
-  Eigen::Vector3d Evaluate(const Eigen::Vector3d& place) const;
+  Eigen::Vector3d Evaluate(const Eigen::Vector3d& position) const;
 
   /// The same, and its derivative: jacobian(r, c) = d f_r / d y_c.
-  Eigen::Vector3d Evaluate(const Eigen::Vector3d& place, Eigen::Matrix3d& jacobian) const;
+  Eigen::Vector3d Evaluate(const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const;
 
 private:
   Eigen::Matrix<double, 3, 4> Affine;

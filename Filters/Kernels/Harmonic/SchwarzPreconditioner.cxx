@@ -1,8 +1,8 @@
 #include "Harmonic/SchwarzPreconditioner.h"
 
 #include "Base/Parallel.h"
-#include "Harmonic/ChargeSet.h"
 #include "Fmm/DirectSummation.h"
+#include "Harmonic/ChargeSet.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -105,7 +105,7 @@ std::vector<int> SitesAround(
 
 } // namespace
 
-std::vector<std::vector<int>> MedianClusters(const Eigen::MatrixXd& points, int most)
+std::vector<std::vector<int>> SplitAtMedians(const Eigen::MatrixXd& points, int maximum)
 {
   std::vector<std::vector<int>> done, open(1, std::vector<int>(points.rows()));
   std::iota(open.front().begin(), open.front().end(), 0);
@@ -113,15 +113,15 @@ std::vector<std::vector<int>> MedianClusters(const Eigen::MatrixXd& points, int 
   {
     std::vector<int> part = std::move(open.back());
     open.pop_back();
-    if (static_cast<int>(part.size()) <= most)
+    if (static_cast<int>(part.size()) <= maximum)
     {
       std::sort(part.begin(), part.end());
       done.push_back(std::move(part));
       continue;
     }
-    const Eigen::MatrixXd places = points(part, Eigen::all);
+    const Eigen::MatrixXd positions = points(part, Eigen::all);
     Eigen::Index axis = 0;
-    (places.colwise().maxCoeff() - places.colwise().minCoeff()).maxCoeff(&axis);
+    (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff(&axis);
     const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
     std::nth_element(part.begin(), middle, part.end(),
       [&](int a, int b)
@@ -140,7 +140,7 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
   , ClusterMeans(MeansOver(clusters, coarseSources.rows()))
 {
   const BlasThreads single(false); // the blocks are shared out among the threads
-  const std::vector<std::vector<int>> parts = MedianClusters(system.Sites, options.Own);
+  const std::vector<std::vector<int>> parts = SplitAtMedians(system.Sites, options.Own);
   const PointRows sites = system.Sites;
   const Tree tree(3, std::cref(sites), 16);
   this->Blocks.resize(parts.size());
@@ -151,15 +151,15 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
       for (int p = begin; p < end; ++p)
       {
         this->Blocks[p] = MakeBlock(system, parts[p],
-          SitesAround(tree, system.Sites, parts[p], options.Around), options.MostAmplified);
+          SitesAround(tree, system.Sites, parts[p], options.Around), options.MaximumAmplification);
       }
     },
     progress.Part(0.0, 0.8));
-  this->GatherPlaces(system);
+  this->GatherPositions(system);
   this->SetUpCoarse(progress.Part(0.8, 1.0));
 }
 
-void SchwarzPreconditioner::GatherPlaces(const TestedSystem& system)
+void SchwarzPreconditioner::GatherPositions(const TestedSystem& system)
 {
   const auto sites = static_cast<int>(system.Sites.rows());
   std::vector<int> number(system.Rows.rows(), -1);
@@ -178,8 +178,8 @@ void SchwarzPreconditioner::GatherPlaces(const TestedSystem& system)
       }
     }
   }
-  this->Places.resize(sites + static_cast<Eigen::Index>(this->Rows.size()), 3);
-  this->Places << system.Tests * system.Rows, system.Rows(this->Rows, Eigen::all);
+  this->Positions.resize(sites + static_cast<Eigen::Index>(this->Rows.size()), 3);
+  this->Positions << system.Tests * system.Rows, system.Rows(this->Rows, Eigen::all);
 }
 
 void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
@@ -197,7 +197,7 @@ void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
       sites.push_back(static_cast<int>(entry.col()));
       shares.push_back(entry.value());
     }
-    coarse.col(c) = DirectPotentials(this->Places(sites, Eigen::all),
+    coarse.col(c) = SumPotentialsDirectly(this->Positions(sites, Eigen::all),
       Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size())),
       this->CoarseSources);
   }
@@ -209,7 +209,7 @@ void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
 }
 
 SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem& system,
-  const std::vector<int>& own, const std::vector<int>& around, double mostAmplified)
+  const std::vector<int>& own, const std::vector<int>& around, double maximumAmplification)
 {
   Block block;
   block.Own = own;
@@ -219,11 +219,11 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
   const auto count = static_cast<Eigen::Index>(own.size());
   const std::vector<int> rows = TestedRows(system.Tests, sites);
   const Eigen::MatrixXd sources = system.Sources(sites, Eigen::all);
-  const Eigen::MatrixXd places = system.Rows(rows, Eigen::all);
+  const Eigen::MatrixXd positions = system.Rows(rows, Eigen::all);
   // Own columns of a transposed inverse are own rows of the inverse.
-  if (mostAmplified > 0.0)
+  if (maximumAmplification > 0.0)
   {
-    const Eigen::MatrixXf potentials = LocalPotentials<float>(sources, places);
+    const Eigen::MatrixXf potentials = LocalPotentials<float>(sources, positions);
     Eigen::MatrixXf tested = Eigen::MatrixXf::Zero(all, all); // transposed
     for (Eigen::Index i = 0; i < all; ++i)
     {
@@ -235,7 +235,8 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
     }
     const Eigen::MatrixXf inverse =
       tested.partialPivLu().solve(Eigen::MatrixXf::Identity(all, count));
-    if (inverse.colwise().norm().maxCoeff() * tested.rowwise().norm().maxCoeff() < mostAmplified)
+    if (inverse.colwise().norm().maxCoeff() * tested.rowwise().norm().maxCoeff() <
+      maximumAmplification)
     {
       block.Inputs = sites;
       block.Inverse = inverse.transpose();
@@ -245,7 +246,7 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
   // RMSE inside triangles, data A of Testing/Benchmarks, at ridges 1e-2, 1e-3, 1e-4, 1e-6: turbine
   // 9.7e-4, 4.6e-4, 5.0e-4, 7.8e-4; cheese 1.5e-3, 2.9e-3, 3.4e-3, 7.6e-2.
   constexpr double ridge = 3e-3;
-  const Eigen::MatrixXd potentials = LocalPotentials<double>(sources, places);
+  const Eigen::MatrixXd potentials = LocalPotentials<double>(sources, positions);
   const Eigen::MatrixXd weighted = potentials * system.Weights(rows).asDiagonal();
   Eigen::MatrixXd normal = weighted * potentials.transpose();
   normal.diagonal() *= 1.0 + ridge;
@@ -261,14 +262,14 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
 {
   const BlasThreads single(false);
   const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
-  Eigen::MatrixXd left(this->Places.rows(), residual.cols());
+  Eigen::MatrixXd left(this->Positions.rows(), residual.cols());
   left.topRows(n) = this->Tests * residual;
   left.bottomRows(left.rows() - n) = residual(this->Rows, Eigen::all);
   Eigen::MatrixXd charges(n + c, residual.cols());
   charges.bottomRows(c) = this->CoarseInverse * (this->ClusterMeans * left.topRows(n));
   // Across a test the potentials of charges so far away hardly change: they count as at its site.
-  left -=
-    DirectPotentials(this->CoarseSources, charges.bottomRows(c), this->Places, RootError::Small);
+  left -= SumPotentialsDirectly(
+    this->CoarseSources, charges.bottomRows(c), this->Positions, RootError::Small);
   ParallelFor(static_cast<int>(this->Blocks.size()), 16,
     [&](int begin, int end)
     {

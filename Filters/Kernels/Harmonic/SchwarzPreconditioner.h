@@ -28,7 +28,7 @@ struct SchwarzOptions
   /// ridge: one that is wild drowns what all others do, until iterations have singled it out.
   /// Blocks of even triangles amplify 100 to 600 times. 0: all are solved so, which takes three
   /// times the time and memory, and holds where charges are crowded.
-  double MostAmplified = 1e3;
+  double MaximumAmplification = 1e3;
 };
 
 /**
@@ -53,19 +53,19 @@ private:
   struct Block
   {
     std::vector<int> Own;    ///< sites
-    std::vector<int> Inputs; ///< of what is left, what it takes: see Places
+    std::vector<int> Inputs; ///< of what is left, what it takes: see Positions
     bool TakesRows = false;  ///< and not tests
     Eigen::MatrixXf Inverse; ///< own x inputs
   };
   static Block MakeBlock(const TestedSystem& system, const std::vector<int>& own,
-    const std::vector<int>& around, double mostAmplified);
-  void GatherPlaces(const TestedSystem& system);
+    const std::vector<int>& around, double maximumAmplification);
+  void GatherPositions(const TestedSystem& system);
   void SetUpCoarse(const Progress& progress);
 
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests;
   std::vector<Block> Blocks;
   /// Where the blocks take what is left: at all sites, for the means that test there, then at Rows.
-  Eigen::MatrixXd Places;
+  Eigen::MatrixXd Positions;
   std::vector<int> Rows; ///< that blocks take
   Eigen::MatrixXd CoarseSources;
   Eigen::SparseMatrix<double, Eigen::RowMajor> ClusterMeans; ///< c x n
@@ -74,6 +74,6 @@ private:
 
 /// Splits points at the medians of their longest extents until no part has more than `most`: the
 /// rows in each part, in ascending order.
-std::vector<std::vector<int>> MedianClusters(const Eigen::MatrixXd& points, int most);
+std::vector<std::vector<int>> SplitAtMedians(const Eigen::MatrixXd& points, int maximum);
 
 } // namespace shape

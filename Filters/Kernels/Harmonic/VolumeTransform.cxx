@@ -31,8 +31,8 @@ std::vector<VolumeTransform::Result> ByAllThreads(
 
 } // namespace
 
-VolumeTransform::VolumeTransform(const LayeredCharges& charges, bool withInverse)
-  : Map(std::make_shared<const LayeredMap>(charges))
+VolumeTransform::VolumeTransform(const PiecewiseCharges& charges, bool withInverse)
+  : Map(std::make_shared<const PiecewiseHarmonicMap>(charges))
 {
   for (const ChargeSet& map : charges.Maps)
   {
@@ -40,34 +40,35 @@ VolumeTransform::VolumeTransform(const LayeredCharges& charges, bool withInverse
   }
   if (withInverse)
   {
-    this->Inverse = std::make_unique<const LayeredInverse>(this->Map);
+    this->Inverse = std::make_unique<const PiecewiseInverseMap>(this->Map);
   }
 }
 
 Eigen::Vector3d VolumeTransform::Evaluate(
-  const Eigen::Vector3d& place, Eigen::Matrix3d& jacobian) const
+  const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const
 {
   if (this->Charges.size() == 1)
   {
-    return this->Charges.front().Evaluate(place, jacobian);
+    return this->Charges.front().Evaluate(position, jacobian);
   }
-  const LayeredMap::Places at = this->Map->Locate(place.transpose());
+  const PiecewiseHarmonicMap::Positions at = this->Map->Locate(position.transpose());
   const int region = at.Regions(0);
-  Eigen::Vector3d value = this->Charges[region].Evaluate(place, jacobian);
+  Eigen::Vector3d value = this->Charges[region].Evaluate(position, jacobian);
   if (const double share = at.Shares(0); share > 0.0)
   {
     Eigen::Matrix3d otherJacobian;
     const Eigen::Vector3d difference =
-      this->Charges[this->Map->Parent(region)].Evaluate(place, otherJacobian) - value;
+      this->Charges[this->Map->Parent(region)].Evaluate(position, otherJacobian) - value;
     value += share * difference;
     jacobian += share * (otherJacobian - jacobian) + difference * at.Slopes.row(0);
   }
   return value;
 }
 
-bool VolumeTransform::IsOutside(const Eigen::Vector3d& place) const
+bool VolumeTransform::IsOutside(const Eigen::Vector3d& position) const
 {
-  return OutsideDomain(this->Map->Domain(), place.transpose(), this->Map->Farthest())(0) != 0;
+  return FindPointsOutsideDomain(this->Map->Domain(), position.transpose(), this->Map->Farthest())(
+           0) != 0;
 }
 
 VolumeTransform::Result VolumeTransform::Forward(const Eigen::Vector3d& point) const
@@ -78,7 +79,7 @@ VolumeTransform::Result VolumeTransform::Forward(const Eigen::Vector3d& point) c
     result.State = State::Outside;
     return result;
   }
-  result.Place = this->Evaluate(point, result.Jacobian);
+  result.Position = this->Evaluate(point, result.Jacobian);
   return result;
 }
 
@@ -101,12 +102,12 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
       continue;
     }
     searched = true;
-    Eigen::Vector3d place = start->transpose();
+    Eigen::Vector3d position = start->transpose();
     Eigen::Matrix3d jacobian;
-    Eigen::Vector3d rest = point - this->Evaluate(place, jacobian);
+    Eigen::Vector3d rest = point - this->Evaluate(position, jacobian);
     for (double before = rest.norm(); before > goal;)
     {
-      const Eigen::Vector3d next = place + jacobian.partialPivLu().solve(rest);
+      const Eigen::Vector3d next = position + jacobian.partialPivLu().solve(rest);
       Eigen::Matrix3d nextJacobian;
       const Eigen::Vector3d nextRest = point - this->Evaluate(next, nextJacobian);
       const double miss = nextRest.norm();
@@ -114,14 +115,14 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
       {
         break;
       }
-      place = next;
+      position = next;
       rest = nextRest;
       jacobian = nextJacobian;
       before = miss;
     }
-    if (rest.norm() <= goal && !this->IsOutside(place))
+    if (rest.norm() <= goal && !this->IsOutside(position))
     {
-      return { place, State::Found, jacobian };
+      return { position, State::Found, jacobian };
     }
   }
   if (!searched)
@@ -132,8 +133,8 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
   result.State = static_cast<State>(found.States(0));
   if (result.State == State::Found)
   {
-    result.Place = found.Points.row(0).transpose();
-    this->Evaluate(result.Place, result.Jacobian);
+    result.Position = found.Points.row(0).transpose();
+    this->Evaluate(result.Position, result.Jacobian);
   }
   return result;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Harmonic/LayeredInverse.h"
+#include "Harmonic/PiecewiseInverseMap.h"
 #include "Harmonic/PointCharges.h"
 
 #include <memory>
@@ -18,12 +18,12 @@ class VolumeTransform
 {
 public:
   /// Without `withInverse` only Forward may be called; setting up the inverse takes a while.
-  /// Throws as LayeredMap and LayeredInverse do.
-  VolumeTransform(const LayeredCharges& charges, bool withInverse);
+  /// Throws as PiecewiseHarmonicMap and PiecewiseInverseMap do.
+  VolumeTransform(const PiecewiseCharges& charges, bool withInverse);
 
   struct Result
   {
-    Eigen::Vector3d Place;
+    Eigen::Vector3d Position;
     InverseMap::State State = InverseMap::State::Found; ///< else the place is the point's own
     /// Of the map, also where it was inverted: there at the place. The identity where the point
     /// keeps its place.
@@ -33,8 +33,8 @@ public:
   /// f(y) at y; a point that is not finite is Outside.
   Result Forward(const Eigen::Vector3d& point) const;
 
-  /// x with f(x) = y, see LayeredInverse: first by Newton's method from the nearest seed, with all
-  /// its means where that fails.
+  /// x with f(x) = y, see PiecewiseInverseMap: first by Newton's method from the nearest seed, with
+  /// all its means where that fails.
   Result Backward(const Eigen::Vector3d& point) const;
 
   ///@{
@@ -44,11 +44,11 @@ public:
   ///@}
 
 private:
-  Eigen::Vector3d Evaluate(const Eigen::Vector3d& place, Eigen::Matrix3d& jacobian) const;
-  bool IsOutside(const Eigen::Vector3d& place) const;
+  Eigen::Vector3d Evaluate(const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const;
+  bool IsOutside(const Eigen::Vector3d& position) const;
 
-  std::shared_ptr<const LayeredMap> Map;
-  std::unique_ptr<const LayeredInverse> Inverse;
+  std::shared_ptr<const PiecewiseHarmonicMap> Map;
+  std::unique_ptr<const PiecewiseInverseMap> Inverse;
   std::vector<PointCharges> Charges; ///< by region
 };
 

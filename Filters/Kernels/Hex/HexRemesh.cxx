@@ -1,13 +1,13 @@
 #include "Hex/HexRemesh.h"
 
 #include "Base/Errors.h"
+#include "Hex/Grid/GridHexes.h"
+#include "Hex/Grid/SizeField.h"
+#include "Hex/Grid/SizedHexes.h"
+#include "Hex/Polycube/PolycubeHexes.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/SolidBoundary.h"
-#include "Hex/Grid/GridHexes.h"
-#include "Hex/Polycube/PolycubeHexes.h"
-#include "Hex/Grid/SizeField.h"
-#include "Hex/Grid/SizedHexes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,17 +23,17 @@ namespace
 using MethodType = HexRemeshOptions::MethodType;
 
 /// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
-constexpr double LeastScaledJacobian = 0.3, LargestDistance = 0.01;
+constexpr double MinimumScaledJacobian = 0.3, LargestDistance = 0.01;
 
 /// The area of the smallest patch with borders of its own, in faces of cells.
-constexpr double LeastPatch = 4.0;
+constexpr double MinimumPatch = 4.0;
 
 /// Who gives a size gets as many as it makes, as far as their corners can be numbered.
-constexpr int MostOfGivenSize = std::numeric_limits<int>::max() / 64;
+constexpr int MaximumOfGivenSize = std::numeric_limits<int>::max() / 64;
 
 int MostHexahedra(const HexRemeshOptions& options)
 {
-  return options.CellSize > 0.0 ? MostOfGivenSize : options.MaximumHexahedra;
+  return options.CellSize > 0.0 ? MaximumOfGivenSize : options.MaximumHexahedra;
 }
 
 GridHexesOptions OfGrid(const HexRemeshOptions& options)
@@ -58,10 +58,11 @@ HexRemeshResult ByGrid(const Mesh& surface, const HexRemeshOptions& options,
   GridHexesOptions grid = OfGrid(options);
   if (guides.Sizes.size() == 0)
   {
-    return OfHexes(GridHexes(surface, grid, progress, guides.InnerSurfaces));
+    return OfHexes(BuildGridHexahedra(surface, grid, progress, guides.InnerSurfaces));
   }
-  grid.MaximumHexahedra = MostOfGivenSize;
-  SizedHexesResult sized = SizedHexes(surface, guides.Sizes, grid, progress, guides.InnerSurfaces);
+  grid.MaximumHexahedra = MaximumOfGivenSize;
+  SizedHexesResult sized =
+    BuildSizedHexahedra(surface, guides.Sizes, grid, progress, guides.InnerSurfaces);
   HexRemeshResult result = OfHexes(std::move(sized.Hexes));
   result.SizeRatios = std::move(sized.Ratios);
   return result;
@@ -73,21 +74,22 @@ PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions op
   PolycubeHexesResult coarse, const Progress& progress)
 {
   const HexFit& fit = coarse.Fit;
-  const double wanted = GridHexesOptions().WantedCreaseDistance * BoxDiagonal(surface.Points);
-  if (!fit.CreasesKept || fit.LeastScaledJacobian < LeastScaledJacobian ||
+  const double wanted =
+    GridHexesOptions().WantedCreaseDistance * ComputeBoxDiagonal(surface.Points);
+  if (!fit.CreasesKept || fit.MinimumScaledJacobian < MinimumScaledJacobian ||
     fit.Creases.Distance <= wanted)
   {
     return coarse;
   }
   constexpr double safety = 0.8;
   const double needed = std::sqrt(safety * wanted / fit.Creases.Distance),
-               least = std::cbrt(static_cast<double>(fit.Solid.Hexahedra.rows()) /
+               minimum = std::cbrt(static_cast<double>(fit.Solid.Hexahedra.rows()) /
                  static_cast<double>(options.MaximumHexahedra));
-  options.CellSize = coarse.CellSize * std::max(needed, least);
+  options.CellSize = coarse.CellSize * std::max(needed, minimum);
   try
   {
-    PolycubeHexesResult fine = PolycubeHexes(surface, options, progress);
-    if (fine.Fit.CreasesKept && fine.Fit.LeastScaledJacobian >= LeastScaledJacobian &&
+    PolycubeHexesResult fine = BuildPolycubeHexahedra(surface, options, progress);
+    if (fine.Fit.CreasesKept && fine.Fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
       fine.Fit.Creases.Distance < fit.Creases.Distance)
     {
       return fine;
@@ -100,11 +102,11 @@ PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions op
   return coarse;
 }
 
-/// As grids are, by GridHexes.
+/// As grids are, by BuildGridHexahedra.
 void SnapIfFar(HexFit& fit, const Mesh& surface, const Progress& progress)
 {
   SnappingOptions options;
-  options.WantedDistance = GridHexesOptions().WantedDistance * BoxDiagonal(surface.Points);
+  options.WantedDistance = GridHexesOptions().WantedDistance * ComputeBoxDiagonal(surface.Points);
   if (fit.Inverted == 0 && fit.Distance > options.WantedDistance)
   {
     SnapToSurface(fit, SurfaceLocator(surface), options, progress);
@@ -121,7 +123,7 @@ HexRemeshResult ByPolycube(
   polycube.FeatureAngle = options.FeatureAngle;
   const bool isAutomatic = options.CellSize == 0.0;
   PolycubeHexesResult result =
-    PolycubeHexes(surface, polycube, progress.Part(0.0, isAutomatic ? 0.4 : 0.9));
+    BuildPolycubeHexahedra(surface, polycube, progress.Part(0.0, isAutomatic ? 0.4 : 0.9));
   if (isAutomatic)
   {
     result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.4, 0.9));
@@ -137,13 +139,13 @@ HexRemeshResult ByPolycube(
 HexRemeshResult ByGivenPolycube(const Mesh& surface, const HexRemeshOptions& options,
   const GivenPolycube& polycube, const Progress& progress)
 {
-  const GivenPolycubeCells cells = CellsOfPolycube(
+  const GivenPolycubeCells cells = BuildPolycubeCells(
     polycube, surface, options.CellSize, MostHexahedra(options), progress.Part(0.0, 0.4));
   HexRemeshResult result;
   result.Method = MethodType::Polycube;
   result.CellSize = cells.CellSize;
   result.Features =
-    FindFeatures(surface, options.FeatureAngle, LeastPatch * cells.CellSize * cells.CellSize);
+    FindFeatures(surface, options.FeatureAngle, MinimumPatch * cells.CellSize * cells.CellSize);
   result.Fit = FitHexahedra(cells.Solid, SurfaceLocator(surface), result.Features,
     { options.PaddingLayers }, progress.Part(0.4, 0.9));
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
@@ -162,21 +164,21 @@ bool IsBetter(const HexFit& one, const HexFit& other)
   {
     return one.CreasesKept;
   }
-  return one.LeastScaledJacobian / std::max(one.Distance, 1e-300) >
-    other.LeastScaledJacobian / std::max(other.Distance, 1e-300);
+  return one.MinimumScaledJacobian / std::max(one.Distance, 1e-300) >
+    other.MinimumScaledJacobian / std::max(other.Distance, 1e-300);
 }
 
 HexRemeshResult ByTheBetter(
   const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
 {
-  const double diagonal = BoxDiagonal(surface.Points);
+  const double diagonal = ComputeBoxDiagonal(surface.Points);
   std::optional<HexRemeshResult> polycube;
   std::string why;
   try
   {
     polycube = ByPolycube(surface, options, progress.Part(0.0, 0.5));
     const HexFit& fit = polycube->Fit;
-    if (fit.CreasesKept && fit.LeastScaledJacobian >= LeastScaledJacobian &&
+    if (fit.CreasesKept && fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
       fit.Distance <= LargestDistance * diagonal)
     {
       polycube->Reason = "a polycube was found, " + polycube->Reason;
@@ -204,7 +206,7 @@ HexRemeshResult ByTheBetter(
   else
   {
     grid.Reason = "better than the polycube, whose worst scaled Jacobian is " +
-      std::to_string(polycube->Fit.LeastScaledJacobian) + " at a distance of " +
+      std::to_string(polycube->Fit.MinimumScaledJacobian) + " at a distance of " +
       std::to_string(polycube->Fit.Distance / diagonal) + " of the diagonal" +
       (polycube->Fit.CreasesKept ? "" : ", without the creases");
   }
@@ -285,7 +287,7 @@ HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
     result.Reason += result.InnerCreasesKept ? "" : "; creases of InnerSurfaces are rounded";
     return result;
   }
-  if (const int crossings = SolidBoundary(surface, progress.Part(0.0, 0.02)).Crossings;
+  if (const int crossings = ExtractSolidBoundary(surface, progress.Part(0.0, 0.02)).Crossings;
       crossings > 0)
   {
     result = ByGrid(surface, options, progress.Part(0.02, 1.0));
@@ -301,7 +303,7 @@ HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
 
 } // namespace
 
-HexRemeshResult HexRemesh(const Mesh& surface, const HexRemeshOptions& given,
+HexRemeshResult RemeshHexahedra(const Mesh& surface, const HexRemeshOptions& given,
   const Progress& progress, const HexRemeshGuides& guides)
 {
   RequireInRange(given);
@@ -310,7 +312,7 @@ HexRemeshResult HexRemesh(const Mesh& surface, const HexRemeshOptions& given,
   HexRemeshOptions options = given;
   if (given.CellsOnLongestSide > 0)
   {
-    options.CellSize = LongestSide(surface.Points) / given.CellsOnLongestSide;
+    options.CellSize = ComputeLongestBoxEdge(surface.Points) / given.CellsOnLongestSide;
   }
   HexRemeshResult result = Made(surface, options, guides, progress);
   if (result.Fit.Released > 0)

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Hex/Polycube/GivenPolycube.h"
 #include "Hex/Fit/HexFit.h"
+#include "Hex/Polycube/GivenPolycube.h"
+#include "Mesh/Mesh.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <Eigen/Core>
@@ -19,8 +19,8 @@ struct HexRemeshOptions
   enum class MethodType
   {
     Automatic = 0, ///< the better one of the two
-    Polycube = 1,  ///< the cells of a polycube of the solid: PolycubeHexes
-    Grid = 2       ///< the cells of a grid in the solid: GridHexes
+    Polycube = 1,  ///< the cells of a polycube of the solid: BuildPolycubeHexahedra
+    Grid = 2       ///< the cells of a grid in the solid: BuildGridHexahedra
   };
   MethodType Method = MethodType::Automatic;
   /// Of the cells, in the surface's units; smaller ones are used where these cannot have the
@@ -66,17 +66,18 @@ struct HexRemeshResult
  * worst scaled Jacobian is at least 0.3 and the surface is not farther from them than 1 % of the
  * diagonal of its box; else the better one of polycube and grid.
  *
- * Sizes make cells of a grid as large along the surface as is wanted there (SizedHexes); the
- * options may give no size then. Inner surfaces cut the solid into regions (RegionCubes): hexahedra
- * meet on them and share points there. Both need the Grid, which Automatic takes then.
- * The cells of a given polycube are carried by its own map (CellsOfPolycube).
+ * Sizes make cells of a grid as large along the surface as is wanted there (BuildSizedHexahedra);
+ * the options may give no size then. Inner surfaces cut the solid into regions
+ * (MultiMaterialVoxels): hexahedra meet on them and share points there. Both need the Grid, which
+ * Automatic takes then. The cells of a given polycube are carried by its own map
+ * (BuildPolycubeCells).
  *
  * surface: closed, oriented consistently; one that crosses itself bounds what it winds around at
  * least once, and needs the Grid. Throws InvalidInput as RequireClosedSurface, and where an option
  * is out of its range or contradicts the guides; SolveFailure where a method finds no hexahedra, or
  * leaves some inverted; Aborted.
  */
-HexRemeshResult HexRemesh(const Mesh& surface, const HexRemeshOptions& options = {},
+HexRemeshResult RemeshHexahedra(const Mesh& surface, const HexRemeshOptions& options = {},
   const Progress& progress = {}, const HexRemeshGuides& guides = {});
 
 } // namespace shape

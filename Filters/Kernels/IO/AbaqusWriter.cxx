@@ -74,7 +74,7 @@ std::vector<ElementKind> ElementKinds(HexahedronType hexahedra)
     { Triangle, "S3", "Triangles" }, { Line, "T3D2", "Lines" } };
 }
 
-/// What Abaqus calls the faces of FacesOf(kind).
+/// What Abaqus calls the faces of GetFaces(kind).
 int AbaqusFace(int kind, int face)
 {
   constexpr int hexahedron[] = { 6, 4, 3, 5, 1, 2 }, tetrahedron[] = { 2, 3, 4, 1 };
@@ -155,7 +155,7 @@ void WriteRegions(std::ostream& file, const MeshSets& sets)
     {
       points.push_back(sets.Mesh.Corners(sets.Mesh.Offsets(cell)));
     }
-    else if (DimensionOf(sets.Mesh.Kinds(cell)) == sets.Dimension)
+    else if (GetDimension(sets.Mesh.Kinds(cell)) == sets.Dimension)
     {
       cells[sets.Regions(cell)].push_back(cell);
     }
@@ -179,7 +179,7 @@ void WriteBoundary(std::ostream& file, const MeshSets& sets)
   const SolidFaces& boundary = sets.Boundary;
   WriteSet(file, "*NSET, NSET=Boundary", PointsOf(boundary.Corners, All(boundary)));
   int patch = 0;
-  for (const std::vector<int>& faces : FacesOfPatches(sets))
+  for (const std::vector<int>& faces : GroupFacesByPatch(sets))
   {
     const std::string number = std::to_string(patch++);
     WriteSet(file, "*NSET, NSET=Patch" + number, PointsOf(boundary.Corners, faces));

@@ -1,8 +1,8 @@
 #include "IO/BoundaryPatches.h"
 
-#include "Mesh/CellFaces.h"
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
+#include "Mesh/CellFaces.h"
 
 #include <Eigen/Geometry>
 
@@ -30,7 +30,7 @@ SolidFaces Collect(const Cells& cells, std::vector<CellFace> faces)
   for (Eigen::Index i = 0; i < count; ++i)
   {
     const auto [points, cell, face] = faces[i];
-    const std::vector<int>& corners = FacesOf(cells.Kinds(cell))[face];
+    const std::vector<int>& corners = GetFaces(cells.Kinds(cell))[face];
     for (std::size_t k = 0; k < corners.size(); ++k)
     {
       result.Corners(i, static_cast<Eigen::Index>(k)) =
@@ -63,13 +63,13 @@ double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 
 } // namespace
 
-SolidFaces BoundaryFaces(const Cells& cells)
+SolidFaces FindBoundaryFaces(const Cells& cells)
 {
-  const std::vector<CellFace> all = SortedFaces(cells);
+  const std::vector<CellFace> all = SortFaces(cells);
   std::vector<CellFace> alone;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    if (IsAlone(all, i))
+    if (IsBoundaryFace(all, i))
     {
       alone.push_back(all[i]);
     }
@@ -77,13 +77,14 @@ SolidFaces BoundaryFaces(const Cells& cells)
   return Collect(cells, std::move(alone));
 }
 
-std::vector<RegionInterface> RegionInterfaces(const Cells& cells, const Eigen::VectorXi& regions)
+std::vector<RegionInterface> FindRegionInterfaces(
+  const Cells& cells, const Eigen::VectorXi& regions)
 {
   if (regions.size() == 0 || (regions.array() == regions(0)).all())
   {
     return {};
   }
-  const std::vector<CellFace> all = SortedFaces(cells);
+  const std::vector<CellFace> all = SortFaces(cells);
   std::map<std::pair<int, int>, std::vector<CellFace>> between;
   for (std::size_t i = 1; i < all.size(); ++i)
   {
@@ -101,7 +102,7 @@ std::vector<RegionInterface> RegionInterfaces(const Cells& cells, const Eigen::V
   return interfaces;
 }
 
-Eigen::VectorXi BoundaryPatches(
+Eigen::VectorXi FindBoundaryPatches(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& faces, double featureAngle)
 {
   if (!(featureAngle >= 0.0 && featureAngle <= 180.0))

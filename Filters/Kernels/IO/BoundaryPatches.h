@@ -20,7 +20,7 @@ struct SolidFaces
 
 /// The faces that one solid cell has alone, in the order of the cells. Where a quadrilateral meets
 /// two triangles, all three are of the boundary.
-SolidFaces BoundaryFaces(const Cells& cells);
+SolidFaces FindBoundaryFaces(const Cells& cells);
 
 /// The faces between two regions, seen from the lower one, in the order of its cells.
 struct RegionInterface
@@ -30,7 +30,8 @@ struct RegionInterface
 };
 
 /// Where solid cells of different regions (m) share faces, in the order of the regions.
-std::vector<RegionInterface> RegionInterfaces(const Cells& cells, const Eigen::VectorXi& regions);
+std::vector<RegionInterface> FindRegionInterfaces(
+  const Cells& cells, const Eigen::VectorXi& regions);
 
 /**
  * The patch of each face (f: 0, 1, ... in the order of their first faces): faces hang together
@@ -41,7 +42,7 @@ std::vector<RegionInterface> RegionInterfaces(const Cells& cells, const Eigen::V
  * quadrilateral's normal is that of its diagonals; a face without area goes with every neighbour.
  * featureAngle: in degrees, 0 to 180; else throws InvalidInput.
  */
-Eigen::VectorXi BoundaryPatches(
+Eigen::VectorXi FindBoundaryPatches(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& faces, double featureAngle);
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #include "IO/MeshSets.h"
 
-#include "Mesh/CellFaces.h"
 #include "Base/Errors.h"
+#include "Mesh/CellFaces.h"
 #include "Mesh/Topology.h"
 #include "Quality/CellSimplices.h"
 
@@ -30,7 +30,7 @@ void Check(const Cells& cells)
   for (int cell = 0; cell < cells.Kinds.size(); ++cell)
   {
     const int first = cells.Offsets(cell), count = cells.Offsets(cell + 1) - first;
-    if (count == 0 || CornerCount(cells.Kinds(cell)) != count)
+    if (count == 0 || GetCornerCount(cells.Kinds(cell)) != count)
     {
       throw InvalidInput("the Input's cell " + std::to_string(cell) + " is of VTK's type " +
         std::to_string(cells.Kinds(cell)) + ", which the file has not; take such cells out");
@@ -101,7 +101,7 @@ void TurnWedges(Cells& cells)
 
 } // namespace
 
-int DimensionOf(int kind)
+int GetDimension(int kind)
 {
   return kind >= Tetrahedron                    ? 3
     : kind == Triangle || kind == Quadrilateral ? 2
@@ -124,19 +124,19 @@ MeshSets FindMeshSets(
   progress(0.2);
   for (const int kind : cells.Kinds)
   {
-    sets.Dimension = std::max(sets.Dimension, DimensionOf(kind));
+    sets.Dimension = std::max(sets.Dimension, GetDimension(kind));
   }
-  sets.Boundary = BoundaryFaces(sets.Mesh);
+  sets.Boundary = FindBoundaryFaces(sets.Mesh);
   progress(0.5);
-  sets.Patches = BoundaryPatches(sets.Mesh.Points, sets.Boundary.Corners, featureAngle);
+  sets.Patches = FindBoundaryPatches(sets.Mesh.Points, sets.Boundary.Corners, featureAngle);
   sets.PatchCount = sets.Patches.size() > 0 ? sets.Patches.maxCoeff() + 1 : 0;
   progress(0.8);
-  sets.Interfaces = RegionInterfaces(sets.Mesh, sets.Regions);
+  sets.Interfaces = FindRegionInterfaces(sets.Mesh, sets.Regions);
   progress(1.0);
   return sets;
 }
 
-std::vector<std::vector<int>> FacesOfPatches(const MeshSets& sets)
+std::vector<std::vector<int>> GroupFacesByPatch(const MeshSets& sets)
 {
   std::vector<std::vector<int>> faces(sets.PatchCount);
   for (int face = 0; face < sets.Patches.size(); ++face)

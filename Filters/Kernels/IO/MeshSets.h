@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Cells.h"
 #include "Base/Progress.h"
 #include "IO/BoundaryPatches.h"
+#include "Mesh/Cells.h"
 
 #include <Eigen/Core>
 
@@ -28,7 +28,7 @@ struct MeshSets
  *
  * cells: of cell_kind, with finite points. Wedges may be numbered either way round, as VTK's own
  * sources do: what makes most of them positive is taken. regions: m, or empty for region 0.
- * featureAngle: that of BoundaryPatches.
+ * featureAngle: that of FindBoundaryPatches.
  *
  * Throws InvalidInput where there is no cell or one of another kind, a corner is not there, a
  * coordinate is not finite or a region is negative; Aborted.
@@ -37,10 +37,10 @@ MeshSets FindMeshSets(const Cells& cells, const Eigen::VectorXi& regions, double
   const Progress& progress = {});
 
 /// 0 for points to 3 for solids; cell_kind.
-int DimensionOf(int kind);
+int GetDimension(int kind);
 
 /// The faces of each patch, by their index in Boundary.
-std::vector<std::vector<int>> FacesOfPatches(const MeshSets& sets);
+std::vector<std::vector<int>> GroupFacesByPatch(const MeshSets& sets);
 
 /// The points of the chosen ones of `faces` (f x 4; -1 is none), in rising order.
 std::vector<int> PointsOf(const Eigen::MatrixXi& faces, const std::vector<int>& chosen);

@@ -36,7 +36,7 @@ double AreaOfSides(std::array<double, 3> sides)
 
 } // namespace
 
-TriangleAngles AnglesOfTriangles(const Mesh& mesh)
+TriangleAngles ComputeTriangleAngles(const Mesh& mesh)
 {
   Eigen::MatrixXd sides(mesh.Triangles.rows(), 3);
   for (Eigen::Index t = 0; t < sides.rows(); ++t)
@@ -48,10 +48,10 @@ TriangleAngles AnglesOfTriangles(const Mesh& mesh)
                            .norm();
     }
   }
-  return AnglesOfSides(sides);
+  return ComputeAnglesFromLengths(sides);
 }
 
-TriangleAngles AnglesOfSides(const Eigen::MatrixXd& lengths)
+TriangleAngles ComputeAnglesFromLengths(const Eigen::MatrixXd& lengths)
 {
   const Eigen::Index count = lengths.rows();
   TriangleAngles angles{ Eigen::MatrixXd(count, 3), Eigen::VectorXd(count) };
@@ -72,7 +72,7 @@ TriangleAngles AnglesOfSides(const Eigen::MatrixXd& lengths)
   return angles;
 }
 
-Eigen::SparseMatrix<double> CotangentStiffness(
+Eigen::SparseMatrix<double> BuildCotangentStiffness(
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& cotangents, Eigen::Index points)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -99,7 +99,7 @@ Eigen::SparseMatrix<double> CotangentStiffness(
   return stiffness;
 }
 
-Eigen::VectorXd LumpedMasses(
+Eigen::VectorXd ComputeLumpedMasses(
   const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points)
 {
   Eigen::VectorXd masses = Eigen::VectorXd::Zero(points);
@@ -113,8 +113,8 @@ Eigen::VectorXd LumpedMasses(
   return masses;
 }
 
-Eigen::SparseMatrix<double> PositiveStiffness(
-  const Eigen::SparseMatrix<double>& stiffness, double least)
+Eigen::SparseMatrix<double> BuildPositiveStiffness(
+  const Eigen::SparseMatrix<double>& stiffness, double minimum)
 {
   Eigen::SparseMatrix<double> positive = stiffness;
   for (int column = 0; column < positive.outerSize(); ++column)
@@ -124,7 +124,7 @@ Eigen::SparseMatrix<double> PositiveStiffness(
     {
       if (entry.row() != column)
       {
-        entry.valueRef() = std::min(entry.value(), -least);
+        entry.valueRef() = std::min(entry.value(), -minimum);
         sum -= entry.value();
       }
     }

@@ -23,22 +23,22 @@ struct TriangleAngles
  * semi-definite and finite even for needles, caps and triangles without area; a triangle whose
  * corners coincide counts as equilateral.
  */
-TriangleAngles AnglesOfTriangles(const Mesh& mesh);
+TriangleAngles ComputeTriangleAngles(const Mesh& mesh);
 
 /// The same from the lengths of the sides (m x 3) opposite each corner.
-TriangleAngles AnglesOfSides(const Eigen::MatrixXd& sides);
+TriangleAngles ComputeAnglesFromLengths(const Eigen::MatrixXd& sides);
 
 /**
  * The cotangent stiffness matrix (n x n, both triangles stored, positive semi-definite):
  * L_ij = -(cot a + cot b) / 2 over the two angles opposite the edge ij, rows sum to zero; x^T L x /
  * 2 is the Dirichlet energy (Pinkall & Polthier 1993). Every diagonal entry is stored.
  */
-Eigen::SparseMatrix<double> CotangentStiffness(
+Eigen::SparseMatrix<double> BuildCotangentStiffness(
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& cotangents, Eigen::Index points);
 
 /// The masses of points (n): a third of the area of the triangles around each, in their units
 /// squared; 0 where there is none.
-Eigen::VectorXd LumpedMasses(
+Eigen::VectorXd ComputeLumpedMasses(
   const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points);
 
 /**
@@ -46,7 +46,7 @@ Eigen::VectorXd LumpedMasses(
  * M-matrix, whose solutions obey the maximum principle where obtuse angles break it. Not conformal
  * there.
  */
-Eigen::SparseMatrix<double> PositiveStiffness(
-  const Eigen::SparseMatrix<double>& stiffness, double least);
+Eigen::SparseMatrix<double> BuildPositiveStiffness(
+  const Eigen::SparseMatrix<double>& stiffness, double minimum);
 
 } // namespace shape

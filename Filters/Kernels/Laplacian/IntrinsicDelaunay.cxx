@@ -16,7 +16,7 @@ namespace
 /// By how much every two sides exceed the third at least, in mean sides.
 constexpr double DelaunaySlack = 1e-6;
 /// How negative an edge's weight may be: rounding must not flip an edge back and forth.
-constexpr double LeastWeight = -1e-9;
+constexpr double MinimumWeight = -1e-9;
 constexpr int None = -1;
 
 /// Side 3 t + k is that of triangle t from its corner k to the next one.
@@ -25,7 +25,7 @@ class Flipper
 public:
   explicit Flipper(const Mesh& mesh)
     : Begins(mesh.Triangles.size())
-    , Twins(SideTwins(mesh.Triangles, mesh.Points.rows()))
+    , Twins(FindTwins(mesh.Triangles, mesh.Points.rows()))
     , Lengths(mesh.Triangles.size())
   {
     for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
@@ -57,7 +57,7 @@ public:
       const int side = queue.back();
       queue.pop_back();
       waits[side] = 0;
-      if (!this->IsFlippable(side) || this->Weight(side) >= LeastWeight)
+      if (!this->IsFlippable(side) || this->Weight(side) >= MinimumWeight)
       {
         continue;
       }
@@ -69,7 +69,7 @@ public:
       const int twin = this->Twins[side];
       this->Flip(side);
       for (const int near :
-        { NextSide(side), PreviousSide(side), NextSide(twin), PreviousSide(twin) })
+        { NextHalfEdge(side), PreviousHalfEdge(side), NextHalfEdge(twin), PreviousHalfEdge(twin) })
       {
         if (!waits[near])
         {
@@ -131,14 +131,14 @@ private:
   /// The cosine of the angle between a side and the previous one, where the side begins.
   double Cosine(int side) const
   {
-    const double a = this->Lengths[side], b = this->Lengths[PreviousSide(side)],
-                 c = this->Lengths[NextSide(side)];
+    const double a = this->Lengths[side], b = this->Lengths[PreviousHalfEdge(side)],
+                 c = this->Lengths[NextHalfEdge(side)];
     return std::clamp((a * a + (b - c) * (b + c)) / (2.0 * a * b), -1.0, 1.0);
   }
 
   double Cotangent(int side) const
   {
-    const double cosine = this->Cosine(PreviousSide(side));
+    const double cosine = this->Cosine(PreviousHalfEdge(side));
     return cosine / std::sqrt(std::max(1.0 - cosine * cosine, 1e-24));
   }
 
@@ -158,8 +158,8 @@ private:
   void Flip(int side)
   {
     const int twin = this->Twins[side];
-    const int bc = NextSide(side), ca = PreviousSide(side), ad = NextSide(twin),
-              db = PreviousSide(twin);
+    const int bc = NextHalfEdge(side), ca = PreviousHalfEdge(side), ad = NextHalfEdge(twin),
+              db = PreviousHalfEdge(twin);
     const double cosine = this->Cosine(side), other = this->Cosine(ad);
     const double sines = std::sqrt((1.0 - cosine * cosine) * (1.0 - other * other));
     const double ac = this->Lengths[ca], length = this->Lengths[ad];
@@ -172,8 +172,8 @@ private:
     const std::array<double, 4> lengths = { this->Lengths[bc], this->Lengths[ca], this->Lengths[ad],
       this->Lengths[db] };
     // Triangle of `side`: d -> c, c -> a, a -> d; that of `twin`: c -> d, d -> b, b -> c.
-    const std::array<int, 4> places = { PreviousSide(twin), NextSide(side), PreviousSide(side),
-      NextSide(twin) };
+    const std::array<int, 4> positions = { PreviousHalfEdge(twin), NextHalfEdge(side),
+      PreviousHalfEdge(side), NextHalfEdge(twin) };
     const std::array<int, 4> begins = { b, c, a, d };
     this->Begins[side] = d;
     this->Begins[twin] = c;
@@ -181,18 +181,18 @@ private:
     const std::array<int, 4> before = { bc, ca, ad, db };
     for (int i = 0; i < 4; ++i)
     {
-      this->Begins[places[i]] = begins[i];
-      this->Lengths[places[i]] = lengths[i];
+      this->Begins[positions[i]] = begins[i];
+      this->Lengths[positions[i]] = lengths[i];
     }
     for (int i = 0; i < 4; ++i)
     {
       // Sides of the two triangles may be glued to each other.
       const auto own = std::find(before.begin(), before.end(), outside[i]);
-      const int twinOf = own == before.end() ? outside[i] : places[own - before.begin()];
-      this->Twins[places[i]] = twinOf;
+      const int twinOf = own == before.end() ? outside[i] : positions[own - before.begin()];
+      this->Twins[positions[i]] = twinOf;
       if (twinOf != None)
       {
-        this->Twins[twinOf] = places[i];
+        this->Twins[twinOf] = positions[i];
       }
     }
   }
@@ -204,7 +204,7 @@ private:
 
 } // namespace
 
-IntrinsicTriangles IntrinsicDelaunay(const Mesh& mesh)
+IntrinsicTriangles BuildIntrinsicDelaunay(const Mesh& mesh)
 {
   Flipper flipper(mesh);
   flipper.FlipAll();

@@ -12,7 +12,7 @@ namespace shape
 struct IntrinsicTriangles
 {
   Eigen::MatrixXi Triangles; ///< m x 3, points
-  Eigen::MatrixXd Sides;     ///< m x 3: the side opposite each corner, for AnglesOfSides
+  Eigen::MatrixXd Sides;     ///< m x 3: the side opposite each corner, for ComputeAnglesFromLengths
 };
 
 /**
@@ -29,6 +29,6 @@ struct IntrinsicTriangles
  * mesh: a consistently oriented 2-manifold, open or closed (RequireManifold). Throws SolveFailure
  * where flips do not end.
  */
-IntrinsicTriangles IntrinsicDelaunay(const Mesh& mesh);
+IntrinsicTriangles BuildIntrinsicDelaunay(const Mesh& mesh);
 
 } // namespace shape

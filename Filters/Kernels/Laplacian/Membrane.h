@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -10,12 +10,13 @@ namespace shape
 
 /**
  * Values at all points (n x d) of a patch from those at its rim, its first points (k x d): harmonic
- * inside, by the cotangent weights of the intrinsic Delaunay triangulation (IntrinsicDelaunay), so
- * that each lies between those of the rim, and linear ones on a plane stay linear.
+ * inside, by the cotangent weights of the intrinsic Delaunay triangulation
+ * (BuildIntrinsicDelaunay), so that each lies between those of the rim, and linear ones on a plane
+ * stay linear.
  *
  * Throws SolveFailure where a part of the patch does not hang together with the rim.
  */
-Eigen::MatrixXd HarmonicValues(const Mesh& patch, const Eigen::MatrixXd& rimValues);
+Eigen::MatrixXd SolveHarmonicValues(const Mesh& patch, const Eigen::MatrixXd& loopValues);
 
 /**
  * The membrane that a rim spans: places of the points of a disk (n x 3), the first of them the rim
@@ -27,7 +28,7 @@ Eigen::MatrixXd HarmonicValues(const Mesh& patch, const Eigen::MatrixXd& rimValu
  *
  * disk: n points in the plane or in space, the rim first. Throws as above, Aborted.
  */
-Eigen::MatrixXd MembranePoints(
-  const Mesh& disk, const Eigen::MatrixXd& rim, int rounds, const Progress& progress = {});
+Eigen::MatrixXd SolveMembrane(
+  const Mesh& disk, const Eigen::MatrixXd& loop, int rounds, const Progress& progress = {});
 
 } // namespace shape

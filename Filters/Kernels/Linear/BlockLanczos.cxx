@@ -102,12 +102,12 @@ private:
   /// they are next to nothing beside `scale`, others in their place.
   Eigen::MatrixXd Orthonormal(Eigen::MatrixXd columns, double scale)
   {
-    constexpr double least = 1e-5; // below it rounding grows too much
+    constexpr double minimum = 1e-5; // below it rounding grows too much
     for (int again = 0; again < 2; ++again)
     {
       const Eigen::LLT<Eigen::MatrixXd> root(columns.transpose() * columns);
       if (root.info() != Eigen::Success ||
-        Eigen::MatrixXd(root.matrixL()).diagonal().minCoeff() < least * scale)
+        Eigen::MatrixXd(root.matrixL()).diagonal().minCoeff() < minimum * scale)
       {
         return this->Completed(columns, this->Size);
       }
@@ -120,10 +120,10 @@ private:
   /// The same for columns that depend on each other: random ones stand in for what is missing.
   Eigen::MatrixXd Completed(const Eigen::MatrixXd& columns, int size)
   {
-    constexpr double least = 1e-13; // of the whole
+    constexpr double minimum = 1e-13; // of the whole
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> ranked(columns);
     const Eigen::VectorXd pivots = ranked.matrixQR().diagonal().cwiseAbs();
-    const Eigen::Index rank = (pivots.array() > least * pivots.maxCoeff()).count();
+    const Eigen::Index rank = (pivots.array() > minimum * pivots.maxCoeff()).count();
     Eigen::MatrixXd result =
       ranked.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), Block);
     result.rightCols(Block - rank) = this->Random(Block - rank);
@@ -142,7 +142,7 @@ private:
   void Diagonalise()
   {
     Eigenpairs ritz =
-      LargestEigenpairs(this->Projected.topLeftCorner(this->Size, this->Size), this->Kept);
+      FindLargestEigenpairs(this->Projected.topLeftCorner(this->Size, this->Size), this->Kept);
     this->Values = std::move(ritz.Values);
     this->Vectors = std::move(ritz.Vectors);
   }
@@ -186,8 +186,8 @@ private:
 
 } // namespace
 
-Eigenpairs BlockLanczos(const SymmetricOperator& apply, const Eigen::MatrixXd& known, int wanted,
-  const Progress& progress, double tolerance)
+Eigenpairs FindExtremeEigenpairs(const SymmetricOperator& apply, const Eigen::MatrixXd& known,
+  int wanted, const Progress& progress, double tolerance)
 {
   constexpr Eigen::Index many = 4096; // rows from which threads gain more than they wait
   const BlasThreads threads(known.rows() >= many);

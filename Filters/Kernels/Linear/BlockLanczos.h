@@ -23,7 +23,7 @@ using SymmetricOperator = std::function<Eigen::MatrixXd(const Eigen::MatrixXd& c
  * known: n x c, orthonormal; its columns are eigenvectors that are not looked for. wanted: >= 1, at
  * most n / 3 or so. Throws SolveFailure where the iteration does not end, Aborted.
  */
-Eigenpairs BlockLanczos(const SymmetricOperator& apply, const Eigen::MatrixXd& known, int wanted,
-  const Progress& progress = {}, double tolerance = 1e-9);
+Eigenpairs FindExtremeEigenpairs(const SymmetricOperator& apply, const Eigen::MatrixXd& known,
+  int wanted, const Progress& progress = {}, double tolerance = 1e-9);
 
 } // namespace shape

@@ -8,7 +8,7 @@
 namespace shape
 {
 
-GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
+GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
   const Eigen::VectorXd& weights, const GmresOptions& options, const Progress& progress)
 {
   const Eigen::Index columns = rightSide.cols();
@@ -30,12 +30,12 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
       v * (norms.array() > 0.0).select(norms.cwiseInverse(), 0.0).matrix().asDiagonal());
   };
 
-  const int most = options.MaximumIterations;
+  const int maximum = options.MaximumIterations;
   const Eigen::RowVectorXd start = inner(rightSide, rightSide).cwiseSqrt();
   GmresResult result;
   result.Residuals = start;
   std::vector<Eigen::MatrixXd> basis{ normalized(rightSide, start) };
-  std::vector<Eigen::MatrixXd> hessenbergs(columns, Eigen::MatrixXd::Zero(most + 1, most));
+  std::vector<Eigen::MatrixXd> hessenbergs(columns, Eigen::MatrixXd::Zero(maximum + 1, maximum));
   std::vector<Eigen::VectorXd> factors(columns), rests(columns);
   for (Eigen::Index c = 0; c < columns; ++c)
   {
@@ -45,10 +45,10 @@ GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd&
   constexpr int patience = 3, patienceNear = 2;
   constexpr double nearGoal = 4.0;
   int idle = 0;
-  while (result.Iterations < most && result.Residuals.maxCoeff() > options.Tolerance)
+  while (result.Iterations < maximum && result.Residuals.maxCoeff() > options.Tolerance)
   {
     const int k = result.Iterations;
-    progress(static_cast<double>(k) / most);
+    progress(static_cast<double>(k) / maximum);
     Eigen::MatrixXd next = a(b(basis[k]));
     const Eigen::RowVectorXd before = inner(next, next).cwiseSqrt();
     for (int i = 0; i <= k; ++i)

@@ -40,7 +40,7 @@ using LinearMap = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
  * a: A, n x k to m x k. b: the preconditioner B, m x k to n x k; linear. rightSide: m x k. weights:
  * m, >= 0, of the rows in every norm. Throws Aborted.
  */
-GmresResult Gmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
+GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
   const Eigen::VectorXd& weights, const GmresOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -9,7 +9,7 @@
 namespace shape
 {
 
-Eigenpairs LargestEigenpairs(Eigen::MatrixXd matrix, int count)
+Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count)
 {
   const auto size = static_cast<lapack_int>(matrix.rows());
   Eigen::VectorXd values(size);

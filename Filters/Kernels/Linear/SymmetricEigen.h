@@ -15,6 +15,6 @@ struct Eigenpairs
 /// descending, with their eigenvectors (LAPACK's syevd). count: in [1, the size]. One library call
 /// that cannot be interrupted. Throws std::bad_alloc, SolveFailure where it does not converge or a
 /// value is not finite.
-Eigenpairs LargestEigenpairs(Eigen::MatrixXd matrix, int count);
+Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count);
 
 } // namespace shape

@@ -11,7 +11,7 @@ namespace shape
 
 using namespace cell_kind;
 
-int CornerCount(int kind)
+int GetCornerCount(int kind)
 {
   switch (kind)
   {
@@ -35,7 +35,7 @@ int CornerCount(int kind)
   }
 }
 
-const std::vector<std::vector<int>>& FacesOf(int kind)
+const std::vector<std::vector<int>>& GetFaces(int kind)
 {
   using Faces = std::vector<std::vector<int>>;
   static const Faces tetrahedron = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 2, 1 } };
@@ -60,12 +60,12 @@ const std::vector<std::vector<int>>& FacesOf(int kind)
                              : none;
 }
 
-std::vector<CellFace> SortedFaces(const Cells& cells)
+std::vector<CellFace> SortFaces(const Cells& cells)
 {
   std::vector<CellFace> all;
   for (int cell = 0; cell < cells.Kinds.size(); ++cell)
   {
-    const auto& faces = FacesOf(cells.Kinds(cell));
+    const auto& faces = GetFaces(cells.Kinds(cell));
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
       CellFace face{ { -1, -1, -1, -1 }, cell, static_cast<int>(i) };
@@ -81,7 +81,7 @@ std::vector<CellFace> SortedFaces(const Cells& cells)
   return all;
 }
 
-bool IsAlone(const std::vector<CellFace>& faces, std::size_t i)
+bool IsBoundaryFace(const std::vector<CellFace>& faces, std::size_t i)
 {
   return (i == 0 || faces[i].Points != faces[i - 1].Points) &&
     (i + 1 == faces.size() || faces[i].Points != faces[i + 1].Points);

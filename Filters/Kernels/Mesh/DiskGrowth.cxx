@@ -8,9 +8,9 @@
 namespace shape
 {
 
-std::vector<int> GrownDisk(const Eigen::MatrixXi& triangles, Eigen::Index points)
+std::vector<int> GrowDisk(const Eigen::MatrixXi& triangles, Eigen::Index points)
 {
-  const std::vector<int> twins = SideTwins(triangles, points);
+  const std::vector<int> twins = FindTwins(triangles, points);
   const auto count = static_cast<int>(triangles.rows());
   std::vector<bool> isIn(count, false), isMet(points, false);
   const auto joins = [&](int triangle)
@@ -27,7 +27,7 @@ std::vector<int> GrownDisk(const Eigen::MatrixXi& triangles, Eigen::Index points
     // Along one side: the corner across must be new, or the disk would touch itself there. Along
     // two, the corner between them comes inside. With all three it would become a sphere.
     return shared == 2 ||
-      (shared == 1 && !isMet[triangles(triangle, PreviousSide(sharedSide) % 3)]);
+      (shared == 1 && !isMet[triangles(triangle, PreviousHalfEdge(sharedSide) % 3)]);
   };
   // Those next to the disk; one that cannot join waits for its next neighbour.
   std::priority_queue<int, std::vector<int>, std::greater<>> front;

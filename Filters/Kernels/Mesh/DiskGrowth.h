@@ -16,6 +16,6 @@ namespace shape
  *
  * triangles: m x 3 of `points` points, an oriented 2-manifold with or without border.
  */
-std::vector<int> GrownDisk(const Eigen::MatrixXi& triangles, Eigen::Index points);
+std::vector<int> GrowDisk(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
 } // namespace shape

@@ -10,13 +10,13 @@ namespace shape
 
 void RequireExtent(const Eigen::MatrixXd& points, const std::string& name)
 {
-  constexpr double least = 1e-50, most = 1e50;
-  const double side = points.rows() > 0 ? LongestSide(points) : 0.0;
-  if (side != 0.0 && !(side >= least && side <= most))
+  constexpr double minimum = 1e-50, maximum = 1e50;
+  const double side = points.rows() > 0 ? ComputeLongestBoxEdge(points) : 0.0;
+  if (side != 0.0 && !(side >= minimum && side <= maximum))
   {
     std::ostringstream words;
-    words << name << " has a longest side of " << side << ", and lengths from " << least << " to "
-          << most << " can be computed with; scale it with Transform, or check its coordinates";
+    words << name << " has a longest side of " << side << ", and lengths from " << minimum << " to "
+          << maximum << " can be computed with; scale it with Transform, or check its coordinates";
     throw InvalidInput(words.str());
   }
 }

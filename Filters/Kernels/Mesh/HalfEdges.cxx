@@ -6,7 +6,7 @@
 namespace shape
 {
 
-std::vector<HalfEdge> SortedHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points)
+std::vector<HalfEdge> SortHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points)
 {
   const auto side = [&](int triangle, int corner)
   {
@@ -42,12 +42,12 @@ std::vector<HalfEdge> SortedHalfEdges(const Eigen::MatrixXi& triangles, Eigen::I
   return sides;
 }
 
-std::vector<int> SideTwins(const Eigen::MatrixXi& triangles, Eigen::Index points)
+std::vector<int> FindTwins(const Eigen::MatrixXi& triangles, Eigen::Index points)
 {
-  return SideTwins(SortedHalfEdges(triangles, points));
+  return FindTwins(SortHalfEdges(triangles, points));
 }
 
-std::vector<int> SideTwins(const std::vector<HalfEdge>& sorted)
+std::vector<int> FindTwins(const std::vector<HalfEdge>& sorted)
 {
   std::vector<int> twins(sorted.size(), -1);
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i)

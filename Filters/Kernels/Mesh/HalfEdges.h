@@ -21,22 +21,22 @@ struct HalfEdge
 
 /// The sides of all triangles (m x 3, indices less than `points`): those of one edge side by side,
 /// in the order of Low, High, Triangle.
-std::vector<HalfEdge> SortedHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points);
+std::vector<HalfEdge> SortHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
 /// Of side 3 t + k, which runs from corner k of triangle t to the next one, the side of the
 /// triangle beside it, or -1 on the border. triangles: an oriented 2-manifold's.
-std::vector<int> SideTwins(const Eigen::MatrixXi& triangles, Eigen::Index points);
+std::vector<int> FindTwins(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
-/// The same of SortedHalfEdges.
-std::vector<int> SideTwins(const std::vector<HalfEdge>& sorted);
+/// The same of SortHalfEdges.
+std::vector<int> FindTwins(const std::vector<HalfEdge>& sorted);
 
 ///@{
 /// The sides of the same triangle after and before a side.
-inline int NextSide(int side)
+inline int NextHalfEdge(int side)
 {
   return side - side % 3 + (side + 1) % 3;
 }
-inline int PreviousSide(int side)
+inline int PreviousHalfEdge(int side)
 {
   return side - side % 3 + (side + 2) % 3;
 }

@@ -6,7 +6,7 @@
 namespace shape
 {
 
-Eigen::MatrixXi BoundaryQuads(const HexMesh& mesh)
+Eigen::MatrixXi FindBoundaryQuads(const HexMesh& mesh)
 {
   // The corners of each face in order, and which it is: those of one face lie side by side.
   std::vector<std::array<int, 5>> faces;
@@ -60,7 +60,7 @@ Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads)
   return triangles;
 }
 
-double MeanEdge(const HexMesh& mesh, Eigen::Index hex)
+double ComputeMeanEdgeLength(const HexMesh& mesh, Eigen::Index hex)
 {
   double sum = 0.0;
   for (int corner = 0; corner < 8; ++corner)

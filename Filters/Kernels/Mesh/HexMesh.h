@@ -25,13 +25,13 @@ inline constexpr int HexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 
 
 /// The faces that one hexahedron has alone (q x 4), counter-clockwise seen from outside, in the
 /// order of their hexahedra.
-Eigen::MatrixXi BoundaryQuads(const HexMesh& mesh);
+Eigen::MatrixXi FindBoundaryQuads(const HexMesh& mesh);
 
 /// Each quad (q x 4) as two triangles (2q x 3).
 Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads);
 
 /// The mean length of the edges of a hexahedron.
-double MeanEdge(const HexMesh& mesh, Eigen::Index hex);
+double ComputeMeanEdgeLength(const HexMesh& mesh, Eigen::Index hex);
 
 /// Marks, of n points, also those of the hexahedra that have a marked one; `rings` times.
 void GrowRings(const Eigen::MatrixXi& hexahedra, int rings, std::vector<char>& marked);

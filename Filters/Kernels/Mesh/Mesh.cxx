@@ -10,20 +10,20 @@
 namespace shape
 {
 
-double LongestSide(const Eigen::MatrixXd& points)
+double ComputeLongestBoxEdge(const Eigen::MatrixXd& points)
 {
   return points.rows() == 0
     ? 0.0
     : (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
 }
 
-double BoxDiagonal(const Eigen::MatrixXd& points)
+double ComputeBoxDiagonal(const Eigen::MatrixXd& points)
 {
   return points.rows() == 0 ? 0.0
                             : (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
 }
 
-Eigen::MatrixXd AreaVectors(const Mesh& mesh)
+Eigen::MatrixXd ComputeAreaVectors(const Mesh& mesh)
 {
   Eigen::MatrixXd vectors(mesh.Triangles.rows(), 3);
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
@@ -36,12 +36,12 @@ Eigen::MatrixXd AreaVectors(const Mesh& mesh)
   return vectors;
 }
 
-Eigen::MatrixXd PointNormals(const Mesh& mesh)
+Eigen::MatrixXd ComputePointNormals(const Mesh& mesh)
 {
   Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    const Eigen::Matrix3d corners = Corners(mesh, t);
+    const Eigen::Matrix3d corners = GetCorners(mesh, t);
     const Eigen::RowVector3d first = corners.row(1) - corners.row(0);
     const Eigen::RowVector3d normal =
       first.cross(corners.row(2) - corners.row(0)).stableNormalized();
@@ -61,12 +61,12 @@ Eigen::MatrixXd PointNormals(const Mesh& mesh)
 
 double ComputeArea(const Mesh& mesh)
 {
-  return 0.5 * AreaVectors(mesh).rowwise().norm().sum();
+  return 0.5 * ComputeAreaVectors(mesh).rowwise().norm().sum();
 }
 
-Eigen::VectorXd PointAreas(const Mesh& mesh)
+Eigen::VectorXd ComputePointAreas(const Mesh& mesh)
 {
-  const Eigen::VectorXd sixths = AreaVectors(mesh).rowwise().norm() / 6.0;
+  const Eigen::VectorXd sixths = ComputeAreaVectors(mesh).rowwise().norm() / 6.0;
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.Points.rows());
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
@@ -78,7 +78,7 @@ Eigen::VectorXd PointAreas(const Mesh& mesh)
   return areas;
 }
 
-double EnclosedVolume(const Mesh& mesh)
+double ComputeEnclosedVolume(const Mesh& mesh)
 {
   // Tetrahedra over the first point instead of the origin: no cancellation far from the origin.
   if (mesh.Triangles.rows() == 0)
@@ -97,15 +97,15 @@ double EnclosedVolume(const Mesh& mesh)
   return sixVolumes / 6.0;
 }
 
-double WindingNumber(
-  const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles, const Eigen::RowVector3d& place)
+double ComputeWindingNumber(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
+  const Eigen::RowVector3d& position)
 {
   double halfAngles = 0.0;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
-    const Eigen::RowVector3d a = points.row(triangles(t, 0)) - place;
-    const Eigen::RowVector3d b = points.row(triangles(t, 1)) - place;
-    const Eigen::RowVector3d c = points.row(triangles(t, 2)) - place;
+    const Eigen::RowVector3d a = points.row(triangles(t, 0)) - position;
+    const Eigen::RowVector3d b = points.row(triangles(t, 1)) - position;
+    const Eigen::RowVector3d c = points.row(triangles(t, 2)) - position;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     halfAngles +=
       std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
@@ -113,29 +113,29 @@ double WindingNumber(
   return halfAngles / (2.0 * M_PI);
 }
 
-Mesh FacingOutwards(Mesh mesh)
+Mesh OrientOutwards(Mesh mesh)
 {
-  if (EnclosedVolume(mesh) < 0.0)
+  if (ComputeEnclosedVolume(mesh) < 0.0)
   {
     mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
   }
   return mesh;
 }
 
-Eigen::MatrixXd Centroids(const Mesh& mesh)
+Eigen::MatrixXd ComputeCentroids(const Mesh& mesh)
 {
-  return CornerMeans(mesh.Triangles, mesh.Points);
+  return AverageAtCorners(mesh.Triangles, mesh.Points);
 }
 
-Eigen::MatrixXd OffCentres(const Mesh& mesh)
+Eigen::MatrixXd ComputeOffCentres(const Mesh& mesh)
 {
-  return AtOffCentres(mesh, mesh.Points);
+  return InterpolateAtOffCentres(mesh, mesh.Points);
 }
 
-Eigen::MatrixXd AtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values)
+Eigen::MatrixXd InterpolateAtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values)
 {
   constexpr std::array<double, 3> shares = { 0.08, 0.27, 0.65 };
-  Eigen::MatrixXd places(mesh.Triangles.rows(), values.cols());
+  Eigen::MatrixXd positions(mesh.Triangles.rows(), values.cols());
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
     std::array<int, 3> corners = { mesh.Triangles(t, 0), mesh.Triangles(t, 1),
@@ -147,29 +147,29 @@ Eigen::MatrixXd AtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values)
         return std::array<double, 3>{ p(0), p(1), p(2) } <
           std::array<double, 3>{ q(0), q(1), q(2) };
       });
-    places.row(t) = shares[0] * values.row(corners[0]) + shares[1] * values.row(corners[1]) +
+    positions.row(t) = shares[0] * values.row(corners[0]) + shares[1] * values.row(corners[1]) +
       shares[2] * values.row(corners[2]);
   }
-  return places;
+  return positions;
 }
 
-Eigen::MatrixXd RandomPlaces(const Mesh& mesh, int count, unsigned int seed)
+Eigen::MatrixXd SampleRandomly(const Mesh& mesh, int count, unsigned int seed)
 {
-  const Eigen::VectorXd areas = AreaVectors(mesh).rowwise().norm();
+  const Eigen::VectorXd areas = ComputeAreaVectors(mesh).rowwise().norm();
   std::mt19937 random(seed);
   std::discrete_distribution<int> triangle(areas.begin(), areas.end());
   std::uniform_real_distribution<double> uniform;
-  Eigen::MatrixXd places(count, 3);
+  Eigen::MatrixXd positions(count, 3);
   for (int i = 0; i < count; ++i)
   {
-    const Eigen::Matrix3d corners = Corners(mesh, triangle(random));
+    const Eigen::Matrix3d corners = GetCorners(mesh, triangle(random));
     const double root = std::sqrt(uniform(random)), along = uniform(random);
-    places.row(i) = Eigen::RowVector3d(1.0 - root, root * (1.0 - along), root * along) * corners;
+    positions.row(i) = Eigen::RowVector3d(1.0 - root, root * (1.0 - along), root * along) * corners;
   }
-  return places;
+  return positions;
 }
 
-Eigen::MatrixXd CornerMeans(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
+Eigen::MatrixXd AverageAtCorners(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
 {
   Eigen::MatrixXd means(triangles.rows(), values.cols());
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)

@@ -44,7 +44,7 @@ std::string Found(const std::string& name, int count, const std::string& singula
 
 void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
 {
-  if (LongestSide(points) == 0.0)
+  if (ComputeLongestBoxEdge(points) == 0.0)
   {
     throw InvalidInput(
       name + " has no area: its points are all at one place; check its coordinates");
@@ -154,6 +154,11 @@ Surface::Surface(Mesh mesh)
   this->Impl->Triangulation = std::move(mesh);
 }
 
+Surface::Surface(Eigen::MatrixXd points, Eigen::MatrixXi triangles)
+  : Surface(Mesh{ std::move(points), std::move(triangles) })
+{
+}
+
 const Mesh& Surface::AsMesh() const
 {
   return this->Impl->Triangulation;
@@ -183,35 +188,36 @@ const std::vector<HalfEdge>& Surface::HalfEdges() const
       [&]()
       {
         RequireIndices(*this);
-        return KeptHalfEdges{ SortedHalfEdges(this->Triangles(), this->Points().rows()) };
+        return KeptHalfEdges{ SortHalfEdges(this->Triangles(), this->Points().rows()) };
       })
-    .Sorted;
+    ->Sorted;
 }
 
 const std::vector<int>& Surface::Twins() const
 {
-  return this
-    ->Cached<KeptTwins>([&]()
-      { return KeptTwins{ SideTwins(this->HalfEdges()) }; })
-    .OfHalfEdges;
+  return this->Cached<KeptTwins>([&]() { return KeptTwins{ FindTwins(this->HalfEdges()) }; })
+    ->OfHalfEdges;
 }
 
 const Topology& Surface::Topology() const
 {
-  return this->Cached<shape::Topology>([&]() { return SurfaceTopology(*this, this->HalfEdges()); });
+  return *this->Cached<shape::Topology>(
+    [&]() { return ComputeTopology(*this, this->HalfEdges()); });
 }
 
 const Eigen::MatrixXd& Surface::AreaVectors() const
 {
-  return this->Cached<KeptAreaVectors>([&]() { return KeptAreaVectors{ shape::AreaVectors(*this) }; })
-    .OfTriangles;
+  return this
+    ->Cached<KeptAreaVectors>([&]() { return KeptAreaVectors{ shape::ComputeAreaVectors(*this) }; })
+    ->OfTriangles;
 }
 
 const Eigen::MatrixXd& Surface::PointNormals() const
 {
   return this
-    ->Cached<KeptPointNormals>([&]() { return KeptPointNormals{ shape::PointNormals(*this) }; })
-    .OfPoints;
+    ->Cached<KeptPointNormals>(
+      [&]() { return KeptPointNormals{ shape::ComputePointNormals(*this) }; })
+    ->OfPoints;
 }
 
 Topology RequireManifold(const Surface& surface, const std::string& name)
@@ -224,10 +230,10 @@ Topology RequireManifold(const Surface& surface, const std::string& name)
 Topology RequireClosedSurface(const Surface& surface, const std::string& name)
 {
   const Topology& topology = TopologyOfSound(surface, name, "a closed surface");
-  if (topology.OpenLoops > 0)
+  if (topology.BoundaryLoops > 0)
   {
     throw InvalidInput(
-      Found(name, topology.OpenLoops, "open loop", "open loops", topology.FirstOpenPoint) +
+      Found(name, topology.BoundaryLoops, "open loop", "open loops", topology.FirstOpenPoint) +
       "close it with Fill Holes, or merge its duplicate points with Clean");
   }
   CheckManifold(surface, topology, name);

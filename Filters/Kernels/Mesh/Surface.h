@@ -18,9 +18,9 @@ namespace shape
  * A triangulated surface that never changes, with what follows from it: half-edges, topology,
  * normals, and whatever kernels add (a search tree, a Laplacian).
  *
- * Each of these is computed when it is first asked for, once, and shared by all copies; a copy costs
- * as much as a pointer. Kernels take a `const Surface&`, so that one that calls ten others checks and
- * indexes its surface once. Every member may be called from several threads.
+ * Each of these is computed when it is first asked for, once, and shared by all copies; a copy
+ * costs as much as a pointer. Kernels take a `const Surface&`, so that one that calls ten others
+ * checks and indexes its surface once. Every member may be called from several threads.
  */
 class Surface
 {
@@ -31,6 +31,9 @@ public:
   /// From a mesh, which is moved or copied. A mesh may stand wherever a kernel takes a surface.
   Surface(Mesh mesh); // NOLINT(google-explicit-constructor)
 
+  /// From n x 3 positions and m x 3 indices of them.
+  Surface(Eigen::MatrixXd points, Eigen::MatrixXi triangles);
+
   const Eigen::MatrixXd& Points() const { return this->AsMesh().Points; }       ///< n x 3
   const Eigen::MatrixXi& Triangles() const { return this->AsMesh().Triangles; } ///< m x 3
 
@@ -40,7 +43,7 @@ public:
   operator const Mesh&() const { return this->AsMesh(); } // NOLINT(google-explicit-constructor)
   ///@}
 
-  /// SortedHalfEdges of the triangles. Throws InvalidInput as RequireIndices does.
+  /// SortHalfEdges of the triangles. Throws InvalidInput as RequireIndices does.
   const std::vector<HalfEdge>& HalfEdges() const;
 
   /// SideTwins of the triangles, which must be an oriented 2-manifold's.
@@ -55,14 +58,14 @@ public:
   /// PointNormals of the points (n x 3).
   const Eigen::MatrixXd& PointNormals() const;
 
-  /// Something of type T that follows from the surface: what `make()` returns when it is first asked
-  /// for. There is one of each type; a kernel defines a type for what it keeps here.
+  /// Something of type T that follows from the surface: what `make()` returns when it is first
+  /// asked for. There is one of each type; a kernel defines a type for what it keeps here. It must
+  /// not hold the surface itself, or neither would ever be freed.
   template <typename T, typename Make>
-  const T& Cached(const Make& make) const
+  std::shared_ptr<const T> Cached(const Make& make) const
   {
-    return *static_cast<const T*>(
-      this->Find(typeid(T), [&]() -> std::shared_ptr<const void> { return std::make_shared<T>(make()); })
-        .get());
+    return std::static_pointer_cast<const T>(this->Find(typeid(T),
+      [&]() -> std::shared_ptr<const void> { return std::make_shared<const T>(make()); }));
   }
 
 private:
@@ -74,9 +77,9 @@ private:
   std::shared_ptr<Data> Impl;
 };
 
-/// Throws InvalidInput unless `surface` has triangles, every coordinate is finite, its longest side is
-/// between 1e-50 and 1e50 and it is a consistently oriented 2-manifold, open or closed. `name` is
-/// what the message calls it.
+/// Throws InvalidInput unless `surface` has triangles, every coordinate is finite, its longest side
+/// is between 1e-50 and 1e50 and it is a consistently oriented 2-manifold, open or closed. `name`
+/// is what the message calls it.
 Topology RequireManifold(const Surface& surface, const std::string& name);
 
 /**

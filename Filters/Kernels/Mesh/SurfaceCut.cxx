@@ -26,7 +26,7 @@ public:
     : Points(surface.Points)
     , Neighbours(surface.Points.rows())
   {
-    const std::vector<HalfEdge> sides = SortedHalfEdges(surface.Triangles, surface.Points.rows());
+    const std::vector<HalfEdge> sides = SortHalfEdges(surface.Triangles, surface.Points.rows());
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
       const int low = sides[i].Low(), high = sides[i].High();
@@ -125,7 +125,7 @@ EdgePath FindPath(const EdgeGraph& graph, const std::vector<int>& stops, Eigen::
 
 } // namespace
 
-CutSurface CutAlong(const Mesh& surface, const std::vector<std::array<int, 2>>& edges)
+CutSurface CutAlongEdges(const Mesh& surface, const std::vector<std::array<int, 2>>& edges)
 {
   std::set<std::array<int, 2>> cut;
   for (const auto& [a, b] : edges)
@@ -133,7 +133,7 @@ CutSurface CutAlong(const Mesh& surface, const std::vector<std::array<int, 2>>& 
     cut.insert({ std::min(a, b), std::max(a, b) });
   }
   // Corners stay together across every edge that is not cut.
-  const std::vector<int> twins = SideTwins(surface.Triangles, surface.Points.rows());
+  const std::vector<int> twins = FindTwins(surface.Triangles, surface.Points.rows());
   DisjointSets parts(static_cast<int>(twins.size()));
   for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
@@ -141,8 +141,8 @@ CutSurface CutAlong(const Mesh& surface, const std::vector<std::array<int, 2>>& 
     const int end = surface.Triangles(side / 3, (side + 1) % 3);
     if (twins[side] >= 0 && cut.count({ std::min(begin, end), std::max(begin, end) }) == 0)
     {
-      parts.Merge(side, NextSide(twins[side]));
-      parts.Merge(NextSide(side), twins[side]);
+      parts.Merge(side, NextHalfEdge(twins[side]));
+      parts.Merge(NextHalfEdge(side), twins[side]);
     }
   }
   CutSurface result{ surface, {} };
@@ -172,7 +172,8 @@ CutSurface CutAlong(const Mesh& surface, const std::vector<std::array<int, 2>>& 
   return result;
 }
 
-EdgePath PathThrough(const Mesh& surface, const std::vector<int>& stops, const Progress& progress)
+EdgePath FindEdgePathThrough(
+  const Mesh& surface, const std::vector<int>& stops, const Progress& progress)
 {
   const EdgeGraph graph(surface);
   const Eigen::Index points = surface.Points.rows();
@@ -180,8 +181,8 @@ EdgePath PathThrough(const Mesh& surface, const std::vector<int>& stops, const P
   if (path.Stops.size() < stops.size())
   {
     // A stop was walled in: now that costs as much as ten times across the surface.
-    path =
-      FindPath(graph, stops, points, 10.0 * BoxDiagonal(surface.Points), progress.Part(0.5, 1.0));
+    path = FindPath(
+      graph, stops, points, 10.0 * ComputeBoxDiagonal(surface.Points), progress.Part(0.5, 1.0));
   }
   if (path.Stops.size() < stops.size())
   {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <array>
 #include <vector>
@@ -18,7 +18,7 @@ struct CutSurface
 
 /// Cuts along the given edges: a point has a copy for each part that its triangles fall into; the
 /// part with the first triangle keeps the point itself. surface: an oriented 2-manifold.
-CutSurface CutAlong(const Mesh& surface, const std::vector<std::array<int, 2>>& edges);
+CutSurface CutAlongEdges(const Mesh& surface, const std::vector<std::array<int, 2>>& edges);
 
 /// A path along edges.
 struct EdgePath
@@ -34,7 +34,7 @@ struct EdgePath
  *
  * Throws InvalidInput where there is none: the mesh is too coarse there. Aborted.
  */
-EdgePath PathThrough(
+EdgePath FindEdgePathThrough(
   const Mesh& surface, const std::vector<int>& stops, const Progress& progress = {});
 
 } // namespace shape

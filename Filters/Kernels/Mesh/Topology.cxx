@@ -102,13 +102,13 @@ void RequireIndices(const Mesh& mesh)
   }
 }
 
-Topology SurfaceTopology(const Mesh& mesh)
+Topology ComputeTopology(const Mesh& mesh)
 {
   RequireIndices(mesh);
-  return SurfaceTopology(mesh, SortedHalfEdges(mesh.Triangles, mesh.Points.rows()));
+  return ComputeTopology(mesh, SortHalfEdges(mesh.Triangles, mesh.Points.rows()));
 }
 
-Topology SurfaceTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
+Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
 {
   Topology topology;
   CountComponents(mesh, topology);
@@ -146,7 +146,7 @@ Topology SurfaceTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
   {
     if (open[i])
     {
-      topology.OpenLoops += loops.Find(i) == i;
+      topology.BoundaryLoops += loops.Find(i) == i;
       topology.FirstOpenPoint = topology.FirstOpenPoint == -1 ? i : topology.FirstOpenPoint;
     }
   }
@@ -158,7 +158,7 @@ Topology SurfaceTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
 
 std::vector<Mesh> SplitComponents(const Mesh& mesh)
 {
-  const Topology topology = SurfaceTopology(mesh);
+  const Topology topology = ComputeTopology(mesh);
   std::vector<std::vector<int>> triangles(topology.Components), points(topology.Components);
   std::vector<int> newId(mesh.Points.rows(), -1);
   for (int i = 0; i < mesh.Points.rows(); ++i)

@@ -16,7 +16,7 @@ struct Topology
 {
   int EulerNumber = 0;         ///< points - edges + triangles
   int Components = 0;          ///< pieces that share no point
-  int OpenLoops = 0;           ///< chains of edges with one triangle
+  int BoundaryLoops = 0;       ///< chains of edges with one triangle
   int FirstOpenPoint = -1;     ///< a point of the first of them, or -1
   int NonManifoldEdges = 0;    ///< edges with three or more triangles
   int FirstNonManifold = -1;   ///< a point of the first of them, or -1
@@ -31,10 +31,10 @@ struct Topology
 void RequireIndices(const Mesh& mesh);
 
 /// Throws InvalidInput as RequireIndices does.
-Topology SurfaceTopology(const Mesh& mesh);
+Topology ComputeTopology(const Mesh& mesh);
 
-/// The same of a mesh whose indices are valid, and its SortedHalfEdges.
-Topology SurfaceTopology(const Mesh& mesh, const std::vector<HalfEdge>& sorted);
+/// The same of a mesh whose indices are valid, and its SortHalfEdges.
+Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sorted);
 
 /// The components of a surface in the order of ComponentId, each with the points it uses, in order.
 std::vector<Mesh> SplitComponents(const Mesh& mesh);

@@ -1,9 +1,9 @@
 #include "Parameterize/ConformalFlattening.h"
 
 #include "Laplacian/CotangentWeights.h"
-#include "Linear/DirichletProblem.h"
 #include "Laplacian/IntrinsicDelaunay.h"
-#include "Mesh/OpenLoops.h"
+#include "Linear/DirichletProblem.h"
+#include "Mesh/OpenSurface.h"
 
 #include <Eigen/LU>
 
@@ -47,29 +47,29 @@ Eigen::MatrixXd ClosedPolygon(const Eigen::VectorXd& lengths, const Eigen::Vecto
   const Eigen::Vector2d gap = directions.transpose() * lengths;
   const Eigen::VectorXd closed =
     lengths - lengths.cwiseProduct(directions * gram.fullPivLu().solve(gap));
-  Eigen::MatrixXd places = Eigen::MatrixXd::Zero(count, 2);
+  Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(count, 2);
   for (Eigen::Index i = 1; i < count; ++i)
   {
-    places.row(i) = places.row(i - 1) + closed(i - 1) * directions.row(i - 1);
+    positions.row(i) = positions.row(i - 1) + closed(i - 1) * directions.row(i - 1);
   }
-  return places;
+  return positions;
 }
 
 } // namespace
 
-Eigen::MatrixXd ConformalFlattening(const Mesh& surface, const Progress& progress)
+Eigen::MatrixXd FlattenConformally(const Mesh& surface, const Progress& progress)
 {
   progress(0.0);
-  RequireOpenSurface(surface, LoopCount::AtLeastOne);
-  const std::vector<std::vector<int>> loops = OpenLoops(surface);
+  RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne);
+  const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   const std::vector<int>& loop = loops.front();
-  const Mesh filled = FilledWithFans(surface, { loops.begin() + 1, loops.end() });
+  const Mesh filled = FillWithFans(surface, { loops.begin() + 1, loops.end() });
   const Eigen::Index points = filled.Points.rows();
-  const IntrinsicTriangles flat = IntrinsicDelaunay(filled);
+  const IntrinsicTriangles flat = BuildIntrinsicDelaunay(filled);
   progress(0.3);
-  const Eigen::MatrixXd cotangents = AnglesOfSides(flat.Sides).Cotangents;
+  const Eigen::MatrixXd cotangents = ComputeAnglesFromLengths(flat.Sides).Cotangents;
   const Eigen::SparseMatrix<double> stiffness =
-    CotangentStiffness(flat.Triangles, cotangents, points);
+    BuildCotangentStiffness(flat.Triangles, cotangents, points);
   const DirichletProblem problem(stiffness, loop);
   progress(0.8);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -24,9 +24,9 @@ namespace shape
  * The map is conformal in the limit of fine meshes; triangles of coarse ones may flip, and where
  * the surface is so curved that the image overlaps itself.
  *
- * Throws InvalidInput as RequireOpenSurface with LoopCount::AtLeastOne, SolveFailure where the
- * factorisation breaks down, Aborted.
+ * Throws InvalidInput as RequireSurfaceWithBoundary with LoopCount::AtLeastOne, SolveFailure where
+ * the factorisation breaks down, Aborted.
  */
-Eigen::MatrixXd ConformalFlattening(const Mesh& surface, const Progress& progress = {});
+Eigen::MatrixXd FlattenConformally(const Mesh& surface, const Progress& progress = {});
 
 } // namespace shape

@@ -1,8 +1,8 @@
 #include "Parameterize/ConvexCombination.h"
 
 #include "Base/Errors.h"
-#include "Linear/SparseSolve.h"
 #include "Laplacian/CotangentWeights.h"
+#include "Linear/SparseSolve.h"
 
 #include <Eigen/SparseLU>
 
@@ -29,7 +29,7 @@ double EdgeLength(const Mesh& surface, int a, int b)
   return (surface.Points.row(a) - surface.Points.row(b)).norm();
 }
 
-double MeanEdge(const Mesh& surface)
+double ComputeMeanEdgeLength(const Mesh& surface)
 {
   double sum = 0.0;
   for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
@@ -46,8 +46,8 @@ double MeanEdge(const Mesh& surface)
 /// The matrix of the equations sum_j w_ij (x_i - x_j) = 0, by mean value weights.
 Eigen::SparseMatrix<double> MeanValueMatrix(const Mesh& surface)
 {
-  const Eigen::MatrixXd cotangents = AnglesOfTriangles(surface).Cotangents;
-  const double shortest = ShortestEdge * MeanEdge(surface);
+  const Eigen::MatrixXd cotangents = ComputeTriangleAngles(surface).Cotangents;
+  const double shortest = ShortestEdge * ComputeMeanEdgeLength(surface);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(12 * surface.Triangles.rows());
   for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
@@ -78,11 +78,11 @@ Eigen::SparseMatrix<double> MatrixOf(const Mesh& surface, CombinationWeights wei
   {
     case CombinationWeights::Uniform:
       // A half from each side: 1 for every edge between points that are solved for.
-      return CotangentStiffness(surface.Triangles,
+      return BuildCotangentStiffness(surface.Triangles,
         Eigen::MatrixXd::Ones(surface.Triangles.rows(), 3), surface.Points.rows());
     case CombinationWeights::Cotangent:
-      return CotangentStiffness(
-        surface.Triangles, AnglesOfTriangles(surface).Cotangents, surface.Points.rows());
+      return BuildCotangentStiffness(
+        surface.Triangles, ComputeTriangleAngles(surface).Cotangents, surface.Points.rows());
     case CombinationWeights::MeanValue:
       break;
   }
@@ -97,25 +97,25 @@ struct FreeEquations
 };
 
 /// place: for each point its row among the free ones, or -1 - its row among the fixed.
-FreeEquations EquationsOf(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& place,
-  int count, const Eigen::MatrixXd& places)
+FreeEquations EquationsOf(const Eigen::SparseMatrix<double>& matrix,
+  const std::vector<int>& position, int count, const Eigen::MatrixXd& positions)
 {
   FreeEquations equations{ Eigen::SparseMatrix<double>(count, count),
-    Eigen::MatrixXd::Zero(count, places.cols()) };
+    Eigen::MatrixXd::Zero(count, positions.cols()) };
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(matrix.nonZeros());
   for (int column = 0; column < matrix.outerSize(); ++column)
   {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
     {
-      const int row = place[entry.row()];
-      if (row >= 0 && place[column] >= 0)
+      const int row = position[entry.row()];
+      if (row >= 0 && position[column] >= 0)
       {
-        entries.emplace_back(row, place[column], entry.value());
+        entries.emplace_back(row, position[column], entry.value());
       }
       else if (row >= 0)
       {
-        equations.B.row(row) -= entry.value() * places.row(-1 - place[column]);
+        equations.B.row(row) -= entry.value() * positions.row(-1 - position[column]);
       }
     }
   }
@@ -143,25 +143,26 @@ Eigen::MatrixXd SolveRows(const FreeEquations& equations)
 
 } // namespace
 
-Eigen::MatrixXd ConvexCombination(const Mesh& surface, CombinationWeights weights,
-  const std::vector<int>& fixed, const Eigen::MatrixXd& places, const Progress& progress)
+Eigen::MatrixXd SolveConvexCombination(const Mesh& surface, CombinationWeights weights,
+  const std::vector<int>& fixed, const Eigen::MatrixXd& positions, const Progress& progress)
 {
   progress(0.0);
-  std::vector<int> place(surface.Points.rows(), 0);
-  Eigen::MatrixXd all(surface.Points.rows(), places.cols());
+  std::vector<int> position(surface.Points.rows(), 0);
+  Eigen::MatrixXd all(surface.Points.rows(), positions.cols());
   for (std::size_t k = 0; k < fixed.size(); ++k)
   {
-    place[fixed[k]] = -1 - static_cast<int>(k);
-    all.row(fixed[k]) = places.row(k);
+    position[fixed[k]] = -1 - static_cast<int>(k);
+    all.row(fixed[k]) = positions.row(k);
   }
   int count = 0;
-  for (int& row : place)
+  for (int& row : position)
   {
     row = row < 0 ? row : count++;
   }
   if (count > 0)
   {
-    const FreeEquations equations = EquationsOf(MatrixOf(surface, weights), place, count, places);
+    const FreeEquations equations =
+      EquationsOf(MatrixOf(surface, weights), position, count, positions);
     progress(0.3);
     Eigen::MatrixXd free;
     if (weights == CombinationWeights::MeanValue)
@@ -175,11 +176,11 @@ Eigen::MatrixXd ConvexCombination(const Mesh& surface, CombinationWeights weight
       progress(0.9);
       free = solver.Solve(equations.B);
     }
-    for (std::size_t i = 0; i < place.size(); ++i)
+    for (std::size_t i = 0; i < position.size(); ++i)
     {
-      if (place[i] >= 0)
+      if (position[i] >= 0)
       {
-        all.row(i) = free.row(place[i]);
+        all.row(i) = free.row(position[i]);
       }
     }
   }

@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
-#include "Mesh/OpenLoops.h"
+#include "Mesh/OpenSurface.h"
 
 #include <algorithm>
 #include <array>
@@ -65,13 +65,13 @@ Eigen::VectorXd ArcLengths(const std::vector<int>& loop, const Eigen::MatrixXd& 
 Eigen::MatrixXd OnCircle(const Eigen::VectorXd& lengths)
 {
   const Eigen::Index count = lengths.size() - 1;
-  Eigen::MatrixXd places(count, 2);
+  Eigen::MatrixXd positions(count, 2);
   for (Eigen::Index i = 0; i < count; ++i)
   {
     const double angle = 2.0 * M_PI * lengths(i) / lengths(count);
-    places.row(i) << std::cos(angle), std::sin(angle);
+    positions.row(i) << std::cos(angle), std::sin(angle);
   }
-  return places;
+  return positions;
 }
 
 /// The loop's points (rows of `lengths`) that go to the corners (1, 1), (-1, 1), (-1, -1), (1, -1),
@@ -103,7 +103,7 @@ Eigen::MatrixXd OnSquare(const Eigen::VectorXd& lengths, const std::array<int, 5
 {
   const Eigen::Matrix<double, 5, 2> ends =
     (Eigen::Matrix<double, 5, 2>() << 1, 1, -1, 1, -1, -1, 1, -1, 1, 1).finished();
-  Eigen::MatrixXd places(lengths.size() - 1, 2);
+  Eigen::MatrixXd positions(lengths.size() - 1, 2);
   for (int side = 0; side < 4; ++side)
   {
     const double begin = lengths(corners[side]);
@@ -112,10 +112,10 @@ Eigen::MatrixXd OnSquare(const Eigen::VectorXd& lengths, const std::array<int, 5
     {
       const double share = (lengths(i) - begin) / length;
       // From the end that one coordinate shares with this point, so that it stays 1 or -1 exactly.
-      places.row(i) = ends.row(side) + share * (ends.row(side + 1) - ends.row(side));
+      positions.row(i) = ends.row(side) + share * (ends.row(side + 1) - ends.row(side));
     }
   }
-  return places;
+  return positions;
 }
 
 /// Whatever an edge between two points of one side cuts off would go to that side, and lose its
@@ -168,7 +168,8 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corners = surface.Triangles.row(t);
-    if (Orientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <= 0)
+    if (EvaluateOrientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <=
+      0)
     {
       flipped.push_back(t);
     }
@@ -193,35 +194,36 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
 
 } // namespace
 
-DiskMapResult DiskMap(const Mesh& surface, const DiskMapOptions& options, const Progress& progress)
+DiskMapResult MapToDisk(
+  const Mesh& surface, const DiskMapOptions& options, const Progress& progress)
 {
   progress(0.0);
-  RequireOpenSurface(surface, LoopCount::One);
+  RequireSurfaceWithBoundary(surface, LoopCount::One);
   progress(0.1);
   DiskMapResult result;
-  result.Loop = OpenLoops(surface).front();
+  result.Loop = FindManifoldBoundaryLoops(surface).front();
   StartAtGreatest(result.Loop, surface.Points);
-  const double size = LongestSide(surface.Points);
+  const double size = ComputeLongestBoxEdge(surface.Points);
   Mesh scaled = surface;
   scaled.Points.rowwise() -= surface.Points.row(result.Loop[0]);
   scaled.Points /= size > 0.0 ? size : 1.0;
   const Eigen::VectorXd lengths = ArcLengths(result.Loop, scaled.Points);
   result.LoopLength = size * lengths(result.Loop.size());
 
-  Eigen::MatrixXd places;
+  Eigen::MatrixXd positions;
   if (options.Outline == DiskOutline::Circle)
   {
-    places = OnCircle(lengths);
+    positions = OnCircle(lengths);
   }
   else
   {
     const std::array<int, 5> corners = Corners(lengths);
     RequireNoEdgeAcrossASide(surface, result.Loop, corners);
-    places = OnSquare(lengths, corners);
+    positions = OnSquare(lengths, corners);
   }
   progress(0.2);
-  const Eigen::MatrixXd image =
-    ConvexCombination(scaled, options.Weights, result.Loop, places, progress.Part(0.2, 0.9));
+  const Eigen::MatrixXd image = SolveConvexCombination(
+    scaled, options.Weights, result.Loop, positions, progress.Part(0.2, 0.9));
   RequireNoFlip(surface, image, options.Weights);
   result.Points = Eigen::MatrixXd::Zero(surface.Points.rows(), 3);
   result.Points.leftCols(2) = image;

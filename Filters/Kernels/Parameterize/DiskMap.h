@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 #include "Parameterize/ConvexCombination.h"
 
 #include <vector>
@@ -35,7 +35,8 @@ struct DiskMapResult
 /**
  * Maps a surface with one open loop and no handle one to one to the disk (or the square) in the
  * plane z = 0: the loop by arc length, every other point to the weighted mean of its neighbours
- * (ConvexCombination). Triangles that are counter-clockwise seen from outside are so seen from +z.
+ * (SolveConvexCombination). Triangles that are counter-clockwise seen from outside are so seen from
+ * +z.
  *
  * With Uniform and MeanValue weights no triangle of the exact solution is flipped (Tutte 1963,
  * Floater 2003): on the circle always, on the square where no inner edge joins two points of one
@@ -54,7 +55,7 @@ struct DiskMapResult
  * a limb shrinks exponentially with its length over its girth. The factorisation is one library
  * call that cannot be interrupted. Throws Aborted.
  */
-DiskMapResult DiskMap(
+DiskMapResult MapToDisk(
   const Mesh& surface, const DiskMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

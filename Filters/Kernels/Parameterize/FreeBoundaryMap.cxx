@@ -2,9 +2,9 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/OpenSurface.h"
 #include "Parameterize/ConformalFlattening.h"
 #include "Parameterize/ConvexCombination.h"
-#include "Mesh/OpenLoops.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -35,14 +35,15 @@ Eigen::MatrixXd CircularMap(
   const Mesh& surface, const std::vector<std::vector<int>>& loops, const Progress& progress)
 {
   const std::vector<int>& loop = loops.front();
-  Eigen::MatrixXd places(loop.size(), 2);
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  Eigen::MatrixXd positions(loop.size(), 2);
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(places.rows());
-    places.row(i) << std::cos(angle), std::sin(angle);
+    const double angle =
+      2.0 * M_PI * static_cast<double>(i) / static_cast<double>(positions.rows());
+    positions.row(i) << std::cos(angle), std::sin(angle);
   }
-  const Mesh filled = FilledWithFans(surface, { loops.begin() + 1, loops.end() });
-  return ConvexCombination(filled, CombinationWeights::Uniform, loop, places, progress)
+  const Mesh filled = FillWithFans(surface, { loops.begin() + 1, loops.end() });
+  return SolveConvexCombination(filled, CombinationWeights::Uniform, loop, positions, progress)
     .topRows(surface.Points.rows());
 }
 
@@ -51,7 +52,7 @@ void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
 {
   Mesh flat{ Eigen::MatrixXd::Zero(image.rows(), 3), triangles };
   flat.Points.leftCols(2) = image;
-  const Eigen::VectorXd weights = PointAreas(flat);
+  const Eigen::VectorXd weights = ComputePointAreas(flat);
   image.rowwise() -= (weights.transpose() * image / weights.sum()).eval();
   const Eigen::Matrix2d moments = image.transpose() * weights.asDiagonal() * image;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
@@ -79,14 +80,14 @@ void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
 
 } // namespace
 
-FreeBoundaryMapResult FreeBoundaryMap(
+FreeBoundaryMapResult MapWithFreeBoundary(
   const Mesh& surface, const FreeBoundaryMapOptions& options, const Progress& progress)
 {
   progress(0.0);
   const double area = ComputeArea(surface);
   if (!(area > 0.0))
   {
-    RequireOpenSurface(surface, LoopCount::AtLeastOne);
+    RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne);
     throw InvalidInput("the surface has no area; check its points");
   }
   Mesh unit = surface;
@@ -94,14 +95,14 @@ FreeBoundaryMapResult FreeBoundaryMap(
   unit.Points /= std::sqrt(area);
 
   FreeBoundaryMapResult result;
-  Eigen::MatrixXd image = ConformalFlattening(unit, progress.Part(0.0, 0.2));
-  const std::vector<std::vector<int>> loops = OpenLoops(surface);
+  Eigen::MatrixXd image = FlattenConformally(unit, progress.Part(0.0, 0.2));
+  const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   for (std::size_t i = 0; i < loops.front().size(); ++i)
   {
     const int next = loops.front()[(i + 1) % loops.front().size()];
     result.LoopLength += (surface.Points.row(next) - surface.Points.row(loops.front()[i])).norm();
   }
-  std::vector<int> flipped = TurnedOver(surface.Triangles, image);
+  std::vector<int> flipped = FindInvertedTriangles(surface.Triangles, image);
   if (!flipped.empty() && !options.Refine)
   {
     throw SolveFailure("the conformal map flips " + CountOf(flipped, surface) +
@@ -111,7 +112,7 @@ FreeBoundaryMapResult FreeBoundaryMap(
   {
     result.IsConformal = false;
     image = CircularMap(unit, loops, progress.Part(0.2, 0.3));
-    flipped = TurnedOver(surface.Triangles, image);
+    flipped = FindInvertedTriangles(surface.Triangles, image);
     if (!flipped.empty())
     {
       throw SolveFailure("Tutte's map of the longest open loop to a circle leaves " +
@@ -130,7 +131,7 @@ FreeBoundaryMapResult FreeBoundaryMap(
     result.Iterations = refined.Iterations;
   }
   Settle(surface.Triangles, image);
-  flipped = TurnedOver(surface.Triangles, image);
+  flipped = FindInvertedTriangles(surface.Triangles, image);
   if (!flipped.empty())
   {
     throw SolveFailure("rounding flips " + CountOf(flipped, surface) +

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 #include "Parameterize/InjectiveRefinement.h"
 
 #include <string>
@@ -26,7 +26,7 @@ struct FreeBoundaryMapResult
 
 /**
  * Maps a surface with open loops and no handle to the plane z = 0, its border free, with no
- * triangle flipped: ConformalFlattening, or where Refine is set RefineInjectively from there; from
+ * triangle flipped: FlattenConformally, or where Refine is set RefineInjectively from there; from
  * Tutte's map of the longest loop to a circle (uniform weights, other loops filled with fans) where
  * the conformal one flips a triangle. Far parts of the image may overlap.
  *
@@ -36,10 +36,10 @@ struct FreeBoundaryMapResult
  * point with the lowest number, off the middle, lies in the direction of x. So the image does not
  * change when the surface moves. Triangles run counter-clockwise seen from +z.
  *
- * Throws InvalidInput as RequireOpenSurface, SolveFailure with the count where a triangle of the
- * conformal map, or of Tutte's, is not counter-clockwise; Aborted.
+ * Throws InvalidInput as RequireSurfaceWithBoundary, SolveFailure with the count where a triangle
+ * of the conformal map, or of Tutte's, is not counter-clockwise; Aborted.
  */
-FreeBoundaryMapResult FreeBoundaryMap(
+FreeBoundaryMapResult MapWithFreeBoundary(
   const Mesh& surface, const FreeBoundaryMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -1,8 +1,8 @@
 #include "Parameterize/InjectiveRefinement.h"
 
 #include "Base/Errors.h"
-#include "Geometry/Orientation.h"
 #include "Base/Parallel.h"
+#include "Geometry/Orientation.h"
 #include "Linear/SparseSolve.h"
 #include "Parameterize/Private/PlanarElements.h"
 
@@ -163,8 +163,8 @@ private:
       [&](Eigen::Index, int, int, int row, int column)
       {
         const int* end = inner + outer[2 * column + 1];
-        const int* place = std::lower_bound(inner + outer[2 * column], end, 2 * row);
-        this->Places.push_back(static_cast<int>(place - inner));
+        const int* position = std::lower_bound(inner + outer[2 * column], end, 2 * row);
+        this->Positions.push_back(static_cast<int>(position - inner));
       });
   }
 
@@ -179,7 +179,7 @@ private:
       {
         const Eigen::Matrix<double, 3, 2> gradients = this->Elements.Gradients(t);
         const double product = gradients.row(k).dot(gradients.row(l));
-        const int first = this->Places[next++];
+        const int first = this->Positions[next++];
         // Both columns of a block have the same rows.
         const int second = first + outer[2 * column + 1] - outer[2 * column];
         const Eigen::Matrix2d block = product * terms.Forms[t];
@@ -200,7 +200,7 @@ private:
   std::vector<int> Rows; ///< of each point: its row of two unknowns, or -1
   int Count = 0;
   Eigen::SparseMatrix<double> Matrix;
-  std::vector<int> Places; ///< of each block in the order of ForEachBlock
+  std::vector<int> Positions; ///< of each block in the order of ForEachBlock
   SparseCholesky Solver;
 };
 
@@ -216,7 +216,8 @@ void RequireStart(
   for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corners = surface.Triangles.row(t);
-    if (Orientation(start.row(corners(0)), start.row(corners(1)), start.row(corners(2))) <= 0)
+    if (EvaluateOrientation(start.row(corners(0)), start.row(corners(1)), start.row(corners(2))) <=
+      0)
     {
       throw InvalidInput("triangle " + std::to_string(t) +
         " of the start is not counter-clockwise; start from a convex combination map");

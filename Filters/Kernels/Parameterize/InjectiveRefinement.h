@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 #include "Parameterize/PlanarDistortion.h"
 
 #include <Eigen/Core>

@@ -12,17 +12,17 @@ namespace
 using Complex = std::complex<double>;
 
 /// The motion by `turn` around `fixed`.
-PlaneMotion TurnAround(Complex fixed, Complex turn)
+PlaneIsometry TurnAround(Complex fixed, Complex turn)
 {
   return { turn, fixed - turn * fixed };
 }
 
-PlaneMotion Inverse(const PlaneMotion& motion)
+PlaneIsometry Inverse(const PlaneIsometry& motion)
 {
   return { std::conj(motion.Turn), -std::conj(motion.Turn) * motion.Shift };
 }
 
-bool AreSame(const PlaneMotion& a, const PlaneMotion& b)
+bool AreSame(const PlaneIsometry& a, const PlaneIsometry& b)
 {
   constexpr double rounding = 1e-6; // different ones of these groups differ by 0.1 at least
   return std::abs(a.Turn - b.Turn) < rounding && std::abs(a.Shift - b.Shift) < rounding;
@@ -30,12 +30,12 @@ bool AreSame(const PlaneMotion& a, const PlaneMotion& b)
 
 } // namespace
 
-int ConeCount(OrbifoldType type)
+int GetConeCount(OrbifoldType type)
 {
   return type == OrbifoldType::Rectangle ? 4 : 3;
 }
 
-OrbifoldTile MakeOrbifoldTile(OrbifoldType type)
+OrbifoldTile BuildOrbifoldTile(OrbifoldType type)
 {
   const double height = std::sqrt(0.75);
   const Complex sixth(0.5, height), third(-0.5, height), quarter(0.0, 1.0), half(-1.0, 0.0);
@@ -67,11 +67,11 @@ OrbifoldTile MakeOrbifoldTile(OrbifoldType type)
   return tile;
 }
 
-std::vector<PlaneMotion> OrbifoldMotions(
+std::vector<PlaneIsometry> ComputeOrbifoldMotions(
   const OrbifoldTile& tile, std::complex<double> centre, double radius)
 {
-  std::vector<PlaneMotion> generators;
-  for (const PlaneMotion& leg : tile.Legs)
+  std::vector<PlaneIsometry> generators;
+  for (const PlaneIsometry& leg : tile.Legs)
   {
     generators.push_back(leg);
     generators.push_back(Inverse(leg));
@@ -79,27 +79,27 @@ std::vector<PlaneMotion> OrbifoldMotions(
   // One generator moves a place near the tile by less than this; so no wanted motion is cut off
   // from the identity by unwanted ones.
   constexpr double slack = 4.0;
-  const auto moved = [&](const PlaneMotion& motion) { return std::abs(motion(centre) - centre); };
-  std::vector<PlaneMotion> found = { PlaneMotion() };
+  const auto moved = [&](const PlaneIsometry& motion) { return std::abs(motion(centre) - centre); };
+  std::vector<PlaneIsometry> found = { PlaneIsometry() };
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    for (const PlaneMotion& generator : generators)
+    for (const PlaneIsometry& generator : generators)
     {
-      const PlaneMotion next = found[i].After(generator);
+      const PlaneIsometry next = found[i].After(generator);
       if (moved(next) <= radius + slack &&
         std::none_of(found.begin(), found.end(),
-          [&](const PlaneMotion& other) { return AreSame(next, other); }))
+          [&](const PlaneIsometry& other) { return AreSame(next, other); }))
       {
         found.push_back(next);
       }
     }
   }
   found.erase(std::remove_if(found.begin() + 1, found.end(),
-                [&](const PlaneMotion& motion) { return moved(motion) > radius; }),
+                [&](const PlaneIsometry& motion) { return moved(motion) > radius; }),
     found.end());
   // The order in which they were found does not depend on rounding.
   std::stable_sort(found.begin() + 1, found.end(),
-    [&](const PlaneMotion& a, const PlaneMotion& b) { return moved(a) < moved(b) - 1e-6; });
+    [&](const PlaneIsometry& a, const PlaneIsometry& b) { return moved(a) < moved(b) - 1e-6; });
   return found;
 }
 

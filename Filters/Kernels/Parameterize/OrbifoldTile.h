@@ -17,10 +17,10 @@ enum class OrbifoldType
   Rectangle = 3 ///< four cones, 2 2 2 2: a rectangle; any parallelogram serves as well
 };
 
-int ConeCount(OrbifoldType type);
+int GetConeCount(OrbifoldType type);
 
 /// A motion of the plane that mirrors nothing: z goes to Turn z + Shift.
-struct PlaneMotion
+struct PlaneIsometry
 {
   std::complex<double> Turn{ 1.0, 0.0 }; ///< of modulus 1
   std::complex<double> Shift{ 0.0, 0.0 };
@@ -29,7 +29,7 @@ struct PlaneMotion
     return this->Turn * z + this->Shift;
   }
   /// First `other`, then this.
-  PlaneMotion After(const PlaneMotion& other) const
+  PlaneIsometry After(const PlaneIsometry& other) const
   {
     return { this->Turn * other.Turn, (*this)(other.Shift) };
   }
@@ -48,17 +48,17 @@ struct OrbifoldTile
   std::vector<std::complex<double>> Back;  ///< and on the way back
   /// Of each leg of the path, from one cone to the next: the motion that takes its image on the way
   /// there to that on the way back.
-  std::vector<PlaneMotion> Legs;
+  std::vector<PlaneIsometry> Legs;
 };
 
-OrbifoldTile MakeOrbifoldTile(OrbifoldType type);
+OrbifoldTile BuildOrbifoldTile(OrbifoldType type);
 
 /**
  * The motions of the group that the legs' motions generate that move `centre` by no more than
  * `radius`: the identity, and then by that distance, equal ones by turn. The plane is covered once
  * by the images of the tile under all motions.
  */
-std::vector<PlaneMotion> OrbifoldMotions(
+std::vector<PlaneIsometry> ComputeOrbifoldMotions(
   const OrbifoldTile& tile, std::complex<double> centre, double radius);
 
 } // namespace shape

@@ -2,11 +2,11 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
+#include "Mesh/OpenSurface.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Laplacian/CotangentWeights.h"
-#include "Mesh/OpenLoops.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -24,7 +24,7 @@ namespace
 using Complex = std::complex<double>;
 
 /// The least weight of an edge: with positive weights nothing flips.
-constexpr double LeastWeight = 1e-2;
+constexpr double MinimumWeight = 1e-2;
 
 void RequireSphere(const Mesh& surface)
 {
@@ -51,9 +51,9 @@ void RequireSphere(const Mesh& surface)
 
 void RequireCones(const Mesh& surface, const std::vector<int>& cones, OrbifoldType type)
 {
-  if (static_cast<int>(cones.size()) != ConeCount(type))
+  if (static_cast<int>(cones.size()) != GetConeCount(type))
   {
-    throw InvalidInput("the orbifold has " + std::to_string(ConeCount(type)) + " cones, but " +
+    throw InvalidInput("the orbifold has " + std::to_string(GetConeCount(type)) + " cones, but " +
       std::to_string(cones.size()) + " are given; give 3 or 4 Landmarks");
   }
   for (std::size_t i = 0; i < cones.size(); ++i)
@@ -75,23 +75,23 @@ void RequireCones(const Mesh& surface, const std::vector<int>& cones, OrbifoldTy
 }
 
 /// Where a point of the cut surface is seen: moved from the unknown place of a point, or given.
-struct Place
+struct Position
 {
   int Unknown = -1;
-  PlaneMotion Motion; ///< of the unknown; without one, Shift is the place
+  PlaneIsometry Motion; ///< of the unknown; without one, Shift is the place
 };
 
-/// Places of the cut surface's points, and the number of unknowns.
-std::pair<std::vector<Place>, int> PlacesOf(
+/// Positions of the cut surface's points, and the number of unknowns.
+std::pair<std::vector<Position>, int> GetLoopPositions(
   const CutSurface& cut, const EdgePath& path, const OrbifoldTile& tile)
 {
   // The border runs along the path to its end, and back.
-  std::vector<int> loop = OpenLoops(cut.Surface).front();
+  std::vector<int> loop = FindManifoldBoundaryLoops(cut.Surface).front();
   std::rotate(loop.begin(),
     std::find_if(loop.begin(), loop.end(),
       [&](int point) { return cut.Originals[point] == path.Points.front(); }),
     loop.end());
-  std::vector<Place> places(cut.Originals.size());
+  std::vector<Position> positions(cut.Originals.size());
   std::vector<char> isDone(cut.Originals.size(), 0);
   const auto count = static_cast<int>(loop.size());
   const auto twin = [&](int i) { return loop[(count - i) % count]; };
@@ -99,8 +99,8 @@ std::pair<std::vector<Place>, int> PlacesOf(
   for (int stop = 0; stop <= last; ++stop)
   {
     const int i = path.Stops[stop];
-    places[loop[i]].Motion = { 0.0, tile.There[stop] };
-    places[twin(i)].Motion = { 0.0, tile.Back[stop] };
+    positions[loop[i]].Motion = { 0.0, tile.There[stop] };
+    positions[twin(i)].Motion = { 0.0, tile.Back[stop] };
     isDone[loop[i]] = isDone[twin(i)] = 1;
   }
   int unknowns = 0;
@@ -108,19 +108,19 @@ std::pair<std::vector<Place>, int> PlacesOf(
   {
     for (int i = path.Stops[stop] + 1; i < path.Stops[stop + 1]; ++i)
     {
-      places[loop[i]] = { unknowns, {} };
-      places[twin(i)] = { unknowns++, tile.Legs[stop] };
+      positions[loop[i]] = { unknowns, {} };
+      positions[twin(i)] = { unknowns++, tile.Legs[stop] };
       isDone[loop[i]] = isDone[twin(i)] = 1;
     }
   }
-  for (std::size_t point = 0; point < places.size(); ++point)
+  for (std::size_t point = 0; point < positions.size(); ++point)
   {
     if (isDone[point] == 0)
     {
-      places[point] = { unknowns++, {} };
+      positions[point] = { unknowns++, {} };
     }
   }
-  return { std::move(places), unknowns };
+  return { std::move(positions), unknowns };
 }
 
 /// The least of the sum of w |p - q|^2 / 2 over the sides of all triangles.
@@ -133,7 +133,7 @@ public:
   }
 
   /// The derivative by p of w |p - q|^2 / 2, and that by q.
-  void AddSide(const Place& p, const Place& q, double weight)
+  void AddSide(const Position& p, const Position& q, double weight)
   {
     this->AddHalf(p, q, weight);
     this->AddHalf(q, p, weight);
@@ -160,7 +160,7 @@ public:
   }
 
 private:
-  void AddHalf(const Place& p, const Place& q, double weight)
+  void AddHalf(const Position& p, const Position& q, double weight)
   {
     if (p.Unknown < 0)
     {
@@ -199,7 +199,8 @@ void RequireNoFlip(const Mesh& cut, const Eigen::MatrixXd& image)
   for (int t = 0; t < cut.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corners = cut.Triangles.row(t);
-    if (Orientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <= 0)
+    if (EvaluateOrientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <=
+      0)
     {
       first = flipped++ == 0 ? t : first;
     }
@@ -215,7 +216,7 @@ void RequireNoFlip(const Mesh& cut, const Eigen::MatrixXd& image)
 
 } // namespace
 
-OrbifoldImage OrbifoldTutte(
+OrbifoldImage MapToOrbifold(
   const Mesh& surface, const std::vector<int>& cones, OrbifoldType type, const Progress& progress)
 {
   progress(0.0);
@@ -223,21 +224,21 @@ OrbifoldImage OrbifoldTutte(
   RequireCones(surface, cones, type);
   OrbifoldImage image;
   image.Cones = cones;
-  image.Tile = MakeOrbifoldTile(type);
-  const EdgePath path = PathThrough(surface, cones, progress.Part(0.1, 0.2));
+  image.Tile = BuildOrbifoldTile(type);
+  const EdgePath path = FindEdgePathThrough(surface, cones, progress.Part(0.1, 0.2));
   std::vector<std::array<int, 2>> edges;
   for (std::size_t i = 1; i < path.Points.size(); ++i)
   {
     edges.push_back({ path.Points[i - 1], path.Points[i] });
   }
-  image.Cut = CutAlong(surface, edges);
+  image.Cut = CutAlongEdges(surface, edges);
   progress(0.3);
 
-  const auto [places, unknowns] = PlacesOf(image.Cut, path, image.Tile);
+  const auto [positions, unknowns] = GetLoopPositions(image.Cut, path, image.Tile);
   const Eigen::SparseMatrix<double> weights =
-    PositiveStiffness(CotangentStiffness(surface.Triangles, AnglesOfTriangles(surface).Cotangents,
-                        surface.Points.rows()),
-      LeastWeight);
+    BuildPositiveStiffness(BuildCotangentStiffness(surface.Triangles,
+                             ComputeTriangleAngles(surface).Cotangents, surface.Points.rows()),
+      MinimumWeight);
   MeanEquations equations(unknowns);
   for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
   {
@@ -245,20 +246,20 @@ OrbifoldImage OrbifoldTutte(
     {
       const int next = (corner + 1) % 3;
       // Half from each of the edge's triangles.
-      equations.AddSide(places[image.Cut.Surface.Triangles(t, corner)],
-        places[image.Cut.Surface.Triangles(t, next)],
+      equations.AddSide(positions[image.Cut.Surface.Triangles(t, corner)],
+        positions[image.Cut.Surface.Triangles(t, next)],
         -0.5 * weights.coeff(surface.Triangles(t, corner), surface.Triangles(t, next)));
     }
   }
   progress(0.4);
   const std::vector<Complex> solution = equations.Solve();
   progress(0.9);
-  image.Points.resize(static_cast<Eigen::Index>(places.size()), 2);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  image.Points.resize(static_cast<Eigen::Index>(positions.size()), 2);
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    const Place& place = places[i];
+    const Position& position = positions[i];
     const Complex z =
-      place.Unknown >= 0 ? place.Motion(solution[place.Unknown]) : place.Motion.Shift;
+      position.Unknown >= 0 ? position.Motion(solution[position.Unknown]) : position.Motion.Shift;
     image.Points.row(static_cast<Eigen::Index>(i)) << z.real(), z.imag();
   }
   RequireNoFlip(image.Cut.Surface, image.Points);
@@ -266,13 +267,13 @@ OrbifoldImage OrbifoldTutte(
   return image;
 }
 
-Eigen::MatrixXd OnBestParallelogram(const OrbifoldImage& image)
+Eigen::MatrixXd FitToBestParallelogram(const OrbifoldImage& image)
 {
   // The Dirichlet energy of a linear image T is the trace of T D T'; with det T = 1 it is least
   // where that is a multiple of the identity.
   const Mesh& cut = image.Cut.Surface;
-  const Eigen::SparseMatrix<double> stiffness =
-    CotangentStiffness(cut.Triangles, AnglesOfTriangles(cut).Cotangents, cut.Points.rows());
+  const Eigen::SparseMatrix<double> stiffness = BuildCotangentStiffness(
+    cut.Triangles, ComputeTriangleAngles(cut).Cotangents, cut.Points.rows());
   const Eigen::Matrix2d energy = image.Points.transpose() * stiffness * image.Points;
   const Eigen::Matrix2d factor = energy.llt().matrixL();
   // Where D = L L', that is L^-1, which keeps the direction of y.

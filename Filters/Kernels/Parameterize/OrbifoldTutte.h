@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Parameterize/OrbifoldTile.h"
+#include "Mesh/Mesh.h"
 #include "Mesh/SurfaceCut.h"
+#include "Parameterize/OrbifoldTile.h"
 
 #include <Eigen/Core>
 
@@ -29,8 +29,8 @@ struct OrbifoldImage
  * place of the cut does not show, and with three cones neither does its course. Weights are
  * cotangents, of which those below a hundredth are raised to it, so that all are positive.
  *
- * cones: ConeCount(type) different points; of Square the middle one has the angle pi, of Triangle
- * the first pi / 3, the second 2 pi / 3, the third pi.
+ * cones: GetConeCount(type) different points; of Square the middle one has the angle pi, of
+ * Triangle the first pi / 3, the second 2 pi / 3, the third pi.
  *
  * Throws InvalidInput where the surface is not closed, has several components, genus > 0 or points
  * that no triangle uses, where cones are too many, too few or not different, or where the mesh is
@@ -38,12 +38,12 @@ struct OrbifoldImage
  * orientation: a limb shrinks exponentially with its length over its girth. The factorisation is
  * one library call that cannot be interrupted. Throws Aborted.
  */
-OrbifoldImage OrbifoldTutte(const Mesh& surface, const std::vector<int>& cones, OrbifoldType type,
+OrbifoldImage MapToOrbifold(const Mesh& surface, const std::vector<int>& cones, OrbifoldType type,
   const Progress& progress = {});
 
 /// Of an image on a Rectangle: stretched and sheared to the parallelogram on which it is most
 /// conformal, of the same area, its first two cones along y as they were. Any linear map keeps what
 /// the image is, since it commutes with the group's half turns.
-Eigen::MatrixXd OnBestParallelogram(const OrbifoldImage& image);
+Eigen::MatrixXd FitToBestParallelogram(const OrbifoldImage& image);
 
 } // namespace shape

@@ -3,13 +3,13 @@
 #include "Base/Errors.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Quality/ConformalDistortion.h"
-#include "Quality/MapQuality.h"
 #include "Parameterize/FreeBoundaryMap.h"
 #include "Parameterize/InjectiveRefinement.h"
 #include "Parameterize/OrbifoldTutte.h"
 #include "Parameterize/Private/PlanarElements.h"
 #include "Parameterize/SphereMap.h"
+#include "Quality/ConformalDistortion.h"
+#include "Quality/MapQuality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,10 +68,10 @@ const char* Word(CombinationWeights weights)
 ParameterizeResult OntoSphere(
   const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
 {
-  const SphereMapResult map = SphereMap(surface, ForSphere(options), progress);
+  const SphereMapResult map = MapToSphere(surface, ForSphere(options), progress);
   ParameterizeResult result;
   result.Positions = map.Points;
-  if (EnclosedVolume(surface) < 0.0)
+  if (ComputeEnclosedVolume(surface) < 0.0)
   {
     // The image faces outwards: the map would mirror what is inside.
     result.Positions.col(2) *= -1.0;
@@ -97,7 +97,7 @@ ParameterizeResult OntoDisk(
   const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
 {
   const Progress mapping = progress.Part(0.0, IsRefined(options) ? 0.3 : 1.0);
-  const DiskMapResult map = DiskMap(surface, { options.Weights, options.Outline }, mapping);
+  const DiskMapResult map = MapToDisk(surface, { options.Weights, options.Outline }, mapping);
   ParameterizeResult result;
   result.Positions = map.Points;
   result.Method = Word(options.Weights);
@@ -121,7 +121,7 @@ ParameterizeResult WithFreeBoundary(
 {
   FreeBoundaryMapOptions own;
   own.Refine = IsRefined(options);
-  const FreeBoundaryMapResult map = FreeBoundaryMap(surface, own, progress);
+  const FreeBoundaryMapResult map = MapWithFreeBoundary(surface, own, progress);
   ParameterizeResult result;
   result.Positions = map.Points;
   result.Method = own.Refine ? "SymmetricDirichlet" : "BoundaryFirst";
@@ -170,10 +170,10 @@ ParameterizeResult OntoOrbifold(const Mesh& surface, const Eigen::MatrixXd& land
       std::to_string(landmarks.rows()) + " Landmarks; give 3 or 4 points near the surface");
   }
   const OrbifoldType type = landmarks.rows() == 4 ? OrbifoldType::Rectangle : options.Tile;
-  OrbifoldImage image = OrbifoldTutte(surface, NearestPoints(surface, landmarks), type, progress);
+  OrbifoldImage image = MapToOrbifold(surface, NearestPoints(surface, landmarks), type, progress);
   if (type == OrbifoldType::Rectangle)
   {
-    image.Points = OnBestParallelogram(image);
+    image.Points = FitToBestParallelogram(image);
   }
   ParameterizeResult result;
   result.CutPositions = Eigen::MatrixXd::Zero(image.Points.rows(), 3);
@@ -198,15 +198,15 @@ void RequireDomain(const Mesh& surface, ParameterizeOptions::DomainType domain)
       "place "
       "with Clean");
   }
-  if (!isForClosed && topology.OpenLoops == 0)
+  if (!isForClosed && topology.BoundaryLoops == 0)
   {
     throw InvalidInput("the surface is closed; take the Domain Sphere or Orbifold, or cut it open "
                        "first, as with Clip");
   }
-  if (topology.OpenLoops > (isForClosed ? 0 : 1) && domain != Domain::FreeBoundary)
+  if (topology.BoundaryLoops > (isForClosed ? 0 : 1) && domain != Domain::FreeBoundary)
   {
-    throw InvalidInput("the surface has " + std::to_string(topology.OpenLoops) +
-      (topology.OpenLoops == 1 ? " open loop" : " open loops") + " (first at point " +
+    throw InvalidInput("the surface has " + std::to_string(topology.BoundaryLoops) +
+      (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + " (first at point " +
       std::to_string(topology.FirstOpenPoint) + "), and the Domain has " +
       (isForClosed
           ? "none; take FreeBoundary, close it with Fill Holes, or merge its duplicate points with "
@@ -248,8 +248,8 @@ ParameterizeResult Parameterize(const Mesh& surface, const Eigen::MatrixXd& land
   const bool isCut = options.Domain == ParameterizeOptions::DomainType::Orbifold;
   const Mesh& mapped = isCut ? result.Cut.Surface : surface;
   const Eigen::MatrixXd& image = isCut ? result.CutPositions : result.Positions;
-  const Eigen::VectorXd areas = AreaVectors(mapped).rowwise().norm();
-  result.ConformalDistortion = areas.dot(ConformalDistortion(mapped, image)) / areas.sum();
+  const Eigen::VectorXd areas = ComputeAreaVectors(mapped).rowwise().norm();
+  result.ConformalDistortion = areas.dot(ComputeConformalDistortion(mapped, image)) / areas.sum();
   if (options.Domain != ParameterizeOptions::DomainType::Sphere)
   {
     const bool hasOwnSize = options.Domain == ParameterizeOptions::DomainType::FreeBoundary;

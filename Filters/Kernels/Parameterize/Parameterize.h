@@ -1,10 +1,10 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/SurfaceCut.h"
 #include "Parameterize/DiskMap.h"
 #include "Parameterize/OrbifoldTile.h"
-#include "Mesh/SurfaceCut.h"
 
 #include <string>
 
@@ -16,10 +16,10 @@ struct ParameterizeOptions
   /// What the surface is mapped onto.
   enum class DomainType
   {
-    Disk = 0,         ///< of a surface with one open loop: shape::DiskMap
-    Sphere = 1,       ///< of a closed surface of genus 0, the unit sphere: shape::SphereMap
-    FreeBoundary = 2, ///< of a surface with open loops, the plane: shape::FreeBoundaryMap
-    Orbifold = 3      ///< of a closed surface of genus 0, cut open: shape::OrbifoldTutte
+    Disk = 0,         ///< of a surface with one open loop: shape::MapToDisk
+    Sphere = 1,       ///< of a closed surface of genus 0, the unit sphere: shape::MapToSphere
+    FreeBoundary = 2, ///< of a surface with open loops, the plane: shape::MapWithFreeBoundary
+    Orbifold = 3      ///< of a closed surface of genus 0, cut open: shape::MapToOrbifold
   };
   DomainType Domain = DomainType::Sphere;
   /// Disk: by which weights a point is the mean of its neighbours.

@@ -1,10 +1,10 @@
 #include "Parameterize/SphereMap.h"
 
 #include "Base/Errors.h"
+#include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Laplacian/CotangentWeights.h"
 #include "Parameterize/Private/MoebiusCentering.h"
 #include "Parameterize/Private/SphericalReinsertion.h"
 #include "Parameterize/SphericalRelaxation.h"
@@ -58,11 +58,11 @@ void Check(const Mesh& surface, const SphereMapOptions& options)
 /// The surface with area 1 and its middle at the origin.
 Mesh Normalised(const Mesh& surface)
 {
-  const double size = LongestSide(surface.Points);
+  const double size = ComputeLongestBoxEdge(surface.Points);
   Mesh mesh = surface;
   mesh.Points.rowwise() -= surface.Points.colwise().mean();
   mesh.Points /= size;
-  const double area = PointAreas(mesh).sum();
+  const double area = ComputePointAreas(mesh).sum();
   if (!mesh.Points.allFinite() || !(area > 0.0))
   {
     throw InvalidInput("the surface has no area that double precision can hold (its longest side "
@@ -86,7 +86,7 @@ public:
   void Step(double timeStep)
   {
     this->Recentre();
-    const Eigen::VectorXd masses = PointAreas(this->Moving);
+    const Eigen::VectorXd masses = ComputePointAreas(this->Moving);
     Eigen::SparseMatrix<double> system = timeStep * this->Stiffness;
     system.diagonal() += masses;
     this->Solver.Factorize(system);
@@ -114,7 +114,7 @@ private:
   void Recentre()
   {
     Eigen::MatrixXd& points = this->Moving.Points;
-    const Eigen::VectorXd masses = PointAreas(this->Moving);
+    const Eigen::VectorXd masses = ComputePointAreas(this->Moving);
     const Eigen::RowVector3d mean = masses.transpose() * points / masses.sum();
     points.rowwise() -= mean;
     points /= std::sqrt(masses.sum());
@@ -157,7 +157,7 @@ Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
 {
   ConformalFlow flow(mesh, stiffness);
   Eigen::MatrixXd best;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   int idle = 0;
   for (; idle < 3 && iterations < options.MaximumIterations; ++iterations)
   {
@@ -167,11 +167,11 @@ Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
     const double distortion = MeanDistortion(mesh, angles, sphere);
     const bool held = iterations + 1 >= options.FreeIterations;
     // Smaller gains are left: which step has the least of them hangs on rounding.
-    const bool better = distortion < (1.0 - options.Tolerance) * least;
+    const bool better = distortion < (1.0 - options.Tolerance) * minimum;
     idle = better || !held ? 0 : idle + 1;
     if (better)
     {
-      least = distortion;
+      minimum = distortion;
       best = sphere;
     }
     if (held)
@@ -216,7 +216,7 @@ std::vector<int> Around(const Mesh& mesh, const std::vector<int>& points)
 
 int CountFlips(const Mesh& mesh, const Eigen::MatrixXd& sphere)
 {
-  return static_cast<int>(FlippedTriangles(mesh.Triangles, sphere).size());
+  return static_cast<int>(FindFlippedTriangles(mesh.Triangles, sphere).size());
 }
 
 /// One method from its beginning to a centred map, or false where flipped triangles are left.
@@ -224,11 +224,11 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
   SphereMapResult& result, const Progress& progress)
 {
   const int n = static_cast<int>(mesh.Points.rows());
-  const TriangleAngles angles = AnglesOfTriangles(mesh);
+  const TriangleAngles angles = ComputeTriangleAngles(mesh);
   result.Method = method;
   result.Iterations = 0;
   result.Reinserted = 0;
-  int most = n;
+  int maximum = n;
   if (method == SphereMapMethod::GlobalReinsertion)
   {
     result.Points =
@@ -237,31 +237,31 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
   else
   {
     Eigen::SparseMatrix<double> stiffness =
-      CotangentStiffness(mesh.Triangles, angles.Cotangents, n);
+      BuildCotangentStiffness(mesh.Triangles, angles.Cotangents, n);
     if (method == SphereMapMethod::PositiveFlow)
     {
-      stiffness = PositiveStiffness(stiffness, 0.01);
+      stiffness = BuildPositiveStiffness(stiffness, 0.01);
     }
     else
     {
-      most = std::max(16, static_cast<int>(options.LargestRepair * n));
+      maximum = std::max(16, static_cast<int>(options.LargestRepair * n));
     }
     result.Points =
       FlowToSphere(mesh, angles, stiffness, options, result.Iterations, progress.Part(0.0, 0.8));
-    if (SolidAngles(mesh.Triangles, result.Points).sum() < 0.0)
+    if (ComputeSolidAngles(mesh.Triangles, result.Points).sum() < 0.0)
     {
       result.Points = -result.Points;
     }
   }
   // Centring can flip a triangle again: it keeps circles, but not the straight sides.
-  const Eigen::VectorXd areas = PointAreas(mesh);
+  const Eigen::VectorXd areas = ComputePointAreas(mesh);
   const int rounds = 8;
   for (int round = 0; round < rounds; ++round)
   {
     const Progress part =
       progress.Part(0.8 + 0.2 * round / rounds, 0.8 + 0.2 * (round + 1) / rounds);
     const MoebiusCenteringResult centred =
-      MoebiusCentering(result.Points, areas, {}, part.Part(0.0, 0.1));
+      CenterOnSphere(result.Points, areas, {}, part.Part(0.0, 0.1));
     result.Points = centred.Points;
     result.MeanLength = centred.MeanLength;
     const int flips = CountFlips(mesh, result.Points);
@@ -271,10 +271,10 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
     }
     if (flips == 0)
     {
-      return CoveringDegree(mesh.Triangles, result.Points) == 1;
+      return ComputeCoveringDegree(mesh.Triangles, result.Points) == 1;
     }
     const SphericalReinsertionResult repaired =
-      ReinsertFlipped(mesh.Triangles, result.Points, most, part.Part(0.1, 0.7));
+      ReinsertFlipped(mesh.Triangles, result.Points, maximum, part.Part(0.1, 0.7));
     if (!repaired.Reached)
     {
       return false;
@@ -289,7 +289,7 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
 
 } // namespace
 
-SphereMapResult SphereMap(
+SphereMapResult MapToSphere(
   const Mesh& surface, const SphereMapOptions& options, const Progress& progress)
 {
   Check(surface, options);
@@ -309,11 +309,11 @@ SphereMapResult SphereMap(
     {
       if (Attempt(mesh, method, options, result, progress.Part(begin, end)))
       {
-        result.SmallestArea = SolidAngles(mesh.Triangles, result.Points).minCoeff();
+        result.SmallestArea = ComputeSolidAngles(mesh.Triangles, result.Points).minCoeff();
         progress(1.0);
         return result;
       }
-      const std::vector<int> flipped = FlippedTriangles(mesh.Triangles, result.Points);
+      const std::vector<int> flipped = FindFlippedTriangles(mesh.Triangles, result.Points);
       failure = std::to_string(flipped.size()) + " triangles stay flipped on the sphere" +
         (flipped.empty() ? "" : " (first at triangle " + std::to_string(flipped[0]) + ")") +
         "; remesh the surface's longest and thinnest parts";

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -50,7 +50,7 @@ struct SphereMapResult
  * Conformalised mean-curvature flow (Kazhdan, Solomon & Ben-Chen 2012, equation 9): implicit steps
  * (M_t + dt L_0) x = M_t x_t with the stiffness of the given surface and the lumped masses of the
  * moving one, held on the sphere after the first steps. ReinsertFlipped and RelaxOnSphere where
- * triangles flip, the other methods where that is not enough. MoebiusCentering: the mean of the
+ * triangles flip, the other methods where that is not enough. CenterOnSphere: the mean of the
  * image, weighted by the areas of the given surface, is the origin.
  *
  * A conformal map shrinks limbs exponentially with their length over their girth (a figure's
@@ -66,7 +66,7 @@ struct SphereMapResult
  * components, genus > 0, no extent, or points that no triangle uses; SolveFailure where flipped
  * triangles remain: with their count.
  */
-SphereMapResult SphereMap(
+SphereMapResult MapToSphere(
   const Mesh& surface, const SphereMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

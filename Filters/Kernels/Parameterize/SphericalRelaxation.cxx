@@ -17,7 +17,7 @@ double TriangleEnergy(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
 {
   return (t.CotangentA * (c - b).squaredNorm() + t.CotangentB * (a - c).squaredNorm() +
            t.CotangentC * (b - a).squaredNorm() + t.AreaTerm) /
-    SphericalDeterminant(a, b, c);
+    ComputeSphericalDeterminant(a, b, c);
 }
 
 /// The energy of a star with its middle at `a`; infinite where a triangle does not face outwards.
@@ -29,7 +29,7 @@ double Energy(
   {
     const Eigen::RowVector3d b = points.row(t.B);
     const Eigen::RowVector3d c = points.row(t.C);
-    if (!FacesOutwards(a, b, c))
+    if (!IsFacingOutwards(a, b, c))
     {
       return std::numeric_limits<double>::infinity();
     }
@@ -51,7 +51,7 @@ Eigen::RowVector3d NewtonStep(
   {
     const Eigen::RowVector3d b = points.row(t.B);
     const Eigen::RowVector3d c = points.row(t.C);
-    const double determinant = SphericalDeterminant(a, b, c);
+    const double determinant = ComputeSphericalDeterminant(a, b, c);
     const double energy = TriangleEnergy(a, b, c, t);
     const Eigen::Vector2d slopeN =
       tangents * (2.0 * (t.CotangentB * (a - c) + t.CotangentC * (a - b))).transpose();
@@ -74,16 +74,16 @@ Eigen::RowVector3d NewtonStep(
 
 bool RelaxPoint(Eigen::MatrixXd& points, int point, const std::vector<StarTriangle>& star)
 {
-  const Eigen::RowVector3d place = points.row(point);
-  const double energy = Energy(points, place, star);
-  Eigen::RowVector3d step = NewtonStep(points, place, star);
+  const Eigen::RowVector3d position = points.row(point);
+  const double energy = Energy(points, position, star);
+  Eigen::RowVector3d step = NewtonStep(points, position, star);
   if (!step.allFinite() || !(energy < std::numeric_limits<double>::infinity()))
   {
     return false;
   }
   for (int halving = 0; halving < 10; ++halving, step *= 0.5)
   {
-    const Eigen::RowVector3d moved = (place + step).normalized();
+    const Eigen::RowVector3d moved = (position + step).normalized();
     // A gain near rounding would hang on the order of summation, so on the number of threads.
     if (Energy(points, moved, star) < energy * (1.0 - 1e-13))
     {

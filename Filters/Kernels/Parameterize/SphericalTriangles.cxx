@@ -24,25 +24,26 @@ bool FacesOutwardsFrom(
 
 } // namespace
 
-double SphericalDeterminant(
+double ComputeSphericalDeterminant(
   const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c)
 {
   return a.dot((b - a).cross(c - a));
 }
 
-bool FacesOutwards(
+bool IsFacingOutwards(
   const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c)
 {
   // The bound depends on the corner that differences are taken from.
   return FacesOutwardsFrom(a, b, c) || FacesOutwardsFrom(b, c, a) || FacesOutwardsFrom(c, a, b);
 }
 
-std::vector<int> FlippedTriangles(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
+std::vector<int> FindFlippedTriangles(
+  const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
 {
   std::vector<int> flipped;
   for (int t = 0; t < triangles.rows(); ++t)
   {
-    if (!FacesOutwards(
+    if (!IsFacingOutwards(
           points.row(triangles(t, 0)), points.row(triangles(t, 1)), points.row(triangles(t, 2))))
     {
       flipped.push_back(t);
@@ -51,7 +52,7 @@ std::vector<int> FlippedTriangles(const Eigen::MatrixXi& triangles, const Eigen:
   return flipped;
 }
 
-Eigen::VectorXd SolidAngles(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
+Eigen::VectorXd ComputeSolidAngles(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
 {
   Eigen::VectorXd angles(triangles.rows());
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
@@ -60,14 +61,14 @@ Eigen::VectorXd SolidAngles(const Eigen::MatrixXi& triangles, const Eigen::Matri
     const Eigen::RowVector3d b = points.row(triangles(t, 1));
     const Eigen::RowVector3d c = points.row(triangles(t, 2));
     angles(t) =
-      2.0 * std::atan2(SphericalDeterminant(a, b, c), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
+      2.0 * std::atan2(ComputeSphericalDeterminant(a, b, c), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
   }
   return angles;
 }
 
-int CoveringDegree(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
+int ComputeCoveringDegree(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
 {
-  return static_cast<int>(std::lround(SolidAngles(triangles, points).sum() / (4.0 * M_PI)));
+  return static_cast<int>(std::lround(ComputeSolidAngles(triangles, points).sum() / (4.0 * M_PI)));
 }
 
 } // namespace shape

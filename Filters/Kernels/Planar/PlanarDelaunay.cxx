@@ -1,7 +1,7 @@
 #include "Planar/PlanarDelaunay.h"
 
 #include "Base/Errors.h"
-#include "Mesh/SamePlaces.h"
+#include "Mesh/CoincidentPoints.h"
 #include "Planar/Private/PlanarTriangles.h"
 #include "Planar/Private/SegmentRecovery.h"
 
@@ -20,7 +20,7 @@ namespace
 
 using KeepType = PlanarDelaunayOptions::KeepType;
 
-void RequireUsable(const Eigen::MatrixXd& points, const Eigen::MatrixXi& segments)
+void RequireSupportedFeatures(const Eigen::MatrixXd& points, const Eigen::MatrixXi& segments)
 {
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
@@ -199,10 +199,10 @@ void AddEdges(const PlanarTriangles& plane, const Eigen::MatrixXi& segments,
     {
       // Coordinates along the longer axis: no rounding.
       const Eigen::RowVector2d along =
-        plane.Place(segments(segment, 1)) - plane.Place(segments(segment, 0));
+        plane.Position(segments(segment, 1)) - plane.Position(segments(segment, 0));
       const int axis = std::abs(along(0)) >= std::abs(along(1)) ? 0 : 1;
       const double sign = along(axis) < 0.0 ? -1.0 : 1.0;
-      const double from = sign * plane.Place(begin)(axis), to = sign * plane.Place(end)(axis);
+      const double from = sign * plane.Position(begin)(axis), to = sign * plane.Position(end)(axis);
       if (std::make_pair(from, begin) < std::make_pair(to, end))
       {
         sides.emplace_back(segment, from, side);
@@ -222,11 +222,11 @@ void AddEdges(const PlanarTriangles& plane, const Eigen::MatrixXi& segments,
 
 } // namespace
 
-PlanarTriangulation PlanarDelaunay(const Eigen::MatrixXd& points, const Eigen::MatrixXi& segments,
-  const PlanarDelaunayOptions& options)
+PlanarTriangulation TriangulateInPlane(const Eigen::MatrixXd& points,
+  const Eigen::MatrixXi& segments, const PlanarDelaunayOptions& options)
 {
-  RequireUsable(points, segments);
-  const std::vector<int> first = FirstAtPlace(points);
+  RequireSupportedFeatures(points, segments);
+  const std::vector<int> first = FindCoincidentPoints(points);
   PlanarTriangulation result{ points, Eigen::MatrixXi(0, 3),
     Eigen::Map<const Eigen::VectorXi>(first.data(), points.rows()), Eigen::MatrixXi(0, 2), {} };
   const Eigen::Index outlines = options.Outlines < 0
@@ -250,7 +250,7 @@ PlanarTriangulation PlanarDelaunay(const Eigen::MatrixXd& points, const Eigen::M
   result.Points.conservativeResize(plane.Points(), 2);
   for (auto i = static_cast<int>(points.rows()); i < plane.Points(); ++i)
   {
-    result.Points.row(i) = plane.Place(i);
+    result.Points.row(i) = plane.Position(i);
   }
   result.Triangles = KeptTriangles(plane, options.Keep);
   AddEdges(plane, segments, recovery, result);

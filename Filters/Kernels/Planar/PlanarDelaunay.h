@@ -5,7 +5,7 @@
 namespace shape
 {
 
-/// What PlanarDelaunay keeps, and may add.
+/// What TriangulateInPlane keeps, and may add.
 struct PlanarDelaunayOptions
 {
   enum class KeepType
@@ -39,8 +39,8 @@ struct PlanarTriangulation
  * 1986). Where four points lie on one circle, the order of the points decides.
  *
  * Points are inserted one by one along a space-filling curve and edges flipped (Lawson 1977); then
- * each segment becomes an edge by flips. All tests are exact (Orientation, InCircle), so points on
- * one line, on one circle, or that all but coincide are no special cases. Takes n log n.
+ * each segment becomes an edge by flips. All tests are exact (Orientation, EvaluateInCircle), so
+ * points on one line, on one circle, or that all but coincide are no special cases. Takes n log n.
  *
  * points: n x 2, finite; their box's longest side is 0, or between 1e-50 and 1e50. segments: k x 2
  * indices; one that begins and ends at one place is left out; one that runs through a point is
@@ -51,7 +51,7 @@ struct PlanarTriangulation
  * off, and where with Keep other than All the segments are no closed outlines; SolveFailure where
  * rounded crossings have new crossings without end.
  */
-PlanarTriangulation PlanarDelaunay(const Eigen::MatrixXd& points,
+PlanarTriangulation TriangulateInPlane(const Eigen::MatrixXd& points,
   const Eigen::MatrixXi& segments = Eigen::MatrixXi(0, 2),
   const PlanarDelaunayOptions& options = {});
 

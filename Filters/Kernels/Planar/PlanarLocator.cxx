@@ -65,7 +65,7 @@ PlanarLocator::PlanarLocator(
   };
   for (int t = 0; t < triangles.rows(); ++t)
   {
-    counts[t] = counts[t] && Orientation(corner(t, 0), corner(t, 1), corner(t, 2)) > 0;
+    counts[t] = counts[t] && EvaluateOrientation(corner(t, 0), corner(t, 1), corner(t, 2)) > 0;
   }
   this->First.assign(this->Cells[0] * this->Cells[1] + 1, 0);
   forEachCell([&](int cell, int) { ++this->First[cell + 1]; });
@@ -78,25 +78,25 @@ PlanarLocator::PlanarLocator(
   forEachCell([&](int cell, int t) { this->Inside[next[cell]++] = t; });
 }
 
-std::array<int, 2> PlanarLocator::CellOf(const RowVector2d& place) const
+std::array<int, 2> PlanarLocator::CellOf(const RowVector2d& position) const
 {
   std::array<int, 2> cell{};
   for (int k = 0; k < 2; ++k)
   {
-    const double along = std::floor((place(k) - this->Lower(k)) / this->CellSize);
+    const double along = std::floor((position(k) - this->Lower(k)) / this->CellSize);
     cell[k] = static_cast<int>(std::clamp(along, 0.0, this->Cells[k] - 1.0));
   }
   return cell;
 }
 
-PlanarPlace PlanarLocator::Find(const RowVector2d& place) const
+PlanarPoint PlanarLocator::Find(const RowVector2d& position) const
 {
-  PlanarPlace found;
-  if (!((place - this->Lower).minCoeff() >= 0.0 && (this->Upper - place).minCoeff() >= 0.0))
+  PlanarPoint found;
+  if (!((position - this->Lower).minCoeff() >= 0.0 && (this->Upper - position).minCoeff() >= 0.0))
   {
     return found;
   }
-  const auto [x, y] = this->CellOf(place);
+  const auto [x, y] = this->CellOf(position);
   const int cell = y * this->Cells[0] + x;
   for (int i = this->First[cell]; i < this->First[cell + 1]; ++i)
   {
@@ -104,13 +104,13 @@ PlanarPlace PlanarLocator::Find(const RowVector2d& place) const
     const RowVector2d a = this->Points.row(this->Triangles(triangle, 0)),
                       b = this->Points.row(this->Triangles(triangle, 1)),
                       c = this->Points.row(this->Triangles(triangle, 2));
-    if (Orientation(a, b, place) >= 0 && Orientation(b, c, place) >= 0 &&
-      Orientation(c, a, place) >= 0)
+    if (EvaluateOrientation(a, b, position) >= 0 && EvaluateOrientation(b, c, position) >= 0 &&
+      EvaluateOrientation(c, a, position) >= 0)
     {
       const auto area = [](const RowVector2d& u, const RowVector2d& v)
       { return std::max(0.0, u(0) * v(1) - u(1) * v(0)); };
-      const Eigen::RowVector3d areas(
-        area(b - place, c - place), area(c - place, a - place), area(a - place, b - place));
+      const Eigen::RowVector3d areas(area(b - position, c - position),
+        area(c - position, a - position), area(a - position, b - position));
       found.Triangle = triangle;
       found.Barycentric = areas / areas.sum();
       return found;

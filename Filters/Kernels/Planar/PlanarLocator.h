@@ -10,7 +10,7 @@ namespace shape
 {
 
 /// A place in a planar triangulation.
-struct PlanarPlace
+struct PlanarPoint
 {
   int Triangle = -1;              ///< -1: in none
   Eigen::RowVector3d Barycentric; ///< >= 0
@@ -26,7 +26,7 @@ public:
     const std::vector<int>& leftOut = {});
 
   /// The lowest triangle that contains the place, inside or on its border, exactly.
-  PlanarPlace Find(const Eigen::RowVector2d& place) const;
+  PlanarPoint Find(const Eigen::RowVector2d& position) const;
 
   /// Calls use(triangle) for those whose boxes may meet a box, each once or more often, in a fixed
   /// order, until it returns true; returns whether it did.
@@ -34,7 +34,7 @@ public:
     const std::function<bool(int)>& use) const;
 
 private:
-  std::array<int, 2> CellOf(const Eigen::RowVector2d& place) const;
+  std::array<int, 2> CellOf(const Eigen::RowVector2d& position) const;
 
   const Eigen::MatrixXd& Points;
   const Eigen::MatrixXi& Triangles;

@@ -33,10 +33,10 @@ int PlanarOutline::Bin(double y) const
   return static_cast<int>(std::clamp(share * last, 0.0, last));
 }
 
-int PlanarOutline::Side(const Eigen::RowVector2d& place) const
+int PlanarOutline::Side(const Eigen::RowVector2d& position) const
 {
   bool inside = false, on = false;
-  this->ForEachNear(place, { this->High.x(), place.y() },
+  this->ForEachNear(position, { this->High.x(), position.y() },
     [&](int side)
     {
       Eigen::RowVector2d a = this->Corner(side), b = this->Corner(side + 1);
@@ -44,10 +44,10 @@ int PlanarOutline::Side(const Eigen::RowVector2d& place) const
       {
         std::swap(a, b);
       }
-      const int turn = Orientation(a, b, place);
-      on = turn == 0 && std::min(a.x(), b.x()) <= place.x();
+      const int turn = EvaluateOrientation(a, b, position);
+      on = turn == 0 && std::min(a.x(), b.x()) <= position.x();
       // Half-open in height, so that a corner counts for one of its sides.
-      inside ^= a.y() <= place.y() && place.y() < b.y() && turn > 0;
+      inside ^= a.y() <= position.y() && position.y() < b.y() && turn > 0;
       return !on;
     });
   if (on)
@@ -60,7 +60,8 @@ int PlanarOutline::Side(const Eigen::RowVector2d& place) const
 bool PlanarOutline::Crosses(const Eigen::Matrix<double, 3, 2>& triangle) const
 {
   return !this->ForEachNear(triangle.colwise().minCoeff(), triangle.colwise().maxCoeff(),
-    [&](int side) { return !MeetsTriangle(this->Corner(side), this->Corner(side + 1), triangle); });
+    [&](int side)
+    { return !SegmentMeetsTriangle(this->Corner(side), this->Corner(side + 1), triangle); });
 }
 
 bool PlanarOutline::Covers(const Eigen::Matrix<double, 3, 2>& triangle) const

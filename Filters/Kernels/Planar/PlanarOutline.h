@@ -21,7 +21,7 @@ public:
   Eigen::RowVector2d Corner(int i) const { return this->Points.row(i % this->Size()); }
 
   /// 1 where a place is inside, where an odd number of sides is to its right; 0 on a side; else -1.
-  int Side(const Eigen::RowVector2d& place) const;
+  int Side(const Eigen::RowVector2d& position) const;
 
   /// Whether a side meets the open triangle (counter-clockwise corners, one a row), or it is
   /// Whether a side meets the open triangle (counter-clockwise corners, one a row).

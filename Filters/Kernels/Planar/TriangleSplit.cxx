@@ -71,14 +71,14 @@ TriangleSplit SplitTriangle(const Eigen::Matrix3d& corners, const Eigen::MatrixX
   options.Outlines = outline;
   options.AddCrossings = true;
   options.Metric = MetricOf(corners);
-  const PlanarTriangulation plane = PlanarDelaunay(points.rightCols(2), segments, options);
+  const PlanarTriangulation plane = TriangulateInPlane(points.rightCols(2), segments, options);
 
   TriangleSplit split{ plane.Triangles, Eigen::MatrixXd(plane.Points.rows() - points.rows(), 3),
     {} };
   for (Eigen::Index i = 0; i < split.Added.rows(); ++i)
   {
-    const Eigen::RowVector2d place = plane.Points.row(points.rows() + i);
-    split.Added.row(i) << 1.0 - place.sum(), place;
+    const Eigen::RowVector2d position = plane.Points.row(points.rows() + i);
+    split.Added.row(i) << 1.0 - position.sum(), position;
   }
   Eigen::Index first = 0;
   for (int i = 0; i < outline + count; ++i)

@@ -8,7 +8,7 @@
 namespace shape
 {
 
-Eigen::VectorXd ConformalDistortion(const Mesh& mesh, const Eigen::MatrixXd& images)
+Eigen::VectorXd ComputeConformalDistortion(const Mesh& mesh, const Eigen::MatrixXd& images)
 {
   Eigen::VectorXd distortion(mesh.Triangles.rows());
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)

@@ -12,6 +12,6 @@ namespace shape
  * images: n x 3, of the points. Returns m values >= 1; infinite where an image has no area, and 1
  * where the triangle itself has none, since every map of it can be called conformal.
  */
-Eigen::VectorXd ConformalDistortion(const Mesh& mesh, const Eigen::MatrixXd& images);
+Eigen::VectorXd ComputeConformalDistortion(const Mesh& mesh, const Eigen::MatrixXd& images);
 
 } // namespace shape

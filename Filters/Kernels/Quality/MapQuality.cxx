@@ -163,8 +163,8 @@ double SizeOf(const Eigen::Matrix3d& edges, bool triangle)
   const double size =
     triangle ? edges.col(0).cross(edges.col(1)).norm() : std::abs(edges.determinant());
   const double longest = LongestEdge(edges, triangle);
-  const double least = Flat * longest * longest * (triangle ? 1.0 : longest);
-  return size > least ? size : 0.0;
+  const double minimum = Flat * longest * longest * (triangle ? 1.0 : longest);
+  return size > minimum ? size : 0.0;
 }
 
 bool AnyAtLargest(const Measures& measures)
@@ -174,7 +174,7 @@ bool AnyAtLargest(const Measures& measures)
 
 } // namespace
 
-MapExtent ExtentOf(
+MapExtent ComputeMapExtent(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const CellSimplices& cells)
 {
   MapExtent extent;
@@ -183,11 +183,11 @@ MapExtent ExtentOf(
     extent.Dimension = std::max(extent.Dimension, IsTriangle(simplex) ? 2 : 3);
     for (int k = 0; k < 3 && IsTriangle(simplex); ++k)
     {
-      const auto widen = [&](const Eigen::MatrixXd& places, double& height, double& offSphere)
+      const auto widen = [&](const Eigen::MatrixXd& positions, double& height, double& offSphere)
       {
-        const Eigen::RowVector3d place = places.row(simplex[k]);
-        height = std::max(height, std::abs(place(2)));
-        offSphere = std::max(offSphere, std::abs(place.norm() - 1.0));
+        const Eigen::RowVector3d position = positions.row(simplex[k]);
+        height = std::max(height, std::abs(position(2)));
+        offSphere = std::max(offSphere, std::abs(position.norm() - 1.0));
       };
       widen(points, extent.SourceHeight, extent.SourceOffSphere);
       widen(images, extent.ImageHeight, extent.ImageOffSphere);
@@ -196,7 +196,7 @@ MapExtent ExtentOf(
   return extent;
 }
 
-MapQualityResult MapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
+MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
   const CellSimplices& cells, const MapExtent& extent, const Progress& progress)
 {
   progress(0.0);
@@ -212,7 +212,7 @@ MapQualityResult MapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd
   const auto measureCell = [&](int cell)
   {
     Measures sums = Measures::Zero();
-    double size = 0.0, least = LargestMeasure;
+    double size = 0.0, minimum = LargestMeasure;
     for (int s = cells.Offsets[cell]; s < cells.Offsets[cell + 1]; ++s)
     {
       const std::array<int, 4>& simplex = cells.Corners[s];
@@ -238,14 +238,14 @@ MapQualityResult MapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd
       sums = (measures >= LargestMeasure || sums >= LargestMeasure)
                .select(Measures::Constant(LargestMeasure), sums + part * measures);
       size += part;
-      least = std::min(least, measures(0));
+      minimum = std::min(minimum, measures(0));
     }
     if (size > 0.0)
     {
       Measures means = (sums >= LargestMeasure).select(sums, sums / size);
-      means(0) = least;
+      means(0) = minimum;
       result.Measures.row(cell) = means.matrix().transpose();
-      result.Flipped(cell) = least < 0.0;
+      result.Flipped(cell) = minimum < 0.0;
     }
     else
     {

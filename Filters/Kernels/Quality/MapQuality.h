@@ -40,7 +40,7 @@ struct MapExtent
 };
 
 /// points, images: n x 3.
-MapExtent ExtentOf(
+MapExtent ComputeMapExtent(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const CellSimplices& cells);
 
 struct MapQualityResult
@@ -66,9 +66,9 @@ struct MapQualityResult
  * folds show, but not the inside of a region that is turned as a whole. A source that does not lie
  * in the image's plane or sphere counts as facing outwards.
  *
- * extent: ExtentOf the whole of which this may be a part. Throws Aborted.
+ * extent: ComputeMapExtent the whole of which this may be a part. Throws Aborted.
  */
-MapQualityResult MapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
+MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
   const CellSimplices& cells, const MapExtent& extent, const Progress& progress = {});
 
 /// Sums over cells, to which those of other parts can be added.

@@ -19,15 +19,15 @@ double Scaled(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Ei
 
 } // namespace
 
-double ScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners)
+double ComputeScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners)
 {
-  double least = 1.0;
+  double minimum = 1.0;
   for (int corner = 0; corner < 8; ++corner)
   {
     const int* ends = HexNeighbours[corner];
     const auto edge = [&](int k) -> Eigen::RowVector3d
     { return corners.row(ends[k]) - corners.row(corner); };
-    least = std::min(least, Scaled(edge(0), edge(1), edge(2)));
+    minimum = std::min(minimum, Scaled(edge(0), edge(1), edge(2)));
   }
   const auto between = [&](const int* low, const int* high)
   {
@@ -38,12 +38,12 @@ double ScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners)
     }
     return axis;
   };
-  return std::min(least,
+  return std::min(minimum,
     Scaled(between(HexFaces[0], HexFaces[1]), between(HexFaces[2], HexFaces[3]),
       between(HexFaces[4], HexFaces[5])));
 }
 
-Eigen::VectorXd ScaledJacobians(const HexMesh& mesh)
+Eigen::VectorXd ComputeScaledJacobians(const HexMesh& mesh)
 {
   Eigen::VectorXd values(mesh.Hexahedra.rows());
   ParallelFor(static_cast<int>(values.size()), 1024,
@@ -56,36 +56,36 @@ Eigen::VectorXd ScaledJacobians(const HexMesh& mesh)
         {
           corners.row(k) = mesh.Points.row(mesh.Hexahedra(hex, k));
         }
-        values(hex) = ScaledJacobian(corners);
+        values(hex) = ComputeScaledJacobian(corners);
       }
     });
   return values;
 }
 
-double LeastScaledJacobianAwayFrom(const std::vector<int>& points, const HexMesh& mesh)
+double FindMinimumScaledJacobianAwayFrom(const std::vector<int>& points, const HexMesh& mesh)
 {
-  const Eigen::VectorXd values = ScaledJacobians(mesh);
+  const Eigen::VectorXd values = ComputeScaledJacobians(mesh);
   std::vector<char> isGiven(mesh.Points.rows(), 0);
   for (const int point : points)
   {
     isGiven[point] = 1;
   }
-  double least = 1.0;
+  double minimum = 1.0;
   for (Eigen::Index hex = 0; hex < values.size(); ++hex)
   {
     const auto corners = mesh.Hexahedra.row(hex);
     if (std::none_of(
           corners.begin(), corners.end(), [&](int point) { return isGiven[point] != 0; }))
     {
-      least = std::min(least, values(hex));
+      minimum = std::min(minimum, values(hex));
     }
   }
-  return least;
+  return minimum;
 }
 
-std::vector<char> PointsOfBad(const HexMesh& mesh, double bad)
+std::vector<char> MarkPointsOfBadHexahedra(const HexMesh& mesh, double bad)
 {
-  const Eigen::VectorXd values = ScaledJacobians(mesh);
+  const Eigen::VectorXd values = ComputeScaledJacobians(mesh);
   std::vector<char> marked;
   for (Eigen::Index hex = 0; hex < values.size(); ++hex)
   {

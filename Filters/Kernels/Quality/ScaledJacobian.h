@@ -17,15 +17,15 @@ namespace shape
  *
  * corners: 8 x 3, in VTK's order.
  */
-double ScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners);
+double ComputeScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners);
 
 /// Those of all hexahedra (m).
-Eigen::VectorXd ScaledJacobians(const HexMesh& mesh);
+Eigen::VectorXd ComputeScaledJacobians(const HexMesh& mesh);
 
 /// The least of hexahedra that have none of these points; 1, that of a box, where there are none.
-double LeastScaledJacobianAwayFrom(const std::vector<int>& points, const HexMesh& mesh);
+double FindMinimumScaledJacobianAwayFrom(const std::vector<int>& points, const HexMesh& mesh);
 
 /// Marks, of n points, those of hexahedra with a lower scaled Jacobian; empty where there is none.
-std::vector<char> PointsOfBad(const HexMesh& mesh, double bad);
+std::vector<char> MarkPointsOfBadHexahedra(const HexMesh& mesh, double bad);
 
 } // namespace shape

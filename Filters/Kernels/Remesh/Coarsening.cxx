@@ -22,10 +22,10 @@ namespace shape
 namespace
 {
 
-constexpr double MinimumTurnCosine = 0.5;    // of what a triangle may turn by
-constexpr double Slim = 0.02;          // twice a triangle's area over its longest side's square
-constexpr std::size_t MostAround = 64; // triangles at a point that is merged, or merged into
-constexpr double Steepness = 30.0;     // what being off the planes around costs against length
+constexpr double MinimumTurnCosine = 0.5; // of what a triangle may turn by
+constexpr double Slim = 0.02;             // twice a triangle's area over its longest side's square
+constexpr std::size_t MaximumAround = 64; // triangles at a point that is merged, or merged into
+constexpr double Steepness = 30.0;        // what being off the planes around costs against length
 
 /// A surface that loses points.
 class Shrinking
@@ -36,10 +36,10 @@ public:
     , Triangles(mesh.Triangles.rows())
     , Around(mesh.Points.rows())
     , IsKept(mesh.Points.rows(), 0)
-    , OnBorder(mesh.Points.rows(), 0)
+    , OnBoundary(mesh.Points.rows(), 0)
     , Tried(mesh.Points.rows(), 0)
     , Carried(mesh.Triangles.rows())
-    , Places{ Eigen::VectorXi::Constant(mesh.Points.rows(), -1),
+    , Positions{ Eigen::VectorXi::Constant(mesh.Points.rows(), -1),
       Eigen::MatrixXd::Zero(mesh.Points.rows(), 3) }
     , Left(static_cast<int>(mesh.Points.rows()))
   {
@@ -58,7 +58,7 @@ public:
     for (int i = 0; i < this->Left; ++i)
     {
       this->FindNeighbours(i, this->Ring);
-      this->OnBorder[i] = this->Ring.size() > this->Around[i].size() ? 1 : 0;
+      this->OnBoundary[i] = this->Ring.size() > this->Around[i].size() ? 1 : 0;
     }
   }
 
@@ -93,7 +93,7 @@ public:
 
   CoarseSurface Result()
   {
-    CoarseSurface coarse{ {}, {}, std::move(this->Places) };
+    CoarseSurface coarse{ {}, {}, std::move(this->Positions) };
     std::vector<int> number(this->Around.size(), -1), row(this->Triangles.size(), -1);
     for (int i = 0; i < static_cast<int>(this->Around.size()); ++i)
     {
@@ -121,13 +121,13 @@ public:
     {
       if (this->Around[i].empty())
       {
-        coarse.Places.Triangles(i) = row[coarse.Places.Triangles(i)];
+        coarse.Positions.Triangles(i) = row[coarse.Positions.Triangles(i)];
         continue;
       }
       const int t = this->Around[i].front();
-      coarse.Places.Triangles(i) = row[t];
-      coarse.Places.Barycentrics.row(i).setZero();
-      coarse.Places.Barycentrics(i, CornerOf(this->Triangles[t], i)) = 1.0;
+      coarse.Positions.Triangles(i) = row[t];
+      coarse.Positions.Barycentrics.row(i).setZero();
+      coarse.Positions.Barycentrics(i, CornerOf(this->Triangles[t], i)) = 1.0;
     }
     return coarse;
   }
@@ -216,7 +216,7 @@ private:
   {
     ++this->Tried[point];
     // The middle of a large fan waits until its rim has fewer points.
-    if (this->IsKept[point] != 0 || this->Around[point].size() > MostAround)
+    if (this->IsKept[point] != 0 || this->Around[point].size() > MaximumAround)
     {
       return;
     }
@@ -225,7 +225,7 @@ private:
     std::vector<std::pair<double, int>> choices;
     for (const int into : ring)
     {
-      if (this->Around[into].size() > MostAround)
+      if (this->Around[into].size() > MaximumAround)
       {
         continue;
       }
@@ -262,7 +262,7 @@ private:
       }
       ++shared;
       const int opposite = corners[0] + corners[1] + corners[2] - point - into;
-      if (this->Around[opposite].size() <= (this->OnBorder[opposite] != 0 ? 1U : 3U))
+      if (this->Around[opposite].size() <= (this->OnBoundary[opposite] != 0 ? 1U : 3U))
       {
         return false;
       }
@@ -271,7 +271,7 @@ private:
     // The link condition: no neighbours in common but those of the edge's triangles.
     const auto common = std::count_if(ring.begin(), ring.end(),
       [&](int i) { return std::binary_search(this->Others.begin(), this->Others.end(), i); });
-    if (common != shared || (this->OnBorder[point] != 0 && shared == 2) ||
+    if (common != shared || (this->OnBoundary[point] != 0 && shared == 2) ||
       this->Around[point].size() == static_cast<std::size_t>(shared))
     {
       return false;
@@ -348,7 +348,7 @@ private:
   /// Puts a point on the closest of a few triangles.
   void Carry(int point, const std::vector<int>& triangles)
   {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     int best = -1;
     const Eigen::RowVector3d position = this->Points.col(point).transpose();
     for (const int t : triangles)
@@ -357,34 +357,34 @@ private:
       Eigen::Matrix3d corners;
       corners << this->Points.col(t3[0]).transpose(), this->Points.col(t3[1]).transpose(),
         this->Points.col(t3[2]).transpose();
-      const Eigen::RowVector3d place = ClosestInTriangle(corners, position);
+      const Eigen::RowVector3d place = FindClosestPointInTriangle(corners, position);
       const double squared = (place * corners - position).squaredNorm();
-      if (squared < least)
+      if (squared < minimum)
       {
-        least = squared;
+        minimum = squared;
         best = t;
-        this->Places.Barycentrics.row(point) = place;
+        this->Positions.Barycentrics.row(point) = place;
       }
     }
-    this->Places.Triangles(point) = best;
+    this->Positions.Triangles(point) = best;
     this->Carried[best].push_back(point);
   }
 
   const Eigen::Matrix3Xd Points;
   std::vector<Triangle> Triangles;
   std::vector<std::vector<int>> Around; ///< the triangles of each point; none: merged
-  std::vector<char> IsKept, OnBorder;
+  std::vector<char> IsKept, OnBoundary;
   std::vector<int> Tried; ///< how often a point was queued: an older entry is void
   std::priority_queue<Merge, std::vector<Merge>, std::greater<>> Waiting;
   std::vector<std::vector<int>> Carried; ///< merged points on each triangle
-  PreciseMap Places;
+  SurfacePoints Positions;
   int Left;
   std::vector<int> Ring, Others; ///< kept to spare allocations
 };
 
 } // namespace
 
-CoarseSurface Coarsened(
+CoarseSurface CoarsenSurface(
   const Mesh& mesh, int points, const std::vector<int>& kept, const Progress& progress)
 {
   RequireOption(points >= 4, "the number of points", points, "at least 4");
@@ -406,14 +406,14 @@ CoarseSurface Coarsened(
   return surface.Result();
 }
 
-PreciseMap PlacesOnFiner(const CoarseSurface& coarse, const Mesh& finer, const PreciseMap& places,
-  const Progress& progress)
+SurfacePoints LocateOnFinerSurface(const CoarseSurface& coarse, const Mesh& finer,
+  const SurfacePoints& positions, const Progress& progress)
 {
   const Eigen::MatrixXi& triangles = coarse.Surface.Triangles;
   std::vector<std::vector<int>> near(triangles.rows());
-  for (int i = 0; i < static_cast<int>(coarse.Places.Triangles.size()); ++i)
+  for (int i = 0; i < static_cast<int>(coarse.Positions.Triangles.size()); ++i)
   {
-    near[coarse.Places.Triangles(i)].push_back(i);
+    near[coarse.Positions.Triangles(i)].push_back(i);
   }
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
@@ -422,16 +422,16 @@ PreciseMap PlacesOnFiner(const CoarseSurface& coarse, const Mesh& finer, const P
       near[t].push_back(coarse.Points[triangles(t, k)]);
     }
   }
-  const Eigen::MatrixXd towards = Pulled(places, triangles, coarse.Surface.Points);
+  const Eigen::MatrixXd towards = PullBack(positions, triangles, coarse.Surface.Points);
   const auto nearest = [&](int i)
   {
     const auto distance = [&](int point)
     { return (finer.Points.row(point) - towards.row(i)).squaredNorm(); };
-    const std::vector<int>& choices = near[places.Triangles(i)];
+    const std::vector<int>& choices = near[positions.Triangles(i)];
     return *std::min_element(choices.begin(), choices.end(),
       [&](int one, int other) { return distance(one) < distance(other); });
   };
-  return WalkToPlaces(towards, finer.Triangles, finer.Points,
+  return WalkToPositions(towards, finer.Triangles, finer.Points,
     TriangleFans(finer.Triangles, finer.Points.rows()), nearest, progress);
 }
 

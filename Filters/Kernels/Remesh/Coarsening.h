@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <vector>
 
@@ -14,7 +14,7 @@ struct CoarseSurface
 {
   Mesh Surface;
   std::vector<int> Points; ///< of the finer surface: those of the coarse one, in order
-  PreciseMap Places;       ///< n: of the finer surface's points on the coarse one
+  SurfacePoints Positions; ///< n: of the finer surface's points on the coarse one
 };
 
 /**
@@ -31,12 +31,12 @@ struct CoarseSurface
  * mesh: a consistently oriented 2-manifold, open or closed, with no point that no triangle uses.
  * points >= 4. Throws InvalidInput, Aborted.
  */
-CoarseSurface Coarsened(
+CoarseSurface CoarsenSurface(
   const Mesh& mesh, int points, const std::vector<int>& kept = {}, const Progress& progress = {});
 
 /// Where places of the coarse surface are on the finer one: the nearest that a walk (TriangleWalk)
 /// finds from the nearest of the finer points on the same triangle. Throws Aborted.
-PreciseMap PlacesOnFiner(const CoarseSurface& coarse, const Mesh& finer, const PreciseMap& places,
-  const Progress& progress = {});
+SurfacePoints LocateOnFinerSurface(const CoarseSurface& coarse, const Mesh& finer,
+  const SurfacePoints& positions, const Progress& progress = {});
 
 } // namespace shape

@@ -101,21 +101,21 @@ public:
         moved.push_back(v);
       }
     }
-    Eigen::MatrixXd places(moved.size(), 3);
+    Eigen::MatrixXd positions(moved.size(), 3);
     for (std::size_t i = 0; i < moved.size(); ++i)
     {
-      places.row(i) = this->Slid(moved[i]).transpose();
+      positions.row(i) = this->Slid(moved[i]).transpose();
     }
-    places = this->Original.Find(places).Positions;
+    positions = this->Original.Find(positions).Positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
     {
       const int v = moved[i];
       const Eigen::Vector3d old = this->Points[v];
-      const Eigen::Vector3d place = places.row(i).transpose();
+      const Eigen::Vector3d position = positions.row(i).transpose();
       // Not onto another sheet that happens to be closer.
-      if (!this->Turns(v, place, -1) && (place - old).norm() < this->Length)
+      if (!this->Turns(v, position, -1) && (position - old).norm() < this->Length)
       {
-        this->Points[v] = place;
+        this->Points[v] = position;
       }
     }
   }
@@ -159,7 +159,7 @@ private:
 
   void FindCreases(const Mesh& surface, double cosine)
   {
-    const std::vector<HalfEdge> sides = SortedHalfEdges(surface.Triangles, surface.Points.rows());
+    const std::vector<HalfEdge> sides = SortHalfEdges(surface.Triangles, surface.Points.rows());
     std::vector<std::pair<int, int>> creases;
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
     {
@@ -303,7 +303,7 @@ private:
 
   /// Whether a triangle around v, but those with `except`, would turn too far or become too slim
   /// with v at a place.
-  bool Turns(int v, const Eigen::Vector3d& place, int except)
+  bool Turns(int v, const Eigen::Vector3d& position, int except)
   {
     const Eigen::Vector3d old = this->Points[v];
     for (const int t : this->Around[v])
@@ -314,7 +314,7 @@ private:
         continue;
       }
       const Eigen::Vector3d before = this->AreaVector(corners);
-      this->Points[v] = place;
+      this->Points[v] = position;
       const Eigen::Vector3d after = this->AreaVector(corners);
       double longest = 0.0;
       for (int k = 0; k < 3; ++k)
@@ -428,11 +428,11 @@ private:
     const Eigen::Vector3d n =
       this->AreaVector(this->Triangles[t]) + this->AreaVector(this->Triangles[s]);
     const Eigen::Vector3d n1 = this->AreaVector(first), n2 = this->AreaVector(second);
-    const double least = 0.8 * n.norm();
+    const double minimum = 0.8 * n.norm();
     const double edge = this->Distance(c, d);
     const bool slim = std::min(n1.norm(), n2.norm()) < 0.05 * edge * edge;
     if (gain <= 0 || slim || this->Around[a].size() <= 3 || this->Around[b].size() <= 3 ||
-      n1.dot(n) < least * n1.norm() || n2.dot(n) < least * n2.norm())
+      n1.dot(n) < minimum * n1.norm() || n2.dot(n) < minimum * n2.norm())
     {
       return;
     }
@@ -477,7 +477,7 @@ private:
 
 } // namespace
 
-Mesh IsotropicRemesh(
+Mesh RemeshIsotropically(
   const Mesh& surface, const IsotropicRemeshOptions& options, const Progress& progress)
 {
   if (!std::isfinite(options.EdgeLength) || options.EdgeLength <= 0.0 || options.Rounds < 1)

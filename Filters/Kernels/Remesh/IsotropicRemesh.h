@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -25,7 +25,7 @@ struct IsotropicRemeshOptions
  * surface: closed, consistently oriented. Throws InvalidInput where options are out of range,
  * Aborted.
  */
-Mesh IsotropicRemesh(
+Mesh RemeshIsotropically(
   const Mesh& surface, const IsotropicRemeshOptions& options, const Progress& progress = {});
 
 } // namespace shape

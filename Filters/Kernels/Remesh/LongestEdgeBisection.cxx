@@ -23,7 +23,7 @@ Edges EdgesOf(const Mesh& surface)
 {
   Edges edges;
   edges.OfTriangle.resize(surface.Triangles.rows(), 3);
-  for (const HalfEdge& side : SortedHalfEdges(surface.Triangles, surface.Points.rows()))
+  for (const HalfEdge& side : SortHalfEdges(surface.Triangles, surface.Points.rows()))
   {
     const std::pair<int, int> ends(side.Low(), side.High());
     if (edges.Ends.empty() || edges.Ends.back() != ends)

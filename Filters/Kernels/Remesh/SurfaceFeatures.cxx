@@ -34,15 +34,15 @@ struct Hinge
 constexpr double FadingShare = 0.375;
 /// Patches of a smaller share of the area are as noise makes them; where the borders of others are
 /// less than such a share of what is sharp, all of that is noise.
-constexpr double NoiseArea = 1e-3, LeastCurves = 2.0 / 3.0;
+constexpr double NoiseArea = 1e-3, MinimumCurves = 2.0 / 3.0;
 /// A way that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
-constexpr double LeastTip = 50.0;
+constexpr double MinimumTip = 50.0;
 
 std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
 {
-  const Eigen::MatrixXd normals = AreaVectors(mesh).rowwise().normalized();
-  const double least = std::cos(angle * M_PI / 180.0);
-  const std::vector<HalfEdge> halves = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  const Eigen::MatrixXd normals = ComputeAreaVectors(mesh).rowwise().normalized();
+  const double minimum = std::cos(angle * M_PI / 180.0);
+  const std::vector<HalfEdge> halves = SortHalfEdges(mesh.Triangles, mesh.Points.rows());
   std::vector<Hinge> hinges;
   for (std::size_t i = 0; i + 1 < halves.size(); ++i)
   {
@@ -58,7 +58,7 @@ std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
     const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / M_PI;
     const double inside = across.dot(normals.row(a.Triangle)) > 0.0 ? 180.0 + turn : 180.0 - turn;
     hinges.push_back(
-      { a.Low(), a.High(), { a.Triangle, b.Triangle }, length, cosine < least, inside });
+      { a.Low(), a.High(), { a.Triangle, b.Triangle }, length, cosine < minimum, inside });
   }
   return hinges;
 }
@@ -144,9 +144,9 @@ private:
   {
     const Eigen::RowVector3d begin = this->Points.row(point);
     point = this->Beyond(point, edge);
-    constexpr int most = 1000; // of a closed crease that stays near, some
-    for (int i = 0;
-         i < most && (this->Points.row(point) - begin).norm() < length && this->Creases(point) == 2;
+    constexpr int maximum = 1000; // of a closed crease that stays near, some
+    for (int i = 0; i < maximum && (this->Points.row(point) - begin).norm() < length &&
+         this->Creases(point) == 2;
          ++i)
     {
       const std::vector<int>& edges = this->At.at(point);
@@ -166,7 +166,7 @@ private:
       {
         return this->Hinges[edge].IsCrease &&
           this->Chord(point, edge, way.norm()).normalized().dot(way.normalized()) >
-          std::cos(LeastTip * M_PI / 180.0);
+          std::cos(MinimumTip * M_PI / 180.0);
       });
   }
 
@@ -186,22 +186,22 @@ private:
 };
 
 /// Unites the smallest patch with the one it has the longest border with until none is too small.
-void UniteSmall(
-  DisjointSets& sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas, double least)
+void UniteSmall(DisjointSets& sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas,
+  double minimum)
 {
   std::map<int, double> sizes;
   for (int t = 0; t < static_cast<int>(areas.size()); ++t)
   {
     sizes[sets.Find(t)] += areas(t);
   }
-  std::map<int, std::map<int, double>> borders;
+  std::map<int, std::map<int, double>> boundaries;
   for (const Hinge& hinge : hinges)
   {
     const int a = sets.Find(hinge.Triangles[0]), b = sets.Find(hinge.Triangles[1]);
     if (a != b)
     {
-      borders[a][b] += hinge.Length;
-      borders[b][a] += hinge.Length;
+      boundaries[a][b] += hinge.Length;
+      boundaries[b][a] += hinge.Length;
     }
   }
   const auto bySecond = [](const auto& a, const auto& b) { return a.second < b.second; };
@@ -210,31 +210,31 @@ void UniteSmall(
   {
     order.emplace(size, patch);
   }
-  while (!order.empty() && order.begin()->first < least)
+  while (!order.empty() && order.begin()->first < minimum)
   {
     const auto [size, gone] = *order.begin();
     order.erase(order.begin());
-    if (borders.count(gone) == 0)
+    if (boundaries.count(gone) == 0)
     {
       continue; // a component of its own
     }
-    const auto around = borders[gone];
+    const auto around = boundaries[gone];
     const int into = std::max_element(around.begin(), around.end(), bySecond)->first;
     sets.Merge(gone, into);
     for (const auto& [other, length] : around)
     {
-      borders[other].erase(gone);
+      boundaries[other].erase(gone);
       if (other != into)
       {
-        borders[other][into] += length;
-        borders[into][other] += length;
+        boundaries[other][into] += length;
+        boundaries[into][other] += length;
       }
-      if (borders[other].empty())
+      if (boundaries[other].empty())
       {
-        borders.erase(other);
+        boundaries.erase(other);
       }
     }
-    borders.erase(gone);
+    boundaries.erase(gone);
     order.erase({ sizes[into], into });
     sizes[into] += size;
     order.emplace(sizes[into], into);
@@ -251,7 +251,7 @@ bool IsNoise(DisjointSets sets, const std::vector<Hinge>& hinges, const Eigen::V
     sharp += hinge.Sharp ? hinge.Length : 0.0;
     curves += hinge.Sharp && isCurve ? hinge.Length : 0.0;
   }
-  return curves < LeastCurves * sharp;
+  return curves < MinimumCurves * sharp;
 }
 
 /// The borders between patches, walked from corner to corner.
@@ -347,7 +347,7 @@ private:
 
 } // namespace
 
-SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
+SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double minimumArea)
 {
   std::vector<Hinge> hinges = FindHinges(mesh, angle);
   FadingCreases(mesh, hinges, angle).Extend();
@@ -359,12 +359,12 @@ SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
       sets.Merge(hinge.Triangles[0], hinge.Triangles[1]);
     }
   }
-  const Eigen::VectorXd areas = 0.5 * AreaVectors(mesh).rowwise().norm();
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(mesh).rowwise().norm();
   if (IsNoise(sets, hinges, areas))
   {
-    leastArea = std::numeric_limits<double>::infinity();
+    minimumArea = std::numeric_limits<double>::infinity();
   }
-  UniteSmall(sets, hinges, areas, leastArea);
+  UniteSmall(sets, hinges, areas, minimumArea);
   SurfaceFeatures features;
   features.PatchOf.resize(mesh.Triangles.rows());
   std::map<int, int> numbers;
@@ -385,7 +385,7 @@ SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea)
   return features;
 }
 
-SurfaceFeatures WithoutCurves(const SurfaceFeatures& features)
+SurfaceFeatures RemoveCurves(const SurfaceFeatures& features)
 {
   SurfaceFeatures none;
   none.PatchOf = Eigen::VectorXi::Zero(features.PatchOf.size());
@@ -394,7 +394,7 @@ SurfaceFeatures WithoutCurves(const SurfaceFeatures& features)
   return none;
 }
 
-std::vector<Mesh> PatchMeshes(const Mesh& mesh, const SurfaceFeatures& features)
+std::vector<Mesh> SplitIntoPatches(const Mesh& mesh, const SurfaceFeatures& features)
 {
   std::vector<std::vector<int>> own(features.Patches);
   for (int t = 0; t < static_cast<int>(features.PatchOf.size()); ++t)

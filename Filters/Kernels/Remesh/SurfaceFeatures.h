@@ -46,12 +46,12 @@ struct SurfaceFeatures
  *
  * mesh: closed, oriented consistently.
  */
-SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double leastArea);
+SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double minimumArea);
 
 /// The same surface with no curve and no corner, and one patch.
-SurfaceFeatures WithoutCurves(const SurfaceFeatures& features);
+SurfaceFeatures RemoveCurves(const SurfaceFeatures& features);
 
 /// The patches of the surface, each with the points that it uses.
-std::vector<Mesh> PatchMeshes(const Mesh& mesh, const SurfaceFeatures& features);
+std::vector<Mesh> SplitIntoPatches(const Mesh& mesh, const SurfaceFeatures& features);
 
 } // namespace shape

@@ -2,8 +2,8 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
-#include "Search/Private/CellInterpolation.h"
 #include "Search/ClosestPoint.h"
+#include "Search/Private/CellInterpolation.h"
 
 #include <vtkCellType.h>
 #include <vtkGenericCell.h>
@@ -27,7 +27,7 @@ namespace
 
 using Eigen::RowVector3d;
 
-int CornerCount(const Cells& cells, int cell)
+int GetCornerCount(const Cells& cells, int cell)
 {
   return cells.Offsets(cell + 1) - cells.Offsets(cell);
 }
@@ -45,7 +45,7 @@ std::vector<int> CellsThatCount(const Cells& cells, int& dimension)
       throw InvalidInput("cell " + std::to_string(c) +
         " is a polyhedron, which cannot be interpolated in; apply Tetrahedralize first");
     }
-    if (CornerCount(cells, c) == 0)
+    if (GetCornerCount(cells, c) == 0)
     {
       continue;
     }
@@ -89,22 +89,22 @@ struct ContainingCell
   const Cells& Grid;
   const std::vector<Eigen::AlignedBox3d>& Boxes; ///< of all cells
   vtkGenericCell* Cell;                          ///< to work with
-  RowVector3d Place;
+  RowVector3d Position;
   int Number = -1;
   Eigen::VectorXd Weights = {};
 
   // Eigen's search calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
   bool intersectVolume(const Eigen::AlignedBox3d& box) const
   {
-    return box.contains(this->Place.transpose());
+    return box.contains(this->Position.transpose());
   }
   bool intersectObject(int number)
   {
-    if (!this->Boxes[number].contains(this->Place.transpose()))
+    if (!this->Boxes[number].contains(this->Position.transpose()))
     {
       return false;
     }
-    this->Weights = WeightsInCell(this->Grid, number, this->Place, this->Cell);
+    this->Weights = ComputeCellWeights(this->Grid, number, this->Position, this->Cell);
     this->Number = this->Weights.size() > 0 ? number : -1;
     return this->Number >= 0;
   }
@@ -119,24 +119,25 @@ struct NearestCell
   const Cells& Grid;
   const std::vector<Eigen::AlignedBox3d>& Boxes; ///< of all cells
   vtkGenericCell* Cell;                          ///< to work with
-  RowVector3d Place;
+  RowVector3d Position;
   int Number = -1;
-  PlaceOnSides Closest = { std::numeric_limits<double>::infinity(), {}, {} };
+  PointOnEdges Closest = { std::numeric_limits<double>::infinity(), {}, {} };
 
   // Eigen's search calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
   double minimumOnVolume(const Eigen::AlignedBox3d& box) const
   {
-    return box.squaredExteriorDistance(this->Place.transpose());
+    return box.squaredExteriorDistance(this->Position.transpose());
   }
   double minimumOnObject(int number)
   {
     // Eigen has boxes of pairs of cells alone: most cells need no closer look than at their own.
-    const double least = this->minimumOnVolume(this->Boxes[number]);
-    if (least > this->Closest.Distance2)
+    const double minimum = this->minimumOnVolume(this->Boxes[number]);
+    if (minimum > this->Closest.Distance2)
     {
-      return least;
+      return minimum;
     }
-    const PlaceOnSides here = ClosestOnSides(this->Grid, number, this->Place, this->Cell);
+    const PointOnEdges here =
+      FindClosestPointOnEdges(this->Grid, number, this->Position, this->Cell);
     if (here.Distance2 < this->Closest.Distance2)
     {
       this->Closest = here;
@@ -154,7 +155,7 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 struct CellLocator::Search
 {
   virtual ~Search() = default;
-  virtual CellPlaces Find(const Eigen::MatrixXd& places, const Progress& progress) const = 0;
+  virtual CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress) const = 0;
 };
 
 struct CellLocator::SolidSearch : CellLocator::Search
@@ -174,10 +175,10 @@ struct CellLocator::SolidSearch : CellLocator::Search
     this->Tree.init(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
   }
 
-  CellPlaces Find(const Eigen::MatrixXd& places, const Progress& progress) const override
+  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress) const override
   {
-    const int n = static_cast<int>(places.rows());
-    CellPlaces found{ Eigen::VectorXi(n), { n, this->Grid.Points.rows() }, Eigen::VectorXd(n) };
+    const int n = static_cast<int>(positions.rows());
+    CellPoints found{ Eigen::VectorXi(n), { n, this->Grid.Points.rows() }, Eigen::VectorXd(n) };
     constexpr int grain = 256;
     std::vector<Triplets> weights((n + grain - 1) / grain); // of each chunk
     ParallelFor(
@@ -188,7 +189,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
         for (int i = begin; i < end; ++i)
         {
           found.Distances(i) =
-            this->FindOne(places.row(i), cell, i, found.Ids(i), weights[begin / grain]);
+            this->FindOne(positions.row(i), cell, i, found.Ids(i), weights[begin / grain]);
         }
       },
       progress);
@@ -203,9 +204,9 @@ struct CellLocator::SolidSearch : CellLocator::Search
 
   /// Finds the cell `id` of a place, appends its `row` of weights, returns its distance.
   double FindOne(
-    const RowVector3d& place, vtkGenericCell* cell, int row, int& id, Triplets& weights) const
+    const RowVector3d& position, vtkGenericCell* cell, int row, int& id, Triplets& weights) const
   {
-    ContainingCell containing{ this->Grid, this->Boxes, cell, place };
+    ContainingCell containing{ this->Grid, this->Boxes, cell, position };
     Eigen::BVIntersect(this->Tree, containing);
     id = containing.Number;
     if (id >= 0)
@@ -217,7 +218,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
       }
       return 0.0;
     }
-    NearestCell nearest{ this->Grid, this->Boxes, cell, place };
+    NearestCell nearest{ this->Grid, this->Boxes, cell, position };
     Eigen::BVMinimize(this->Tree, nearest);
     id = nearest.Number;
     if (id < 0)
@@ -275,14 +276,15 @@ struct CellLocator::SurfaceSearch : CellLocator::Search
     return mesh;
   }
 
-  CellPlaces Find(const Eigen::MatrixXd& places, const Progress& progress) const override
+  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress) const override
   {
-    const Mesh& mesh = this->Locator.Surface();
-    const ClosestPoints closest = this->Locator.Find(places, progress);
-    CellPlaces found{ closest.Triangles, { places.rows(), mesh.Points.rows() }, closest.Distances };
+    const Mesh& mesh = this->Locator.GetSurface();
+    const ClosestPoints closest = this->Locator.Find(positions, progress);
+    CellPoints found{ closest.Triangles, { positions.rows(), mesh.Points.rows() },
+      closest.Distances };
     Triplets weights;
-    weights.reserve(3 * places.rows());
-    for (int i = 0; i < places.rows(); ++i)
+    weights.reserve(3 * positions.rows());
+    for (int i = 0; i < positions.rows(); ++i)
     {
       found.Ids(i) = this->CellOfTriangle[closest.Triangles(i)];
       for (int k = 0; k < 3; ++k)
@@ -319,9 +321,9 @@ CellLocator::~CellLocator() = default;
 CellLocator::CellLocator(CellLocator&&) noexcept = default;
 CellLocator& CellLocator::operator=(CellLocator&&) noexcept = default;
 
-CellPlaces CellLocator::Find(const Eigen::MatrixXd& places, const Progress& progress) const
+CellPoints CellLocator::Find(const Eigen::MatrixXd& positions, const Progress& progress) const
 {
-  return this->Impl->Find(places, progress);
+  return this->Impl->Find(positions, progress);
 }
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Cells.h"
 #include "Base/Progress.h"
+#include "Mesh/Cells.h"
 
 #include <Eigen/SparseCore>
 
@@ -11,7 +11,7 @@ namespace shape
 {
 
 /// Where n places lie among cells.
-struct CellPlaces
+struct CellPoints
 {
   Eigen::VectorXi Ids; ///< n: the cell
   /// n x points of the cells: what interpolates values given at these to the places. A row has the
@@ -41,7 +41,7 @@ public:
   CellLocator& operator=(CellLocator&&) noexcept;
 
   /// places: n x 3, finite. Throws InvalidInput where the square of a distance overflows, Aborted.
-  CellPlaces Find(const Eigen::MatrixXd& places, const Progress& progress = {}) const;
+  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:
   struct Search;

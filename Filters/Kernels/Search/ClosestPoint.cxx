@@ -34,7 +34,7 @@ RowVector3d OnSegment(const Eigen::Matrix3d& corners, int i, int j, const RowVec
   return barycentric;
 }
 
-using Tree = Eigen::KdBVH<double, 3, int>;
+using BoxTree = Eigen::KdBVH<double, 3, int>;
 
 /// A triangle with what its plane needs: side by side for the search.
 struct Facet
@@ -46,7 +46,7 @@ struct Facet
 /// The triangle closest to Place that has been seen so far.
 struct Nearest
 {
-  RowVector3d Place;
+  RowVector3d Position;
   double Bound2; ///< no less than the least squared distance: what is farther away is not looked at
   int Triangle = -1;
   RowVector3d Barycentric = RowVector3d::Zero();
@@ -54,13 +54,13 @@ struct Nearest
   void Look(const Facet& facet, int triangle)
   {
     // The plane is seldom nearer than the best so far: most triangles end here.
-    const double height = (this->Place - facet.Corners.row(0)).dot(facet.Normal);
+    const double height = (this->Position - facet.Corners.row(0)).dot(facet.Normal);
     if (height * height > this->Bound2)
     {
       return;
     }
-    const RowVector3d barycentric = ClosestInTriangle(facet.Corners, this->Place);
-    const double distance2 = (barycentric * facet.Corners - this->Place).squaredNorm();
+    const RowVector3d barycentric = FindClosestPointInTriangle(facet.Corners, this->Position);
+    const double distance2 = (barycentric * facet.Corners - this->Position).squaredNorm();
     if (distance2 < this->Bound2)
     {
       this->Bound2 = distance2;
@@ -72,7 +72,7 @@ struct Nearest
 
 /// Depth first, the nearer box first: without the queue of Eigen's search it takes a third of the
 /// time.
-void Search(const Tree& tree, const std::vector<Facet>& facets, Nearest& nearest)
+void Search(const BoxTree& tree, const std::vector<Facet>& facets, Nearest& nearest)
 {
   struct Box
   {
@@ -89,8 +89,8 @@ void Search(const Tree& tree, const std::vector<Facet>& facets, Nearest& nearest
     {
       continue;
     }
-    Tree::VolumeIterator volume = nullptr, volumeEnd = nullptr;
-    Tree::ObjectIterator object = nullptr, objectEnd = nullptr;
+    BoxTree::VolumeIterator volume = nullptr, volumeEnd = nullptr;
+    BoxTree::ObjectIterator object = nullptr, objectEnd = nullptr;
     tree.getChildren(box.Node, volume, volumeEnd, object, objectEnd);
     for (; object != objectEnd; ++object)
     {
@@ -100,7 +100,7 @@ void Search(const Tree& tree, const std::vector<Facet>& facets, Nearest& nearest
     for (; volume != volumeEnd; ++volume)
     {
       const double distance2 =
-        tree.getVolume(*volume).squaredExteriorDistance(nearest.Place.transpose());
+        tree.getVolume(*volume).squaredExteriorDistance(nearest.Position.transpose());
       if (distance2 <= nearest.Bound2)
       {
         open[count++] = { *volume, distance2 };
@@ -124,7 +124,7 @@ void RequireFound(const Nearest& nearest)
 
 } // namespace
 
-RowVector3d ClosestInTriangle(const Eigen::Matrix3d& corners, const RowVector3d& place)
+RowVector3d FindClosestPointInTriangle(const Eigen::Matrix3d& corners, const RowVector3d& place)
 {
   const RowVector3d normal = RowVector3d(corners.row(1) - corners.row(0))
                                .cross(RowVector3d(corners.row(2) - corners.row(0)));
@@ -155,43 +155,38 @@ RowVector3d ClosestInTriangle(const Eigen::Matrix3d& corners, const RowVector3d&
   return barycentric;
 }
 
-struct SurfaceLocator::Locator
+struct SurfaceLocator::Tree
 {
-  Mesh Surface;
   std::vector<Facet> Facets;
-  Tree Boxes; ///< of the triangles
+  BoxTree Boxes; ///< of the triangles
 };
 
-SurfaceLocator::SurfaceLocator(const Mesh& mesh)
-  : Impl(std::make_unique<Locator>())
+SurfaceLocator::SurfaceLocator(const Surface& surface)
+  : Searched(surface)
 {
-  if (mesh.Triangles.rows() == 0)
+  const auto build = [&surface]()
   {
-    throw InvalidInput("the surface to search has no triangle");
-  }
-  this->Impl->Surface = mesh;
-  std::vector<int> triangles(mesh.Triangles.rows());
-  std::iota(triangles.begin(), triangles.end(), 0);
-  std::vector<Eigen::AlignedBox3d> boxes;
-  boxes.reserve(triangles.size());
-  this->Impl->Facets.reserve(triangles.size());
-  const Eigen::MatrixXd normals = AreaVectors(mesh).rowwise().normalized();
-  for (const int t : triangles)
-  {
-    const Eigen::Matrix3d corners = Corners(mesh, t);
-    this->Impl->Facets.push_back({ corners, normals.row(t) });
-    boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
-  }
-  this->Impl->Boxes.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
-}
-
-SurfaceLocator::~SurfaceLocator() = default;
-SurfaceLocator::SurfaceLocator(SurfaceLocator&&) noexcept = default;
-SurfaceLocator& SurfaceLocator::operator=(SurfaceLocator&&) noexcept = default;
-
-const Mesh& SurfaceLocator::Surface() const
-{
-  return this->Impl->Surface;
+    if (surface.Triangles().rows() == 0)
+    {
+      throw InvalidInput("the surface to search has no triangle");
+    }
+    Tree tree;
+    std::vector<int> triangles(surface.Triangles().rows());
+    std::iota(triangles.begin(), triangles.end(), 0);
+    std::vector<Eigen::AlignedBox3d> boxes;
+    boxes.reserve(triangles.size());
+    tree.Facets.reserve(triangles.size());
+    const Eigen::MatrixXd normals = surface.AreaVectors().rowwise().normalized();
+    for (const int t : triangles)
+    {
+      const Eigen::Matrix3d corners = GetCorners(surface, t);
+      tree.Facets.push_back({ corners, normals.row(t) });
+      boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
+    }
+    tree.Boxes.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+    return tree;
+  };
+  this->Impl = surface.Cached<Tree>(build);
 }
 
 ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress& progress) const
@@ -205,18 +200,18 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
     {
       // Points that follow each other are mostly neighbours: what is closest to the one before is a
       // good bound, and with a margin for rounding it changes no result.
-      constexpr double margin = 1.0 + 1e-9, most = std::numeric_limits<double>::max();
+      constexpr double margin = 1.0 + 1e-9, maximum = std::numeric_limits<double>::max();
       RowVector3d before = RowVector3d::Constant(std::numeric_limits<double>::quiet_NaN());
       for (int i = begin; i < end; ++i)
       {
         const RowVector3d place = points.row(i);
-        const double bound2 = i == begin ? most : margin * (place - before).squaredNorm();
+        const double bound2 = i == begin ? maximum : margin * (place - before).squaredNorm();
         Nearest nearest{ place, bound2 };
         Search(this->Impl->Boxes, this->Impl->Facets, nearest);
-        if (nearest.Triangle < 0 && bound2 < most)
+        if (nearest.Triangle < 0 && bound2 < maximum)
         {
           // On the surface, rounding can be more than the margin.
-          nearest.Bound2 = most;
+          nearest.Bound2 = maximum;
           Search(this->Impl->Boxes, this->Impl->Facets, nearest);
         }
         RequireFound(nearest);
@@ -231,7 +226,7 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
   return result;
 }
 
-ClosestPlace SurfaceLocator::FindOne(const RowVector3d& point, int guess) const
+ClosestPoint SurfaceLocator::FindOne(const RowVector3d& point, int guess) const
 {
   Nearest nearest{ point, std::numeric_limits<double>::max() };
   if (guess >= 0)

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <memory>
 
@@ -11,14 +12,14 @@ namespace shape
 
 /// Where on a surface the closest points to n points lie; barycentric coordinates are exactly 0
 /// opposite an edge that a place lies on.
-struct ClosestPoints : PreciseMap
+struct ClosestPoints : SurfacePoints
 {
   Eigen::MatrixXd Positions; ///< n x 3
   Eigen::VectorXd Distances; ///< n: >= 0
 };
 
 /// Where on a surface the closest point to one point lies.
-struct ClosestPlace
+struct ClosestPoint
 {
   int Triangle = -1;
   Eigen::RowVector3d Barycentric, Position;
@@ -27,18 +28,16 @@ struct ClosestPlace
 
 /// Barycentric coordinates of the point of a triangle (one corner a row) closest to `place`; those
 /// opposite an edge that it lies on are exactly 0. The triangle may have no area.
-Eigen::RowVector3d ClosestInTriangle(
-  const Eigen::Matrix3d& corners, const Eigen::RowVector3d& place);
+Eigen::RowVector3d FindClosestPointInTriangle(
+  const Eigen::Matrix3d& corners, const Eigen::RowVector3d& position);
 
-/// Finds the closest points of a triangulated surface; built once, queried from any thread.
+/// Finds the closest points of a triangulated surface, from any thread. The search tree is kept
+/// with the surface: a second locator of the same one costs nothing.
 class SurfaceLocator
 {
 public:
-  /// Keeps a copy of `mesh`. Throws InvalidInput where it has no triangle.
-  explicit SurfaceLocator(const Mesh& mesh);
-  ~SurfaceLocator();
-  SurfaceLocator(SurfaceLocator&&) noexcept;
-  SurfaceLocator& operator=(SurfaceLocator&&) noexcept;
+  /// Throws InvalidInput if the surface has no triangle.
+  explicit SurfaceLocator(const Surface& surface);
 
   /// points: n x 3, finite. Throws InvalidInput where the square of a distance overflows, Aborted.
   ClosestPoints Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
@@ -46,13 +45,14 @@ public:
   /// The same for one point. guess: a triangle that is likely near, which makes it quicker and is
   /// taken where no other is nearer, and at once where the point lies on it but for rounding; or
   /// -1. Throws InvalidInput as above.
-  ClosestPlace FindOne(const Eigen::RowVector3d& point, int guess = -1) const;
+  ClosestPoint FindOne(const Eigen::RowVector3d& point, int guess = -1) const;
 
-  const Mesh& Surface() const; ///< the mesh that is searched
+  const Surface& GetSurface() const { return this->Searched; } ///< the surface that is searched
 
 private:
-  struct Locator;
-  std::unique_ptr<Locator> Impl;
+  struct Tree;
+  Surface Searched;
+  std::shared_ptr<const Tree> Impl;
 };
 
 } // namespace shape

@@ -8,7 +8,7 @@
 namespace shape
 {
 
-Eigen::VectorXi NearestRows(
+Eigen::VectorXi FindNearestRows(
   const Eigen::MatrixXd& queries, const Eigen::MatrixXd& rows, const Progress& progress)
 {
   // |q - r|^2 = |q|^2 - 2 (q r - |r|^2 / 2): the nearest has the largest of what is in brackets.

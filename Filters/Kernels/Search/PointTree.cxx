@@ -104,10 +104,10 @@ PointTree::~PointTree() = default;
 PointTree::PointTree(PointTree&&) noexcept = default;
 PointTree& PointTree::operator=(PointTree&&) noexcept = default;
 
-std::vector<int> PointTree::Nearest(const Eigen::RowVector3d& place, int count) const
+std::vector<int> PointTree::Nearest(const Eigen::RowVector3d& position, int count) const
 {
   NearestSet set(count);
-  this->Impl->Nodes.index->findNeighbors(set, place.data(), nanoflann::SearchParams());
+  this->Impl->Nodes.index->findNeighbors(set, position.data(), nanoflann::SearchParams());
   std::vector<int> points;
   for (const auto& [square, point] : set.Items)
   {
@@ -117,18 +117,18 @@ std::vector<int> PointTree::Nearest(const Eigen::RowVector3d& place, int count) 
 }
 
 int PointTree::NearestOf(
-  const Eigen::RowVector3d& place, const std::function<bool(int)>& accepts, double within) const
+  const Eigen::RowVector3d& position, const std::function<bool(int)>& accepts, double within) const
 {
   AcceptedSet set(accepts, std::min(within * within, std::numeric_limits<double>::max()));
-  this->Impl->Nodes.index->findNeighbors(set, place.data(), nanoflann::SearchParams());
+  this->Impl->Nodes.index->findNeighbors(set, position.data(), nanoflann::SearchParams());
   return set.Point;
 }
 
-std::vector<int> PointTree::Within(const Eigen::RowVector3d& place, double radius) const
+std::vector<int> PointTree::Within(const Eigen::RowVector3d& position, double radius) const
 {
   // One step farther: nanoflann leaves out what is exactly as far.
   std::vector<std::pair<Eigen::Index, double>> found;
-  this->Impl->Nodes.index->radiusSearch(place.data(),
+  this->Impl->Nodes.index->radiusSearch(position.data(),
     std::nextafter(radius * radius, std::numeric_limits<double>::max()), found,
     nanoflann::SearchParams(32, 0.0F, false));
   std::vector<int> points;

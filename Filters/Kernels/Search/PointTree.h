@@ -20,14 +20,14 @@ public:
 
   /// The `count` nearest points (fewer where there are fewer), the nearest first; equally near ones
   /// by number.
-  std::vector<int> Nearest(const Eigen::RowVector3d& place, int count) const;
+  std::vector<int> Nearest(const Eigen::RowVector3d& position, int count) const;
 
   /// The nearest of the points that `accepts` takes, nearer than `within`, or -1.
-  int NearestOf(
-    const Eigen::RowVector3d& place, const std::function<bool(int)>& accepts, double within) const;
+  int NearestOf(const Eigen::RowVector3d& position, const std::function<bool(int)>& accepts,
+    double within) const;
 
   /// The points no farther than `radius`, by number.
-  std::vector<int> Within(const Eigen::RowVector3d& place, double radius) const;
+  std::vector<int> Within(const Eigen::RowVector3d& position, double radius) const;
 
 private:
   struct Index;

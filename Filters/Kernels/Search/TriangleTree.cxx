@@ -56,8 +56,8 @@ void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, flo
     {
       const std::ptrdiff_t at = first + k * size + i;
       const Vector w = hn::Sub(hn::Set(d, point[k]), hn::LoadU(d, blocks.Corners.data() + at));
-      u = hn::MulAdd(w, hn::LoadU(d, blocks.FirstSides.data() + at), u);
-      v = hn::MulAdd(w, hn::LoadU(d, blocks.SecondSides.data() + at), v);
+      u = hn::MulAdd(w, hn::LoadU(d, blocks.FirstEdges.data() + at), u);
+      v = hn::MulAdd(w, hn::LoadU(d, blocks.SecondEdges.data() + at), v);
       square = hn::MulAdd(w, w, square);
     }
     const Vector a = hn::LoadU(d, products + i), b = hn::LoadU(d, products + size + i),
@@ -75,18 +75,18 @@ void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, flo
     };
     const Vector across =
       share(hn::Add(hn::Sub(v, u), hn::Sub(a, b)), hn::Add(hn::NegMulAdd(two, b, a), c));
-    Vector least = hn::Min(farther(share(u, a), zero), farther(zero, share(v, c)));
-    least = hn::Min(least, farther(hn::Sub(one, across), across));
+    Vector minimum = hn::Min(farther(share(u, a), zero), farther(zero, share(v, c)));
+    minimum = hn::Min(minimum, farther(hn::Sub(one, across), across));
     const Vector determinant = hn::NegMulAdd(b, b, hn::Mul(a, c));
     const Vector s = hn::Div(hn::NegMulAdd(b, v, hn::Mul(c, u)), determinant),
                  t = hn::Div(hn::NegMulAdd(b, u, hn::Mul(a, v)), determinant);
     // Of a triangle without area s and t are not finite, and no comparison holds.
     const auto inside =
       hn::And(hn::And(hn::Ge(s, zero), hn::Ge(t, zero)), hn::Le(hn::Add(s, t), one));
-    least = hn::IfThenElse(inside, hn::Min(least, farther(s, t)), least);
+    minimum = hn::IfThenElse(inside, hn::Min(minimum, farther(s, t)), minimum);
     // What rounding may have added: next to a triangle the sum is a difference of larger numbers.
     const Vector large = hn::Add(square, hn::Add(a, c));
-    const Vector sum = hn::NegMulAdd(hn::Set(d, SquareRounding), large, hn::Add(square, least));
+    const Vector sum = hn::NegMulAdd(hn::Set(d, SquareRounding), large, hn::Add(square, minimum));
     hn::StoreU(hn::Max(zero, sum), d, squares + i);
   }
 }
@@ -98,7 +98,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 #include "Base/Errors.h"
-#include "Search/Private/PlaceInTriangle.h"
+#include "Search/Private/TriangleProjection.h"
 
 #include <algorithm>
 #include <array>
@@ -117,7 +117,7 @@ namespace
 
 constexpr int Block = TriangleBlocks::Size;
 constexpr int Multiple = 4; // numbers that one instruction may take
-constexpr int MostDimensions = 64;
+constexpr int MaximumDimensions = 64;
 using Four = Eigen::Array<double, Multiple, 1>;
 
 /// By how much a distance in single precision may be wrong where no coordinate is larger.
@@ -142,7 +142,8 @@ TriangleTree::TriangleTree(const Eigen::MatrixXi& triangles, const Eigen::Matrix
   , Coordinates(points.rows() * this->Dimension, 0.0)
   , Products(triangles.rows(), 3)
 {
-  RequireOption(this->Dimension <= MostDimensions, "the dimension", this->Dimension, "at most 64");
+  RequireOption(
+    this->Dimension <= MaximumDimensions, "the dimension", this->Dimension, "at most 64");
   std::iota(this->Order.begin(), this->Order.end(), 0);
   const Eigen::MatrixXd centres = points(triangles.col(0), Eigen::all) +
     points(triangles.col(1), Eigen::all) + points(triangles.col(2), Eigen::all);
@@ -154,15 +155,15 @@ TriangleTree::TriangleTree(const Eigen::MatrixXi& triangles, const Eigen::Matrix
   int items = static_cast<int>(this->Order.size()) / Block;
   const std::size_t numbers = this->Order.size() * this->Blocks.Dimension;
   this->Blocks.Corners.resize(numbers);
-  this->Blocks.FirstSides.resize(numbers);
-  this->Blocks.SecondSides.resize(numbers);
+  this->Blocks.FirstEdges.resize(numbers);
+  this->Blocks.SecondEdges.resize(numbers);
   this->Blocks.Products.resize(this->Order.size() * 3);
   do
   {
     const int blocks = BlocksOf(items);
-    const auto places = static_cast<std::size_t>(blocks) * Block;
-    this->Blocks.Levels.push_back({ std::vector<float>(places * this->Blocks.Dimension, 0.0F),
-      std::vector<float>(places, -std::numeric_limits<float>::infinity()) });
+    const auto positions = static_cast<std::size_t>(blocks) * Block;
+    this->Blocks.Levels.push_back({ std::vector<float>(positions * this->Blocks.Dimension, 0.0F),
+      std::vector<float>(positions, -std::numeric_limits<float>::infinity()) });
     items = blocks;
   } while (items > 1);
   this->Move(points);
@@ -208,9 +209,9 @@ void TriangleTree::Move(const Eigen::MatrixXd& points)
 void TriangleTree::MoveBlocks()
 {
   const int d = this->Blocks.Dimension;
-  for (std::size_t place = 0; place < this->Order.size(); ++place)
+  for (std::size_t position = 0; position < this->Order.size(); ++position)
   {
-    const int t = this->Order[place];
+    const int t = this->Order[position];
     std::array<const double*, 3> corners;
     for (int k = 0; k < 3; ++k)
     {
@@ -218,7 +219,7 @@ void TriangleTree::MoveBlocks()
         static_cast<std::ptrdiff_t>(this->Triangles(t, k)) * this->Dimension;
     }
     double a = 0.0, b = 0.0, c = 0.0;
-    const std::size_t block = place / Block, lane = place % Block;
+    const std::size_t block = position / Block, lane = position % Block;
     for (int k = 0; k < d; ++k)
     {
       const double p = corners[0][k], e = corners[1][k] - p, f = corners[2][k] - p;
@@ -227,8 +228,8 @@ void TriangleTree::MoveBlocks()
       c += f * f;
       const std::size_t at = (block * d + k) * Block + lane;
       this->Blocks.Corners[at] = static_cast<float>(p);
-      this->Blocks.FirstSides[at] = static_cast<float>(e);
-      this->Blocks.SecondSides[at] = static_cast<float>(f);
+      this->Blocks.FirstEdges[at] = static_cast<float>(e);
+      this->Blocks.SecondEdges[at] = static_cast<float>(f);
     }
     this->Products.row(t) << a, b, c;
     float* products = this->Blocks.Products.data() + block * 3 * Block + lane;
@@ -252,7 +253,7 @@ void TriangleTree::MoveBalls()
     }
     level.Radii[item] = radius + this->Blocks.Rounding;
   };
-  std::array<float, MostDimensions> centre{};
+  std::array<float, MaximumDimensions> centre{};
   const std::size_t blocks = this->Order.size() / Block;
   for (std::size_t block = 0; block < blocks; ++block)
   {
@@ -260,8 +261,8 @@ void TriangleTree::MoveBalls()
     for (int k = 0; k < d; ++k)
     {
       const std::size_t at = (block * d + k) * Block;
-      const Numbers p(this->Blocks.Corners.data() + at), e(this->Blocks.FirstSides.data() + at),
-        f(this->Blocks.SecondSides.data() + at);
+      const Numbers p(this->Blocks.Corners.data() + at), e(this->Blocks.FirstEdges.data() + at),
+        f(this->Blocks.SecondEdges.data() + at);
       centre[k] = (p + (e + f) / 3.0F).mean();
       const Lanes way = p - centre[k];
       first += way.square();
@@ -312,7 +313,7 @@ void TriangleTree::Test(const double* point, int triangle, NearestTriangle& best
   const double u = us.sum(), v = vs.sum(), square = squares.sum();
   const double a = this->Products(triangle, 0), b = this->Products(triangle, 1),
                c = this->Products(triangle, 2);
-  const auto [s, t] = PlaceInTriangle(a, b, c, u, v);
+  const auto [s, t] = ProjectOntoTriangle(a, b, c, u, v);
   const double distance =
     std::max(0.0, square + s * (s * a + 2.0 * t * b - 2.0 * u) + t * (t * c - 2.0 * v));
   if (distance < best.SquaredDistance)
@@ -325,8 +326,8 @@ void TriangleTree::Test(const double* point, int triangle, NearestTriangle& best
 
 NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) const
 {
-  std::array<double, MostDimensions> padded{};
-  std::array<float, MostDimensions> single;
+  std::array<double, MaximumDimensions> padded{};
+  std::array<float, MaximumDimensions> single;
   for (Eigen::Index k = 0; k < point.size(); ++k)
   {
     padded[k] = point(k);
@@ -362,12 +363,12 @@ NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) c
       if (numbers[i] < bound)
       {
         // The nearest comes out first.
-        int place = height++;
-        for (; place > before && stack[place - 1].Gap < numbers[i]; --place)
+        int position = height++;
+        for (; position > before && stack[position - 1].Gap < numbers[i]; --position)
         {
-          stack[place] = stack[place - 1];
+          stack[position] = stack[position - 1];
         }
-        stack[place] = { numbers[i], level, static_cast<int>(first) + i };
+        stack[position] = { numbers[i], level, static_cast<int>(first) + i };
       }
     }
   };

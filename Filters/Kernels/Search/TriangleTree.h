@@ -29,7 +29,7 @@ struct TriangleBlocks
   };
 
   int Dimension = 0;
-  std::vector<float> Corners, FirstSides, SecondSides; ///< the sides start at the corner
+  std::vector<float> Corners, FirstEdges, SecondEdges; ///< the sides start at the corner
   std::vector<float> Products;                         ///< of the sides: 3 in place of Dimension
   std::vector<Level> Levels;
   float Rounding = 0.0F; ///< by how much a distance may be wrong

@@ -1,7 +1,7 @@
 #include "Search/TriangleWalk.h"
 
 #include "Base/Parallel.h"
-#include "Search/Private/PlaceInTriangle.h"
+#include "Search/Private/TriangleProjection.h"
 
 #include <algorithm>
 #include <limits>
@@ -60,7 +60,7 @@ bool TriangleWalk::Look(int point, const Eigen::VectorXd& towards)
     f = this->Points.col(this->Triangles(t, 2)) - p;
     w = towards - p;
     const double a = e.squaredNorm(), b = e.dot(f), c = f.squaredNorm(), u = w.dot(e), v = w.dot(f);
-    const auto [x, y] = PlaceInTriangle(a, b, c, u, v);
+    const auto [x, y] = ProjectOntoTriangle(a, b, c, u, v);
     // Rounding must not make it negative: the walk would never end.
     const double squared =
       std::max(0.0, w.squaredNorm() + x * (x * a + 2.0 * y * b - 2.0 * u) + y * (y * c - 2.0 * v));
@@ -75,21 +75,21 @@ bool TriangleWalk::Look(int point, const Eigen::VectorXd& towards)
   return nearer;
 }
 
-PreciseMap WalkToPlaces(const Eigen::MatrixXd& places, const Eigen::MatrixXi& triangles,
+SurfacePoints WalkToPositions(const Eigen::MatrixXd& positions, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, const TriangleFans& fans, const std::function<int(int)>& begin,
   const Progress& progress)
 {
   constexpr int grain = 256;
   const Eigen::MatrixXd columns = points.transpose();
-  PreciseMap map{ Eigen::VectorXi(places.rows()), Eigen::MatrixXd(places.rows(), 3) };
+  SurfacePoints map{ Eigen::VectorXi(positions.rows()), Eigen::MatrixXd(positions.rows(), 3) };
   ParallelFor(
-    static_cast<int>(places.rows()), grain,
+    static_cast<int>(positions.rows()), grain,
     [&](int first, int last)
     {
       TriangleWalk walk(triangles, columns, fans);
       for (int i = first; i < last; ++i)
       {
-        walk.Go(begin(i), places.row(i).transpose());
+        walk.Go(begin(i), positions.row(i).transpose());
         map.Triangles(i) = walk.Triangle;
         map.Barycentrics.row(i) = walk.Barycentric;
       }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/PreciseMap.h"
 #include "Base/Progress.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
 
@@ -51,7 +51,7 @@ private:
 
 /// Where walks to places (q x d, one a row) end on the surface of points (n x d, one a row). begin:
 /// of each place the point to walk from, asked for from any thread. Throws Aborted.
-PreciseMap WalkToPlaces(const Eigen::MatrixXd& places, const Eigen::MatrixXi& triangles,
+SurfacePoints WalkToPositions(const Eigen::MatrixXd& positions, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, const TriangleFans& fans, const std::function<int(int)>& begin,
   const Progress& progress = {});
 

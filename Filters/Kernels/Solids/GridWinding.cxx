@@ -16,9 +16,9 @@ namespace
 /// Which side of the line from a to b the place is on when it has been moved by an infinitesimal
 /// step along the first axis and a smaller one along the second; 0 where a and b are the same.
 int SideOf(
-  const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& place)
+  const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& position)
 {
-  if (const int side = Orientation(a, b, place); side != 0)
+  if (const int side = EvaluateOrientation(a, b, position); side != 0)
   {
     return side;
   }
@@ -30,9 +30,9 @@ int SideOf(
 }
 
 /// The grid's first line or point at or beyond a coordinate along an axis.
-int FirstBeyond(const SampledGrid& grid, int axis, double place)
+int FirstBeyond(const SampledGrid& grid, int axis, double position)
 {
-  return static_cast<int>(std::clamp(std::ceil((place - grid.Origin(axis)) / grid.Spacing), 0.0,
+  return static_cast<int>(std::clamp(std::ceil((position - grid.Origin(axis)) / grid.Spacing), 0.0,
     static_cast<double>(grid.Counts(axis))));
 }
 
@@ -54,19 +54,19 @@ double CrossingOf(const Eigen::Matrix3d& corners, const Eigen::RowVector2d& line
   const Eigen::RowVector3d normal =
     (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0));
   const double step = (corners.row(0).tail<2>() - line).dot(normal.tail<2>());
-  const double place = normal(0) == 0.0 ? corners(0, 0) : corners(0, 0) + step / normal(0);
-  return std::clamp(place, corners.col(0).minCoeff(), corners.col(0).maxCoeff());
+  const double position = normal(0) == 0.0 ? corners(0, 0) : corners(0, 0) + step / normal(0);
+  return std::clamp(position, corners.col(0).minCoeff(), corners.col(0).maxCoeff());
 }
 
 } // namespace
 
-Eigen::VectorXi GridWindingNumbers(const Mesh& mesh, const SampledGrid& grid)
+Eigen::VectorXi ComputeGridWindingNumbers(const Mesh& mesh, const SampledGrid& grid)
 {
   // First by how much the number changes at each point, as seen from the one before.
   Eigen::VectorXi winding = Eigen::VectorXi::Zero(grid.Counts.prod());
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    const Eigen::Matrix3d corners = Corners(mesh, t);
+    const Eigen::Matrix3d corners = GetCorners(mesh, t);
     const Eigen::Matrix<double, 3, 2> shadow = corners.rightCols<2>();
     const Eigen::RowVector2d low = shadow.colwise().minCoeff(), high = shadow.colwise().maxCoeff();
     const Lines ys(grid, 1, low(0), high(0)), zs(grid, 2, low(1), high(1));

@@ -44,7 +44,7 @@ Mesh ToMesh(vtkPolyData* data)
 
 } // namespace
 
-Mesh IsoSurface(const SampledGrid& grid, double value)
+Mesh ExtractIsoSurface(const SampledGrid& grid, double value)
 {
   vtkNew<vtkDoubleArray> values;
   // VTK reads the samples where they are and does not free them.

@@ -25,6 +25,6 @@ struct SampledGrid
 /// The surface where the trilinear samples cross `value` (vtkFlyingEdges3D), counter-clockwise seen
 /// from where they are greater. Closed where it stays away from the grid's sides; empty where no
 /// sample lies beyond.
-Mesh IsoSurface(const SampledGrid& grid, double value);
+Mesh ExtractIsoSurface(const SampledGrid& grid, double value);
 
 } // namespace shape

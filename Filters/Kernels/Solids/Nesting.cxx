@@ -1,9 +1,9 @@
 #include "Solids/Nesting.h"
 
 #include "Base/Errors.h"
+#include "Geometry/SelfIntersections.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Geometry/Crossings.h"
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>
@@ -41,7 +41,7 @@ std::vector<Component> Split(const Mesh& mesh, const Topology& topology)
     boxes.reserve(component.Triangles.size());
     for (const int t : component.Triangles)
     {
-      const Eigen::Matrix3d corners = Corners(mesh, t);
+      const Eigen::Matrix3d corners = GetCorners(mesh, t);
       boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
       component.Box.extend(boxes.back());
     }
@@ -71,7 +71,7 @@ struct Meeting
   }
   bool intersectVolumeObject(const Eigen::AlignedBox3d& box, int triangle) const
   {
-    const Eigen::Matrix3d corners = Corners(this->Surface, triangle);
+    const Eigen::Matrix3d corners = GetCorners(this->Surface, triangle);
     return box.intersects({ corners.colwise().minCoeff(), corners.colwise().maxCoeff() });
   }
   bool intersectObjectVolume(int triangle, const Eigen::AlignedBox3d& box) const
@@ -80,19 +80,19 @@ struct Meeting
   }
   bool intersectObjectObject(int a, int b)
   {
-    this->Found = TrianglesMeet(this->Surface, a, b);
+    this->Found = DoTrianglesIntersect(this->Surface, a, b);
     return this->Found; // true ends the search
   }
   // NOLINTEND(readability-identifier-naming)
 };
 
 /// Whether a component faces outwards; `apex` is one of its points.
-bool FacesOutwards(const Mesh& mesh, const Component& component, const RowVector3d& apex)
+bool IsFacingOutwards(const Mesh& mesh, const Component& component, const RowVector3d& apex)
 {
   double sixVolumes = 0.0;
   for (const int t : component.Triangles)
   {
-    const Eigen::Matrix3d corners = Corners(mesh, t).rowwise() - apex;
+    const Eigen::Matrix3d corners = GetCorners(mesh, t).rowwise() - apex;
     sixVolumes += corners.determinant();
   }
   return sixVolumes > 0.0;
@@ -100,14 +100,14 @@ bool FacesOutwards(const Mesh& mesh, const Component& component, const RowVector
 
 } // namespace
 
-Mesh OrientedByNesting(const Mesh& mesh, const std::string& name, const Progress& progress)
+Mesh OrientByNesting(const Mesh& mesh, const std::string& name, const Progress& progress)
 {
   const Topology topology = RequireClosedSurface(mesh, name);
   const std::vector<Component> components = Split(mesh, topology);
   Mesh oriented = mesh;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
-    const RowVector3d place = mesh.Points.row(mesh.Triangles(components[i].Triangles[0], 0));
+    const RowVector3d position = mesh.Points.row(mesh.Triangles(components[i].Triangles[0], 0));
     const double done = static_cast<double>(i) / static_cast<double>(components.size());
     int depth = 0;
     for (std::size_t j = 0; j < components.size(); ++j)
@@ -129,10 +129,10 @@ Mesh OrientedByNesting(const Mesh& mesh, const std::string& name, const Progress
           "); move them apart, or unite them");
       }
       depth += components[j].Box.contains(components[i].Box) &&
-        std::abs(WindingNumber(
-          mesh.Points, mesh.Triangles(components[j].Triangles, Eigen::all), place)) > 0.5;
+        std::abs(ComputeWindingNumber(
+          mesh.Points, mesh.Triangles(components[j].Triangles, Eigen::all), position)) > 0.5;
     }
-    if (FacesOutwards(mesh, components[i], place) != (depth % 2 == 0))
+    if (IsFacingOutwards(mesh, components[i], position) != (depth % 2 == 0))
     {
       for (const int t : components[i].Triangles)
       {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <string>
 
@@ -21,6 +21,6 @@ namespace shape
  * not closed, or where two components touch or cross, so that neither lies within the other;
  * Aborted. A component that touches itself is not noticed.
  */
-Mesh OrientedByNesting(const Mesh& mesh, const std::string& name, const Progress& progress = {});
+Mesh OrientByNesting(const Mesh& mesh, const std::string& name, const Progress& progress = {});
 
 } // namespace shape

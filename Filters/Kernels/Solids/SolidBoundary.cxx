@@ -1,7 +1,7 @@
 #include "Solids/SolidBoundary.h"
 
+#include "Geometry/SelfIntersections.h"
 #include "Mesh/HalfEdges.h"
-#include "Geometry/Crossings.h"
 
 #include <Eigen/Geometry>
 
@@ -18,7 +18,7 @@ namespace
 std::vector<std::vector<int>> Neighbours(const Mesh& mesh)
 {
   std::vector<std::vector<int>> neighbours(mesh.Triangles.rows());
-  const std::vector<HalfEdge> edges = SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  const std::vector<HalfEdge> edges = SortHalfEdges(mesh.Triangles, mesh.Points.rows());
   for (std::size_t i = 0; i + 1 < edges.size(); ++i)
   {
     if (edges[i].Low() == edges[i + 1].Low() && edges[i].High() == edges[i + 1].High())
@@ -32,13 +32,13 @@ std::vector<std::vector<int>> Neighbours(const Mesh& mesh)
 
 } // namespace
 
-SolidBoundaryResult SolidBoundary(const Mesh& mesh, const Progress& progress)
+SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progress)
 {
   SolidBoundaryResult result{ mesh };
   const Eigen::Index count = mesh.Triangles.rows();
   // Flat triangles bound nothing, and say nothing about crossings that others do not.
   std::vector<char> apart(count, 0);
-  for (const int flat : FlatTriangles(mesh))
+  for (const int flat : FindDegenerateTriangles(mesh))
   {
     apart[flat] = 1;
   }
@@ -51,7 +51,7 @@ SolidBoundaryResult SolidBoundary(const Mesh& mesh, const Progress& progress)
     }
   }
   const Mesh tested{ mesh.Points, mesh.Triangles(solid, Eigen::all) };
-  const std::vector<Crossing> crossings = FindCrossings(tested, progress.Part(0.0, 0.5));
+  const std::vector<Crossing> crossings = FindSelfIntersections(tested, progress.Part(0.0, 0.5));
   result.Crossings = static_cast<int>(crossings.size());
   if (crossings.empty())
   {
@@ -63,7 +63,7 @@ SolidBoundaryResult SolidBoundary(const Mesh& mesh, const Progress& progress)
   }
   // All triangles that hang together without crossing others are on one side of them.
   const std::vector<std::vector<int>> neighbours = Neighbours(mesh);
-  const double step = 1e-6 * LongestSide(mesh.Points);
+  const double step = 1e-6 * ComputeLongestBoxEdge(mesh.Points);
   std::vector<int> kept;
   std::vector<char> seen = apart;
   for (int first = 0; first < count; ++first)
@@ -90,11 +90,11 @@ SolidBoundaryResult SolidBoundary(const Mesh& mesh, const Progress& progress)
         }
       }
     }
-    const Eigen::Matrix3d corners = Corners(mesh, first);
+    const Eigen::Matrix3d corners = GetCorners(mesh, first);
     const Eigen::RowVector3d normal =
       (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0)).normalized();
     const double outside =
-      WindingNumber(mesh.Points, mesh.Triangles, corners.colwise().mean() + step * normal);
+      ComputeWindingNumber(mesh.Points, mesh.Triangles, corners.colwise().mean() + step * normal);
     if (outside > -0.5 && outside < 0.5)
     {
       kept.insert(kept.end(), cluster.begin(), cluster.end());

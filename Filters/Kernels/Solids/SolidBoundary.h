@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -21,6 +21,6 @@ struct SolidBoundaryResult
  *
  * mesh: closed, oriented consistently. Throws Aborted.
  */
-SolidBoundaryResult SolidBoundary(const Mesh& mesh, const Progress& progress = {});
+SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progress = {});
 
 } // namespace shape

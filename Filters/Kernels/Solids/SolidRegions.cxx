@@ -45,7 +45,7 @@ SolidRegions::SolidRegions(const std::vector<Mesh>& surfaces, const std::vector<
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
     const Mesh& surface = surfaces[s];
-    const Topology topology = SurfaceTopology(surface);
+    const Topology topology = ComputeTopology(surface);
     std::vector<int> firstPoint(topology.Components, -1);
     for (int i = 0; i < surface.Points.rows(); ++i)
     {
@@ -59,13 +59,13 @@ SolidRegions::SolidRegions(const std::vector<Mesh>& surfaces, const std::vector<
     for (std::size_t c = 0; c < split.size(); ++c)
     {
       Component component;
-      component.Surface = FacingOutwards(split[c]);
+      component.Surface = OrientOutwards(split[c]);
       component.FirstPoint = firstPoint[c];
-      component.Volume = EnclosedVolume(component.Surface);
+      component.Volume = ComputeEnclosedVolume(component.Surface);
       component.Owner = static_cast<int>(s);
       component.Low = component.Surface.Points.colwise().minCoeff();
       component.High = component.Surface.Points.colwise().maxCoeff();
-      const double area = 0.5 * AreaVectors(component.Surface).rowwise().norm().sum();
+      const double area = 0.5 * ComputeAreaVectors(component.Surface).rowwise().norm().sum();
       if (!(component.Volume > 1e-14 * area * (component.High - component.Low).maxCoeff()))
       {
         throw InvalidInput(names[s] + " has a component that encloses no volume (it has point " +
@@ -80,11 +80,11 @@ SolidRegions::SolidRegions(const std::vector<Mesh>& surfaces, const std::vector<
   this->FindRegions(names);
 }
 
-bool SolidRegions::IsInside(const RowVector3d& place, const Component& component) const
+bool SolidRegions::IsInside(const RowVector3d& position, const Component& component) const
 {
-  return (place.array() > component.Low.array()).all() &&
-    (place.array() < component.High.array()).all() &&
-    WindingNumber(component.Surface.Points, component.Surface.Triangles, place) > 0.5;
+  return (position.array() > component.Low.array()).all() &&
+    (position.array() < component.High.array()).all() &&
+    ComputeWindingNumber(component.Surface.Points, component.Surface.Triangles, position) > 0.5;
 }
 
 void SolidRegions::FindParents(const Progress& progress)
@@ -94,10 +94,10 @@ void SolidRegions::FindParents(const Progress& progress)
     // Components do not cross: where one triangle's middle is, the whole component is.
     Component& component = this->Components[i];
     const Eigen::RowVector3i corners = component.Surface.Triangles.row(0);
-    const RowVector3d place = component.Surface.Points(corners, Eigen::all).colwise().mean();
+    const RowVector3d position = component.Surface.Points(corners, Eigen::all).colwise().mean();
     for (int other = static_cast<int>(i) - 1; other >= 0 && component.Parent == -1; --other)
     {
-      if (this->IsInside(place, this->Components[other]))
+      if (this->IsInside(position, this->Components[other]))
       {
         component.Parent = other;
       }
@@ -150,11 +150,11 @@ void SolidRegions::FindRegions(const std::vector<std::string>& names)
   }
 }
 
-int SolidRegions::InnermostAt(const RowVector3d& place) const
+int SolidRegions::InnermostAt(const RowVector3d& position) const
 {
   for (int i = static_cast<int>(this->Components.size()) - 1; i >= 0; --i)
   {
-    if (this->IsInside(place, this->Components[i]))
+    if (this->IsInside(position, this->Components[i]))
     {
       return i;
     }
@@ -162,15 +162,15 @@ int SolidRegions::InnermostAt(const RowVector3d& place) const
   return -1;
 }
 
-int SolidRegions::RegionAt(const RowVector3d& place) const
+int SolidRegions::RegionAt(const RowVector3d& position) const
 {
-  const int innermost = this->InnermostAt(place);
+  const int innermost = this->InnermostAt(position);
   return innermost == -1 ? Void : this->Components[innermost].Region;
 }
 
-Eigen::MatrixXd SolidRegions::PlacesInVoids() const
+Eigen::MatrixXd SolidRegions::FindPositionsInVoids() const
 {
-  std::vector<RowVector3d> places;
+  std::vector<RowVector3d> positions;
   for (int i = 0; i < static_cast<int>(this->Components.size()); ++i)
   {
     const Component& component = this->Components[i];
@@ -181,7 +181,7 @@ Eigen::MatrixXd SolidRegions::PlacesInVoids() const
     // The middle of a chord from a large triangle inwards to the next wall: the longest one that
     // proves to lie in this void.
     const Mesh& surface = component.Surface;
-    const Eigen::MatrixXd normals = AreaVectors(surface);
+    const Eigen::MatrixXd normals = ComputeAreaVectors(surface);
     const Eigen::VectorXd areas = normals.rowwise().norm();
     std::vector<int> largest(surface.Triangles.rows());
     std::iota(largest.begin(), largest.end(), 0);
@@ -218,12 +218,12 @@ Eigen::MatrixXd SolidRegions::PlacesInVoids() const
       throw SolveFailure("a void inside the solid is too thin to find a place in it (at point " +
         std::to_string(component.FirstPoint) + "); widen or remove it");
     }
-    places.push_back(found->second);
+    positions.push_back(found->second);
   }
-  Eigen::MatrixXd rows(places.size(), 3);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  Eigen::MatrixXd rows(positions.size(), 3);
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    rows.row(i) = places[i];
+    rows.row(i) = positions[i];
   }
   return rows;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <string>
 #include <vector>
@@ -33,7 +33,7 @@ public:
     const Progress& progress = {});
 
   /// The region at a place that lies on no surface.
-  int RegionAt(const Eigen::RowVector3d& place) const;
+  int RegionAt(const Eigen::RowVector3d& position) const;
 
   /// The volume of each region (1 + number of borders).
   const Eigen::VectorXd& Volumes() const { return this->RegionVolumes; }
@@ -54,13 +54,13 @@ public:
 
   /// A place inside each void that the solid surrounds (n x 3), far from its walls. Throws
   /// SolveFailure where a void is too thin to find one.
-  Eigen::MatrixXd PlacesInVoids() const;
+  Eigen::MatrixXd FindPositionsInVoids() const;
 
 private:
   void FindParents(const Progress& progress);
   void FindRegions(const std::vector<std::string>& names);
-  bool IsInside(const Eigen::RowVector3d& place, const Component& component) const;
-  int InnermostAt(const Eigen::RowVector3d& place) const;
+  bool IsInside(const Eigen::RowVector3d& position, const Component& component) const;
+  int InnermostAt(const Eigen::RowVector3d& position) const;
 
   std::vector<Component> Components; ///< by falling volume
   Eigen::VectorXd RegionVolumes;

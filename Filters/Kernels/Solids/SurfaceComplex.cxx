@@ -1,9 +1,9 @@
 #include "Solids/SurfaceComplex.h"
 
 #include "Base/Errors.h"
+#include "Geometry/SelfIntersections.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Geometry/Crossings.h"
 
 #include <algorithm>
 #include <array>
@@ -17,20 +17,20 @@ namespace
 {
 
 /// For each point the first one at the same place.
-std::vector<int> FirstAtPlace(const Eigen::MatrixXd& points)
+std::vector<int> FindCoincidentPoints(const Eigen::MatrixXd& points)
 {
-  const auto place = [&](int i) {
+  const auto position = [&](int i) {
     return std::array<double, 3>{ points(i, 0), points(i, 1), points(i, 2) };
   };
   std::vector<int> order(points.rows());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
-    [&](int a, int b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
+    [&](int a, int b) { return position(a) != position(b) ? position(a) < position(b) : a < b; });
   std::vector<int> first(points.rows());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     first[order[i]] =
-      i > 0 && place(order[i]) == place(order[i - 1]) ? first[order[i - 1]] : order[i];
+      i > 0 && position(order[i]) == position(order[i - 1]) ? first[order[i - 1]] : order[i];
   }
   return first;
 }
@@ -38,7 +38,7 @@ std::vector<int> FirstAtPlace(const Eigen::MatrixXd& points)
 /// The same triangles over the first points at each place, without those that collapse.
 Mesh Joined(const Mesh& mesh, int& duplicates, int& firstDuplicate)
 {
-  const std::vector<int> first = FirstAtPlace(mesh.Points);
+  const std::vector<int> first = FindCoincidentPoints(mesh.Points);
   Mesh joined{ mesh.Points, mesh.Triangles };
   for (int& point : joined.Triangles.reshaped())
   {
@@ -64,12 +64,12 @@ Mesh Joined(const Mesh& mesh, int& duplicates, int& firstDuplicate)
   return joined;
 }
 
-std::string Place(const Eigen::RowVector3d& place)
+std::string Position(const Eigen::RowVector3d& position)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(8);
-  text << "(" << place(0) << ", " << place(1) << ", " << place(2) << ")";
+  text << "(" << position(0) << ", " << position(1) << ", " << position(2) << ")";
   return text.str();
 }
 
@@ -85,7 +85,7 @@ int Owner(const SurfaceComplex& complex, int triangle)
   const std::vector<std::string>& names, double unit, const std::vector<Crossing>& crossings)
 {
   const int a = Owner(complex, crossings[0].First), b = Owner(complex, crossings[0].Second);
-  std::string places;
+  std::string positions;
   int count = 0;
   constexpr int listed = 5;
   for (const Crossing& crossing : crossings)
@@ -96,14 +96,14 @@ int Owner(const SurfaceComplex& complex, int triangle)
     }
     if (count++ < listed)
     {
-      places += (places.empty() ? "" : ", ") +
+      positions += (positions.empty() ? "" : ", ") +
         std::to_string(crossing.First - complex.FirstTriangle[a]) + " and " +
         std::to_string(crossing.Second - complex.FirstTriangle[b]) + " near " +
-        Place(unit * crossing.Place);
+        Position(unit * crossing.Position);
     }
   }
   const std::string pairs = std::to_string(count) + (count == 1 ? " pair" : " pairs") +
-    " of triangles (" + (count > listed ? "the first: " : "") + places + "); ";
+    " of triangles (" + (count > listed ? "the first: " : "") + positions + "); ";
   if (a == b)
   {
     throw InvalidInput(names[a] + " crosses or touches itself at " + pairs +
@@ -128,16 +128,16 @@ void RequireClosed(const Mesh& surface, const std::string& name)
     {
       throw;
     }
-    const Topology topology = SurfaceTopology(surface);
+    const Topology topology = ComputeTopology(surface);
     int duplicates = 0, first = -1;
     const Mesh joined = Joined(surface, duplicates, first);
-    if (topology.OpenLoops == 0 || duplicates == 0 || joined.Triangles.rows() == 0 ||
-      SurfaceTopology(joined).OpenLoops > 0)
+    if (topology.BoundaryLoops == 0 || duplicates == 0 || joined.Triangles.rows() == 0 ||
+      ComputeTopology(joined).BoundaryLoops > 0)
     {
       throw;
     }
-    throw InvalidInput(name + " has " + std::to_string(topology.OpenLoops) +
-      (topology.OpenLoops == 1 ? " open loop" : " open loops") + ", only because " +
+    throw InvalidInput(name + " has " + std::to_string(topology.BoundaryLoops) +
+      (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + ", only because " +
       std::to_string(duplicates) + " of its points lie where others do (first point " +
       std::to_string(first) + "); merge them with Clean");
   }
@@ -177,8 +177,8 @@ SurfaceComplex JoinSurfaces(const std::vector<Mesh>& surfaces)
       kept.push_back(i);
     }
   }
-  const Eigen::MatrixXd places = all.Points(kept, Eigen::all);
-  const std::vector<int> first = FirstAtPlace(places);
+  const Eigen::MatrixXd positions = all.Points(kept, Eigen::all);
+  const std::vector<int> first = FindCoincidentPoints(positions);
   std::vector<int> distinct, newIndex(points, -1), original;
   for (int i = 0; i < static_cast<int>(kept.size()); ++i)
   {
@@ -197,16 +197,16 @@ SurfaceComplex JoinSurfaces(const std::vector<Mesh>& surfaces)
   {
     point = newIndex[point];
   }
-  complex.Surfaces = { places(distinct, Eigen::all), all.Triangles };
+  complex.Surfaces = { positions(distinct, Eigen::all), all.Triangles };
   complex.OriginalPoint =
     Eigen::Map<Eigen::VectorXi>(original.data(), static_cast<Eigen::Index>(original.size()));
   return complex;
 }
 
-void RequireSound(const SurfaceComplex& complex, const std::vector<std::string>& names, double unit,
-  const Progress& progress)
+void RequireConformingComplex(const SurfaceComplex& complex, const std::vector<std::string>& names,
+  double unit, const Progress& progress)
 {
-  const std::vector<int> flat = FlatTriangles(complex.Surfaces);
+  const std::vector<int> flat = FindDegenerateTriangles(complex.Surfaces);
   if (!flat.empty())
   {
     const int owner = Owner(complex, flat[0]);
@@ -216,11 +216,12 @@ void RequireSound(const SurfaceComplex& complex, const std::vector<std::string>&
     throw InvalidInput(names[owner] + " has " + std::to_string(count) +
       (count == 1 ? " triangle" : " triangles") + " without area (first triangle " +
       std::to_string(flat[0] - complex.FirstTriangle[owner]) + " near " +
-      Place(unit * complex.Surfaces.Points(corners, Eigen::all).colwise().mean()) +
+      Position(unit * complex.Surfaces.Points(corners, Eigen::all).colwise().mean()) +
       "); remove them with Clean (a tolerance above 0), or remesh");
   }
   progress(0.1);
-  const std::vector<Crossing> crossings = FindCrossings(complex.Surfaces, progress.Part(0.1, 1.0));
+  const std::vector<Crossing> crossings =
+    FindSelfIntersections(complex.Surfaces, progress.Part(0.1, 1.0));
   if (!crossings.empty())
   {
     ReportCrossings(complex, names, unit, crossings);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <string>
 #include <vector>
@@ -28,7 +28,7 @@ SurfaceComplex JoinSurfaces(const std::vector<Mesh>& surfaces);
 
 /// Throws InvalidInput where triangles are flat, cross or coincide, with the number of them, the
 /// first and where it lies in units of `unit`; Aborted. names: what errors call the surfaces.
-void RequireSound(const SurfaceComplex& complex, const std::vector<std::string>& names, double unit,
-  const Progress& progress = {});
+void RequireConformingComplex(const SurfaceComplex& complex, const std::vector<std::string>& names,
+  double unit, const Progress& progress = {});
 
 } // namespace shape

@@ -1,12 +1,12 @@
 #include "Spectrum/LaplaceSpectrum.h"
 
-#include "Linear/BlockLanczos.h"
 #include "Base/Errors.h"
+#include "Laplacian/CotangentWeights.h"
+#include "Laplacian/IntrinsicDelaunay.h"
+#include "Linear/BlockLanczos.h"
 #include "Linear/SparseSolve.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Laplacian/CotangentWeights.h"
-#include "Laplacian/IntrinsicDelaunay.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -29,10 +29,10 @@ public:
   explicit ComponentSpectrum(const Mesh& mesh)
   {
     const Eigen::Index points = mesh.Points.rows();
-    const IntrinsicTriangles flat = IntrinsicDelaunay(mesh);
-    const TriangleAngles angles = AnglesOfSides(flat.Sides);
-    this->Stiffness = CotangentStiffness(flat.Triangles, angles.Cotangents, points);
-    this->Masses = LumpedMasses(flat.Triangles, angles.Areas, points);
+    const IntrinsicTriangles flat = BuildIntrinsicDelaunay(mesh);
+    const TriangleAngles angles = ComputeAnglesFromLengths(flat.Sides);
+    this->Stiffness = BuildCotangentStiffness(flat.Triangles, angles.Cotangents, points);
+    this->Masses = ComputeLumpedMasses(flat.Triangles, angles.Areas, points);
     this->Shares = this->Masses / this->Masses.sum();
   }
 
@@ -84,9 +84,10 @@ private:
     SparseCholesky factor;
     factor.Factorize(shifted);
     const Eigen::VectorXd roots = this->Shares.cwiseSqrt();
-    const Eigenpairs found = BlockLanczos([&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd
-      { return roots.asDiagonal() * factor.Solve(roots.asDiagonal() * columns); },
-      this->Vectors, pairs - 1, progress.Part(0.1, 1.0), tolerance);
+    const Eigenpairs found =
+      FindExtremeEigenpairs([&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd
+        { return roots.asDiagonal() * factor.Solve(roots.asDiagonal() * columns); },
+        this->Vectors, pairs - 1, progress.Part(0.1, 1.0), tolerance);
     this->Append(found.Values.cwiseInverse().array() - shift, found.Vectors);
   }
 
@@ -106,27 +107,27 @@ private:
 };
 
 /// One eigenpair of one component.
-struct Place
+struct Position
 {
   double Value;
   std::size_t Component;
   Eigen::Index Column;
 };
 
-std::vector<Place> InOrder(const std::vector<ComponentSpectrum>& parts)
+std::vector<Position> InOrder(const std::vector<ComponentSpectrum>& parts)
 {
-  std::vector<Place> places;
+  std::vector<Position> positions;
   for (std::size_t c = 0; c < parts.size(); ++c)
   {
     const Eigen::VectorXd values = parts[c].Eigenvalues();
     for (Eigen::Index k = 0; k < values.size(); ++k)
     {
-      places.push_back({ values(k), c, k });
+      positions.push_back({ values(k), c, k });
     }
   }
-  std::stable_sort(
-    places.begin(), places.end(), [](const Place& a, const Place& b) { return a.Value < b.Value; });
-  return places;
+  std::stable_sort(positions.begin(), positions.end(),
+    [](const Position& a, const Position& b) { return a.Value < b.Value; });
+  return positions;
 }
 
 /// So many of each component that the least of all are among them.
@@ -158,16 +159,16 @@ std::vector<ComponentSpectrum> FindEnough(
         found[c] = wanted[c];
       }
     }
-    const std::vector<Place> places = InOrder(parts);
-    const double largest = static_cast<int>(places.size()) < pairs
+    const std::vector<Position> positions = InOrder(parts);
+    const double largest = static_cast<int>(positions.size()) < pairs
       ? std::numeric_limits<double>::infinity()
-      : places[pairs - 1].Value;
+      : positions[pairs - 1].Value;
     for (std::size_t c = 0; c < parts.size(); ++c)
     {
-      const int most = std::min(pairs, static_cast<int>(parts[c].Masses.size()));
-      if (found[c] < most && parts[c].Eigenvalues().tail(1)(0) < largest)
+      const int maximum = std::min(pairs, static_cast<int>(parts[c].Masses.size()));
+      if (found[c] < maximum && parts[c].Eigenvalues().tail(1)(0) < largest)
       {
-        wanted[c] = std::min(2 * found[c], most);
+        wanted[c] = std::min(2 * found[c], maximum);
       }
     }
   }
@@ -190,7 +191,7 @@ std::vector<std::vector<int>> PointsOfComponents(const Topology& topology)
 
 } // namespace
 
-LaplaceSpectrum FindLaplaceSpectrum(
+LaplaceSpectrum SolveLaplaceEigenproblem(
   const Mesh& mesh, int pairs, const Progress& progress, double tolerance)
 {
   progress(0.0);
@@ -215,15 +216,15 @@ LaplaceSpectrum FindLaplaceSpectrum(
     spectrum.Masses(pointsOf[c]) = parts[c].Masses;
     functions.push_back(parts[c].Eigenfunctions());
   }
-  const std::vector<Place> places = InOrder(parts);
+  const std::vector<Position> positions = InOrder(parts);
   for (int k = 0; k < pairs; ++k)
   {
-    const Place& place = places[k];
-    const auto function = functions[place.Component].col(place.Column);
+    const Position& position = positions[k];
+    const auto function = functions[position.Component].col(position.Column);
     Eigen::Index largest = 0;
     function.cwiseAbs().maxCoeff(&largest);
-    spectrum.Eigenvalues(k) = place.Value;
-    spectrum.Eigenfunctions(pointsOf[place.Component], k) =
+    spectrum.Eigenvalues(k) = position.Value;
+    spectrum.Eigenfunctions(pointsOf[position.Component], k) =
       (function(largest) < 0.0 ? -1.0 : 1.0) * function;
   }
   progress(1.0);

@@ -1,13 +1,13 @@
 #include "Spectrum/SpectralAnalysis.h"
 
 #include "Base/Errors.h"
-#include "Spectrum/Private/ClassicalScaling.h"
+#include "Spectrum/Private/ClassicalMds.h"
 #include "Spectrum/SpectralSignatures.h"
 
 namespace shape
 {
 
-SpectralAnalysis AnalyseSpectrum(
+SpectralAnalysis ComputeLaplaceSpectrum(
   const Mesh& mesh, const LaplaceSpectrumOptions& options, const Progress& progress)
 {
   RequireOption(options.EmbeddingDimensions >= 1, "EmbeddingDimensions",
@@ -16,18 +16,18 @@ SpectralAnalysis AnalyseSpectrum(
   const double share = isSpectral ? 0.9 : 0.5; // of the time
   SpectralAnalysis analysis;
   analysis.Spectrum =
-    FindLaplaceSpectrum(mesh, options.NumberOfEigenpairs, progress.Part(0.0, share));
+    SolveLaplaceEigenproblem(mesh, options.NumberOfEigenpairs, progress.Part(0.0, share));
   if (isSpectral) // first: it asks for most eigenpairs
   {
-    analysis.Embedding = SpectralEmbedding(analysis.Spectrum, options.EmbeddingDimensions);
+    analysis.Embedding = ComputeSpectralEmbedding(analysis.Spectrum, options.EmbeddingDimensions);
   }
-  analysis.HeatKernel = HeatKernelSignature(analysis.Spectrum);
-  analysis.WaveKernel = WaveKernelSignature(analysis.Spectrum);
+  analysis.HeatKernel = ComputeHeatKernelSignature(analysis.Spectrum);
+  analysis.WaveKernel = ComputeWaveKernelSignature(analysis.Spectrum);
   if (!isSpectral)
   {
     constexpr int samples = 500;
     analysis.Embedding =
-      ClassicalScaling(mesh, options.EmbeddingDimensions, samples, progress.Part(share, 1.0));
+      EmbedByClassicalMds(mesh, options.EmbeddingDimensions, samples, progress.Part(share, 1.0));
   }
   progress(1.0);
   return analysis;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include <Eigen/Core>
@@ -13,10 +13,11 @@ struct LaplaceSpectrumOptions
 {
   enum class EmbeddingType
   {
-    Spectral, ///< SpectralEmbedding
-    MDS       ///< ClassicalScaling
+    Spectral, ///< ComputeSpectralEmbedding
+    MDS       ///< EmbedByClassicalMds
   };
-  int NumberOfEigenpairs = 100; ///< the least, with those of the constants; see FindLaplaceSpectrum
+  int NumberOfEigenpairs =
+    100; ///< the least, with those of the constants; see SolveLaplaceEigenproblem
   EmbeddingType Embedding = EmbeddingType::Spectral;
   int EmbeddingDimensions = 3; ///< >= 1
 };
@@ -36,7 +37,7 @@ struct SpectralAnalysis
  * InvalidInput where not, or an option is out of range or asks for more eigenpairs than there are;
  * SolveFailure, Aborted.
  */
-SpectralAnalysis AnalyseSpectrum(
+SpectralAnalysis ComputeLaplaceSpectrum(
   const Mesh& mesh, const LaplaceSpectrumOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -86,27 +86,27 @@ Eigen::MatrixXd KernelFrom(
 
 } // namespace
 
-Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
+Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
 {
   return Signature(spectrum, HeatWeights(spectrum, times));
 }
 
-Eigen::MatrixXd WaveKernelSignature(const LaplaceSpectrum& spectrum, int energies)
+Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int energies)
 {
   return Signature(spectrum, WaveWeights(spectrum, energies));
 }
 
-Eigen::MatrixXd HeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times)
+Eigen::MatrixXd ComputeHeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times)
 {
   return KernelFrom(spectrum, point, HeatWeights(spectrum, times));
 }
 
-Eigen::MatrixXd WaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies)
+Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies)
 {
   return KernelFrom(spectrum, point, WaveWeights(spectrum, energies));
 }
 
-Eigen::MatrixXd SpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)
+Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, dimensions);
   return spectrum.Eigenfunctions.middleCols(zeros, dimensions) *

@@ -18,7 +18,7 @@ namespace shape
  * / the least that is not 0; 0 at points without a triangle. times: >= 1. Throws InvalidInput where
  * all eigenvalues are 0.
  */
-Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times = 100);
+Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times = 100);
 
 /**
  * The probability of finding a quantum particle of about an energy at each point (Aubry,
@@ -29,15 +29,16 @@ Eigen::MatrixXd HeatKernelSignature(const LaplaceSpectrum& spectrum, int times =
  * eigenvalue that is not 0 and the largest, 2 standard deviations inside; the deviation is 7 % of
  * what is between. 0 at points without a triangle. energies: >= 1. Throws as above.
  */
-Eigen::MatrixXd WaveKernelSignature(const LaplaceSpectrum& spectrum, int energies = 100);
+Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int energies = 100);
 
 /// The same kernels between each point and one point: sum of exp(-lambda t) phi(x) phi(point), over
 /// sum of exp(-lambda t), times the area; n x times. It tells points apart that a symmetry of the
 /// surface exchanges, unless it keeps `point`.
-Eigen::MatrixXd HeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times = 100);
+Eigen::MatrixXd ComputeHeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times = 100);
 
 /// And with the weights of WaveKernelSignature; n x energies.
-Eigen::MatrixXd WaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies = 100);
+Eigen::MatrixXd ComputeWaveKernelFrom(
+  const LaplaceSpectrum& spectrum, int point, int energies = 100);
 
 /**
  * The eigenfunctions of the least eigenvalues that are not 0, divided by the roots of these
@@ -45,6 +46,6 @@ Eigen::MatrixXd WaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int e
  * 2007, section 4): n x dimensions, without unit; bending changes it little. dimensions: >= 1.
  * Throws InvalidInput where there are fewer eigenvalues that are not 0.
  */
-Eigen::MatrixXd SpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions);
+Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions);
 
 } // namespace shape

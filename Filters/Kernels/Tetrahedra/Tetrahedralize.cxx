@@ -53,7 +53,7 @@ void MakePositive(
   int expected = 0, wrong = 0;
   for (Eigen::Index i = 0; i < tetrahedra.rows(); ++i)
   {
-    const int sign = Orientation(points.row(tetrahedra(i, 0)), points.row(tetrahedra(i, 1)),
+    const int sign = EvaluateOrientation(points.row(tetrahedra(i, 0)), points.row(tetrahedra(i, 1)),
       points.row(tetrahedra(i, 2)), points.row(tetrahedra(i, 3)));
     expected = expected == 0 ? sign : expected;
     wrong += sign == 0 || sign != expected;
@@ -79,7 +79,7 @@ struct Face
 };
 
 /// All faces, equal ones side by side, those of surfaces before those of tetrahedra.
-std::vector<Face> SortedFaces(
+std::vector<Face> SortFaces(
   const Eigen::MatrixXi& tetrahedra, const Eigen::MatrixXi& onSurfaces, const Progress& progress)
 {
   std::vector<Face> faces;
@@ -128,7 +128,7 @@ std::vector<Face> SortedFaces(
 Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
   const Eigen::MatrixXi& onSurfaces, int& sets, const Progress& progress)
 {
-  const std::vector<Face> faces = SortedFaces(tetrahedra, onSurfaces, progress.Part(0.0, 0.6));
+  const std::vector<Face> faces = SortFaces(tetrahedra, onSurfaces, progress.Part(0.0, 0.6));
   std::vector<std::vector<int>> neighbours(tetrahedra.rows());
   int missing = 0, open = 0;
   for (std::size_t i = 0; i < faces.size();)
@@ -283,14 +283,14 @@ TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>
     RequireClosed(surfaces[s], names[s]);
   }
   // TetGen's own tolerances suit a model of size 1; a power of two changes no bit of the mantissas.
-  const double size = LongestSide(surface.Points);
+  const double size = ComputeLongestBoxEdge(surface.Points);
   const double scale = size > 0.0 ? std::exp2(-std::ilogb(size)) : 1.0;
   for (Mesh& mesh : surfaces)
   {
     mesh.Points *= scale;
   }
   const SurfaceComplex complex = JoinSurfaces(surfaces);
-  RequireSound(complex, names, 1.0 / scale, progress.Part(0.02, 0.2));
+  RequireConformingComplex(complex, names, 1.0 / scale, progress.Part(0.02, 0.2));
   const SolidRegions regions(surfaces, names, progress.Part(0.2, 0.25));
   const double maximumVolume = options.MaximumVolume * scale * scale * scale;
   const double byVolume = maximumVolume > 0.0 ? regions.Volumes().sum() / maximumVolume : 0.0;
@@ -304,7 +304,7 @@ TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>
   const int maximumNewPoints =
     1000000 + static_cast<int>(std::min(1e9, 50.0 * complex.Surfaces.Points.rows() + byVolume));
   TetGenOutput mesh =
-    RunTetGen({ complex.Surfaces, regions.PlacesInVoids(), options.MaximumRadiusEdgeRatio,
+    RunTetGen({ complex.Surfaces, regions.FindPositionsInVoids(), options.MaximumRadiusEdgeRatio,
                 maximumVolume, options.PreserveBoundary, maximumNewPoints },
       progress.Part(0.25, 0.85));
   const Eigen::Index given = complex.Surfaces.Points.rows();

@@ -40,7 +40,7 @@ void RequireAll(Eigen::Index points, const std::function<bool(Eigen::Index)>& is
 
 } // namespace
 
-PreciseMap RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
+SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
   double tolerance, const std::string& pointsName, const std::string& targetName)
 {
   const Eigen::Index n = arrays.TargetCell.size();
@@ -69,12 +69,12 @@ PreciseMap RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface&
     "a TargetCell that is no triangle of " + targetName + ", whose triangles are numbered " +
       std::to_string(target.First) + " to " + std::to_string(static_cast<long long>(end) - 1) + ",",
     targetName);
-  PreciseMap map{ (arrays.TargetCell.array() - begin).cast<int>(), arrays.TargetBarycentric };
+  SurfacePoints map{ (arrays.TargetCell.array() - begin).cast<int>(), arrays.TargetBarycentric };
   const Eigen::VectorXd apart =
-    (Pulled(map, target.Surface.Triangles, target.Surface.Points) - arrays.TargetPosition)
+    (PullBack(map, target.Surface.Triangles, target.Surface.Points) - arrays.TargetPosition)
       .rowwise()
       .norm();
-  const double farthest = tolerance * LongestSide(target.Surface.Points) +
+  const double farthest = tolerance * ComputeLongestBoxEdge(target.Surface.Points) +
     SingleRounding * target.Surface.Points.cwiseAbs().maxCoeff();
   RequireAll<MapOfAnotherSurface>(
     n, [&](Eigen::Index i) { return apart(i) <= farthest; }, pointsName,
@@ -83,11 +83,11 @@ PreciseMap RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface&
   return map;
 }
 
-TransferredPlaces PlacesOnTriangles(const PreciseMap& map, const NumberedSurface& giver)
+TransferWeights LocateOnTriangles(const SurfacePoints& map, const NumberedSurface& giver)
 {
   const Eigen::Index n = map.Triangles.size();
-  TransferredPlaces places{ { n, giver.Surface.Points.rows() }, giver.Cells(map.Triangles),
-    MainCorners(map, giver.Surface.Triangles), Eigen::VectorXi::Zero(n) };
+  TransferWeights positions{ { n, giver.Surface.Points.rows() }, giver.Cells(map.Triangles),
+    FindNearestCorners(map, giver.Surface.Triangles), Eigen::VectorXi::Zero(n) };
   std::vector<Eigen::Triplet<double>> weights;
   weights.reserve(3 * n);
   for (Eigen::Index i = 0; i < n; ++i)
@@ -98,8 +98,8 @@ TransferredPlaces PlacesOnTriangles(const PreciseMap& map, const NumberedSurface
         static_cast<int>(i), giver.Surface.Triangles(map.Triangles(i), k), map.Barycentrics(i, k));
     }
   }
-  places.Weights.setFromTriplets(weights.begin(), weights.end());
-  return places;
+  positions.Weights.setFromTriplets(weights.begin(), weights.end());
+  return positions;
 }
 
 } // namespace shape

@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
+#include "Mesh/SurfacePoints.h"
 #include "Transfer/TransferFields.h"
 
 #include <string>
@@ -43,10 +43,10 @@ struct NumberedSurface
  * sum to 1 (by more than single precision loses); MapOfAnotherSurface where a cell is no triangle
  * of the target, or the places are farther apart.
  */
-PreciseMap RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
+SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
   double tolerance, const std::string& pointsName, const std::string& targetName);
 
 /// Where points that go to places on the giver's triangles take their values from; none is outside.
-TransferredPlaces PlacesOnTriangles(const PreciseMap& map, const NumberedSurface& giver);
+TransferWeights LocateOnTriangles(const SurfacePoints& map, const NumberedSurface& giver);
 
 } // namespace shape

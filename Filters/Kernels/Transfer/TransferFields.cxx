@@ -51,27 +51,27 @@ TransferFields::TransferFields(Cells giver, const Eigen::MatrixXd& map,
 TransferFields::TransferFields(
   const Cells& giver, const TransferFieldsOptions& options, const Progress& progress)
   : Direction(options.Direction)
-  , Farthest(options.Tolerance * LongestSide(giver.Points))
+  , Farthest(options.Tolerance * ComputeLongestBoxEdge(giver.Points))
   , Locator(LocatorOf(giver, progress))
 {
 }
 
-TransferredPlaces TransferFields::Find(
-  const Eigen::MatrixXd& places, const Progress& progress) const
+TransferWeights TransferFields::Find(
+  const Eigen::MatrixXd& positions, const Progress& progress) const
 {
   const bool pull = this->Direction == TransferFieldsOptions::DirectionType::Pull;
-  RequireFinite(places, pull ? "the map array of the Input" : "the Input");
-  const CellPlaces found = this->Locator.Find(places, progress);
-  TransferredPlaces result{ found.Weights, found.Ids, Eigen::VectorXi(places.rows()),
+  RequireFinite(positions, pull ? "the map array of the Input" : "the Input");
+  const CellPoints found = this->Locator.Find(positions, progress);
+  TransferWeights result{ found.Weights, found.Ids, Eigen::VectorXi(positions.rows()),
     (found.Distances.array() > this->Farthest).cast<int>() };
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    double most = -1.0;
+    double maximum = -1.0;
     for (decltype(found.Weights)::InnerIterator corner(found.Weights, i); corner; ++corner)
     {
-      if (corner.value() > most)
+      if (corner.value() > maximum)
       {
-        most = corner.value();
+        maximum = corner.value();
         result.Nearest(i) = static_cast<int>(corner.col());
       }
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Cells.h"
 #include "Base/Progress.h"
+#include "Mesh/Cells.h"
 #include "Search/CellLocator.h"
 
 #include <Eigen/SparseCore>
@@ -24,7 +24,7 @@ struct TransferFieldsOptions
 };
 
 /// Where the receiver's points (r) take their values from.
-struct TransferredPlaces
+struct TransferWeights
 {
   /// r x n: interpolates values at the giver's points; rows sum to 1. What lies outside takes the
   /// values of the closest place in a cell.
@@ -54,7 +54,7 @@ public:
 
   /// places: r x 3, with Pull the receiver's map at its points, with Push these points themselves.
   /// Throws InvalidInput where one is not finite, Aborted.
-  TransferredPlaces Find(const Eigen::MatrixXd& places, const Progress& progress = {}) const;
+  TransferWeights Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:
   TransferFields(

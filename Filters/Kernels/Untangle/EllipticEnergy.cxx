@@ -15,7 +15,7 @@ constexpr double ShapeFactor = (1.0 - EllipticEnergy::VolumeShare) / 3.0;
 
 } // namespace
 
-Eigen::Matrix<double, 4, 3> HatGradients(const Eigen::Matrix3d& edges)
+Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges)
 {
   Eigen::Matrix<double, 4, 3> gradients;
   gradients.bottomRows<3>() = edges.inverse();
@@ -31,9 +31,10 @@ double EllipticEnergy::Chi(double determinant, double epsilon)
                            : 0.5 * epsilon * (epsilon / (root - determinant));
 }
 
-double EllipticEnergy::EpsilonFor(double determinant, double chi, double least)
+double EllipticEnergy::EpsilonFor(double determinant, double chi, double minimum)
 {
-  return determinant < chi ? std::max(2.0 * std::sqrt(chi * (chi - determinant)), least) : least;
+  return determinant < chi ? std::max(2.0 * std::sqrt(chi * (chi - determinant)), minimum)
+                           : minimum;
 }
 
 EllipticEnergy::EllipticEnergy(const Eigen::Matrix3d& jacobian, double epsilon)

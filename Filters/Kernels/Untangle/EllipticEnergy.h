@@ -18,7 +18,7 @@ struct ReferenceSimplex
 };
 
 /// The four gradients for a reference with the edges `edges` (columns) from its first corner.
-Eigen::Matrix<double, 4, 3> HatGradients(const Eigen::Matrix3d& edges);
+Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges);
 
 /**
  * The regularised elliptic energy of a Jacobian J with determinant D (Garanzha, Kaporin,
@@ -39,7 +39,7 @@ public:
   static double Chi(double determinant, double epsilon);
 
   /// The epsilon at which Chi(determinant, epsilon) = chi; `least` where none is greater.
-  static double EpsilonFor(double determinant, double chi, double least);
+  static double EpsilonFor(double determinant, double chi, double minimum);
 
   EllipticEnergy(const Eigen::Matrix3d& jacobian, double epsilon);
 

@@ -10,7 +10,7 @@
 namespace shape
 {
 
-/// The regularised elliptic energy as a function of places (columns), for LowerEnergy.
+/// The regularised elliptic energy as a function of places (columns), for MinimizeEnergy.
 class EnergyProblem
 {
 public:
@@ -22,7 +22,7 @@ public:
   struct State
   {
     double Energy = 0.0;
-    double LeastDeterminant = std::numeric_limits<double>::max();
+    double MinimumDeterminant = std::numeric_limits<double>::max();
   };
 
   virtual State Evaluate(const Eigen::Matrix3Xd& x, double epsilon) const = 0;
@@ -39,8 +39,8 @@ public:
   virtual void Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const = 0;
 };
 
-/// Lowers it as LowerEnergy does.
-PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options,
+/// Lowers it as MinimizeEnergy does.
+PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options,
   const Progress& progress);
 
 } // namespace shape

@@ -15,8 +15,8 @@ constexpr double OnSurface = 1e-6;
 
 } // namespace
 
-UntangleResult FoldFree(const Cells& domain, const Eigen::MatrixXd& moved, const Mesh& boundary,
-  const Eigen::MatrixXd& targets, const Progress& progress)
+UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
+  const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress)
 {
   RequireFinite(domain.Points, "the Domain");
   const SolidCells solid(domain, {}, "the Domain");
@@ -30,10 +30,10 @@ UntangleResult FoldFree(const Cells& domain, const Eigen::MatrixXd& moved, const
   }
   const ClosestPoints closest =
     SurfaceLocator(boundary).Find(domain.Points(outer, Eigen::all), progress.Part(0.0, 0.1));
-  const Eigen::MatrixXd images = Pulled(closest, boundary.Triangles, targets);
+  const Eigen::MatrixXd images = PullBack(closest, boundary.Triangles, targets);
   Cells carried = domain;
   carried.Points = moved;
-  const double farthest = OnSurface * LongestSide(boundary.Points);
+  const double farthest = OnSurface * ComputeLongestBoxEdge(boundary.Points);
   for (std::size_t i = 0; i < outer.size(); ++i)
   {
     const auto row = static_cast<Eigen::Index>(i);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Mesh/Cells.h"
 #include "Mesh/Mesh.h"
-#include "Base/Progress.h"
 #include "Untangle/Untangle.h"
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ namespace shape
  * domain: solid cells before the map; moved (n x 3): where it took their points. boundary: a
  * surface in the domain's space; targets: the images of its points. Throws what Untangle throws.
  */
-UntangleResult FoldFree(const Cells& domain, const Eigen::MatrixXd& moved, const Mesh& boundary,
-  const Eigen::MatrixXd& targets, const Progress& progress = {});
+UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
+  const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress = {});
 
 } // namespace shape

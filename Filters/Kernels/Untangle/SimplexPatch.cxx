@@ -1,6 +1,6 @@
 #include "Untangle/SimplexPatch.h"
 
-#include "Untangle/Private/PatchProblem.h"
+#include "Untangle/Private/FoldoverFreeProblem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@ namespace shape
 namespace
 {
 
-constexpr double LeastEpsilon = 1e-10;
+constexpr double MinimumEpsilon = 1e-10;
 /// By which chi of the least determinant falls from step to step.
-constexpr double LeastShare = 0.1, GreatestShare = 0.5;
+constexpr double MinimumShare = 0.1, MaximumShare = 0.5;
 
 /// The minimiser of the sum of |J|^2, from which garbage is untangled.
 Eigen::Matrix3Xd Smoothest(const Eigen::Matrix3Xd& x, EnergyProblem& problem)
@@ -26,12 +26,12 @@ Eigen::Matrix3Xd Smoothest(const Eigen::Matrix3Xd& x, EnergyProblem& problem)
 
 } // namespace
 
-PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options,
+PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options,
   const Progress& progress)
 {
   PatchResult result;
   result.Negative = problem.CountNegative(x);
-  double epsilon = result.Negative > 0 ? options.FirstEpsilon : LeastEpsilon;
+  double epsilon = result.Negative > 0 ? options.FirstEpsilon : MinimumEpsilon;
   EnergyProblem::State state = problem.Evaluate(x, epsilon);
   if (result.Negative > 0 && options.FromSmoothest)
   {
@@ -46,7 +46,7 @@ PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Patch
   }
   result.EnergyBefore = state.Energy;
   int further = 0;
-  double share = LeastShare;
+  double share = MinimumShare;
   Eigen::Matrix3Xd trial;
   for (; result.Steps < options.MaximumSteps; ++result.Steps)
   {
@@ -64,7 +64,7 @@ PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Patch
       trial = x;
       problem.Move(trial, descent.Direction, step);
       next = problem.Evaluate(trial, epsilon);
-      const bool valid = epsilon > LeastEpsilon || next.LeastDeterminant > 0.0;
+      const bool valid = epsilon > MinimumEpsilon || next.MinimumDeterminant > 0.0;
       if (valid && next.Energy <= state.Energy - 1e-4 * step * descent.Slope)
       {
         break;
@@ -81,19 +81,19 @@ PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Patch
     // Whole steps that gain little mean that the minimiser for this epsilon is near: go faster.
     if (step == 1.0 && gain < 0.05)
     {
-      share = std::min(1.3 * share, GreatestShare);
+      share = std::min(1.3 * share, MaximumShare);
     }
     else if (step < 1.0)
     {
-      share = std::max(0.5 * share, LeastShare);
+      share = std::max(0.5 * share, MinimumShare);
     }
     const double chi =
-      (1.0 - std::max(gain, share)) * EllipticEnergy::Chi(state.LeastDeterminant, epsilon);
-    epsilon = EllipticEnergy::EpsilonFor(state.LeastDeterminant, chi, LeastEpsilon);
+      (1.0 - std::max(gain, share)) * EllipticEnergy::Chi(state.MinimumDeterminant, epsilon);
+    epsilon = EllipticEnergy::EpsilonFor(state.MinimumDeterminant, chi, MinimumEpsilon);
     result.Negative = problem.CountNegative(x);
     if (result.Negative == 0)
     {
-      epsilon = LeastEpsilon;
+      epsilon = MinimumEpsilon;
       if (before == epsilon && gain < options.LeastGain)
       {
         break;
@@ -108,12 +108,12 @@ PatchResult LowerEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Patch
   return result;
 }
 
-PatchResult LowerEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
+PatchResult MinimizeEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
   const PointConstraint* constraint, const PatchOptions& options, const Progress& progress)
 {
-  PatchProblem problem(points, patch, constraint);
+  FoldoverFreeProblem problem(points, patch, constraint);
   Eigen::Matrix3Xd x = problem.Start;
-  const PatchResult result = LowerEnergy(x, problem, options, progress);
+  const PatchResult result = MinimizeEnergy(x, problem, options, progress);
   for (std::size_t i = 0; i < patch.FreePoints.size(); ++i)
   {
     points.row(patch.FreePoints[i]) = x.col(static_cast<Eigen::Index>(i)).transpose();

@@ -20,9 +20,9 @@ public:
   virtual ~PointConstraint() = default;
   /// How many directions a point has, wherever it is: 3 where it is free.
   virtual int Freedom(int point) const = 0;
-  virtual PointDirections Directions(int point, const Eigen::RowVector3d& place) const = 0;
+  virtual PointDirections Directions(int point, const Eigen::RowVector3d& position) const = 0;
   /// The place closest to `place` where the point may be.
-  virtual Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& place) const = 0;
+  virtual Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& position) const = 0;
 };
 
 /// Simplices that are made positive, or better, by moving some of their points.
@@ -60,7 +60,7 @@ struct PatchResult
  * points (n x 3): those of patch.FreePoints are changed, along `constraint`, where there is one. A
  * step is one library call that cannot be interrupted. Throws Aborted.
  */
-PatchResult LowerEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
+PatchResult MinimizeEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
   const PointConstraint* constraint, const PatchOptions& options, const Progress& progress = {});
 
 } // namespace shape

@@ -5,10 +5,10 @@
 #include "Mesh/Topology.h"
 #include "Untangle/Private/CellSplits.h"
 #include "Untangle/Private/LocalSizes.h"
-#include "Untangle/Private/MeanPositions.h"
-#include "Untangle/SimplexPatch.h"
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"
+#include "Untangle/Private/TutteEmbedding.h"
+#include "Untangle/SimplexPatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ constexpr int Rounds = static_cast<int>(std::size(Rings));
 /// So many rounds without fewer inverted cells than ever before are the end.
 constexpr int Patience = 6;
 /// So many times more inverted cells than there have been are a wrong way: it is left.
-constexpr std::size_t MostWorse = 2;
+constexpr std::size_t MaximumIncrease = 2;
 /// So many rounds after one another the edges of a fixed point may be split once more.
 constexpr int RoundsPerCollar = 4;
 
@@ -50,7 +50,7 @@ public:
   }
 
   /// Forgets where the points inside are, and begins with each in the middle of its neighbours.
-  void StartFromMeans() { this->Solid.Points = MeanPositions(this->Solid); }
+  void StartFromMeans() { this->Solid.Points = SolveTutteEmbedding(this->Solid); }
 
   /// Moves points, in steps that may take `patience` times as many iterations as asked for, until
   /// no cell is inverted or no way to fewer of them is found. Returns how many are.
@@ -61,7 +61,7 @@ public:
     progress(0.02);
     std::vector<int> bad = this->InvertedCells(progress.Part(0.02, 0.05));
     CellSplits splits(this->Solid, [this](int point) { return this->Movable(point); });
-    std::size_t least = bad.size();
+    std::size_t minimum = bad.size();
     auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(this->Solid);
     for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience;
          ++round)
@@ -76,19 +76,19 @@ public:
       }
       this->MovePoints(Rings[round], part);
       bad = this->InvertedCells(part.Part(0.99, 1.0));
-      if (bad.size() < least)
+      if (bad.size() < minimum)
       {
-        least = bad.size();
+        minimum = bad.size();
         last = round;
         *best = this->Solid;
       }
-      else if (bad.size() > MostWorse * least)
+      else if (bad.size() > MaximumIncrease * minimum)
       {
         this->Solid = *best;
         bad = this->InvertedCells();
       }
     }
-    if (bad.size() > least)
+    if (bad.size() > minimum)
     {
       this->Solid = *best;
       bad = this->InvertedCells();
@@ -146,7 +146,7 @@ private:
   /// Each set of movable points around inverted cells that hangs together is a patch of its own.
   void MovePoints(int rings, const Progress& progress)
   {
-    const Eigen::VectorXd sizes = LogarithmicSizes(this->Solid);
+    const Eigen::VectorXd sizes = ComputeLogarithmicSizes(this->Solid);
     std::vector<char> chosen(this->Solid.PointCount(), 0);
     std::vector<int> front;
     for (const int cell : this->InvertedCells())
@@ -244,10 +244,10 @@ private:
         {
           size += 0.25 * sizes(point);
         }
-        patch.Simplices.push_back(
-          { c, HatGradients(this->Solid.Reference(cell, static_cast<int>(k), std::exp(size))) });
+        patch.Simplices.push_back({ c,
+          ComputeHatGradients(this->Solid.Reference(cell, static_cast<int>(k), std::exp(size))) });
         const Eigen::MatrixXd& x = this->Solid.Points;
-        before += Orientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0;
+        before += EvaluateOrientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0;
       }
     }
     if (before == 0)
@@ -258,7 +258,7 @@ private:
     options.MaximumSteps = this->MaximumSteps;
     const Eigen::MatrixXd kept = this->Solid.Points(points, Eigen::all);
     const PatchResult moved =
-      LowerEnergy(this->Solid.Points, patch, this->Sliding.get(), options, progress);
+      MinimizeEnergy(this->Solid.Points, patch, this->Sliding.get(), options, progress);
     this->Iterations += moved.Steps;
     if (moved.Negative > before)
     {

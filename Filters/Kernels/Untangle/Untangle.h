@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Cells.h"
 #include "Base/Progress.h"
+#include "Mesh/Cells.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 #include "vtkShapeAlgorithm.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -223,9 +223,9 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
     if (type.empty())
     {
       // Without an input the pipeline stops after this, and says so.
-      const auto points = this->MovedOutputs.count(port) ? vtkShapeLeaves::Points::Moved
-                                                         : vtkShapeLeaves::Points::Kept;
-      type = input ? vtkShapeLeaves::TypeLike(input, points) : "vtkPolyData";
+      const auto points = this->MovedOutputs.count(port) ? vtkShapeComposite::Points::Moved
+                                                         : vtkShapeComposite::Points::Kept;
+      type = input ? vtkShapeComposite::FindOutputType(input, points) : "vtkPolyData";
     }
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
     if (!output || type != output->GetClassName())
@@ -240,7 +240,7 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
 
 void vtkShapeAlgorithm::PrepareInputs()
 {
-  this->Wholes.assign(this->InputPorts.size(), {});
+  this->GatheredInputs.assign(this->InputPorts.size(), {});
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     const InputPort& declared = this->InputPorts[port];
@@ -258,23 +258,24 @@ void vtkShapeAlgorithm::PrepareInputs()
       }
       if (declared.Data == PortData::WholeGrid)
       {
-        this->Wholes[port].push_back(
+        this->GatheredInputs[port].push_back(
           { nullptr, {}, vtkShapeGather::GatherGrid(input, this->Controller) });
       }
       else if (declared.Data != PortData::Pieces)
       {
-        WholeInput whole;
+        GatheredInput whole;
         whole.Data = vtkShapeGather::Gather(input, declared.Name,
           declared.Data == PortData::WholeSurface, this->Controller, whole.OwnPoints);
-        this->Wholes[port].push_back(whole);
+        this->GatheredInputs[port].push_back(whole);
       }
     }
   }
 }
 
-const vtkShapeAlgorithm::WholeInput& vtkShapeAlgorithm::GetWhole(int port, int connection) const
+const vtkShapeAlgorithm::GatheredInput& vtkShapeAlgorithm::GetGatheredInput(
+  int port, int connection) const
 {
-  return this->Wholes[port][connection];
+  return this->GatheredInputs[port][connection];
 }
 
 shape::Progress vtkShapeAlgorithm::MakeProgress()
@@ -329,7 +330,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   {
     message = error.what();
   }
-  this->Wholes.clear();
+  this->GatheredInputs.clear();
   vtkShapeGather::AgreeOnFailure(this->Controller, stopped, message);
   if (!stopped)
   {

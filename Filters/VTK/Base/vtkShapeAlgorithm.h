@@ -168,14 +168,14 @@ protected:
 
   /// A Whole input, and for each point that this process has, its index in the whole; or a
   /// WholeGrid one.
-  struct WholeInput
+  struct GatheredInput
   {
     vtkSmartPointer<vtkPolyData> Data;
     std::vector<int> OwnPoints;
     vtkSmartPointer<vtkUnstructuredGrid> Grid;
   };
   /// Valid during Execute. `connection` counts up to GetNumberOfInputConnections(port) - 1.
-  const WholeInput& GetWhole(int port, int connection = 0) const;
+  const GatheredInput& GetGatheredInput(int port, int connection = 0) const;
 
   int FillInputPortInformation(int port, vtkInformation* info) final;
   int FillOutputPortInformation(int port, vtkInformation* info) final;
@@ -202,7 +202,7 @@ private:
   std::vector<std::string> OutputTypes; ///< empty: like an input
   std::map<int, int> LikeInput;         ///< which input, for outputs that are not like the first
   std::set<int> MovedOutputs;
-  std::vector<std::vector<WholeInput>> Wholes;
+  std::vector<std::vector<GatheredInput>> GatheredInputs;
   std::vector<Count> Counts;
   vtkMultiProcessController* Controller = nullptr;
 };

@@ -76,8 +76,8 @@ void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
     return;
   }
   vtkNew<vtkIdList> ids;
-  vtkNew<vtkPoints> places;
-  cell->Triangulate(0, ids, places);
+  vtkNew<vtkPoints> positions;
+  cell->Triangulate(0, ids, positions);
   for (vtkIdType first = 0; first + corners <= ids->GetNumberOfIds(); first += corners)
   {
     int points[4];
@@ -154,7 +154,7 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
   return cells;
 }
 
-void vtkShapeConvert::TurnVoxels(shape::Cells& cells)
+void vtkShapeConvert::ReorderVoxels(shape::Cells& cells)
 {
   for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
   {

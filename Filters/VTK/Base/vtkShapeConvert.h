@@ -1,8 +1,8 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Mesh/Cells.h"
 #include "Mesh/Mesh.h"
-#include "Base/Progress.h"
 #include "Quality/CellSimplices.h"
 
 #include "vtkSmartPointer.h"
@@ -36,7 +36,7 @@ std::vector<std::vector<int>> ToLines(vtkPolyData* data);
 shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
 
 /// Makes voxels hexahedra and pixels quadrilaterals.
-void TurnVoxels(shape::Cells& cells);
+void ReorderVoxels(shape::Cells& cells);
 
 /// The points of any data set (n x 3). Throws shape::InvalidInput where there are too many.
 Eigen::MatrixXd ToPoints(vtkDataSet* data);

@@ -16,7 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkShapeLeaves.h"
+#include "vtkShapeComposite.h"
 #include "vtkStaticPointLocator.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -66,7 +66,7 @@ vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
 }
 
 /// For each point the first one at its place, or itself.
-std::vector<vtkIdType> FirstAtPlace(vtkPolyData* data, bool weld)
+std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
 {
   std::vector<vtkIdType> first(data->GetNumberOfPoints());
   std::iota(first.begin(), first.end(), 0);
@@ -99,21 +99,21 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
   append->Update();
   vtkPolyData* all = append->GetOutput();
 
-  const std::vector<vtkIdType> firstAtPlace = FirstAtPlace(all, weld);
+  const std::vector<vtkIdType> firstCoincident = FindCoincidentPoints(all, weld);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   merged->GetPointData()->CopyAllocate(all->GetPointData());
-  pointMap.assign(firstAtPlace.size(), -1);
-  for (std::size_t i = 0; i < firstAtPlace.size(); ++i)
+  pointMap.assign(firstCoincident.size(), -1);
+  for (std::size_t i = 0; i < firstCoincident.size(); ++i)
   {
-    vtkIdType& place = pointMap[firstAtPlace[i]];
-    if (place == -1)
+    vtkIdType& position = pointMap[firstCoincident[i]];
+    if (position == -1)
     {
       const auto point = static_cast<vtkIdType>(i);
-      place = points->InsertNextPoint(all->GetPoint(point));
-      merged->GetPointData()->CopyData(all->GetPointData(), point, place);
+      position = points->InsertNextPoint(all->GetPoint(point));
+      merged->GetPointData()->CopyData(all->GetPointData(), point, position);
     }
-    pointMap[i] = place;
+    pointMap[i] = position;
   }
   merged->SetPoints(points);
   merged->AllocateCopy(all);
@@ -217,7 +217,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ToGrid(vtkDataSet* data)
 
 } // namespace
 
-void vtkShapeGather::TogetherOrNotAtAll(
+void vtkShapeGather::RunOnAllOrFail(
   vtkMultiProcessController* controller, const std::function<void()>& work)
 {
   bool failed = true;
@@ -285,7 +285,7 @@ void vtkShapeGather::Reduce(
 vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessController* controller)
 {
   vtkIdType own = 0;
-  for (vtkDataSet* leaf : vtkShapeLeaves::Of(data))
+  for (vtkDataSet* leaf : vtkShapeComposite::Of(data))
   {
     own += leaf->GetNumberOfPoints();
   }
@@ -302,7 +302,7 @@ vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const s
 {
   vtkSmartPointer<vtkPolyData> whole;
   std::vector<vtkIdType> pointMap;
-  TogetherOrNotAtAll(controller,
+  RunOnAllOrFail(controller,
     [&]
     {
       const std::vector<vtkSmartPointer<vtkPolyData>> pieces = Surfaces(data, name);
@@ -320,7 +320,7 @@ vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const s
     std::vector<vtkIdType> mapOfAll;
     vtkNew<vtkPolyData> merged;
     const int rank = controller->GetLocalProcessId();
-    TogetherOrNotAtAll(controller,
+    RunOnAllOrFail(controller,
       [&]
       {
         if (rank == 0)
@@ -354,12 +354,12 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
   vtkDataObject* data, vtkMultiProcessController* controller)
 {
   vtkSmartPointer<vtkUnstructuredGrid> whole;
-  TogetherOrNotAtAll(controller,
+  RunOnAllOrFail(controller,
     [&]
     {
       std::vector<vtkSmartPointer<vtkUnstructuredGrid>> grids;
       std::vector<vtkDataSet*> pieces;
-      for (vtkDataSet* leaf : vtkShapeLeaves::Of(data))
+      for (vtkDataSet* leaf : vtkShapeComposite::Of(data))
       {
         grids.push_back(ToGrid(leaf));
         grids.back()->RemoveGhostCells();
@@ -373,7 +373,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
   {
     std::vector<vtkSmartPointer<vtkDataObject>> received;
     controller->GetCommunicator()->Gather(whole.Get(), received, 0);
-    TogetherOrNotAtAll(controller,
+    RunOnAllOrFail(controller,
       [&]
       {
         std::vector<vtkDataSet*> pieces;

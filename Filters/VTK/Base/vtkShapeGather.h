@@ -46,7 +46,7 @@ vtkSmartPointer<vtkUnstructuredGrid> GatherGrid(
 
 /// Does `work` on every process; where it throws on one, throws on all: what Execute does before a
 /// collective call goes in here, since no process may wait for one that has failed.
-void TogetherOrNotAtAll(vtkMultiProcessController* controller, const std::function<void()>& work);
+void RunOnAllOrFail(vtkMultiProcessController* controller, const std::function<void()>& work);
 
 ///@{
 /// What the first process has, on every process.

@@ -76,7 +76,7 @@ shape::NumberedSurface vtkShapePreciseMap::ToSurface(
   return numbered;
 }
 
-shape::PreciseMap vtkShapePreciseMap::Read(vtkDataSet* data, const std::string& name,
+shape::SurfacePoints vtkShapePreciseMap::Read(vtkDataSet* data, const std::string& name,
   const shape::NumberedSurface& target, const std::string& targetName, double tolerance)
 {
   return shape::RequirePreciseMap({ vtkShapeConvert::ToPointArray(data, Cell, 1, name),

@@ -33,7 +33,7 @@ shape::NumberedSurface ToSurface(vtkUnstructuredGrid* grid, const std::string& n
 /// The map that the arrays hold into a target, which is called targetName: see
 /// shape::RequirePreciseMap. Throws shape::InvalidInput, also where an array has another number of
 /// components.
-shape::PreciseMap Read(vtkDataSet* data, const std::string& name,
+shape::SurfacePoints Read(vtkDataSet* data, const std::string& name,
   const shape::NumberedSurface& target, const std::string& targetName, double tolerance = 0.01);
 
 } // namespace vtkShapePreciseMap

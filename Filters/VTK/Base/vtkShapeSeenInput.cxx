@@ -1,7 +1,7 @@
 #include "vtkShapeSeenInput.h"
 
 #include "vtkShapeAlgorithm.h"
-#include "vtkShapeLeaves.h"
+#include "vtkShapeComposite.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -83,9 +83,9 @@ bool AreSame(vtkCellArray* a, vtkCellArray* b)
 
 bool AreSame(vtkPolyData* a, vtkPolyData* b)
 {
-  const auto places = [](vtkPolyData* data)
+  const auto positions = [](vtkPolyData* data)
   { return data->GetPoints() ? data->GetPoints()->GetData() : nullptr; };
-  return AreSame(places(a), places(b)) && AreSame(a->GetVerts(), b->GetVerts()) &&
+  return AreSame(positions(a), positions(b)) && AreSame(a->GetVerts(), b->GetVerts()) &&
     AreSame(a->GetLines(), b->GetLines()) && AreSame(a->GetPolys(), b->GetPolys()) &&
     AreSame(a->GetStrips(), b->GetStrips()) && AreSame(a->GetPointData(), b->GetPointData()) &&
     AreSame(a->GetCellData(), b->GetCellData()) && AreSame(a->GetFieldData(), b->GetFieldData());
@@ -108,7 +108,7 @@ bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* 
   }
   vtkDataObject* data = filter.GetInputDataObject(port, 0);
   vtkMTimeType time = data->GetMTime();
-  for (vtkDataSet* leaf : vtkShapeLeaves::Of(data))
+  for (vtkDataSet* leaf : vtkShapeComposite::Of(data))
   {
     time = std::max(time, leaf->GetMTime());
   }

@@ -1,6 +1,6 @@
 #include "vtkShapeSelectedCells.h"
 
-#include "vtkShapeLeaves.h"
+#include "vtkShapeComposite.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -155,11 +155,12 @@ vtkSmartPointer<vtkDataObject> vtkShapeSelectedCells::Mark(
   const vtkSmartPointer<vtkDataObject> found =
     query ? ByQuery(surface, Own(query, controller)) : vtkSmartPointer<vtkDataObject>(selection);
   const std::vector<vtkDataSet*> leaves = LeavesLike(surface, found);
-  const std::string type = vtkShapeLeaves::TypeLike(surface, vtkShapeLeaves::Points::Kept);
+  const std::string type =
+    vtkShapeComposite::FindOutputType(surface, vtkShapeComposite::Points::Kept);
   auto marked =
     vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type.c_str()));
   std::size_t next = 0;
-  vtkShapeLeaves::ForEach(surface, marked, vtkShapeLeaves::Points::Kept,
+  vtkShapeComposite::ForEach(surface, marked, vtkShapeComposite::Points::Kept,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       to->ShallowCopy(from);

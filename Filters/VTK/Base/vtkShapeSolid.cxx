@@ -1,8 +1,8 @@
 #include "vtkShapeSolid.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -99,7 +99,7 @@ vtkSmartPointer<vtkIdTypeArray> Ids(const char* name, vtkIdType count)
 shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& name)
 {
   shape::Cells cells = vtkShapeConvert::ToCells(grid, name);
-  vtkShapeConvert::TurnVoxels(cells);
+  vtkShapeConvert::ReorderVoxels(cells);
   for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
   {
     switch (cells.Kinds(cell))
@@ -152,8 +152,8 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
   to->CopyAllOn();
   to->InterpolateAllocate(from, points);
   auto pointIds = Ids("OriginalPointId", points);
-  Eigen::MatrixXd places(points, 3);
-  places.topRows(kept) = sources;
+  Eigen::MatrixXd positions(points, 3);
+  positions.topRows(kept) = sources;
   for (int i = 0; i < kept; ++i)
   {
     to->CopyData(from, i, i);
@@ -165,19 +165,19 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
   {
     parents->Reset();
     shares.clear();
-    places.row(i).setZero();
+    positions.row(i).setZero();
     for (const auto& [point, weight] : weights[i - kept])
     {
       parents->InsertNextId(point);
       shares.push_back(weight);
-      places.row(i) += weight * sources.row(point);
+      positions.row(i) += weight * sources.row(point);
     }
     to->InterpolatePoint(from, i, parents, shares.data());
     pointIds->SetValue(i, -1);
   }
   to->RemoveArray("Normals"); // which no longer fit
   to->AddArray(pointIds);
-  to->AddArray(vtkShapeConvert::ToArray(places, "SourcePosition"));
+  to->AddArray(vtkShapeConvert::ToArray(positions, "SourcePosition"));
   vtkCellData* cells = output->GetCellData();
   cells->CopyAllOn();
   cells->CopyAllocate(input->GetCellData(), result.OriginalCell.size());
@@ -195,7 +195,7 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
 
 void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessController* controller)
 {
-  const std::vector<vtkDataSet*> leaves = vtkShapeLeaves::Of(domain);
+  const std::vector<vtkDataSet*> leaves = vtkShapeComposite::Of(domain);
   if (leaves.size() != 1 || (controller && controller->GetNumberOfProcesses() > 1))
   {
     throw shape::InvalidInput("FoldFree needs the Domain in one dataset and one process; join "
@@ -221,9 +221,9 @@ std::pair<int, int> vtkShapeSolid::MakeFoldFree(vtkDataObject* domain, vtkDataOb
 {
   RequireOneSolid(domain, controller);
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkShapeGather::GatherGrid(domain, nullptr);
-  const shape::UntangleResult result = shape::FoldFree(Read(grid, "the Domain"),
-    vtkShapeConvert::ToPoints(vtkShapeLeaves::Of(moved)[0]), boundary, targets, progress);
-  auto* output = vtkPointSet::SafeDownCast(vtkShapeLeaves::Of(moved)[0]);
+  const shape::UntangleResult result = shape::ComputeFoldFreeMap(Read(grid, "the Domain"),
+    vtkShapeConvert::ToPoints(vtkShapeComposite::Of(moved)[0]), boundary, targets, progress);
+  auto* output = vtkPointSet::SafeDownCast(vtkShapeComposite::Of(moved)[0]);
   if (auto* cells = vtkUnstructuredGrid::SafeDownCast(output))
   {
     const Eigen::MatrixXd sources =

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Mesh/Cells.h"
 #include "Mesh/Mesh.h"
-#include "Base/Progress.h"
 #include "Untangle/Untangle.h"
 
 #include <string>
@@ -30,9 +30,9 @@ void Write(const shape::UntangleResult& result, vtkUnstructuredGrid* input,
 
 /**
  * Replaces `moved`, which is what a map of its boundary's surface made of `domain`, by the cells
- * without inverted ones (shape::FoldFree). Returns how many were inverted before and are so still.
- * Throws shape::InvalidInput where the domain has no solid cells, or is in several blocks or on
- * several processes.
+ * without inverted ones (shape::ComputeFoldFreeMap). Returns how many were inverted before and are
+ * so still. Throws shape::InvalidInput where the domain has no solid cells, or is in several blocks
+ * or on several processes.
  */
 std::pair<int, int> MakeFoldFree(vtkDataObject* domain, vtkDataObject* moved,
   const shape::Mesh& boundary, const Eigen::MatrixXd& targets,

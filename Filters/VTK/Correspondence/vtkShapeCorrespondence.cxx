@@ -1,11 +1,11 @@
 #include "vtkShapeCorrespondence.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
+#include "Correspondence/Landmarks/LandmarkPairs.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Correspondence/Landmarks/LandmarkPairs.h"
 
 #include "vtkCell.h"
 #include "vtkObjectFactory.h"
@@ -21,13 +21,13 @@ vtkStandardNewMacro(vtkShapeCorrespondence);
 namespace
 {
 
-/// Places that correspond, one a row.
+/// Positions that correspond, one a row.
 struct Partners
 {
   std::vector<Eigen::RowVector3d> OnA, OnB;
 };
 
-double MeanEdge(const shape::Mesh& mesh)
+double ComputeMeanEdgeLength(const shape::Mesh& mesh)
 {
   double sum = 0.0;
   for (int k = 0; k < 3; ++k)
@@ -44,13 +44,13 @@ double MeanEdge(const shape::Mesh& mesh)
 /// The points of the landmarks, and places between them along lines.
 Partners ReadPartners(vtkUnstructuredGrid* given, double step)
 {
-  const Eigen::MatrixXd places = vtkShapeConvert::ToPoints(given);
+  const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(given);
   const Eigen::MatrixXd targets =
     vtkShapeConvert::ToPointArray(given, "TargetPosition", 3, "the Landmarks");
   Partners partners;
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    partners.OnA.emplace_back(places.row(i));
+    partners.OnA.emplace_back(positions.row(i));
     partners.OnB.emplace_back(targets.row(i));
   }
   for (vtkIdType cell = 0; cell < given->GetNumberOfCells(); ++cell)
@@ -62,14 +62,14 @@ Partners ReadPartners(vtkUnstructuredGrid* given, double step)
     vtkIdList* points = given->GetCell(cell)->GetPointIds();
     for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
     {
-      constexpr double most = 10000.0; // of a segment, whatever the surface
+      constexpr double maximum = 10000.0; // of a segment, whatever the surface
       const vtkIdType p = points->GetId(i - 1), q = points->GetId(i);
       const int pieces = static_cast<int>(
-        std::clamp(std::ceil((places.row(q) - places.row(p)).norm() / step), 1.0, most));
+        std::clamp(std::ceil((positions.row(q) - positions.row(p)).norm() / step), 1.0, maximum));
       for (int k = 1; k < pieces; ++k)
       {
         const double t = static_cast<double>(k) / pieces;
-        partners.OnA.emplace_back((1.0 - t) * places.row(p) + t * places.row(q));
+        partners.OnA.emplace_back((1.0 - t) * positions.row(p) + t * positions.row(q));
         partners.OnB.emplace_back((1.0 - t) * targets.row(p) + t * targets.row(q));
       }
     }
@@ -77,12 +77,12 @@ Partners ReadPartners(vtkUnstructuredGrid* given, double step)
   return partners;
 }
 
-Eigen::MatrixXd AsRows(const std::vector<Eigen::RowVector3d>& places)
+Eigen::MatrixXd AsRows(const std::vector<Eigen::RowVector3d>& positions)
 {
-  Eigen::MatrixXd rows(places.size(), 3);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  Eigen::MatrixXd rows(positions.size(), 3);
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    rows.row(static_cast<Eigen::Index>(i)) = places[i];
+    rows.row(static_cast<Eigen::Index>(i)) = positions[i];
   }
   return rows;
 }
@@ -100,18 +100,19 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
 
 void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
 {
-  const shape::Mesh a = vtkShapeConvert::ToMesh(this->GetWhole(0).Data, "SurfaceA"),
-                    b = vtkShapeConvert::ToMesh(this->GetWhole(1).Data, "SurfaceB");
+  const shape::Mesh a = vtkShapeConvert::ToMesh(this->GetGatheredInput(0).Data, "SurfaceA"),
+                    b = vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "SurfaceB");
   shape::RequireManifold(a, "SurfaceA");
   shape::RequireManifold(b, "SurfaceB");
   shape::Landmarks landmarks;
   if (this->GetNumberOfInputConnections(2) > 0)
   {
-    const Partners partners = ReadPartners(this->GetWhole(2).Grid, MeanEdge(a));
-    landmarks = shape::LandmarkPairs(a, AsRows(partners.OnA), b, AsRows(partners.OnB));
+    const Partners partners =
+      ReadPartners(this->GetGatheredInput(2).Grid, ComputeMeanEdgeLength(a));
+    landmarks = shape::PairLandmarks(a, AsRows(partners.OnA), b, AsRows(partners.OnB));
   }
   const shape::CorrespondenceResult result =
-    shape::Correspondence(a, b, landmarks, this->Options, progress);
+    shape::ComputeCorrespondence(a, b, landmarks, this->Options, progress);
   this->WriteMap(0, result.Maps.AToB, b, 1);
   this->WriteMap(1, result.Maps.BToA, a, 0);
   for (const int port : { 0, 1 })
@@ -141,15 +142,16 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
 }
 
 void vtkShapeCorrespondence::WriteMap(
-  int port, const shape::PreciseMap& map, const shape::Mesh& other, int otherPort)
+  int port, const shape::SurfacePoints& map, const shape::Mesh& other, int otherPort)
 {
-  const WholeInput& whole = this->GetWhole(port);
-  vtkPolyData* target = this->GetWhole(otherPort).Data;
+  const GatheredInput& whole = this->GetGatheredInput(port);
+  vtkPolyData* target = this->GetGatheredInput(otherPort).Data;
   const auto before = static_cast<double>(target->GetNumberOfVerts() + target->GetNumberOfLines());
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };
-  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(port, 0), this->GetOutputDataObject(port),
-    { { "TargetPosition", own(shape::Pulled(map, other.Triangles, other.Points)) },
+  vtkShapeComposite::AddPointFields(this->GetInputDataObject(port, 0),
+    this->GetOutputDataObject(port),
+    { { "TargetPosition", own(shape::PullBack(map, other.Triangles, other.Points)) },
       { "TargetCell", own(map.Triangles.cast<double>().array() + before), true },
       { "TargetBarycentric", own(map.Barycentrics) } });
 }

@@ -9,7 +9,7 @@
  * - Landmarks (optional): points and polylines on SurfaceA with the point array `TargetPosition` on
  *   SurfaceB. Each stands for the nearest point of its surface, of two that stand for one the
  * first; along lines more are put in, a mean edge of SurfaceA apart. Without them the filter finds
- * its own (shape::AutomaticLandmarks), on surfaces of one component.
+ * its own (shape::FindLandmarks), on surfaces of one component.
  *
  * Outputs: SurfaceA and SurfaceB with the precise map onto the other one, the point arrays
  * - `TargetPosition` (double, 3),
@@ -40,7 +40,7 @@
  *
  * Sparse factorisations are one library call each: an abort takes effect at the end of one.
  *
- * The mathematics: shape::Correspondence.
+ * The mathematics: shape::ComputeCorrespondence.
  */
 #ifndef vtkShapeCorrespondence_h
 #define vtkShapeCorrespondence_h
@@ -119,7 +119,7 @@ private:
   void operator=(const vtkShapeCorrespondence&) = delete;
 
   /// Fills output `port` with its surface and the map onto the other one.
-  void WriteMap(int port, const shape::PreciseMap& map, const shape::Mesh& other, int otherPort);
+  void WriteMap(int port, const shape::SurfacePoints& map, const shape::Mesh& other, int otherPort);
 
   shape::CorrespondenceOptions Options;
 };

@@ -22,22 +22,22 @@ vtkShapeMapErrorCurve::vtkShapeMapErrorCurve()
 
 void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
 {
-  vtkPolyData* source = this->GetWhole(0).Data;
-  vtkPolyData* goal = this->GetWhole(1).Data;
-  vtkUnstructuredGrid* places = this->GetWhole(2).Grid;
+  vtkPolyData* source = this->GetGatheredInput(0).Data;
+  vtkPolyData* goal = this->GetGatheredInput(1).Data;
+  vtkUnstructuredGrid* positions = this->GetGatheredInput(2).Grid;
   const shape::Mesh input = vtkShapeConvert::ToMesh(source, "the Input");
   const shape::Mesh target = vtkShapeConvert::ToMesh(goal, "the Target");
   const Eigen::MatrixXd map = vtkShapeConvert::ToPointArray(source, this->MapArray, 3, "the Input");
-  shape::MapTruth truth;
-  truth.Places = vtkShapeConvert::ToPoints(places);
-  truth.Targets = vtkShapeConvert::ToPointArray(places, this->MapArray, 3, "the Truth");
-  if (places->GetPointData()->HasArray(this->SymmetryArray.c_str()))
+  shape::GroundTruth truth;
+  truth.Positions = vtkShapeConvert::ToPoints(positions);
+  truth.Targets = vtkShapeConvert::ToPointArray(positions, this->MapArray, 3, "the Truth");
+  if (positions->GetPointData()->HasArray(this->SymmetryArray.c_str()))
   {
-    truth.Mirrored = vtkShapeConvert::ToPointArray(places, this->SymmetryArray, 3, "the Truth");
+    truth.Mirrored = vtkShapeConvert::ToPointArray(positions, this->SymmetryArray, 3, "the Truth");
   }
 
   const bool hasBack = goal->GetPointData()->HasArray(this->MapArray.c_str());
-  const shape::MapErrorCurveResult result = shape::MapErrorCurve(
+  const shape::MapErrorCurveResult result = shape::ComputeMapErrorCurve(
     input, map, target, truth, this->Options, progress.Part(0.0, hasBack ? 0.7 : 0.9));
   auto* output = vtkTable::SafeDownCast(this->GetOutputDataObject(0));
   const auto add = [&](const std::string& fact, double value)
@@ -52,13 +52,14 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
   add("UnreachedPlaces", result.Unreached);
   add("LargestGap", result.LargestGap);
   add("Coverage",
-    shape::Coverage(input, map, target, progress.Part(hasBack ? 0.7 : 0.9, hasBack ? 0.75 : 1.0)));
+    shape::ComputeCoverage(
+      input, map, target, progress.Part(hasBack ? 0.7 : 0.9, hasBack ? 0.75 : 1.0)));
   if (hasBack)
   {
     const Eigen::MatrixXd back =
       vtkShapeConvert::ToPointArray(goal, this->MapArray, 3, "the Target");
     const Eigen::VectorXd trips =
-      shape::RoundTripErrors(input, map, target, back, progress.Part(0.75, 1.0));
+      shape::ComputeRoundTripErrors(input, map, target, back, progress.Part(0.75, 1.0));
     add("RoundTripMean", trips.size() > 0 ? trips.mean() : 0.0);
     add("RoundTripMaximum", trips.size() > 0 ? trips.maxCoeff() : 0.0);
   }

@@ -22,7 +22,8 @@
  * Measures of the map's cells, such as conformal distortion and Dirichlet energy, are Shape Map
  * Quality's.
  *
- * The mathematics: shape::MapErrorCurve, shape::RoundTripErrors, shape::Coverage.
+ * The mathematics: shape::ComputeMapErrorCurve, shape::ComputeRoundTripErrors,
+ * shape::ComputeCoverage.
  */
 #ifndef vtkShapeMapErrorCurve_h
 #define vtkShapeMapErrorCurve_h

@@ -15,8 +15,8 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "Geodesics/ClosedCurves.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -82,7 +82,7 @@ std::vector<Eigen::MatrixXd> CurvesOf(vtkPolyData* loop)
   }
   const Eigen::MatrixXd points = vtkShapeConvert::ToPoints(loop);
   shape::RequireFinite(points, "the Loop");
-  return shape::ClosedCurves(points, lines, "the Loop");
+  return shape::ChainClosedCurves(points, lines, "the Loop");
 }
 
 std::vector<char> SelectedTriangles(vtkPolyData* marked, const Eigen::VectorXi& cells)
@@ -104,7 +104,7 @@ void vtkShapeCutFeature::Execute(const shape::Progress& progress)
   if (this->GetNumberOfInputConnections(2) > 0)
   {
     vtkSmartPointer<vtkDataObject> own;
-    vtkShapeGather::TogetherOrNotAtAll(this->GetController(),
+    vtkShapeGather::RunOnAllOrFail(this->GetController(),
       [&]
       {
         own = vtkShapeSelectedCells::Mark(
@@ -159,9 +159,9 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
                               " to Selection, or draw a loop: Loop Points has " +
       std::to_string(loopPoints) + " places, and 3 are the least");
   }
-  vtkPolyData* surface = this->GetWhole(0).Data;
+  vtkPolyData* surface = this->GetGatheredInput(0).Data;
   Kept& kept = *this->Cache;
-  if (kept.Input.IsNew(*this, 0, this->GetWhole(0).Data) || !kept.Cutter)
+  if (kept.Input.IsNew(*this, 0, this->GetGatheredInput(0).Data) || !kept.Cutter)
   {
     kept.Cutter.reset();
     kept.LastFeature->Initialize();
@@ -180,15 +180,15 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   }
   else
   {
-    using Places = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+    using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
     std::vector<Eigen::MatrixXd> curves;
     if (hasLoop)
     {
-      curves = CurvesOf(this->GetWhole(1).Data);
+      curves = CurvesOf(this->GetGatheredInput(1).Data);
     }
     else
     {
-      curves.emplace_back(Eigen::Map<const Places>(this->LoopPoints.data(), loopPoints, 3));
+      curves.emplace_back(Eigen::Map<const Positions>(this->LoopPoints.data(), loopPoints, 3));
     }
     cut = kept.Cutter->Cut(curves, options, progress.Part(0.1, 1.0));
   }

@@ -26,7 +26,7 @@
  * field data CutFeature.Seed, .SeedNormal and .SeedDirection (3 numbers each: the map's origin, its
  * normal and its u axis), .ConformalRadius (0 but where the layout is conformal), .Refined (1 where
  * it is that with the least distortion) and .ReturnsInPlace (1 where the loop comes back to its
- * place when it is set down there): see shape::FeatureBase.
+ * place when it is set down there): see shape::FeatureFootprint.
  *
  * Field data of both outputs: CutFeature.Loops (closed loops that were cut), .LoopsLeftOut (parts
  * of a curve that touches itself: the longest one cuts), .CutLength, .FeatureArea, .Holes (that
@@ -55,8 +55,8 @@ public:
   vtkTypeMacro(vtkShapeCutFeature, vtkShapeAlgorithm);
 
   ///@{
-  /// Places of a closed curve, the last joined to the first, where nothing is connected to Loop and
-  /// Selection. x, y, z of each. Default: none.
+  /// Positions of a closed curve, the last joined to the first, where nothing is connected to Loop
+  /// and Selection. x, y, z of each. Default: none.
   void SetNumberOfLoopPoints(int count);
   void SetLoopPoints(int index, double x, double y, double z);
   std::vector<double> GetLoopPoints() { return this->LoopPoints; }

@@ -41,7 +41,7 @@ void InterpolateArray(
   for (std::size_t i = 0; i < part.OriginalPoints.size(); ++i)
   {
     const auto point = static_cast<vtkIdType>(i);
-    const int triangle = part.Places.Triangles(point);
+    const int triangle = part.Positions.Triangles(point);
     if (part.OriginalPoints[i] >= 0)
     {
       to->SetTuple(point, part.OriginalPoints[i], from);
@@ -52,7 +52,7 @@ void InterpolateArray(
       for (int k = 0; k < 3; ++k)
       {
         corners->SetId(k, mesh.Triangles(triangle, k));
-        weights[k] = part.Places.Barycentrics(point, k);
+        weights[k] = part.Positions.Barycentrics(point, k);
       }
       if (vtkShapeConvert::AreValues(from))
       {
@@ -116,7 +116,7 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
   vtkCellData* cellData = output->GetCellData();
   cellData->CopyAllocate(surface->GetCellData(), part.Surface.Triangles.rows());
   std::vector<int> sources = part.OriginalTriangles;
-  const std::vector<shape::FillSources> fills = shape::SourcesOfFills(part.Surface, holes);
+  const std::vector<shape::FillSources> fills = shape::FindFillSources(part.Surface, holes);
   for (std::size_t k = 0; k < holes.size(); ++k)
   {
     const FilledHole& hole = holes[k];
@@ -170,7 +170,7 @@ void vtkShapeCutParts::Write(const shape::CutFeatureResult& cut,
 
 void vtkShapeCutParts::AddFacts(const shape::CutFeatureResult& cut, vtkPolyData* output)
 {
-  const double area = 0.5 * shape::AreaVectors(cut.Feature.Surface).rowwise().norm().sum();
+  const double area = 0.5 * shape::ComputeAreaVectors(cut.Feature.Surface).rowwise().norm().sum();
   const std::pair<const char*, double> facts[] = { { "Loops", cut.Loops },
     { "LoopsLeftOut", cut.LoopsLeftOut }, { "CutLength", cut.CutLength }, { "FeatureArea", area },
     { "Holes", static_cast<double>(cut.Holes.size()) }, { "WeldedPoints", cut.WeldedPoints } };

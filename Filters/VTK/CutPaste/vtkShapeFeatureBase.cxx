@@ -9,7 +9,7 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
-#include "Mesh/BorderLoops.h"
+#include "Mesh/BoundaryLoops.h"
 
 #include <algorithm>
 #include <map>
@@ -20,7 +20,7 @@
 namespace
 {
 
-const std::string Places = "LoopCoordinates", Normals = "LoopNormal", Facts = "CutFeature.";
+const std::string Positions = "LoopCoordinates", Normals = "LoopNormal", Facts = "CutFeature.";
 
 /// Numbers of the field data, where they are there.
 std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& name, int count)
@@ -57,7 +57,7 @@ bool WasCut(const std::vector<int>& loop, const Eigen::MatrixXd& normals)
 
 std::vector<int> ChooseLoop(const shape::Mesh& feature, const Eigen::MatrixXd& normals, int index)
 {
-  const std::vector<std::vector<int>> loops = shape::BorderLoops(feature).Loops;
+  const std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(feature).Loops;
   if (loops.empty())
   {
     throw shape::InvalidInput(
@@ -81,24 +81,24 @@ void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData*
   {
     return;
   }
-  const shape::FeatureBase& base = *cut.Base;
+  const shape::FeatureFootprint& base = *cut.Base;
   std::map<int, Eigen::Index> rows; // of the loop, by the place on the surface
   for (std::size_t i = 0; i < base.Loop.size(); ++i)
   {
     rows[cut.Feature.Ids[base.Loop[i]]] = static_cast<Eigen::Index>(i);
   }
-  Eigen::MatrixXd places = Eigen::MatrixXd::Zero(cut.Feature.Surface.Points.rows(), 3);
-  Eigen::MatrixXd normals = places;
-  for (Eigen::Index point = 0; point < places.rows(); ++point)
+  Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(cut.Feature.Surface.Points.rows(), 3);
+  Eigen::MatrixXd normals = positions;
+  for (Eigen::Index point = 0; point < positions.rows(); ++point)
   {
     const auto row = rows.find(cut.Feature.Ids[point]);
     if (row != rows.end())
     {
-      places.row(point).head(2) = base.LoopPlaces.row(row->second);
+      positions.row(point).head(2) = base.LoopPositions.row(row->second);
       normals.row(point) = base.Normals.row(row->second);
     }
   }
-  feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(places, Places));
+  feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(positions, Positions));
   feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(normals, Normals));
   const std::pair<const char*, Eigen::RowVector3d> facts[] = { { "Seed", cut.Seed },
     { "SeedNormal", base.Normal }, { "SeedDirection", base.XAxis } };
@@ -115,20 +115,20 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
   const shape::Mesh& surface, const std::vector<int>& points, int loopIndex,
   const shape::Progress& progress)
 {
-  const Eigen::MatrixXd places = LoopArray(data, Places, points);
+  const Eigen::MatrixXd positions = LoopArray(data, Positions, points);
   Eigen::MatrixXd normals = LoopArray(data, Normals, points);
   const auto normal = Fact(data, "SeedNormal", 3), axis = Fact(data, "SeedDirection", 3);
-  if (places.rows() == 0 || !normal || !axis)
+  if (positions.rows() == 0 || !normal || !axis)
   {
     normals.resize(0, 3);
   }
   const std::vector<int> loop = ChooseLoop(surface, normals, loopIndex);
   if (!WasCut(loop, normals))
   {
-    return { shape::BaseOfOwnFill(surface, loop, progress), true };
+    return { shape::BuildFeatureBaseOnOwnFill(surface, loop, progress), true };
   }
   const auto radius = Fact(data, "ConformalRadius", 1), refined = Fact(data, "Refined", 1);
-  return { { loop, vtkShapeConvert::Rows(places, loop).leftCols(2),
+  return { { loop, vtkShapeConvert::Rows(positions, loop).leftCols(2),
              vtkShapeConvert::Rows(normals, loop), *normal, *axis, radius ? (*radius)(0) : 0.0,
              refined && (*refined)(0) != 0.0 },
     false };

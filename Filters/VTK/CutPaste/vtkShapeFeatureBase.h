@@ -20,14 +20,15 @@ void Write(const shape::CutFeatureResult& cut, vtkPolyData* feature);
 /// A feature that is to be set down again.
 struct Feature
 {
-  shape::FeatureBase Base;
+  shape::FeatureFootprint Base;
   bool HasOwnFill; ///< whether nothing is known of what it stood on
 };
 
 /**
  * The feature's base at one of its loops. surface: its triangles; points: of each of their points,
  * the one of `data`. loopIndex: the longest of the loops being 0, or the one that was cut. Throws
- * shape::InvalidInput where there is no such loop, and as shape::BaseOfOwnFill; shape::Aborted.
+ * shape::InvalidInput where there is no such loop, and as shape::BuildFeatureBaseOnOwnFill;
+ * shape::Aborted.
  */
 Feature Read(vtkPolyData* data, const shape::Mesh& surface, const std::vector<int>& points,
   int loopIndex, const shape::Progress& progress);

@@ -29,7 +29,7 @@ const char* NameOf(shape::TargetLayout layout)
   {
     case shape::TargetLayout::Conformal:
       return "conformal";
-    case shape::TargetLayout::LeastDistortion:
+    case shape::TargetLayout::MinimumDistortion:
       return "least distortion";
     default:
       return "exponential map";
@@ -46,7 +46,7 @@ struct vtkShapePasteFeature::Kept
   int LoopIndex = 0;
   shape::DeformOptions Deformation;
   std::unique_ptr<shape::FeatureToPaste> Paste;
-  std::unique_ptr<shape::PasteTarget> Place;
+  std::unique_ptr<shape::PasteTarget> Position;
   bool HasOwnFill = false;
   int NonManifold = 0;            ///< edges and points of the feature
   vtkNew<vtkPolyData> LastResult; ///< empty while there was none
@@ -95,20 +95,20 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
 void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
-  if (!kept.FeatureInput.IsNew(*this, 0, this->GetWhole(0).Data) && kept.Paste &&
+  if (!kept.FeatureInput.IsNew(*this, 0, this->GetGatheredInput(0).Data) && kept.Paste &&
     kept.LoopIndex == this->LoopIndex && kept.Deformation == this->Options)
   {
     return;
   }
   kept.Paste.reset();
   kept.LastResult->Initialize();
-  kept.Feature =
-    vtkShapePastedData::Read(this->GetWhole(0).Data, "the Feature", progress.Part(0.0, 0.1));
+  kept.Feature = vtkShapePastedData::Read(
+    this->GetGatheredInput(0).Data, "the Feature", progress.Part(0.0, 0.1));
   const shape::Mesh& surface = kept.Feature.Triangles.Surface;
   vtkShapeFeatureBase::Feature feature = vtkShapeFeatureBase::Read(
     kept.Feature.Data, surface, kept.Feature.Points, this->LoopIndex, progress.Part(0.1, 0.5));
   kept.HasOwnFill = feature.HasOwnFill;
-  const shape::Topology topology = shape::SurfaceTopology(surface);
+  const shape::Topology topology = shape::ComputeTopology(surface);
   kept.NonManifold = topology.NonManifoldEdges + topology.NonManifoldPoints;
   kept.Paste = std::make_unique<shape::FeatureToPaste>(surface, std::move(feature.Base),
     this->Options, shape::DeformFields(), progress.Part(0.5, 1.0));
@@ -119,15 +119,15 @@ void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
 void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
-  if (!kept.TargetInput.IsNew(*this, 1, this->GetWhole(1).Data) && kept.Place)
+  if (!kept.TargetInput.IsNew(*this, 1, this->GetGatheredInput(1).Data) && kept.Position)
   {
     return;
   }
-  kept.Place.reset();
+  kept.Position.reset();
   kept.LastResult->Initialize();
   kept.Target =
-    vtkShapePastedData::Read(this->GetWhole(1).Data, "the Target", progress.Part(0.0, 0.3));
-  kept.Place = std::make_unique<shape::PasteTarget>(
+    vtkShapePastedData::Read(this->GetGatheredInput(1).Data, "the Target", progress.Part(0.0, 0.3));
+  kept.Position = std::make_unique<shape::PasteTarget>(
     kept.Target.Triangles.Surface, shape::ExponentialMapOptions(), progress.Part(0.3, 1.0));
 }
 
@@ -135,29 +135,32 @@ void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress&
 {
   const Kept& kept = *this->Cache;
   const shape::PastedFeature pasted =
-    kept.Paste->PasteOn(*kept.Place, this->Placement, this->Paste, progress);
+    kept.Paste->PasteOn(*kept.Position, this->Placement, this->Paste, progress);
   vtkShapePastedData::Write(
     pasted, *kept.Paste, kept.Target, kept.Feature, this->BlendWidth, output);
-  const std::pair<const char*, Eigen::RowVector3d> frame[] = { { "Seed", pasted.Place.Seed.Origin },
-    { "Normal", pasted.Place.Seed.Normal }, { "Direction", pasted.Place.Seed.XAxis } };
+  const std::pair<const char*, Eigen::RowVector3d> frame[] = { { "Seed",
+                                                                 pasted.Position.Seed.Origin },
+    { "Normal", pasted.Position.Seed.Normal }, { "Direction", pasted.Position.Seed.XAxis } };
   for (const auto& [fact, value] : frame)
   {
     output->GetFieldData()->AddArray(
       vtkShapeConvert::ToArray(value, std::string("PasteFeature.") + fact));
   }
-  const std::pair<const char*, double> facts[] = { { "DeviationBefore",
-                                                     shape::Percentile(pasted.AnglesBefore, 0.5) },
-    { "Deviation95Before", shape::Percentile(pasted.AnglesBefore, 0.95) },
-    { "DeviationAfter", shape::Percentile(pasted.AnglesAfter, 0.5) },
-    { "Deviation95After", shape::Percentile(pasted.AnglesAfter, 0.95) },
-    { "BandTriangles", pasted.BandTriangles }, { "FlippedTriangles", pasted.Place.Cover.Flipped },
-    { "EulerNumber", pasted.EulerNumber }, { "NonManifold", kept.NonManifold },
-    { "WeldedPoints", kept.Feature.WeldedPoints + kept.Target.WeldedPoints } };
+  const std::pair<const char*, double> facts[] = {
+    { "DeviationBefore", shape::ComputePercentile(pasted.AnglesBefore, 0.5) },
+    { "Deviation95Before", shape::ComputePercentile(pasted.AnglesBefore, 0.95) },
+    { "DeviationAfter", shape::ComputePercentile(pasted.AnglesAfter, 0.5) },
+    { "Deviation95After", shape::ComputePercentile(pasted.AnglesAfter, 0.95) },
+    { "BandTriangles", pasted.BandTriangles },
+    { "FlippedTriangles", pasted.Position.Cover.Flipped }, { "EulerNumber", pasted.EulerNumber },
+    { "NonManifold", kept.NonManifold },
+    { "WeldedPoints", kept.Feature.WeldedPoints + kept.Target.WeldedPoints }
+  };
   for (const auto& [fact, value] : facts)
   {
     vtkShapeConvert::AddFact(output, std::string("PasteFeature.") + fact, value);
   }
-  vtkShapeConvert::AddFact(output, "PasteFeature.Layout", NameOf(pasted.Place.Layout));
+  vtkShapeConvert::AddFact(output, "PasteFeature.Layout", NameOf(pasted.Position.Layout));
   vtkShapeConvert::AddFact(output, "PasteFeature.Refused", 0.0);
   vtkShapeConvert::AddFact(
     output, "PasteFeature.Base", kept.HasOwnFill ? "own fill" : "where it was cut");

@@ -11,7 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include "CutPaste/JoinBlend.h"
+#include "CutPaste/SeamBlend.h"
 #include "Geometry/SurfaceWelding.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Sources
 {
   std::vector<vtkIdType> First;
   std::vector<vtkIdType> Second;
-  std::vector<std::array<int, 2>> Middles;
+  std::vector<std::array<int, 2>> Midpoints;
 };
 
 bool AreAlike(vtkAbstractArray* one, vtkAbstractArray* other)
@@ -82,7 +82,7 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
     array->SetName(name.c_str());
     array->SetNumberOfComponents(like->GetNumberOfComponents());
     array->SetNumberOfTuples(static_cast<vtkIdType>(
-      sources.First.size() + sources.Second.size() + sources.Middles.size()));
+      sources.First.size() + sources.Second.size() + sources.Midpoints.size()));
     CopyTuples(one, sources.First, 0, array);
     CopyTuples(other, sources.Second, static_cast<vtkIdType>(sources.First.size()), array);
     result->AddArray(array);
@@ -117,9 +117,9 @@ void FillMiddles(const Sources& sources, vtkDataSetAttributes* result)
   {
     vtkAbstractArray* array = result->GetAbstractArray(i);
     auto* numbers = vtkShapeConvert::AreValues(array) ? vtkDataArray::SafeDownCast(array) : nullptr;
-    for (std::size_t m = 0; m < sources.Middles.size(); ++m)
+    for (std::size_t m = 0; m < sources.Midpoints.size(); ++m)
     {
-      const auto [a, b] = sources.Middles[m];
+      const auto [a, b] = sources.Midpoints[m];
       const vtkIdType at = first + static_cast<vtkIdType>(m);
       array->SetTuple(at, a, array);
       for (int k = 0; numbers && k < numbers->GetNumberOfComponents(); ++k)
@@ -170,10 +170,10 @@ void Blend(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feat
     const bool isColour = array->GetDataType() == VTK_UNSIGNED_CHAR;
     Eigen::MatrixXd values = ToMatrix(own, featurePart.Points);
     const Eigen::MatrixXd differences =
-      shape::Pulled(pasted.Place.Cover.Places, target.Triangles.Surface.Triangles,
+      shape::PullBack(pasted.Position.Cover.Positions, target.Triangles.Surface.Triangles,
         ToMatrix(array, target.Points)) -
       vtkShapeConvert::Rows(values, loop);
-    values = shape::BlendedAtJoin(
+    values = shape::BlendAtSeam(
       values, points, differences, vtkShapeConvert::Rows(points, loop), depths, reach);
     for (Eigen::Index p = 0; p < values.rows(); ++p)
     {
@@ -190,7 +190,7 @@ void Blend(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feat
 std::vector<vtkIdType> CellsUnderBand(
   const shape::PastedFeature& pasted, const shape::NumberedSurface& target)
 {
-  const shape::Footprint& cover = pasted.Place.Cover;
+  const shape::CoveredRegion& cover = pasted.Position.Cover;
   const auto loop = cover.Loop.rows();
   std::map<int, int> around; // a covered triangle at each point of the ring
   for (const int triangle : cover.Triangles)
@@ -201,11 +201,11 @@ std::vector<vtkIdType> CellsUnderBand(
     }
   }
   std::vector<vtkIdType> cells;
-  for (Eigen::Index t = 0; t < pasted.Place.Join.Triangles.rows(); ++t)
+  for (Eigen::Index t = 0; t < pasted.Position.Join.Triangles.rows(); ++t)
   {
-    const int corner = pasted.Place.Join.Triangles.row(t).minCoeff(); // the loop's come first
+    const int corner = pasted.Position.Join.Triangles.row(t).minCoeff(); // the loop's come first
     const int triangle =
-      corner < loop ? cover.Places.Triangles(corner) : around.at(cover.Ring[corner - loop]);
+      corner < loop ? cover.Positions.Triangles(corner) : around.at(cover.Ring[corner - loop]);
     cells.push_back(target.Cells(triangle));
   }
   return cells;
@@ -247,7 +247,7 @@ void vtkShapePastedData::Write(const shape::PastedFeature& pasted,
   double blendWidth, vtkPolyData* output)
 {
   vtkShapeConvert::FromMesh(pasted.Surface, output);
-  Sources points{ {}, { featurePart.Points.begin(), featurePart.Points.end() }, pasted.Middles };
+  Sources points{ {}, { featurePart.Points.begin(), featurePart.Points.end() }, pasted.Midpoints };
   for (const int point : pasted.TargetPoints)
   {
     points.First.push_back(target.Points[point]);

@@ -29,7 +29,7 @@ Part Read(vtkPolyData* data, const std::string& name, const shape::Progress& pro
  * Writes the pasted surface with the arrays of points and cells of both parts. Where only one part
  * has an array, the other has zeros; arrays of the same name but of another type or number of
  * components count as different, and the target's is kept. Floating-point numbers and colours
- * (unsigned char) of the feature's points meet the target's at the loop: shape::BlendedAtJoin over
+ * (unsigned char) of the feature's points meet the target's at the loop: shape::BlendAtSeam over
  * `blendWidth` of the feature's depth. The band's cells take what the target has there. `Normals`
  * are left out. The cell array `Part` is 0 on the target, 1 on the band and 2 on the feature.
  */

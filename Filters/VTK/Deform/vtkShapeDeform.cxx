@@ -39,8 +39,8 @@ Eigen::VectorXd FieldOf(vtkUnstructuredGrid* grid, const std::string& name)
 
 void vtkShapeDeform::Execute(const shape::Progress& progress)
 {
-  vtkUnstructuredGrid* grid = this->GetWhole(0).Grid;
-  vtkShapeHandle::Boundary boundary = vtkShapeHandle::Read(this->GetWhole(1).Grid);
+  vtkUnstructuredGrid* grid = this->GetGatheredInput(0).Grid;
+  vtkShapeHandle::Boundary boundary = vtkShapeHandle::Read(this->GetGatheredInput(1).Grid);
   shape::DeformProblem problem;
   problem.Shape = vtkShapeHandle::ToElements(grid, "the Input", progress.Part(0.0, 0.1));
   problem.Handle = std::move(boundary.Source);

@@ -1,7 +1,7 @@
 #include "vtkShapeHandle.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkCell.h"
 #include "vtkCellData.h"
@@ -35,7 +35,7 @@ Eigen::MatrixXi LinesOf(vtkUnstructuredGrid* grid)
   std::vector<int> ends;
   vtkNew<vtkGenericCell> cell;
   vtkNew<vtkIdList> ids;
-  vtkNew<vtkPoints> places;
+  vtkNew<vtkPoints> positions;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
     const int type = grid->GetCellType(i);
@@ -46,7 +46,7 @@ Eigen::MatrixXi LinesOf(vtkUnstructuredGrid* grid)
     grid->GetCell(i, cell);
     if (cell->GetCellDimension() == 1)
     {
-      cell->Triangulate(0, ids, places);
+      cell->Triangulate(0, ids, positions);
       std::transform(ids->begin(), ids->end() - ids->GetNumberOfIds() % 2, std::back_inserter(ends),
         [](vtkIdType id) { return static_cast<int>(id); });
     }
@@ -89,10 +89,10 @@ int ToLabel(vtkDataArray* values, vtkIdType i)
 
 /// Which point of the whole is at each place: pieces and blocks find theirs so, as points at one
 /// place move as one.
-class PointsByPlace
+class PointsByPosition
 {
 public:
-  explicit PointsByPlace(const Eigen::MatrixXd& points)
+  explicit PointsByPosition(const Eigen::MatrixXd& points)
     : Points(points)
   {
   }
@@ -108,23 +108,23 @@ public:
       }
       return found;
     }
-    if (this->Places.empty())
+    if (this->Positions.empty())
     {
       for (Eigen::Index i = 0; i < this->Points.rows(); ++i)
       {
-        this->Places.emplace(At(this->Points, i), static_cast<int>(i));
+        this->Positions.emplace(At(this->Points, i), static_cast<int>(i));
       }
     }
     for (Eigen::Index i = 0; i < own.rows(); ++i)
     {
-      const auto place = this->Places.find(At(own, i));
-      if (place == this->Places.end())
+      const auto position = this->Positions.find(At(own, i));
+      if (position == this->Positions.end())
       {
         throw shape::InvalidInput("point " + std::to_string(i) +
           " of a piece of the Input belongs to hidden cells alone, or to ghost cells that no "
           "process owns; take the others by Threshold, or remove it with Clean to Grid");
       }
-      found[i] = place->second;
+      found[i] = position->second;
     }
     return found;
   }
@@ -136,7 +136,7 @@ private:
   }
 
   const Eigen::MatrixXd& Points;
-  std::map<std::array<double, 3>, int> Places;
+  std::map<std::array<double, 3>, int> Positions;
 };
 
 /// The normals of a data set's points, turned with them.
@@ -201,11 +201,11 @@ Eigen::VectorXi vtkShapeHandle::ToLabels(vtkUnstructuredGrid* grid, const std::s
   Eigen::VectorXi labels = Eigen::VectorXi::Zero(points);
   for (vtkIdType point = 0; point < points; ++point)
   {
-    int most = 0;
+    int maximum = 0;
     for (const auto& [label, count] : around[point])
     {
-      labels(point) = count > most ? label : labels(point);
-      most = std::max(most, count);
+      labels(point) = count > maximum ? label : labels(point);
+      maximum = std::max(maximum, count);
     }
   }
   return labels;
@@ -215,8 +215,9 @@ vtkShapeHandle::Boundary vtkShapeHandle::Read(vtkUnstructuredGrid* grid)
 {
   Boundary boundary;
   shape::ShapeElements elements = ToElements(grid, "the Boundary");
-  boundary.Target.Places = elements.Points;
-  boundary.Source.Places = vtkShapeConvert::ToPointArray(grid, "SourcePosition", 3, "the Boundary");
+  boundary.Target.Positions = elements.Points;
+  boundary.Source.Positions =
+    vtkShapeConvert::ToPointArray(grid, "SourcePosition", 3, "the Boundary");
   boundary.Source.Segments = elements.Lines;
   boundary.Source.Triangles = elements.Triangles;
   boundary.Source.Normals = ArrayOrNothing(grid, "SourceNormal", 3);
@@ -234,13 +235,13 @@ vtkShapeHandle::Boundary vtkShapeHandle::Read(vtkUnstructuredGrid* grid)
 void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,
   const shape::DeformedShape& deformed, vtkDataObject* output)
 {
-  PointsByPlace places(whole);
-  vtkShapeLeaves::ForEach(input, output, vtkShapeLeaves::Points::Moved,
+  PointsByPosition positions(whole);
+  vtkShapeComposite::ForEach(input, output, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const Eigen::MatrixXd own = vtkShapeConvert::ToPoints(from);
-      const std::vector<int> rows = places.Find(own);
-      vtkShapeLeaves::Move(from, vtkShapeConvert::Rows(deformed.Points, rows), to);
+      const std::vector<int> rows = positions.Find(own);
+      vtkShapeComposite::Move(from, vtkShapeConvert::Rows(deformed.Points, rows), to);
       to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, "SourcePosition"));
       AddTurnedNormals(from, rows, deformed.Rotations, to);
     });

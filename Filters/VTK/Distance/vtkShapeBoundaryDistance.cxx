@@ -1,7 +1,7 @@
 #include "vtkShapeBoundaryDistance.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -22,14 +22,15 @@ vtkShapeBoundaryDistance::vtkShapeBoundaryDistance()
 
 void vtkShapeBoundaryDistance::Execute(const shape::Progress& progress)
 {
-  const shape::Mesh surface = vtkShapeConvert::ToMesh(this->GetWhole(1).Data, "the Surface");
+  const shape::Mesh surface =
+    vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Surface");
   progress(0.1);
   const shape::BoundaryDistance distance(surface, this->Options, progress.Part(0.1, 0.3));
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   const double share =
     0.7 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
   double done = 0.3;
-  vtkShapeLeaves::ForEach(input, this->GetOutputDataObject(0), vtkShapeLeaves::Points::Kept,
+  vtkShapeComposite::ForEach(input, this->GetOutputDataObject(0), vtkShapeComposite::Points::Kept,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const double next = done + share * from->GetNumberOfPoints();

@@ -33,13 +33,13 @@ vtkShapeExponentialMap::~vtkShapeExponentialMap() = default;
 vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
-  const bool isNew = kept.Input.IsNew(*this, 0, this->GetWhole(0).Data);
+  const bool isNew = kept.Input.IsNew(*this, 0, this->GetGatheredInput(0).Data);
   if (isNew || !kept.Map || kept.Options.NormalSmoothing != this->Options.NormalSmoothing ||
     kept.Options.UpwindAverage != this->Options.UpwindAverage)
   {
     kept.Map.reset();
     kept.Options = this->Options;
-    kept.Surface = this->GetWhole(0).Data;
+    kept.Surface = this->GetGatheredInput(0).Data;
     shape::NumberedSurface numbered = vtkShapePreciseMap::ToSurface(kept.Surface, "the Input");
     kept.Cells = std::move(numbered.Cells);
     kept.Map = std::make_unique<shape::ExponentialMap>(numbered.Surface, this->Options, progress);
@@ -55,7 +55,7 @@ void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
     return;
   }
   Kept& kept = this->Update(progress.Part(0.0, 0.7));
-  const shape::PatchLayout layout = shape::LayOutPatch(*kept.Map,
+  const shape::PatchLayout layout = shape::FlattenPatch(*kept.Map,
     Eigen::Map<const Eigen::RowVector3d>(this->Seed),
     Eigen::Map<const Eigen::RowVector3d>(this->XDirection), this->Options, progress.Part(0.7, 1.0));
   vtkShapePatch::Write(layout, kept.Map->Surface(), kept.Surface, kept.Cells,

@@ -25,7 +25,7 @@
  * While the surface and NormalSmoothing and UpwindAverage stay, what depends on these is kept: a
  * new seed or radius takes time for the patch alone.
  *
- * The mathematics: shape::ExponentialMap, shape::LayOutPatch.
+ * The mathematics: shape::ExponentialMap, shape::FlattenPatch.
  */
 #ifndef vtkShapeExponentialMap_h
 #define vtkShapeExponentialMap_h

@@ -32,7 +32,7 @@ void WritePointData(const shape::PatchLayout& layout, vtkPolyData* surface, vtkP
 {
   const shape::ExponentialPatch& patch = layout.Patch;
   vtkPointData* fields = output->GetPointData();
-  fields->CopyAllocate(surface->GetPointData(), patch.Places.rows());
+  fields->CopyAllocate(surface->GetPointData(), patch.Positions.rows());
   vtkNew<vtkIdTypeArray> originals;
   originals->SetName("OriginalPointId");
   for (std::size_t row = 0; row < patch.Points.size(); ++row)
@@ -42,11 +42,11 @@ void WritePointData(const shape::PatchLayout& layout, vtkPolyData* surface, vtkP
   }
   fields->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   fields->AddArray(originals);
-  Eigen::MatrixXd flat = Eigen::MatrixXd::Zero(patch.Places.rows(), 3);
-  flat.leftCols(2) = patch.Places;
+  Eigen::MatrixXd flat = Eigen::MatrixXd::Zero(patch.Positions.rows(), 3);
+  flat.leftCols(2) = patch.Positions;
   fields->AddArray(vtkShapeConvert::ToArray(flat, "TargetPosition"));
   fields->AddArray(vtkShapeConvert::ToArray(patch.Distances, "GeodesicDistance"));
-  const Eigen::MatrixXd texture = (patch.Places.array() / (2.0 * layout.Radius) + 0.5).matrix();
+  const Eigen::MatrixXd texture = (patch.Positions.array() / (2.0 * layout.Radius) + 0.5).matrix();
   fields->SetTCoords(vtkShapeConvert::ToArray(texture, "ExponentialMap"));
 }
 
@@ -82,9 +82,10 @@ void WriteFacts(const shape::PatchLayout& layout, vtkPolyData* output)
   {
     output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(vector, prefix + name));
   }
-  const std::pair<const char*, shape::DistortionSpread> spreads[] = { { "ConformalDistortion",
-                                                                        facts.ConformalDistortion },
-    { "SymmetricDirichlet", facts.SymmetricDirichlet } };
+  const std::pair<const char*, shape::DistortionStatistics> spreads[] = {
+    { "ConformalDistortion", facts.ConformalDistortion },
+    { "SymmetricDirichlet", facts.SymmetricDirichlet }
+  };
   for (const auto& [name, spread] : spreads)
   {
     output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(
@@ -94,7 +95,8 @@ void WriteFacts(const shape::PatchLayout& layout, vtkPolyData* output)
     { "Radius", layout.Radius }, { "Flipped", static_cast<double>(patch.Flipped.size()) },
     { "Torn", static_cast<double>(patch.Torn.size()) }, { "FlipRate", facts.FlipRate },
     { "Mended", layout.Mended }, { "Coverage", facts.Coverage },
-    { "Overlaps", facts.Overlaps ? 1.0 : 0.0 }, { "ReachesRim", patch.ReachesRim ? 1.0 : 0.0 } };
+    { "Overlaps", facts.Overlaps ? 1.0 : 0.0 },
+    { "ReachesRim", patch.ReachesBoundary ? 1.0 : 0.0 } };
   for (const auto& [name, number] : numbers)
   {
     vtkShapeConvert::AddFact(output, prefix + name, number);
@@ -106,7 +108,7 @@ void WriteFacts(const shape::PatchLayout& layout, vtkPolyData* output)
 void vtkShapePatch::Write(const shape::PatchLayout& layout, const shape::Mesh& mesh,
   vtkPolyData* surface, const Eigen::VectorXi& cells, vtkPolyData* output)
 {
-  vtkShapeConvert::FromMesh(shape::PatchSurface(mesh, layout.Patch), output);
+  vtkShapeConvert::FromMesh(shape::BuildPatchSurface(mesh, layout.Patch), output);
   WritePointData(layout, surface, output);
   WriteCellData(layout, cells, surface, output);
   output->GetFieldData()->PassData(surface->GetFieldData());

@@ -11,9 +11,9 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "Fill/CurveNetwork.h"
-#include "Mesh/BorderLoops.h"
+#include "Mesh/BoundaryLoops.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <string>
@@ -27,7 +27,7 @@ struct vtkShapeFillHoles::Kept
 {
   shape::NumberedSurface Surface;
   shape::CurveNetwork Curves;  ///< where there are no polygons
-  shape::SurfaceBorder Border; ///< else
+  shape::BoundaryLoops Border; ///< else
   std::vector<int> Chosen;     ///< loops, or rims, by number
   shape::HoleFillerOptions Options;
   std::unique_ptr<shape::SurfaceFiller> Filler;
@@ -72,9 +72,9 @@ void vtkShapeFillHoles::SetLoopIndices(int index, int loop)
     vtkErrorMacro(<< "there is no index " << index);
     return;
   }
-  const auto place = static_cast<std::size_t>(index);
-  this->Choice.Indices.resize(std::max(this->Choice.Indices.size(), place + 1), 0);
-  this->Choice.Indices[place] = loop;
+  const auto position = static_cast<std::size_t>(index);
+  this->Choice.Indices.resize(std::max(this->Choice.Indices.size(), position + 1), 0);
+  this->Choice.Indices[position] = loop;
   this->Modified();
 }
 
@@ -104,7 +104,7 @@ shape::CurveNetwork CurvesOf(vtkPolyData* data)
   }
   vtkDataArray* normals = data->GetPointData()->GetNormals();
   const bool hasNormals = normals || data->GetPointData()->HasArray("Normals");
-  return shape::FindRims(vtkShapeConvert::ToPoints(data), lines,
+  return shape::FindCurveLoops(vtkShapeConvert::ToPoints(data), lines,
     hasNormals ? vtkShapeConvert::ToPointArray(data,
                    normals && normals->GetName() ? normals->GetName() : "Normals", 3, "the Input")
                : Eigen::MatrixXd(0, 3));
@@ -114,7 +114,7 @@ shape::CurveNetwork CurvesOf(vtkPolyData* data)
 
 void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
 {
-  vtkPolyData* data = this->GetWhole(0).Data;
+  vtkPolyData* data = this->GetGatheredInput(0).Data;
   Kept fresh;
   fresh.Surface = vtkShapePreciseMap::ToSurface(data, "the Input");
   const shape::Mesh& surface = fresh.Surface.Surface;
@@ -123,19 +123,19 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   if (surface.Triangles.rows() == 0)
   {
     fresh.Curves = CurvesOf(data);
-    std::vector<std::vector<int>> rims = fresh.Curves.Rims;
+    std::vector<std::vector<int>> rims = fresh.Curves.Loops;
     fresh.Chosen = shape::ChooseLoops(surface, rims, this->Choice);
   }
   else
   {
-    fresh.Border = shape::BorderLoops(surface);
+    fresh.Border = shape::FindBoundaryLoops(surface);
     fresh.Chosen = shape::ChooseLoops(surface, fresh.Border.Loops, this->Choice);
   }
   progress(0.6);
   Kept& kept = *this->Cache;
   const bool isSame = kept.Filler && AreSame(surface, kept.Surface.Surface) &&
     fresh.Chosen == kept.Chosen && AreSame(this->Fill.Filler, kept.Options) &&
-    fresh.Curves.Rims == kept.Curves.Rims &&
+    fresh.Curves.Loops == kept.Curves.Loops &&
     fresh.Curves.Normals.rows() == kept.Curves.Normals.rows() &&
     fresh.Curves.Normals == kept.Curves.Normals;
   if (!isSame)
@@ -144,7 +144,7 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
     std::vector<std::vector<int>> loops;
     for (const int loop : fresh.Chosen)
     {
-      loops.push_back(areCurves ? fresh.Curves.Rims[loop] : fresh.Border.Loops[loop]);
+      loops.push_back(areCurves ? fresh.Curves.Loops[loop] : fresh.Border.Loops[loop]);
     }
     fresh.Options = this->Fill.Filler;
     fresh.Filler = areCurves
@@ -172,12 +172,12 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
   const Kept& kept = *this->Cache;
   const shape::FilledSurface filled = kept.Filler->Fill(this->Fill, progress.Part(0.1, 0.9));
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
-  vtkShapeFilledData::Write(filled, kept.Surface, this->GetWhole(0).Data, output);
+  vtkShapeFilledData::Write(filled, kept.Surface, this->GetGatheredInput(0).Data, output);
   progress(0.95);
   const bool areCurves = kept.Surface.Surface.Triangles.rows() == 0;
   const std::pair<const char*, double> facts[] = {
     { "Loops",
-      static_cast<double>(areCurves ? kept.Curves.Rims.size() : kept.Border.Loops.size()) },
+      static_cast<double>(areCurves ? kept.Curves.Loops.size() : kept.Border.Loops.size()) },
     { "UnclosedSides", kept.Border.UnclosedSides }, { "LooseSegments", kept.Curves.LooseSegments },
     { "SkippedFaces", kept.Curves.SkippedFaces }
   };

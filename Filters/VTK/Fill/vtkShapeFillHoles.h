@@ -5,7 +5,7 @@
  * Input: a surface, manifold or not, whose open loops are holes (polygons are triangulated inside;
  * points at one place hang together). Blocks and distributed pieces are joined first. Or, without
  * polygons, closed polylines or a network of lines, with point `Normals` or without: each face of
- * it gets a patch (shape::FindRims).
+ * it gets a patch (shape::FindCurveLoops).
  *
  * Output: the input with the fills, whose triangles are as long as the sides of the loops, and the
  * cell array `Filled` (int, 1 in fills, else 0). Points, cells and their data are those of the

@@ -30,12 +30,12 @@ void ContinueColumns(const shape::Mesh& surface, const shape::FilledHole& hole,
   for (Eigen::Index column = 0; column < values.cols(); ++column)
   {
     const auto& [array, component] = columns[column];
-    for (const int point : hole.Rim)
+    for (const int point : hole.Loop)
     {
       values(point, column) = array->GetComponent(point, component);
     }
   }
-  const Eigen::MatrixXd own = shape::ValuesOnFill(surface, hole, values);
+  const Eigen::MatrixXd own = shape::ExtendValuesOntoFill(surface, hole, values);
   for (Eigen::Index column = 0; column < own.cols(); ++column)
   {
     const auto& [array, component] = columns[column];

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Fill/FillHoles.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 
@@ -13,8 +13,8 @@ namespace vtkShapeFillValues
 {
 
 /// Carries a surface's values (vtkShapeConvert::AreValues) on from the rims of its fills: see
-/// shape::ValuesOnFill. points: tuples for the fills, too; those of bytes, which are colours, are
-/// rounded. leftOut: an array that stays as it is, or nullptr.
+/// shape::ExtendValuesOntoFill. points: tuples for the fills, too; those of bytes, which are
+/// colours, are rounded. leftOut: an array that stays as it is, or nullptr.
 void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,
   vtkDataSetAttributes* points, const vtkDataArray* leftOut = nullptr);
 

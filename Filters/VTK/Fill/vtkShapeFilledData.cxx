@@ -104,7 +104,7 @@ void WritePointData(const FilledSurface& filled, const std::vector<shape::FillSo
   vtkShapeFillValues::Continue(filled.Surface, filled.Holes, data, normals);
   if (normals)
   {
-    WriteNormals(shape::MaxNormals(filled.Surface), old, old, normals);
+    WriteNormals(shape::ComputeMaxNormals(filled.Surface), old, old, normals);
   }
 }
 
@@ -138,7 +138,8 @@ void WriteCellData(const FilledSurface& filled, const std::vector<shape::FillSou
   data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   if (vtkDataArray* normals = NormalsOf(data))
   {
-    WriteNormals(shape::AreaVectors(filled.Surface).rowwise().normalized(), first, begin, normals);
+    WriteNormals(
+      shape::ComputeAreaVectors(filled.Surface).rowwise().normalized(), first, begin, normals);
   }
   Eigen::VectorXi isFilled = Eigen::VectorXi::Zero(output->GetNumberOfCells());
   isFilled.segment(begin, count).setOnes();
@@ -166,7 +167,7 @@ void vtkShapeFilledData::Write(const FilledSurface& filled, const shape::Numbere
   WritePoints(filled, input, output);
   const vtkIdType begin = WriteCells(filled, numbered.Surface.Triangles.rows(), input, output);
   const std::vector<shape::FillSources> sources =
-    shape::SourcesOfFills(filled.Surface, filled.Holes);
+    shape::FindFillSources(filled.Surface, filled.Holes);
   WritePointData(filled, sources, input, output);
   WriteCellData(filled, sources, numbered, begin, input, output);
   output->GetFieldData()->PassData(input->GetFieldData());
@@ -178,7 +179,7 @@ void vtkShapeFilledData::AddFacts(
   vtkFieldData* data = output->GetFieldData();
   const std::pair<const char*, std::function<double(const FilledHole&)>> numbers[] = {
     { "Loop", [&](const FilledHole& hole) { return loops[hole.Number]; } },
-    { "LoopPoints", [](const FilledHole& hole) { return static_cast<double>(hole.Rim.size()); } },
+    { "LoopPoints", [](const FilledHole& hole) { return static_cast<double>(hole.Loop.size()); } },
     { "Nonplanarity", [](const FilledHole& hole) { return hole.Nonplanarity; } },
     { "NormalDeviationBefore", [](const FilledHole& hole) { return hole.DeviationBefore; } },
     { "NormalDeviationAfter", [](const FilledHole& hole) { return hole.DeviationAfter; } },

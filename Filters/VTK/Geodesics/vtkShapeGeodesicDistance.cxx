@@ -1,7 +1,7 @@
 #include "vtkShapeGeodesicDistance.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -18,13 +18,13 @@ vtkShapeGeodesicDistance::vtkShapeGeodesicDistance()
 
 void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
 {
-  const WholeInput& whole = this->GetWhole(0);
+  const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
-  const shape::GeodesicDistanceResult result = shape::GeodesicDistance(
-    mesh, vtkShapeConvert::ToPoints(this->GetWhole(1).Grid), this->Options, progress);
+  const shape::GeodesicDistanceResult result = shape::ComputeGeodesicDistance(
+    mesh, vtkShapeConvert::ToPoints(this->GetGatheredInput(1).Grid), this->Options, progress);
 
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(0, 0), output,
+  vtkShapeComposite::AddPointFields(this->GetInputDataObject(0, 0), output,
     { { "GeodesicDistance", vtkShapeConvert::Rows(result.Distances, whole.OwnPoints) } });
   vtkShapeConvert::AddFact(output, "GeodesicDistance.UnreachedPoints", result.Unreached);
 }

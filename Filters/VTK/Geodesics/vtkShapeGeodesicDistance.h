@@ -16,7 +16,7 @@
  * Heat: each of its two or three factorisations is one library call: an abort takes effect at its
  * end.
  *
- * The mathematics: shape::GeodesicDistance.
+ * The mathematics: shape::ComputeGeodesicDistance.
  */
 #ifndef vtkShapeGeodesicDistance_h
 #define vtkShapeGeodesicDistance_h

@@ -1,7 +1,7 @@
 #include "vtkShapeMorph.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -68,22 +68,22 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
   const double share =
     1.0 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
   double done = 0.0;
-  vtkShapeLeaves::ForEach(input, moved, vtkShapeLeaves::Points::Moved,
+  vtkShapeComposite::ForEach(input, moved, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const double next = done + share * from->GetNumberOfPoints();
       const shape::Progress part = progress.Part(done, next);
       done = next;
-      const Eigen::MatrixXd places = vtkShapeConvert::ToPoints(from);
-      shape::RequireFinite(places, "the Input");
+      const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(from);
+      shape::RequireFinite(positions, "the Input");
       part(0.2);
       const Eigen::MatrixXd targets =
         vtkShapeConvert::ToPointArray(from, this->MapArray, 3, "the Input");
       shape::RequireFinite(targets, "the map array of the Input");
       part(0.4);
-      vtkShapeLeaves::Move(from, (1.0 - time) * places + time * targets, to);
+      vtkShapeComposite::Move(from, (1.0 - time) * positions + time * targets, to);
       part(0.8);
-      to->GetPointData()->AddArray(vtkShapeConvert::ToArray(places, "SourcePosition"));
+      to->GetPointData()->AddArray(vtkShapeConvert::ToArray(positions, "SourcePosition"));
       part(1.0);
     });
   moved->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);

@@ -1,17 +1,17 @@
 #include "vtkShapeApplyVolumeMap.h"
 
 #include "vtkShapeChargeSet.h"
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "Harmonic/ApplyVolumeMap.h"
-#include "Harmonic/LayeredInverse.h"
+#include "Harmonic/PiecewiseInverseMap.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <array>
@@ -31,11 +31,11 @@ vtkShapeApplyVolumeMap::vtkShapeApplyVolumeMap()
 void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
 {
   vtkDataObject* domain = this->GetInputDataObject(0, 0);
-  for (vtkDataSet* leaf : vtkShapeLeaves::Of(domain))
+  for (vtkDataSet* leaf : vtkShapeComposite::Of(domain))
   {
     shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Input");
   }
-  const std::vector<vtkDataSet*> maps = vtkShapeLeaves::Of(this->GetInputDataObject(1, 0));
+  const std::vector<vtkDataSet*> maps = vtkShapeComposite::Of(this->GetInputDataObject(1, 0));
   const auto count = std::count_if(
     maps.begin(), maps.end(), [](vtkDataSet* leaf) { return leaf->GetNumberOfPoints() > 0; });
   if (count > 1)
@@ -43,26 +43,26 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
     throw shape::InvalidInput("the Map has " + std::to_string(count) +
       " blocks; take one charge set out with Extract Block");
   }
-  const auto map = std::make_shared<const shape::LayeredMap>(
-    vtkShapeChargeSet::Read(this->GetWhole(1).Data, "the Map"), progress.Part(0.05, 0.1));
+  const auto map = std::make_shared<const shape::PiecewiseHarmonicMap>(
+    vtkShapeChargeSet::Read(this->GetGatheredInput(1).Data, "the Map"), progress.Part(0.05, 0.1));
 
   std::array<vtkIdType, 3> counts{};
   vtkDataObject* moved = this->GetOutputDataObject(0);
   if (this->Inverse)
   {
-    const shape::LayeredInverse inverse(map, {}, progress.Part(0.1, 0.3));
-    const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
+    const shape::PiecewiseInverseMap inverse(map, {}, progress.Part(0.1, 0.3));
+    const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     {
       const shape::InverseMap::Result found = inverse.Find(points, part);
       return shape::MovedPoints{ found.Points, found.States };
     };
-    counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.3, 1.0));
+    counts = vtkShapeChargeSet::Move(domain, moved, position, progress.Part(0.3, 1.0));
   }
   else
   {
-    const auto place = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
+    const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(*map, points, part); };
-    counts = vtkShapeChargeSet::Move(domain, moved, place, progress.Part(0.1, 1.0));
+    counts = vtkShapeChargeSet::Move(domain, moved, position, progress.Part(0.1, 1.0));
   }
   this->AddCount(0, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
   this->AddCount(0, "ApplyVolumeMap.NotInverted", static_cast<double>(counts[2]));

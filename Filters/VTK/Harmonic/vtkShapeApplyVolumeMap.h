@@ -25,7 +25,7 @@
  * Field data: ApplyVolumeMap.OutsidePoints and ApplyVolumeMap.NotInverted count the points with 1
  * and with 2 (over all processes, without ghosts).
  *
- * The mathematics: shape::ApplyVolumeMap, shape::LayeredInverse.
+ * The mathematics: shape::ApplyVolumeMap, shape::PiecewiseInverseMap.
  */
 #ifndef vtkShapeApplyVolumeMap_h
 #define vtkShapeApplyVolumeMap_h

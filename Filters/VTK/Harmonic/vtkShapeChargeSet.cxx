@@ -1,7 +1,7 @@
 #include "vtkShapeChargeSet.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -63,7 +63,7 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
   const Eigen::VectorXd values = vtkShapeConvert::ToPointArray(data, "RegionId", 1, name);
   for (Eigen::Index i = 0; i < values.size(); ++i)
   {
-    if (!(values(i) >= shape::LayeredCharges::Void && values(i) < regions))
+    if (!(values(i) >= shape::PiecewiseCharges::Void && values(i) < regions))
     {
       throw shape::InvalidInput(name + " has " + std::to_string(regions) +
         " affine parts, but RegionId " + std::to_string(values(i)) + " at point " +
@@ -75,11 +75,11 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
 }
 
 /// Half the least distance of a charge to the surface; without charges the map holds everywhere.
-double MeasuredFarthest(const Eigen::MatrixXd& charges, const shape::Mesh& surface)
+double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Mesh& surface)
 {
   return charges.rows() > 0
     ? 0.5 * shape::SurfaceLocator(surface).Find(charges).Distances.minCoeff()
-    : shape::LongestSide(surface.Points);
+    : shape::ComputeLongestBoxEdge(surface.Points);
 }
 
 /// The rows of a charge set that carry a charge.
@@ -100,10 +100,10 @@ std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
 
 double vtkShapeChargeSet::Farthest(double offsetDistance, const shape::Mesh& surface)
 {
-  return 0.5 * offsetDistance * shape::LongestSide(surface.Points);
+  return 0.5 * offsetDistance * shape::ComputeLongestBoxEdge(surface.Points);
 }
 
-shape::LayeredCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::string& name)
+shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::string& name)
 {
   const std::vector<Affine> affines = ReadAffines(data, name);
   const auto count = static_cast<int>(affines.size());
@@ -118,7 +118,7 @@ shape::LayeredCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::stri
   const shape::Mesh all = vtkShapeConvert::ToMesh(data, name);
   shape::RequireFinite(all.Points, name);
 
-  shape::LayeredCharges contents;
+  shape::PiecewiseCharges contents;
   contents.Maps.resize(count);
   const std::vector<int> sources = ChargedRows(charges);
   for (int r = 0; r < count; ++r)
@@ -174,11 +174,11 @@ shape::LayeredCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::stri
   vtkDataArray* offset = data->GetFieldData()->GetArray("HarmonicVolumeMap.OffsetDistance");
   contents.Farthest = offset && offset->GetNumberOfTuples() > 0
     ? Farthest(offset->GetComponent(0, 0), contents.Surface)
-    : MeasuredFarthest(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
+    : MeasuredMaximum(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
   return contents;
 }
 
-void vtkShapeChargeSet::Write(const shape::LayeredCharges& set, vtkPolyData* output)
+void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* output)
 {
   const auto regions = static_cast<int>(set.Maps.size());
   std::vector<std::vector<int>> sources;
@@ -228,31 +228,31 @@ void vtkShapeChargeSet::Write(const shape::LayeredCharges& set, vtkPolyData* out
 
 std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataObject* moved,
   const std::function<shape::MovedPoints(
-    const Eigen::MatrixXd& points, const shape::Progress& progress)>& place,
+    const Eigen::MatrixXd& points, const shape::Progress& progress)>& position,
   const shape::Progress& progress)
 {
   std::array<vtkIdType, 3> counts{};
   double done = 0.0;
   const double share =
     1.0 / std::max<vtkIdType>(1, domain->GetNumberOfElements(vtkDataObject::POINT));
-  vtkShapeLeaves::ForEach(domain, moved, vtkShapeLeaves::Points::Moved,
+  vtkShapeComposite::ForEach(domain, moved, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* input, vtkDataSet* output)
     {
       const Eigen::MatrixXd sources = vtkShapeConvert::ToPoints(input);
       const double next = std::min(1.0, done + share * sources.rows());
-      const shape::MovedPoints places = place(sources, progress.Part(done, next));
+      const shape::MovedPoints positions = position(sources, progress.Part(done, next));
       done = next;
       vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
       for (Eigen::Index i = 0; i < sources.rows(); ++i)
       {
         const bool own =
           !ghosts || (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0;
-        counts[places.OutsideDomain(i)] += own;
+        counts[positions.OutsideDomain(i)] += own;
       }
-      vtkShapeLeaves::Move(input, places.Points, output);
+      vtkShapeComposite::Move(input, positions.Points, output);
       output->GetPointData()->AddArray(vtkShapeConvert::ToArray(sources, "SourcePosition"));
       output->GetPointData()->AddArray(
-        vtkShapeConvert::ToIntegers(places.OutsideDomain, "OutsideDomain"));
+        vtkShapeConvert::ToIntegers(positions.OutsideDomain, "OutsideDomain"));
     });
   return counts;
 }

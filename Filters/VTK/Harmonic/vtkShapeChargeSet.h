@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Harmonic/ApplyVolumeMap.h"
+#include "Mesh/Mesh.h"
 
 #include "vtkType.h"
 
@@ -20,7 +20,7 @@ class vtkPolyData;
  * Of a map of several layers: `RegionId` (int) at the points says to which region's map a charge
  * belongs, and at the surfaces' points and on their cells, which region the surface encloses (-1: a
  * void); `Affine` has one tuple of 12 for each region, the rows of its A and b; field data `Skin`
- * has one number for each (LayeredCharges).
+ * has one number for each (PiecewiseCharges).
  */
 namespace vtkShapeChargeSet
 {
@@ -31,10 +31,10 @@ double Farthest(double offsetDistance, const shape::Mesh& surface);
 
 /// Throws shape::InvalidInput where `data` is no charge set; `name` is what the message calls it.
 /// The charges' distance is the field data HarmonicVolumeMap.OffsetDistance, or else measured.
-shape::LayeredCharges Read(vtkPolyData* data, const std::string& name);
+shape::PiecewiseCharges Read(vtkPolyData* data, const std::string& name);
 
 /// Makes `output` the charge set; charges of zero are left out.
-void Write(const shape::LayeredCharges& charges, vtkPolyData* output);
+void Write(const shape::PiecewiseCharges& charges, vtkPolyData* output);
 
 /**
  * Makes `moved` the data `domain` with every data set's points where `place` puts them, with
@@ -43,7 +43,7 @@ void Write(const shape::LayeredCharges& charges, vtkPolyData* output);
  */
 std::array<vtkIdType, 3> Move(vtkDataObject* domain, vtkDataObject* moved,
   const std::function<shape::MovedPoints(
-    const Eigen::MatrixXd& points, const shape::Progress& progress)>& place,
+    const Eigen::MatrixXd& points, const shape::Progress& progress)>& position,
   const shape::Progress& progress);
 
 } // namespace vtkShapeChargeSet

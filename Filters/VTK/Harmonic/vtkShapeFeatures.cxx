@@ -6,8 +6,8 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "Geometry/FeatureCurves.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 
@@ -68,12 +68,12 @@ shape::VolumeFeatures ByArcLength(vtkPolyData* feature, vtkPolyData* target, dou
   const std::vector<Path> paths = Paths(feature);
   const shape::MatchedCurves matched =
     shape::MatchCurves(Curves(feature, paths), Curves(target, Paths(target)), longestStep, name);
-  shape::VolumeFeatures result{ matched.Points, matched.Targets, matched.Places };
+  shape::VolumeFeatures result{ matched.Points, matched.Targets, matched.Positions };
   for (Eigen::Index i = 0; i < result.Weights.size(); ++i)
   {
     const Path& path = paths[matched.Curves(i)];
-    const auto before = static_cast<std::size_t>(matched.Places(i));
-    const double t = matched.Places(i) - static_cast<double>(before);
+    const auto before = static_cast<std::size_t>(matched.Positions(i));
+    const double t = matched.Positions(i) - static_cast<double>(before);
     const std::size_t after = std::min(before + 1, path.size() - 1);
     result.Weights(i) = (1.0 - t) * weights(path[before]) + t * weights(path[after]);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Harmonic/LayeredVolumeMap.h"
+#include "Harmonic/PiecewiseVolumeMap.h"
 
 #include <string>
 #include <vector>

@@ -187,7 +187,7 @@ void vtkShapeHarmonicTransform::Transform(
   }
   for (int r = 0; r < 3; ++r)
   {
-    out[r] = static_cast<Number>(result.Place(r));
+    out[r] = static_cast<Number>(result.Position(r));
     for (int c = 0; derivative && c < 3; ++c)
     {
       derivative[r][c] = static_cast<Number>(result.Jacobian(r, c));
@@ -242,7 +242,7 @@ void vtkShapeHarmonicTransform::InverseTransformDerivative(
 /// Points at their new places, and the derivative of the transformation there.
 struct vtkShapeHarmonicTransform::Many
 {
-  std::vector<Eigen::Vector3d> Places;
+  std::vector<Eigen::Vector3d> Positions;
   std::vector<Eigen::Matrix3d> Derivatives;
 };
 
@@ -253,9 +253,9 @@ vtkShapeHarmonicTransform::Many vtkShapeHarmonicTransform::TransformMany(vtkPoin
   Eigen::MatrixXd rows(count, 3);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    Eigen::Vector3d place;
-    points->GetPoint(i, place.data());
-    rows.row(i) = place.transpose();
+    Eigen::Vector3d position;
+    points->GetPoint(i, position.data());
+    rows.row(i) = position.transpose();
   }
   std::vector<shape::VolumeTransform::Result> results;
   if (this->Map)
@@ -268,7 +268,7 @@ vtkShapeHarmonicTransform::Many vtkShapeHarmonicTransform::TransformMany(vtkPoin
     const shape::VolumeTransform::Result result =
       this->Map ? results[i] : shape::VolumeTransform::Result{ rows.row(i).transpose() };
     this->NotInverted += result.State == shape::InverseMap::State::Missed;
-    many.Places.push_back(result.Place);
+    many.Positions.push_back(result.Position);
     many.Derivatives.push_back(this->InverseFlag ? Inverted(result.Jacobian) : result.Jacobian);
   }
   return many;
@@ -276,9 +276,9 @@ vtkShapeHarmonicTransform::Many vtkShapeHarmonicTransform::TransformMany(vtkPoin
 
 void vtkShapeHarmonicTransform::TransformPoints(vtkPoints* inPts, vtkPoints* outPts)
 {
-  for (const Eigen::Vector3d& place : this->TransformMany(inPts).Places)
+  for (const Eigen::Vector3d& position : this->TransformMany(inPts).Positions)
   {
-    outPts->InsertNextPoint(place.data());
+    outPts->InsertNextPoint(position.data());
   }
 }
 
@@ -287,11 +287,11 @@ void vtkShapeHarmonicTransform::TransformPointsNormalsVectors(vtkPoints* inPts, 
   int nOptionalVectors, vtkDataArray** inVrsArr, vtkDataArray** outVrsArr)
 {
   const Many many = this->TransformMany(inPts);
-  for (std::size_t i = 0; i < many.Places.size(); ++i)
+  for (std::size_t i = 0; i < many.Positions.size(); ++i)
   {
     const auto id = static_cast<vtkIdType>(i);
     const Eigen::Matrix3d& derivative = many.Derivatives[i];
-    outPts->InsertNextPoint(many.Places[i].data());
+    outPts->InsertNextPoint(many.Positions[i].data());
     if (inNms)
     {
       outNms->InsertNextTuple(TurnedNormal(derivative, Tuple(inNms, id)).data());

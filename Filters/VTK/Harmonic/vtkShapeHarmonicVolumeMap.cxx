@@ -1,10 +1,10 @@
 #include "vtkShapeHarmonicVolumeMap.h"
 
 #include "vtkShapeChargeSet.h"
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFeatures.h"
 #include "vtkShapeGather.h"
-#include "vtkShapeLeaves.h"
 #include "vtkShapeSolid.h"
 #include "vtkShapeVolumeMapFacts.h"
 
@@ -19,12 +19,12 @@
 #include "vtkTable.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
+#include "Distance/TargetDistance.h"
 #include "Harmonic/ApplyVolumeMap.h"
 #include "Harmonic/FreeBoundary.h"
-#include "Harmonic/LayeredVolumeMap.h"
 #include "Harmonic/NearSourceSystem.h"
-#include "Distance/TargetDistance.h"
+#include "Harmonic/PiecewiseVolumeMap.h"
+#include "Mesh/Topology.h"
 
 #include <string>
 #include <utility>
@@ -78,9 +78,10 @@ constexpr double LongestStep = 0.01;
 const std::string Facts = vtkShapeVolumeMapFacts::Prefix;
 
 /// One harmonic map as a solution of one region.
-shape::LayeredVolumeMapResult OneRegion(shape::HarmonicVolumeMapResult map, const shape::Mesh& mesh)
+shape::PiecewiseVolumeMapResult OneRegion(
+  shape::HarmonicVolumeMapResult map, const shape::Mesh& mesh)
 {
-  shape::LayeredVolumeMapResult result;
+  shape::PiecewiseVolumeMapResult result;
   result.Charges = { { map.Map }, mesh };
   result.Charges.Farthest = vtkShapeChargeSet::Farthest(map.OffsetDistance, mesh);
   // The last level's errors are those of the whole sum, whether it was kept or not.
@@ -97,7 +98,7 @@ shape::LayeredVolumeMapResult OneRegion(shape::HarmonicVolumeMapResult map, cons
 Eigen::MatrixXd vtkShapeHarmonicVolumeMap::Solve(
   vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress)
 {
-  vtkPolyData* boundary = this->GetWhole(1).Data;
+  vtkPolyData* boundary = this->GetGatheredInput(1).Data;
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
   Eigen::MatrixXd targets =
     vtkShapeConvert::ToPointArray(boundary, this->MapArray, 3, "the Boundary");
@@ -109,15 +110,16 @@ Eigen::MatrixXd vtkShapeHarmonicVolumeMap::Solve(
                               "boundary's images slide on; connect it, or turn FreeBoundary off");
   }
   const double targetDistance = hasTarget
-    ? shape::TargetDistance(mesh, targets,
-        vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), progress.Part(0.0, 0.02))
+    ? shape::ComputeTargetDistance(mesh, targets,
+        vtkShapeConvert::ToMesh(this->GetGatheredInput(4).Data, "the Target"),
+        progress.Part(0.0, 0.02))
     : 0.0;
   const auto wholes = [&](int port)
   {
     std::vector<vtkPolyData*> all;
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
-      all.push_back(this->GetWhole(port, i).Data);
+      all.push_back(this->GetGatheredInput(port, i).Data);
     }
     return all;
   };
@@ -126,25 +128,26 @@ Eigen::MatrixXd vtkShapeHarmonicVolumeMap::Solve(
   {
     given = vtkShapeFeatures::TakeSurfaces(given.Features, given.Targets, this->MapArray);
   }
-  const shape::VolumeFeatures features = vtkShapeFeatures::Read(given.Features, given.Targets,
-    this->MapArray, this->Options.FeatureWeight, LongestStep * shape::LongestSide(mesh.Points));
+  const shape::VolumeFeatures features =
+    vtkShapeFeatures::Read(given.Features, given.Targets, this->MapArray,
+      this->Options.FeatureWeight, LongestStep * shape::ComputeLongestBoxEdge(mesh.Points));
   shape::HarmonicVolumeMapResult one;
   shape::FreeBoundaryResult freed;
   if (this->FreeBoundary || !this->Exact)
   {
-    one = shape::HarmonicVolumeMap(mesh, targets, features, this->Options,
+    one = shape::ComputeHarmonicVolumeMap(mesh, targets, features, this->Options,
       progress.Part(0.02, this->FreeBoundary ? 0.3 : 1.0), this->Setup.get());
   }
   if (this->FreeBoundary)
   {
-    freed = shape::FreeBoundary(mesh, targets,
-      vtkShapeConvert::ToMesh(this->GetWhole(4).Data, "the Target"), features, this->Options, one,
-      progress.Part(0.3, this->Exact ? 0.6 : 1.0));
+    freed = shape::SlideBoundary(mesh, targets,
+      vtkShapeConvert::ToMesh(this->GetGatheredInput(4).Data, "the Target"), features,
+      this->Options, one, progress.Part(0.3, this->Exact ? 0.6 : 1.0));
     targets = freed.Targets;
     one = freed.Map;
   }
-  const shape::LayeredVolumeMapResult result = this->Exact
-    ? shape::LayeredVolumeMap(mesh, targets, given.Surfaces, features, this->Options, {},
+  const shape::PiecewiseVolumeMapResult result = this->Exact
+    ? shape::ComputePiecewiseVolumeMap(mesh, targets, given.Surfaces, features, this->Options, {},
         progress.Part(this->FreeBoundary ? 0.6 : 0.02, 1.0))
     : OneRegion(std::move(one), mesh);
 
@@ -175,10 +178,10 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   vtkNew<vtkPolyData> found;
   vtkNew<vtkTable> table;
   Eigen::MatrixXd images; // of the boundary's points
-  vtkShapeGather::TogetherOrNotAtAll(controller,
+  vtkShapeGather::RunOnAllOrFail(controller,
     [&]
     {
-      for (vtkDataSet* leaf : vtkShapeLeaves::Of(domain))
+      for (vtkDataSet* leaf : vtkShapeComposite::Of(domain))
       {
         shape::RequireFinite(vtkShapeConvert::ToPoints(leaf), "the Domain");
       }
@@ -193,7 +196,8 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     });
   vtkShapeGather::Share(controller, found);
   vtkShapeGather::Share(controller, images);
-  const shape::LayeredMap map(vtkShapeChargeSet::Read(found, "the map"), progress.Part(0.8, 0.82));
+  const shape::PiecewiseHarmonicMap map(
+    vtkShapeChargeSet::Read(found, "the map"), progress.Part(0.8, 0.82));
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
@@ -202,7 +206,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   if (this->FoldFree)
   {
     const auto inverted = vtkShapeSolid::MakeFoldFree(domain, moved,
-      vtkShapeConvert::ToMesh(this->GetWhole(1).Data, "the Boundary"), images, controller,
+      vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Boundary"), images, controller,
       progress.Part(0.9, 1.0));
     vtkShapeConvert::AddFact(moved, Facts + "InvertedBefore", inverted.first);
     vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);

@@ -65,7 +65,7 @@
  *
  * A singular value decomposition is a single library call: an abort takes effect at its end.
  *
- * The mathematics: shape::HarmonicVolumeMap.
+ * The mathematics: shape::ComputeHarmonicVolumeMap.
  */
 #ifndef vtkShapeHarmonicVolumeMap_h
 #define vtkShapeHarmonicVolumeMap_h

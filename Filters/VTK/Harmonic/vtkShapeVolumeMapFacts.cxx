@@ -51,13 +51,13 @@ const char* Word(shape::HarmonicVolumeMapResult::Stop reason)
 
 /// Errors at the borders, an entry for each region.
 void AddBorders(
-  const std::vector<shape::LayeredVolumeMapResult::Border>& borders, vtkDataObject* output)
+  const std::vector<shape::PiecewiseVolumeMapResult::Border>& boundaries, vtkDataObject* output)
 {
-  Eigen::MatrixXd columns(borders.size(), 5);
-  for (std::size_t i = 0; i < borders.size(); ++i)
+  Eigen::MatrixXd columns(boundaries.size(), 5);
+  for (std::size_t i = 0; i < boundaries.size(); ++i)
   {
-    columns.row(i) << borders[i].RMSEVertices, borders[i].RMSEInside, borders[i].Maximum,
-      borders[i].JumpRMS, borders[i].JumpMaximum;
+    columns.row(i) << boundaries[i].RMSEVertices, boundaries[i].RMSEInside, boundaries[i].Maximum,
+      boundaries[i].JumpRMS, boundaries[i].JumpMaximum;
   }
   const char* names[] = { "BorderRMSEVertices", "BorderRMSEInside", "BorderMaximum",
     "BorderJumpRMS", "BorderJumpMaximum" };
@@ -92,8 +92,8 @@ void vtkShapeVolumeMapFacts::WriteLevels(
   }
 }
 
-void vtkShapeVolumeMapFacts::AddFacts(const shape::LayeredVolumeMapResult& result,
-  shape::HarmonicVolumeMapOptions::MethodType method, bool borders, vtkDataObject* output)
+void vtkShapeVolumeMapFacts::AddFacts(const shape::PiecewiseVolumeMapResult& result,
+  shape::HarmonicVolumeMapOptions::MethodType method, bool boundaries, vtkDataObject* output)
 {
   using Stop = shape::HarmonicVolumeMapResult::Stop;
   const auto& boundary = result.Borders.front();
@@ -119,7 +119,7 @@ void vtkShapeVolumeMapFacts::AddFacts(const shape::LayeredVolumeMapResult& resul
   }
   vtkShapeConvert::AddFact(output, Fact("Method"), Word(method));
   vtkShapeConvert::AddFact(output, Fact("Stop"), Word(reason));
-  if (borders)
+  if (boundaries)
   {
     AddBorders(result.Borders, output);
   }

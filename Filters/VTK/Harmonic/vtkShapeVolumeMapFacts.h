@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Harmonic/LayeredVolumeMap.h"
+#include "Harmonic/PiecewiseVolumeMap.h"
 
 #include <vector>
 
@@ -20,7 +20,7 @@ void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult>& regions, vtk
 
 /// Field data: errors, what the method did and why it stopped; with `borders` an entry for each
 /// region of what is left over at the surface around it.
-void AddFacts(const shape::LayeredVolumeMapResult& result,
-  shape::HarmonicVolumeMapOptions::MethodType method, bool borders, vtkDataObject* output);
+void AddFacts(const shape::PiecewiseVolumeMapResult& result,
+  shape::HarmonicVolumeMapOptions::MethodType method, bool boundaries, vtkDataObject* output);
 
 } // namespace vtkShapeVolumeMapFacts

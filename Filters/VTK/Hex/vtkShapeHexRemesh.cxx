@@ -48,11 +48,11 @@ shape::GivenPolycube ToPolycube(vtkPolyData* data)
   const Eigen::MatrixXd sources =
     vtkShapeConvert::ToPointArray(data, "SourcePosition", 3, "the Polycube");
   shape::RequireFinite(sources, "the Polycube's SourcePosition");
-  vtkNew<vtkPoints> places;
-  places->SetData(vtkShapeConvert::ToArray(sources, "Points"));
+  vtkNew<vtkPoints> positions;
+  positions->SetData(vtkShapeConvert::ToArray(sources, "Points"));
   vtkNew<vtkPolyData> unfolded;
   unfolded->ShallowCopy(data);
-  unfolded->SetPoints(places);
+  unfolded->SetPoints(positions);
   shape::Mesh surface = vtkShapeConvert::ToMesh(unfolded, "the Polycube");
   surface.Points = vtkShapeConvert::ToPoints(data);
   return { std::move(surface), sources };
@@ -65,17 +65,17 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
   shape::HexRemeshGuides guides;
   if (!this->SizeArray.empty() && this->SizeArray != "None")
   {
-    guides.Sizes =
-      vtkShapeConvert::ToPointArray(this->GetWhole(0).Data, this->SizeArray, 1, "the Surface");
+    guides.Sizes = vtkShapeConvert::ToPointArray(
+      this->GetGatheredInput(0).Data, this->SizeArray, 1, "the Surface");
   }
   if (this->GetNumberOfInputConnections(1) > 0)
   {
-    guides.Polycube = ToPolycube(this->GetWhole(1).Data);
+    guides.Polycube = ToPolycube(this->GetGatheredInput(1).Data);
   }
   for (int i = 0; i < this->GetNumberOfInputConnections(2); ++i)
   {
-    guides.InnerSurfaces.push_back(
-      vtkShapeConvert::ToMesh(this->GetWhole(2, i).Data, "inner surface " + std::to_string(i)));
+    guides.InnerSurfaces.push_back(vtkShapeConvert::ToMesh(
+      this->GetGatheredInput(2, i).Data, "inner surface " + std::to_string(i)));
   }
   return guides;
 }
@@ -87,11 +87,11 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
   {
     return;
   }
-  vtkPolyData* input = this->GetWhole(0).Data;
+  vtkPolyData* input = this->GetGatheredInput(0).Data;
   const shape::Mesh surface = vtkShapeConvert::ToMesh(input, "the Surface");
   const shape::HexRemeshGuides guides = this->ReadGuides();
   const shape::HexRemeshResult result =
-    shape::HexRemesh(surface, this->Options, progress.Part(0.0, 0.98), guides);
+    shape::RemeshHexahedra(surface, this->Options, progress.Part(0.0, 0.98), guides);
   auto* hexahedra = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
   vtkShapeHexResult::WriteHexahedra(result.Fit, hexahedra);
   vtkShapeHexResult::WriteBoundary(

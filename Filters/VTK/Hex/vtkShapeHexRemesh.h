@@ -45,7 +45,7 @@
  * (pairs of the surface's triangles that cross), .EulerNumber and .Components of the boundary; of
  * each of Verdict's further measures its minimum, mean and maximum, as HexRemesh.Volume.
  *
- * The mathematics: shape::HexRemesh.
+ * The mathematics: shape::RemeshHexahedra.
  */
 #ifndef vtkShapeHexRemesh_h
 #define vtkShapeHexRemesh_h

@@ -17,8 +17,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Mesh/Topology.h"
-#include "Search/ClosestPoint.h"
 #include "Quality/ScaledJacobian.h"
+#include "Search/ClosestPoint.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -54,12 +54,12 @@ vtkSmartPointer<vtkPoints> ToVtkPoints(const Eigen::MatrixXd& points)
 Eigen::VectorXd Distances(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const shape::Mesh& surface)
 {
-  Eigen::MatrixXd middles(quads.rows(), 3);
+  Eigen::MatrixXd midpoints(quads.rows(), 3);
   for (Eigen::Index q = 0; q < quads.rows(); ++q)
   {
-    middles.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
+    midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
   }
-  return shape::SurfaceLocator(surface).Find(middles).Distances;
+  return shape::SurfaceLocator(surface).Find(midpoints).Distances;
 }
 
 using Setter = void (vtkMeshQuality::*)();
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkIntArray> Histogram(const shape::HexMesh& solid)
 {
   constexpr int bins = 20;
   Eigen::VectorXi counts = Eigen::VectorXi::Zero(bins);
-  for (const double value : shape::ScaledJacobians(solid))
+  for (const double value : shape::ComputeScaledJacobians(solid))
   {
     ++counts(std::clamp(static_cast<int>(bins * value), 0, bins - 1));
   }
@@ -143,7 +143,7 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
   output->SetPoints(ToVtkPoints(fit.Solid.Points));
   output->SetCells(VTK_HEXAHEDRON, ToCellArray(fit.Solid.Hexahedra));
   output->GetCellData()->AddArray(
-    vtkShapeConvert::ToArray(shape::ScaledJacobians(fit.Solid), "ScaledJacobian"));
+    vtkShapeConvert::ToArray(shape::ComputeScaledJacobians(fit.Solid), "ScaledJacobian"));
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(fit.RegionOf, "RegionId"));
   AddMeasures(output);
 }
@@ -200,10 +200,10 @@ void vtkShapeHexResult::AddFacts(
 {
   const shape::HexFit& fit = result.Fit;
   const shape::Topology topology =
-    shape::SurfaceTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
+    shape::ComputeTopology({ fit.Solid.Points, shape::SplitQuads(fit.Quads) });
   const std::pair<const char*, double> facts[] = {
     { "Hexahedra", static_cast<double>(fit.Solid.Hexahedra.rows()) },
-    { "MinimumScaledJacobian", fit.LeastScaledJacobian },
+    { "MinimumScaledJacobian", fit.MinimumScaledJacobian },
     { "MeanScaledJacobian", fit.MeanScaledJacobian },
     { "Distance", fit.Distance },
     { "InnerDistance", fit.InnerDistance },

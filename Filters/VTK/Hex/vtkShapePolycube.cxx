@@ -1,7 +1,7 @@
 #include "vtkShapePolycube.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkIntArray> Labels(vtkDataSet* data, const Eigen::MatrixXd& pla
     {
       corners.row(k) = places.row(ids->GetId(k));
     }
-    labels(cell) = shape::PolygonLabel(corners);
+    labels(cell) = shape::FindPolygonLabel(corners);
   }
   return vtkShapeConvert::ToIntegers(labels, "Label");
 }
@@ -45,9 +45,9 @@ vtkSmartPointer<vtkIntArray> Labels(vtkDataSet* data, const Eigen::MatrixXd& pla
 
 void vtkShapePolycube::Execute(const shape::Progress& progress)
 {
-  const WholeInput& whole = this->GetWhole(0);
+  const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
-  const shape::PolycubeResult map = shape::Polycube(mesh, this->Options, progress);
+  const shape::PolycubeResult map = shape::BuildPolycube(mesh, this->Options, progress);
 
   // This process's points come block by block.
   const Eigen::MatrixXd positions = vtkShapeConvert::Rows(map.Positions, whole.OwnPoints);
@@ -55,7 +55,7 @@ void vtkShapePolycube::Execute(const shape::Progress& progress)
   vtkDataObject* surface = this->GetOutputDataObject(0);
   vtkDataObject* polycube = this->GetOutputDataObject(1);
   vtkIdType first = 0;
-  vtkShapeLeaves::ForEach(input, surface, vtkShapeLeaves::Points::Kept,
+  vtkShapeComposite::ForEach(input, surface, vtkShapeComposite::Points::Kept,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const Eigen::MatrixXd own = positions.middleRows(first, from->GetNumberOfPoints());
@@ -65,11 +65,11 @@ void vtkShapePolycube::Execute(const shape::Progress& progress)
       first += from->GetNumberOfPoints();
     });
   first = 0;
-  vtkShapeLeaves::ForEach(input, polycube, vtkShapeLeaves::Points::Moved,
+  vtkShapeComposite::ForEach(input, polycube, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const Eigen::MatrixXd own = positions.middleRows(first, from->GetNumberOfPoints());
-      vtkShapeLeaves::Move(from, own, to);
+      vtkShapeComposite::Move(from, own, to);
       to->GetPointData()->AddArray(
         vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
       to->GetCellData()->AddArray(Labels(from, own));

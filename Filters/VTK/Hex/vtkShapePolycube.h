@@ -20,7 +20,7 @@
  * An error says which charts are at fault where no polycube is found. TetGen is needed; it works in
  * a process of its own. Single library calls take up to a second: an abort takes effect after them.
  *
- * The mathematics: shape::Polycube.
+ * The mathematics: shape::BuildPolycube.
  */
 #ifndef vtkShapePolycube_h
 #define vtkShapePolycube_h

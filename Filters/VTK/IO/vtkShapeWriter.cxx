@@ -12,9 +12,9 @@
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 
-#include "Mesh/CellFaces.h"
 #include "Base/Errors.h"
 #include "IO/MeshSets.h"
+#include "Mesh/CellFaces.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -44,7 +44,7 @@ public:
 
 void RequireKnownCells(const shape::Cells& cells)
 {
-  const auto unknown = [](int kind) { return shape::CornerCount(kind) == 0; };
+  const auto unknown = [](int kind) { return shape::GetCornerCount(kind) == 0; };
   const auto first = std::find_if(cells.Kinds.begin(), cells.Kinds.end(), unknown);
   if (first != cells.Kinds.end())
   {
@@ -107,7 +107,7 @@ shape::MeshSets vtkShapeWriter::ReadInput(const shape::Progress& progress)
     grid->RemoveGhostCells();
   }
   shape::Cells cells = vtkShapeConvert::ToCells(grid, "the Input");
-  vtkShapeConvert::TurnVoxels(cells);
+  vtkShapeConvert::ReorderVoxels(cells);
   RequireKnownCells(cells);
   return shape::FindMeshSets(
     cells, ReadRegions(grid, this->RegionArray), this->FeatureAngle, progress);

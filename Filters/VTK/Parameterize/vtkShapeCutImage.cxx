@@ -1,7 +1,7 @@
 #include "vtkShapeCutImage.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -74,17 +74,17 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
       }
     }
   }
-  std::map<int, int> place;
+  std::map<int, int> position;
   std::vector<int> used;
   vtkNew<vtkIdTypeArray> originals;
   originals->SetName("OriginalPointId");
   for (const auto& [point, original] : ownOf)
   {
-    place[point] = static_cast<int>(used.size());
+    position[point] = static_cast<int>(used.size());
     used.push_back(point);
     originals->InsertNextValue(original);
   }
-  cut.Triangles = cut.Triangles.unaryExpr([&](int point) { return place[point]; }).eval();
+  cut.Triangles = cut.Triangles.unaryExpr([&](int point) { return position[point]; }).eval();
   cut.Points = vtkShapeConvert::Rows(this->Cut.Surface.Points, used);
 
   vtkNew<vtkPolyData> flat;
@@ -102,7 +102,7 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
     fields->CopyData(block->GetPointData(), originals->GetValue(i), i);
   }
   flat->GetFieldData()->PassData(block->GetFieldData());
-  vtkShapeLeaves::Move(flat, vtkShapeConvert::Rows(this->Positions, used), to);
+  vtkShapeComposite::Move(flat, vtkShapeConvert::Rows(this->Positions, used), to);
   to->GetPointData()->AddArray(vtkShapeConvert::ToArray(cut.Points, "SourcePosition"));
   to->GetPointData()->AddArray(originals);
 }

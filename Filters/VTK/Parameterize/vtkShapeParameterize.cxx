@@ -1,8 +1,8 @@
 #include "vtkShapeParameterize.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeCutImage.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkObjectFactory.h"
@@ -22,12 +22,12 @@ vtkShapeParameterize::vtkShapeParameterize()
 
 void vtkShapeParameterize::Execute(const shape::Progress& progress)
 {
-  const WholeInput& whole = this->GetWhole(0);
+  const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   Eigen::MatrixXd landmarks(0, 3);
   if (this->GetNumberOfInputConnections(1) > 0)
   {
-    landmarks = vtkShapeConvert::ToPoints(this->GetWhole(1).Grid);
+    landmarks = vtkShapeConvert::ToPoints(this->GetGatheredInput(1).Grid);
   }
   const shape::ParameterizeResult map =
     shape::Parameterize(mesh, landmarks, this->Options, progress);
@@ -36,11 +36,11 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   vtkDataObject* surface = this->GetOutputDataObject(0);
   vtkDataObject* image = this->GetOutputDataObject(1);
-  vtkShapeLeaves::AddPointFields(input, surface, { { "TargetPosition", positions } });
+  vtkShapeComposite::AddPointFields(input, surface, { { "TargetPosition", positions } });
   const bool isCut = !map.Cut.Originals.empty();
   const vtkShapeCutImage cut(mesh, map.Cut, map.CutPositions);
   vtkIdType first = 0; // of this process's points, which come block by block
-  vtkShapeLeaves::ForEach(input, image, vtkShapeLeaves::Points::Moved,
+  vtkShapeComposite::ForEach(input, image, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const vtkIdType count = from->GetNumberOfPoints();
@@ -51,7 +51,7 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
         cut.Fill(from, { begin, begin + count }, to);
         return;
       }
-      vtkShapeLeaves::Move(from, positions.middleRows(first - count, count), to);
+      vtkShapeComposite::Move(from, positions.middleRows(first - count, count), to);
       to->GetPointData()->AddArray(
         vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
     });

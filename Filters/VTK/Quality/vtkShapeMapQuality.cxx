@@ -1,8 +1,8 @@
 #include "vtkShapeMapQuality.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -74,12 +74,13 @@ Part Prepare(vtkDataSet* data, const std::string& mapArray, const shape::Progres
 }
 
 /// The greatest of each over all parts and processes.
-shape::MapExtent ExtentOf(const std::vector<Part>& parts, vtkMultiProcessController* controller)
+shape::MapExtent ComputeMapExtent(
+  const std::vector<Part>& parts, vtkMultiProcessController* controller)
 {
   double greatest[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
   for (const Part& part : parts)
   {
-    const shape::MapExtent e = shape::ExtentOf(part.Points, part.Images, part.Cells);
+    const shape::MapExtent e = shape::ComputeMapExtent(part.Points, part.Images, part.Cells);
     const double own[5] = { e.SourceHeight, e.SourceOffSphere, e.ImageHeight, e.ImageOffSphere,
       static_cast<double>(e.Dimension) };
     std::transform(
@@ -175,10 +176,10 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
   double done = 0.0;
   const double share =
     0.3 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
-  vtkShapeGather::TogetherOrNotAtAll(controller,
+  vtkShapeGather::RunOnAllOrFail(controller,
     [&]
     {
-      vtkShapeLeaves::ForEach(input, measured, vtkShapeLeaves::Points::Kept,
+      vtkShapeComposite::ForEach(input, measured, vtkShapeComposite::Points::Kept,
         [&](vtkDataSet* from, vtkDataSet* to)
         {
           to->ShallowCopy(from);
@@ -188,17 +189,17 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
         });
       progress(0.3);
     });
-  const shape::MapExtent extent = ExtentOf(parts, controller);
+  const shape::MapExtent extent = ComputeMapExtent(parts, controller);
   shape::MapQualitySums sums;
-  vtkShapeGather::TogetherOrNotAtAll(controller,
+  vtkShapeGather::RunOnAllOrFail(controller,
     [&]
     {
-      const std::vector<vtkDataSet*> leaves = vtkShapeLeaves::Of(measured);
+      const std::vector<vtkDataSet*> leaves = vtkShapeComposite::Of(measured);
       for (std::size_t i = 0; i < parts.size(); ++i)
       {
         const double begin = 0.3 + 0.65 * i / parts.size(), end = begin + 0.65 / parts.size();
         const Part& part = parts[i];
-        const shape::MapQualityResult result = shape::MapQuality(
+        const shape::MapQualityResult result = shape::EvaluateMapQuality(
           part.Points, part.Images, part.Cells, extent, progress.Part(begin, end));
         WriteCells(result, leaves[i]);
         sums.Add(result, part.Own);

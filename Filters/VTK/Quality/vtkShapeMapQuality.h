@@ -15,7 +15,7 @@
  * - `JacobianDeterminant`: the least ratio of areas or volumes in the cell, negative where flipped.
  *   A surface's sign is against +z (where the images lie in the plane z = 0), the radius (on the
  *   unit sphere), or the surface around the triangle, in this block of this process: see
- *   shape::MapQuality.
+ *   shape::EvaluateMapQuality.
  * - `Flipped`: 1 where that is negative.
  * - `Dirichlet` (|J|^2 / 2), `SymmetricDirichlet` (|J|^2 + |J^-1|^2: 4 for an isometry of surfaces,
  *   6 of solids, the least), `ConformalDistortion` (|J|^2 / (d |det J|^(2/d)): 1 for a similarity,
@@ -34,7 +34,7 @@
  * table, each by its column and row: MapQuality.MeanSymmetricDirichlet,
  * MapQuality.ShareJacobianDeterminant.
  *
- * The mathematics: shape::MapQuality.
+ * The mathematics: shape::EvaluateMapQuality.
  */
 #ifndef vtkShapeMapQuality_h
 #define vtkShapeMapQuality_h

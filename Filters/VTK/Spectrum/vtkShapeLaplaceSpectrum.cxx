@@ -1,7 +1,7 @@
 #include "vtkShapeLaplaceSpectrum.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -20,11 +20,11 @@ vtkShapeLaplaceSpectrum::vtkShapeLaplaceSpectrum()
 
 void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
 {
-  const WholeInput& whole = this->GetWhole(0);
+  const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
-  shape::SpectralAnalysis analysis = shape::AnalyseSpectrum(mesh, this->Options, progress);
+  shape::SpectralAnalysis analysis = shape::ComputeLaplaceSpectrum(mesh, this->Options, progress);
 
-  std::vector<vtkShapeLeaves::PointField> fields;
+  std::vector<vtkShapeComposite::PointField> fields;
   const auto add = [&](const char* name, Eigen::MatrixXd& values)
   {
     fields.push_back({ name, vtkShapeConvert::Rows(values, whole.OwnPoints) });
@@ -35,7 +35,7 @@ void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
   add("WaveKernelSignature", analysis.WaveKernel);
   add("Embedding", analysis.Embedding);
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeLeaves::AddPointFields(this->GetInputDataObject(0, 0), output, fields);
+  vtkShapeComposite::AddPointFields(this->GetInputDataObject(0, 0), output, fields);
   output->GetFieldData()->AddArray(
     vtkShapeConvert::ToArray(analysis.Spectrum.Eigenvalues, "LaplaceSpectrum.Eigenvalues"));
 }

@@ -15,7 +15,7 @@
  * Each factorisation, and each decomposition of a surface with few points for the number of
  * eigenpairs, is one library call: an abort takes effect at its end.
  *
- * The mathematics: shape::AnalyseSpectrum, shape::FindLaplaceSpectrum.
+ * The mathematics: shape::ComputeLaplaceSpectrum, shape::SolveLaplaceEigenproblem.
  */
 #ifndef vtkShapeLaplaceSpectrum_h
 #define vtkShapeLaplaceSpectrum_h

@@ -114,13 +114,13 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
   {
     return;
   }
-  vtkPolyData* surface = this->GetWhole(0).Data;
+  vtkPolyData* surface = this->GetGatheredInput(0).Data;
   const shape::Mesh mesh = vtkShapeConvert::ToMesh(surface, "the Input");
   std::vector<shape::Mesh> innerSurfaces;
   for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {
-    innerSurfaces.push_back(
-      vtkShapeConvert::ToMesh(this->GetWhole(1, i).Data, "inner surface " + std::to_string(i)));
+    innerSurfaces.push_back(vtkShapeConvert::ToMesh(
+      this->GetGatheredInput(1, i).Data, "inner surface " + std::to_string(i)));
   }
   const shape::TetrahedralizeResult solid =
     shape::Tetrahedralize(mesh, innerSurfaces, this->Options, progress.Part(0.0, 0.9));

@@ -1,7 +1,7 @@
 #include "vtkShapeTransferFields.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeLeaves.h"
 #include "vtkShapePreciseMap.h"
 
 #include "vtkCellData.h"
@@ -103,7 +103,7 @@ void Replace(vtkDataSet* receiver, vtkDataArray* made)
   receiver->GetPointData()->AddArray(made);
 }
 
-void Carry(const std::vector<Field>& fields, const shape::TransferredPlaces& places,
+void Carry(const std::vector<Field>& fields, const shape::TransferWeights& positions,
   vtkDataSet* receiver, const shape::Progress& progress)
 {
   std::vector<vtkSmartPointer<vtkAbstractArray>> carried;
@@ -114,19 +114,19 @@ void Carry(const std::vector<Field>& fields, const shape::TransferredPlaces& pla
     carried.back()->SetName(field.Name.c_str());
     carried.back()->SetNumberOfComponents(field.Values->GetNumberOfComponents());
     carried.back()->CopyComponentNames(field.Values);
-    carried.back()->SetNumberOfTuples(places.Cells.size());
+    carried.back()->SetNumberOfTuples(positions.Cells.size());
   }
   vtkNew<vtkIdList> corners;
   std::vector<double> weights;
-  for (Eigen::Index i = 0; i < places.Cells.size(); ++i)
+  for (Eigen::Index i = 0; i < positions.Cells.size(); ++i)
   {
     if (i % 4096 == 0)
     {
-      progress(static_cast<double>(i) / static_cast<double>(places.Cells.size()));
+      progress(static_cast<double>(i) / static_cast<double>(positions.Cells.size()));
     }
     corners->Reset();
     weights.clear();
-    for (decltype(places.Weights)::InnerIterator corner(places.Weights, i); corner; ++corner)
+    for (decltype(positions.Weights)::InnerIterator corner(positions.Weights, i); corner; ++corner)
     {
       if (corner.value() != 0.0) // what does not count may be NaN
       {
@@ -144,7 +144,7 @@ void Carry(const std::vector<Field>& fields, const shape::TransferredPlaces& pla
       else
       {
         carried[f]->SetTuple(
-          i, fields[f].OfCells ? places.Cells(i) : places.Nearest(i), fields[f].Values);
+          i, fields[f].OfCells ? positions.Cells(i) : positions.Nearest(i), fields[f].Values);
       }
     }
   }
@@ -156,7 +156,7 @@ void Carry(const std::vector<Field>& fields, const shape::TransferredPlaces& pla
 
 /// The precise map that the points carry; none where it was made for another surface. numbered: the
 /// giver's, which is made where it is not there yet.
-std::optional<shape::PreciseMap> FittingMap(vtkDataSet* from, vtkUnstructuredGrid* giver,
+std::optional<shape::SurfacePoints> FittingMap(vtkDataSet* from, vtkUnstructuredGrid* giver,
   double tolerance, std::optional<shape::NumberedSurface>& numbered)
 {
   try
@@ -191,7 +191,7 @@ int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
 void vtkShapeTransferFields::Execute(const shape::Progress& progress)
 {
   const bool push = this->Options.Direction == shape::TransferFieldsOptions::DirectionType::Push;
-  vtkUnstructuredGrid* giver = this->GetWhole(1).Grid;
+  vtkUnstructuredGrid* giver = this->GetGatheredInput(1).Grid;
   const Eigen::MatrixXd giverPoints = vtkShapeConvert::ToPoints(giver);
   // What the receiver's map array becomes: interpolated from this.
   Eigen::MatrixXd newMap;
@@ -224,7 +224,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   }
   std::set<std::string> taken = replaced;
   taken.insert({ "OutsideDomain", this->MapArray });
-  for (vtkDataSet* leaf : vtkShapeLeaves::Of(input))
+  for (vtkDataSet* leaf : vtkShapeComposite::Of(input))
   {
     for (int i = 0; i < leaf->GetPointData()->GetNumberOfArrays(); ++i)
     {
@@ -239,25 +239,25 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   const double share =
     0.8 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeLeaves::ForEach(input, output, vtkShapeLeaves::Points::Kept,
+  vtkShapeComposite::ForEach(input, output, vtkShapeComposite::Points::Kept,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const double next = done + share * from->GetNumberOfPoints();
       const double middle = (done + next) / 2.0;
-      Eigen::MatrixXd places = vtkShapeConvert::ToPoints(from);
-      shape::RequireFinite(places, "the Input");
+      Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(from);
+      shape::RequireFinite(positions, "the Input");
       if (!push)
       {
-        places = vtkShapeConvert::ToPointArray(from, this->MapArray, 3, "the Input");
+        positions = vtkShapeConvert::ToPointArray(from, this->MapArray, 3, "the Input");
       }
-      std::optional<shape::PreciseMap> precise;
+      std::optional<shape::SurfacePoints> precise;
       if (!push && vtkShapePreciseMap::Has(from, this->MapArray))
       {
         precise = FittingMap(from, giver, this->Options.Tolerance, numbered);
       }
-      const shape::TransferredPlaces found = precise
-        ? shape::PlacesOnTriangles(*precise, *numbered)
-        : transfer.Find(places, progress.Part(done, middle));
+      const shape::TransferWeights found = precise
+        ? shape::LocateOnTriangles(*precise, *numbered)
+        : transfer.Find(positions, progress.Part(done, middle));
       to->ShallowCopy(from);
       Carry(fields, found, to, progress.Part(middle, next));
       for (const std::string& name : replaced)

@@ -35,13 +35,13 @@ void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
   Eigen::VectorXi first(cells.Points.rows());
   for (int i = 0; i < first.size(); ++i)
   {
-    std::array<double, 6> place = {};
+    std::array<double, 6> position = {};
     for (int k = 0; k < 3; ++k)
     {
-      place[k] = cells.Points(i, k);
-      place[3 + k] = rest.rows() > 0 ? rest(i, k) : 0.0;
+      position[k] = cells.Points(i, k);
+      position[3 + k] = rest.rows() > 0 ? rest(i, k) : 0.0;
     }
-    first(i) = firsts.emplace(place, i).first->second;
+    first(i) = firsts.emplace(position, i).first->second;
   }
   for (int& corner : cells.Corners)
   {
@@ -69,12 +69,12 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   {
     return;
   }
-  vtkUnstructuredGrid* input = this->GetWhole(0).Grid;
+  vtkUnstructuredGrid* input = this->GetGatheredInput(0).Grid;
   const shape::Cells given = vtkShapeSolid::Read(input, "the Input");
   Eigen::MatrixXd rest;
   if (this->GetNumberOfInputConnections(1) > 0)
   {
-    const shape::Cells other = vtkShapeSolid::Read(this->GetWhole(1).Grid, "the RestShape");
+    const shape::Cells other = vtkShapeSolid::Read(this->GetGatheredInput(1).Grid, "the RestShape");
     if (other.Points.rows() != given.Points.rows() || other.Kinds.size() != given.Kinds.size() ||
       other.Corners.size() != given.Corners.size() || other.Kinds != given.Kinds ||
       other.Corners != given.Corners)

@@ -75,9 +75,9 @@ TEST(Parallel, PartsMapToTheirRange)
 TEST(Parallel, TheEnvironmentLimitsTheThreads)
 {
   setenv("VTK_SMP_MAX_THREADS", "3", 1);
-  EXPECT_EQ(shape::ThreadCount(), 3);
+  EXPECT_EQ(shape::GetThreadCount(), 3);
   unsetenv("VTK_SMP_MAX_THREADS");
-  EXPECT_GE(shape::ThreadCount(), 1);
+  EXPECT_GE(shape::GetThreadCount(), 1);
 }
 
 TEST(Parallel, BlasUsesAsManyThreadsAndThenAsBefore)

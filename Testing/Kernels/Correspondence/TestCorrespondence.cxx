@@ -33,7 +33,7 @@ struct Pair
     {
       points.push_back(i);
     }
-    return shape::LandmarkPairs(
+    return shape::PairLandmarks(
       this->A, this->A.Points(points, Eigen::all), this->B, this->Wanted()(points, Eigen::all));
   }
 
@@ -55,7 +55,7 @@ TEST(Correspondence, EveryMethodFindsAShapeAgainWithOtherTriangles)
     options.Method = method;
     options.Samples = 200;
     const shape::CorrespondenceResult result =
-      shape::Correspondence(pair.A, pair.B, landmarks, options);
+      shape::ComputeCorrespondence(pair.A, pair.B, landmarks, options);
     EXPECT_LT(pair.MeanError(result), 0.05) << static_cast<int>(method);
     EXPECT_LT(result.Facts.ReversedArea, 0.2) << static_cast<int>(method);
     EXPECT_EQ(result.Used, landmarks);
@@ -68,7 +68,8 @@ TEST(Correspondence, WithoutLandmarksItFindsThem)
   const Pair pair;
   Options options;
   options.Method = Method::FunctionalMap;
-  const shape::CorrespondenceResult result = shape::Correspondence(pair.A, pair.B, {}, options);
+  const shape::CorrespondenceResult result =
+    shape::ComputeCorrespondence(pair.A, pair.B, {}, options);
   EXPECT_TRUE(result.Found);
   EXPECT_GE(result.Used.size(), 3U);
   EXPECT_LT(pair.MeanError(result), 0.03);
@@ -79,36 +80,38 @@ TEST(Correspondence, FindsAPartWithLandmarksAndWithout)
   using Which = shape::SurfacePart::WhichType;
   Pair pair;
   pair.A = shapetest::Above(pair.A, -0.45).Surface;
-  const double share = 4.0 * shape::PointAreas(pair.A).sum() / shape::PointAreas(pair.B).sum();
+  const double share =
+    4.0 * shape::ComputePointAreas(pair.A).sum() / shape::ComputePointAreas(pair.B).sum();
   Options options;
   options.Method = Method::FunctionalMap;
   for (const shape::Landmarks& landmarks : { pair.SomeLandmarks(), shape::Landmarks() })
   {
     const shape::CorrespondenceResult result =
-      shape::Correspondence(pair.A, pair.B, landmarks, options);
+      shape::ComputeCorrespondence(pair.A, pair.B, landmarks, options);
     EXPECT_EQ(result.Part.Which, Which::SurfaceA);
     EXPECT_NEAR(result.Part.Scale, 2.0, 0.12); // B is twice as large
     EXPECT_NEAR(result.Part.Share, share, 0.1);
     EXPECT_LT(pair.MeanError(result), 0.04);
-    const shape::CorrespondenceResult turned = shape::Correspondence(pair.B, pair.A, {}, options);
+    const shape::CorrespondenceResult turned =
+      shape::ComputeCorrespondence(pair.B, pair.A, {}, options);
     EXPECT_EQ(turned.Part.Which, Which::SurfaceB);
     EXPECT_NEAR(turned.Part.Scale, 0.5, 0.03);
     EXPECT_GT(turned.Facts.CoverageOfB, 0.9);
   }
   options.Method = Method::ReversibleHarmonic;
   const shape::CorrespondenceResult kept =
-    shape::Correspondence(pair.A, pair.B, pair.SomeLandmarks(), options);
+    shape::ComputeCorrespondence(pair.A, pair.B, pair.SomeLandmarks(), options);
   EXPECT_EQ(kept.Iterations, 0);
   EXPECT_LT(pair.MeanError(kept), 0.04);
   options.Method = Method::FunctionalMap;
   options.Part = Options::PartType::None;
   const shape::CorrespondenceResult whole =
-    shape::Correspondence(pair.A, pair.B, pair.SomeLandmarks(), options);
+    shape::ComputeCorrespondence(pair.A, pair.B, pair.SomeLandmarks(), options);
   EXPECT_EQ(whole.Part.Which, Which::None);
   EXPECT_GT(pair.MeanError(whole), 0.08);
   options.Part = Options::PartType::SurfaceB; // is larger than A
-  EXPECT_THROW(
-    shape::Correspondence(pair.A, pair.B, pair.SomeLandmarks(), options), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeCorrespondence(pair.A, pair.B, pair.SomeLandmarks(), options),
+    shape::InvalidInput);
 }
 
 TEST(Correspondence, AnIdentityIsHarmonicComesBackAndTurnsNothingOver)
@@ -119,8 +122,8 @@ TEST(Correspondence, AnIdentityIsHarmonicComesBackAndTurnsNothingOver)
   {
     all(i) = i;
   }
-  const shape::PreciseMap identity = shape::MapToPoints(all, mesh);
-  const shape::SurfaceMapFacts same = shape::DescribeMaps(mesh, mesh, { identity, identity });
+  const shape::SurfacePoints identity = shape::MakeSurfacePointsAtVertices(all, mesh);
+  const shape::SurfaceMapFacts same = shape::EvaluateMaps(mesh, mesh, { identity, identity });
   EXPECT_LT(same.RoundTrip, 1e-12);
   EXPECT_EQ(same.ReversedArea, 0.0);
   // Negative cotangents are raised, which can only add.
@@ -129,7 +132,7 @@ TEST(Correspondence, AnIdentityIsHarmonicComesBackAndTurnsNothingOver)
 
   // The mirror image, mapped to the mesh point by point, is turned over everywhere.
   const shape::SurfaceMapFacts mirrored =
-    shape::DescribeMaps(shapetest::Mirrored(mesh), mesh, { identity, identity });
+    shape::EvaluateMaps(shapetest::Mirrored(mesh), mesh, { identity, identity });
   EXPECT_GT(mirrored.ReversedArea, 0.99);
   EXPECT_TRUE(mirrored.Mirrored);
   EXPECT_FALSE(same.Mirrored);
@@ -147,10 +150,10 @@ TEST(Correspondence, AMapFromLandmarksOnTheWrongSidesIsCalledMirrored)
     landmarks.push_back({ i, i });
   }
   // Left goes to left, which is right in a mirror.
-  EXPECT_TRUE(shape::Correspondence(bull, other, landmarks, options).Facts.Mirrored);
-  EXPECT_FALSE(shape::Correspondence(bull, bull, landmarks, options).Facts.Mirrored);
+  EXPECT_TRUE(shape::ComputeCorrespondence(bull, other, landmarks, options).Facts.Mirrored);
+  EXPECT_FALSE(shape::ComputeCorrespondence(bull, bull, landmarks, options).Facts.Mirrored);
   // Without landmarks orientation decides.
-  EXPECT_FALSE(shape::Correspondence(bull, other, {}, options).Facts.Mirrored);
+  EXPECT_FALSE(shape::ComputeCorrespondence(bull, other, {}, options).Facts.Mirrored);
 }
 
 TEST(Correspondence, PointsWithoutATriangleGoWithTheNearest)
@@ -161,8 +164,8 @@ TEST(Correspondence, PointsWithoutATriangleGoWithTheNearest)
   loose.Points.bottomRows(1) = 1.001 * loose.Points.row(7);
   Options options;
   options.Method = Method::FunctionalMap;
-  const shape::PreciseMap map =
-    shape::Correspondence(loose, pair.B, pair.SomeLandmarks(), options).Maps.AToB;
+  const shape::SurfacePoints map =
+    shape::ComputeCorrespondence(loose, pair.B, pair.SomeLandmarks(), options).Maps.AToB;
   EXPECT_EQ(map.Triangles.tail(1)(0), map.Triangles(7));
   EXPECT_EQ(map.Barycentrics.bottomRows(1), map.Barycentrics.row(7));
 }
@@ -170,15 +173,16 @@ TEST(Correspondence, PointsWithoutATriangleGoWithTheNearest)
 TEST(LandmarkPairs, AreTheNearestPointsAndNoneTwice)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  Eigen::MatrixXd places = 1.01 * sphere.Points(std::vector<int>{ 4, 9, 4 }, Eigen::all);
-  const shape::Landmarks pairs = shape::LandmarkPairs(
-    sphere, places, sphere, sphere.Points(std::vector<int>{ 8, 3, 2 }, Eigen::all));
+  Eigen::MatrixXd positions = 1.01 * sphere.Points(std::vector<int>{ 4, 9, 4 }, Eigen::all);
+  const shape::Landmarks pairs = shape::PairLandmarks(
+    sphere, positions, sphere, sphere.Points(std::vector<int>{ 8, 3, 2 }, Eigen::all));
   EXPECT_EQ(pairs, (shape::Landmarks{ { 4, 8 }, { 9, 3 } }));
-  Eigen::MatrixXd bad = places;
+  Eigen::MatrixXd bad = positions;
   bad(0, 1) = std::nan("");
-  EXPECT_THROW(shape::LandmarkPairs(sphere, bad, sphere, places), shape::InvalidInput);
+  EXPECT_THROW(shape::PairLandmarks(sphere, bad, sphere, positions), shape::InvalidInput);
   // In millimetres beside a surface in metres.
-  EXPECT_THROW(shape::LandmarkPairs(sphere, places, sphere, 1000.0 * places), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::PairLandmarks(sphere, positions, sphere, 1000.0 * positions), shape::InvalidInput);
 }
 
 TEST(Correspondence, RefusesWhatAMethodCannotDo)
@@ -191,13 +195,13 @@ TEST(Correspondence, RefusesWhatAMethodCannotDo)
   {
     options.Method = method;
     EXPECT_THROW(
-      shape::Correspondence(torus, pair.B, { { 0, 0 }, { 50, 50 }, { 99, 99 } }, options),
+      shape::ComputeCorrespondence(torus, pair.B, { { 0, 0 }, { 50, 50 }, { 99, 99 } }, options),
       shape::InvalidInput)
       << static_cast<int>(method);
   }
   options = {};
   options.NumberOfEigenpairs = 3;
-  EXPECT_THROW(shape::Correspondence(pair.A, pair.B, {}, options), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeCorrespondence(pair.A, pair.B, {}, options), shape::InvalidInput);
 }
 
 } // namespace

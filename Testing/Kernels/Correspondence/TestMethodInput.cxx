@@ -95,7 +95,7 @@ TEST(MethodInput, TrianglesThatDoNotHangTogetherAreTooManyComponents)
   shape::Mesh soup{ Eigen::MatrixXd(3 * sphere.Triangles.rows(), 3), sphere.Triangles };
   for (int t = 0; t < static_cast<int>(sphere.Triangles.rows()); ++t)
   {
-    soup.Points.middleRows(3 * t, 3) = shape::Corners(sphere, t);
+    soup.Points.middleRows(3 * t, 3) = shape::GetCorners(sphere, t);
     soup.Triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
   }
   ExpectRefused(soup, sphere, { Method::HeatKernel },

@@ -1,10 +1,10 @@
 #include "Base/Errors.h"
+#include "CutPaste/CutFeature.h"
+#include "Mesh/OpenSurface.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Support/CurveShapes.h"
-#include "CutPaste/CutFeature.h"
 #include "Search/ClosestPoint.h"
-#include "Mesh/OpenLoops.h"
+#include "Support/CurveShapes.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -23,7 +23,7 @@ using shapetest::Circle;
 
 double AreaOf(const shape::Mesh& mesh)
 {
-  return 0.5 * shape::AreaVectors(mesh).rowwise().norm().sum();
+  return 0.5 * shape::ComputeAreaVectors(mesh).rowwise().norm().sum();
 }
 
 shape::CutFeatureOptions WithoutFill(shape::LoopSide side = shape::LoopSide::Smaller)
@@ -42,7 +42,7 @@ void ExpectParts(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
   for (const shape::DividedPart* part : { &cut.Feature, &cut.Rest })
   {
     const shape::Mesh& own = part->Surface;
-    const Eigen::MatrixXd areas = shape::AreaVectors(own);
+    const Eigen::MatrixXd areas = shape::ComputeAreaVectors(own);
     ASSERT_EQ(part->OriginalPoints.size(), static_cast<std::size_t>(own.Points.rows()));
     ASSERT_EQ(part->OriginalTriangles.size(), static_cast<std::size_t>(own.Triangles.rows()));
     for (Eigen::Index t = 0; t < own.Triangles.rows(); ++t)
@@ -51,16 +51,16 @@ void ExpectParts(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
     }
     for (Eigen::Index i = 0; i < own.Points.rows(); ++i)
     {
-      const int original = part->OriginalPoints[i], triangle = part->Places.Triangles(i);
+      const int original = part->OriginalPoints[i], triangle = part->Positions.Triangles(i);
       if (original >= 0)
       {
         EXPECT_EQ(own.Points.row(i), mesh.Points.row(original));
       }
       if (triangle >= 0)
       {
-        EXPECT_LT(
-          (part->Places.Barycentrics.row(i) * shape::Corners(mesh, triangle) - own.Points.row(i))
-            .norm(),
+        EXPECT_LT((part->Positions.Barycentrics.row(i) * shape::GetCorners(mesh, triangle) -
+                    own.Points.row(i))
+                    .norm(),
           1e-14 * (1.0 + mesh.Points.cwiseAbs().maxCoeff()));
       }
     }
@@ -73,11 +73,11 @@ void ExpectParts(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
 void ExpectDivided(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
 {
   ExpectParts(mesh, cut);
-  const shape::Topology before = shape::SurfaceTopology(mesh);
+  const shape::Topology before = shape::ComputeTopology(mesh);
   const shape::Topology feature = shape::RequireManifold(cut.Feature.Surface, "the feature");
   const shape::Topology rest = shape::RequireManifold(cut.Rest.Surface, "the rest");
   EXPECT_EQ(feature.EulerNumber + rest.EulerNumber, before.EulerNumber);
-  EXPECT_EQ(feature.OpenLoops + rest.OpenLoops, before.OpenLoops + 2);
+  EXPECT_EQ(feature.BoundaryLoops + rest.BoundaryLoops, before.BoundaryLoops + 2);
 }
 
 } // namespace
@@ -134,8 +134,8 @@ TEST(CutFeature, SeveralLoops)
     shape::CutFeature(sphere, { around(0.3), around(-0.2) }, WithoutFill());
   ExpectParts(sphere, belt);
   EXPECT_NEAR(AreaOf(belt.Feature.Surface), 2.0 * M_PI * 0.5, 0.03);
-  EXPECT_EQ(shape::SurfaceTopology(belt.Feature.Surface).EulerNumber, 0);
-  EXPECT_EQ(shape::SurfaceTopology(belt.Rest.Surface).Components, 2);
+  EXPECT_EQ(shape::ComputeTopology(belt.Feature.Surface).EulerNumber, 0);
+  EXPECT_EQ(shape::ComputeTopology(belt.Rest.Surface).Components, 2);
   EXPECT_EQ(belt.Loops, 2);
   // One of the two.
   shape::CutFeatureOptions options = WithoutFill();
@@ -156,7 +156,7 @@ TEST(CutFeature, SeveralLoops)
     shape::CutFeature(many, { around(0.5), around(-0.5).rowwise() + shift }, WithoutFill());
   ExpectParts(many, caps);
   EXPECT_NEAR(AreaOf(caps.Feature.Surface), 2.0 * M_PI, 0.04);
-  EXPECT_EQ(shape::SurfaceTopology(caps.Rest.Surface).Components, 3);
+  EXPECT_EQ(shape::ComputeTopology(caps.Rest.Surface).Components, 3);
 }
 
 TEST(CutFeature, ALoopAroundAHandleNeedsAnother)
@@ -172,7 +172,7 @@ TEST(CutFeature, ALoopAroundAHandleNeedsAnother)
     shape::CutFeature(torus, { across(0.1), across(1.1) }, WithoutFill());
   ExpectParts(torus, tube);
   EXPECT_NEAR(AreaOf(tube.Feature.Surface), 2.0 * M_PI * 0.3, 0.05);
-  EXPECT_EQ(shape::SurfaceTopology(tube.Feature.Surface).EulerNumber, 0);
+  EXPECT_EQ(shape::ComputeTopology(tube.Feature.Surface).EulerNumber, 0);
 }
 
 TEST(CutFeature, ALoopThatTouchesItselfCutsItsLongestPart)
@@ -202,15 +202,15 @@ TEST(CutFeature, AtTheBorder)
   ExpectParts(plane, notch);
   EXPECT_EQ(notch.Loops, 0);
   EXPECT_TRUE(notch.Holes.empty());
-  EXPECT_EQ(shape::RequireManifold(notch.Feature.Surface, "the feature").OpenLoops, 1);
-  EXPECT_EQ(shape::RequireManifold(notch.Rest.Surface, "the rest").OpenLoops, 1);
+  EXPECT_EQ(shape::RequireManifold(notch.Feature.Surface, "the feature").BoundaryLoops, 1);
+  EXPECT_EQ(shape::RequireManifold(notch.Rest.Surface, "the rest").BoundaryLoops, 1);
   EXPECT_NEAR(AreaOf(notch.Feature.Surface), 0.125 * M_PI, 0.02);
   // It touches the border at one point: the hole is filled, or that point is doubled.
   Eigen::MatrixXd touching(4, 3);
   touching << 1, 0.2, 0, 0.4, 0.6, 0, 0.2, 0.2, 0, 0.4, -0.2, 0;
   const shape::CutFeatureResult open = shape::CutFeature(plane, { touching }, WithoutFill());
   ExpectParts(plane, open);
-  EXPECT_EQ(shape::RequireManifold(open.Rest.Surface, "the rest").OpenLoops, 1);
+  EXPECT_EQ(shape::RequireManifold(open.Rest.Surface, "the rest").BoundaryLoops, 1);
   const shape::CutFeatureResult filled =
     shape::CutFeature(plane, { touching }, shape::CutFeatureOptions());
   EXPECT_EQ(filled.Holes.size(), 1U);
@@ -232,34 +232,34 @@ TEST(CutFeature, WhatIsLeftIsFilled)
   ExpectParts(sphere, cut);
   ASSERT_EQ(cut.Holes.size(), 1U);
   EXPECT_EQ(shape::RequireClosedSurface(cut.Rest.Surface, "the rest").EulerNumber, 2);
-  EXPECT_EQ(shape::RequireManifold(cut.Feature.Surface, "the feature").OpenLoops, 1);
+  EXPECT_EQ(shape::RequireManifold(cut.Feature.Surface, "the feature").BoundaryLoops, 1);
   // The fill goes on as the sphere does, and so the base is that of the sphere: a circle in the
   // plane as long as its meridians, and normals that point away from the middle.
   EXPECT_LT((cut.Rest.Surface.Points.rowwise().norm().array() - 1.0).abs().maxCoeff(), 0.01);
   ASSERT_TRUE(cut.Base.has_value());
   EXPECT_LT((cut.Seed - Eigen::RowVector3d(1, 0, 0)).norm(), 0.02);
   const std::vector<int>& loop = cut.Base->Loop;
-  EXPECT_EQ(loop, shape::OpenLoops(cut.Feature.Surface).front());
-  const Eigen::MatrixXd places = cut.Feature.Surface.Points(loop, Eigen::all);
-  EXPECT_LT((cut.Base->LoopPlaces.rowwise().norm().array() - angle).abs().maxCoeff(), 0.03);
-  EXPECT_LT((cut.Base->Normals - places).rowwise().norm().maxCoeff(), 0.05);
+  EXPECT_EQ(loop, shape::FindManifoldBoundaryLoops(cut.Feature.Surface).front());
+  const Eigen::MatrixXd positions = cut.Feature.Surface.Points(loop, Eigen::all);
+  EXPECT_LT((cut.Base->LoopPositions.rowwise().norm().array() - angle).abs().maxCoeff(), 0.03);
+  EXPECT_LT((cut.Base->Normals - positions).rowwise().norm().maxCoeff(), 0.05);
   EXPECT_GT(cut.Base->Normal.dot(cut.Seed), 0.99);
   // Holes that were there stay.
   shape::Mesh open = sphere;
   open.Triangles = sphere.Triangles.bottomRows(sphere.Triangles.rows() - 1);
   const shape::CutFeatureResult of =
     shape::CutFeature(open, { circle }, shape::CutFeatureOptions());
-  EXPECT_EQ(shape::RequireManifold(of.Rest.Surface, "the rest").OpenLoops, 1);
+  EXPECT_EQ(shape::RequireManifold(of.Rest.Surface, "the rest").BoundaryLoops, 1);
 }
 
 TEST(CutFeature, SelectedTriangles)
 {
   const shape::Mesh sphere = shapetest::Icosphere(4);
-  const Eigen::MatrixXd middles = shape::Centroids(sphere);
+  const Eigen::MatrixXd midpoints = shape::ComputeCentroids(sphere);
   std::vector<char> isSelected(sphere.Triangles.rows());
   for (std::size_t t = 0; t < isSelected.size(); ++t)
   {
-    isSelected[t] = static_cast<char>(middles(static_cast<Eigen::Index>(t), 2) > 0.8);
+    isSelected[t] = static_cast<char>(midpoints(static_cast<Eigen::Index>(t), 2) > 0.8);
   }
   const shape::CutFeatureResult cut =
     shape::CutFeature(sphere, isSelected, shape::CutFeatureOptions());
@@ -284,7 +284,7 @@ TEST(CutFeature, SeamsSoupsAndTrianglesWithoutArea)
   shape::Mesh soup{ Eigen::MatrixXd(3 * count, 3), Eigen::MatrixXi(count + 2, 3) };
   for (Eigen::Index t = 0; t < count; ++t)
   {
-    soup.Points.middleRows(3 * t, 3) = shape::Corners(sphere, t);
+    soup.Points.middleRows(3 * t, 3) = shape::GetCorners(sphere, t);
     soup.Triangles.row(t) << static_cast<int>(3 * t), static_cast<int>(3 * t + 1),
       static_cast<int>(3 * t + 2);
   }
@@ -316,7 +316,7 @@ TEST(CutFeature, SeamsSoupsAndTrianglesWithoutArea)
               .maxCoeff(),
     1e-12);
   ASSERT_TRUE(cut.Base.has_value());
-  EXPECT_EQ(cut.Base->LoopPlaces.rows(), whole.Base->LoopPlaces.rows());
+  EXPECT_EQ(cut.Base->LoopPositions.rows(), whole.Base->LoopPositions.rows());
   EXPECT_EQ(cut.Base->ConformalRadius, 0.0);
   EXPECT_LT((cut.Base->Normal - whole.Base->Normal).norm(), 1e-12);
 }
@@ -333,7 +333,7 @@ TEST(CutFeature, PointsWithinTheToleranceAreOne)
     seamed.Points << sphere.Points, sphere.Points.array() + apart;
     for (Eigen::Index t = 0; t < sphere.Triangles.rows(); ++t)
     {
-      if (shape::Corners(sphere, t).col(0).mean() > 0.0)
+      if (shape::GetCorners(sphere, t).col(0).mean() > 0.0)
       {
         seamed.Triangles.row(t).array() += static_cast<int>(points);
       }
@@ -371,7 +371,7 @@ TEST(CutFeature, ASeamStaysASeam)
   seamed.Points << plane.Points, plane.Points;
   for (Eigen::Index t = 0; t < plane.Triangles.rows(); ++t)
   {
-    if (shape::Corners(plane, t).col(0).mean() > 0.0)
+    if (shape::GetCorners(plane, t).col(0).mean() > 0.0)
     {
       seamed.Triangles.row(t).array() += static_cast<int>(points);
     }
@@ -389,10 +389,10 @@ TEST(CutFeature, ASeamStaysASeam)
       if (part->OriginalTriangles[t] >= 0)
       {
         // Its points have their data from its own side.
-        const bool isRight = shape::Corners(part->Surface, t).col(0).mean() > 0.0;
+        const bool isRight = shape::GetCorners(part->Surface, t).col(0).mean() > 0.0;
         for (const int point : part->Surface.Triangles.row(t))
         {
-          EXPECT_EQ(seamed.Triangles(part->Places.Triangles(point), 0) >= points, isRight);
+          EXPECT_EQ(seamed.Triangles(part->Positions.Triangles(point), 0) >= points, isRight);
         }
       }
     }
@@ -413,7 +413,7 @@ TEST(CutFeature, ANonManifoldPlaceElsewhereDoesNotMatter)
   const shape::CutFeatureResult cut =
     shape::CutFeature(plane, { circle }, shape::CutFeatureOptions());
   ExpectParts(plane, cut);
-  EXPECT_EQ(shape::SurfaceTopology(cut.Feature.Surface).NonManifoldEdges, 1);
+  EXPECT_EQ(shape::ComputeTopology(cut.Feature.Surface).NonManifoldEdges, 1);
   EXPECT_EQ(shape::RequireManifold(cut.Rest.Surface, "the rest").EulerNumber, 1);
 }
 
@@ -423,13 +423,13 @@ TEST(CutFeature, RandomLoopsOnModels)
   for (const char* name : { "bear", "bull", "homer", "lion-head" })
   {
     const shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
-    const double size = shape::BoxDiagonal(mesh.Points);
-    const Eigen::MatrixXd normals = shape::AreaVectors(mesh);
+    const double size = shape::ComputeBoxDiagonal(mesh.Points);
+    const Eigen::MatrixXd normals = shape::ComputeAreaVectors(mesh);
     std::mt19937 random(5);
     for (int i = 0; i < 6; ++i)
     {
       const auto triangle = static_cast<Eigen::Index>(random() % mesh.Triangles.rows());
-      const Eigen::RowVector3d middle = shape::Corners(mesh, triangle).colwise().mean();
+      const Eigen::RowVector3d middle = shape::GetCorners(mesh, triangle).colwise().mean();
       const Eigen::RowVector3d normal = normals.row(triangle).normalized();
       const Eigen::RowVector3d u = normal.unitOrthogonal(), v = normal.cross(u);
       const double radius = size * (0.03 + 0.01 * i);
@@ -441,7 +441,7 @@ TEST(CutFeature, RandomLoopsOnModels)
         shape::CutFeature(mesh, { clicks }, shape::CutFeatureOptions());
       ExpectParts(mesh, cut);
       const shape::Topology rest = shape::RequireManifold(cut.Rest.Surface, "the rest");
-      EXPECT_EQ(rest.OpenLoops, shape::SurfaceTopology(mesh).OpenLoops) << name << " " << i;
+      EXPECT_EQ(rest.BoundaryLoops, shape::ComputeTopology(mesh).BoundaryLoops) << name << " " << i;
       EXPECT_TRUE(cut.Base.has_value());
       ++filled;
     }

@@ -58,10 +58,10 @@ Sides FirstTriangles(const shape::Mesh& surface, int count)
 void ExpectParts(const shape::Mesh& surface, const std::vector<std::vector<int>>& loops,
   const Sides& left, const Sides& smaller)
 {
-  EXPECT_EQ(shape::TrianglesOnSide(surface, loops, LoopSide::Left), left);
-  EXPECT_EQ(shape::TrianglesOnSide(surface, loops, LoopSide::Right), Opposite(left));
-  EXPECT_EQ(shape::TrianglesOnSide(surface, loops, LoopSide::Smaller), smaller);
-  EXPECT_EQ(shape::TrianglesOnSide(surface, loops, LoopSide::Larger), Opposite(smaller));
+  EXPECT_EQ(shape::MarkTrianglesOnSide(surface, loops, LoopSide::Left), left);
+  EXPECT_EQ(shape::MarkTrianglesOnSide(surface, loops, LoopSide::Right), Opposite(left));
+  EXPECT_EQ(shape::MarkTrianglesOnSide(surface, loops, LoopSide::Smaller), smaller);
+  EXPECT_EQ(shape::MarkTrianglesOnSide(surface, loops, LoopSide::Larger), Opposite(smaller));
 }
 
 /// The loop of a torus around its tube at column i, from below to above outside.
@@ -100,27 +100,27 @@ TEST(LoopSides, WhereALoopBeginsAndHowThingsAreNumberedDoesNotCount)
   std::reverse(loop.begin(), loop.end());
   ExpectParts(disk, { loop }, Opposite(within), within);
 
-  std::vector<int> place(disk.Points.rows()), row(disk.Triangles.rows());
-  std::iota(place.begin(), place.end(), 0);
+  std::vector<int> position(disk.Points.rows()), row(disk.Triangles.rows());
+  std::iota(position.begin(), position.end(), 0);
   std::iota(row.begin(), row.end(), 0);
   std::mt19937 random(4);
-  std::shuffle(place.begin(), place.end(), random);
+  std::shuffle(position.begin(), position.end(), random);
   std::shuffle(row.begin(), row.end(), random);
   shape::Mesh other = disk;
-  other.Points(place, Eigen::all) = disk.Points;
+  other.Points(position, Eigen::all) = disk.Points;
   Sides wanted(row.size());
   for (std::size_t t = 0; t < row.size(); ++t)
   {
     for (int k = 0; k < 3; ++k) // the corners in another order, too, of the same sense
     {
       other.Triangles(row[t], k) =
-        place[disk.Triangles(static_cast<Eigen::Index>(t), (k + row[t]) % 3)];
+        position[disk.Triangles(static_cast<Eigen::Index>(t), (k + row[t]) % 3)];
     }
     wanted[row[t]] = within[t];
   }
   for (int& point : loop)
   {
-    point = place[point];
+    point = position[point];
   }
   ExpectParts(other, { loop }, Opposite(wanted), wanted);
 }
@@ -157,11 +157,11 @@ TEST(LoopSides, OtherComponentsAreOnNeitherSideAndSheetsFollowTheirEdge)
   inside.insert(inside.end(), other.begin(), other.end());
   inside.resize(3 * rows, 0);
   inside.push_back(1);
-  EXPECT_EQ(shape::TrianglesOnSide(all, { RingOfDisk(2), second }, LoopSide::Smaller), inside);
+  EXPECT_EQ(shape::MarkTrianglesOnSide(all, { RingOfDisk(2), second }, LoopSide::Smaller), inside);
   // Each component has its own left.
   const Sides outside = Opposite(other);
   std::copy(outside.begin(), outside.end(), inside.begin() + rows);
-  EXPECT_EQ(shape::TrianglesOnSide(all, { RingOfDisk(2), second }, LoopSide::Left), inside);
+  EXPECT_EQ(shape::MarkTrianglesOnSide(all, { RingOfDisk(2), second }, LoopSide::Left), inside);
 }
 
 std::string Refusal(
@@ -169,7 +169,7 @@ std::string Refusal(
 {
   try
   {
-    shape::TrianglesOnSide(surface, loops, side);
+    shape::MarkTrianglesOnSide(surface, loops, side);
   }
   catch (const shape::InvalidInput& error)
   {

@@ -4,10 +4,10 @@
 // with a scale that does fit.
 
 #include "Base/Errors.h"
+#include "CutPaste/PasteFeature.h"
+#include "Mesh/OpenSurface.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "CutPaste/PasteFeature.h"
-#include "Mesh/OpenLoops.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -28,7 +28,7 @@ struct Cut
   shape::Mesh Whole; ///< the surface with the feature where it was
   shape::Mesh Feature;
   std::vector<int> Points; ///< of the feature: the points of the surface
-  shape::FeatureBase Base;
+  shape::FeatureFootprint Base;
 };
 
 /// Cuts out the triangles whose corners are all within `radius` (along the chord) of the seed,
@@ -41,7 +41,7 @@ Cut CutOut(const shape::Mesh& base, const Eigen::RowVector3d& seed, double radiu
   std::vector<int> triangles;
   for (int t = 0; t < static_cast<int>(base.Triangles.rows()); ++t)
   {
-    if (((shape::Corners(base, t).rowwise() - seed).rowwise().norm().array() < radius).all())
+    if (((shape::GetCorners(base, t).rowwise() - seed).rowwise().norm().array() < radius).all())
     {
       triangles.push_back(t);
       for (const int corner : base.Triangles.row(t))
@@ -61,49 +61,49 @@ Cut CutOut(const shape::Mesh& base, const Eigen::RowVector3d& seed, double radiu
   cut.Feature.Points = cut.Whole.Points(cut.Points, Eigen::all);
   cut.Feature.Triangles = Eigen::MatrixXi(base.Triangles(triangles, Eigen::all))
                             .unaryExpr([&](int i) { return number[i]; });
-  cut.Base.Loop = shape::OpenLoops(cut.Feature)[0];
+  cut.Base.Loop = shape::FindManifoldBoundaryLoops(cut.Feature)[0];
 
   shape::ExponentialMap map(base);
   const shape::ExponentialPatch patch = map.Around(seed, 3.0 * radius);
   cut.Base.Normal = patch.Seed.Normal;
   cut.Base.XAxis = patch.Seed.XAxis;
   const auto size = static_cast<Eigen::Index>(cut.Base.Loop.size());
-  cut.Base.LoopPlaces.resize(size, 2);
+  cut.Base.LoopPositions.resize(size, 2);
   cut.Base.Normals.resize(size, 3);
-  const Eigen::MatrixXd normals = shape::PointNormals(base);
+  const Eigen::MatrixXd normals = shape::ComputePointNormals(base);
   for (Eigen::Index i = 0; i < size; ++i)
   {
     const int point = cut.Points[cut.Base.Loop[i]];
     const auto row = std::find(patch.Points.begin(), patch.Points.end(), point);
-    cut.Base.LoopPlaces.row(i) = patch.Places.row(row - patch.Points.begin());
+    cut.Base.LoopPositions.row(i) = patch.Positions.row(row - patch.Points.begin());
     cut.Base.Normals.row(i) = normals.row(point);
   }
   return cut;
 }
 
 /// A bump on the unit sphere around a direction, smooth and without effect beyond a chord of 0.5.
-Eigen::RowVector3d Horn(const Eigen::RowVector3d& place, const Eigen::RowVector3d& axis)
+Eigen::RowVector3d Horn(const Eigen::RowVector3d& position, const Eigen::RowVector3d& axis)
 {
-  const double share = (place - axis).squaredNorm() / 0.25;
+  const double share = (position - axis).squaredNorm() / 0.25;
   const double height = share < 1.0 ? std::pow(1.0 - share, 3) : 0.0;
-  return place * (1.0 + 0.8 * height) + 0.2 * height * Eigen::RowVector3d(0.0, 1.0, 0.0);
+  return position * (1.0 + 0.8 * height) + 0.2 * height * Eigen::RowVector3d(0.0, 1.0, 0.0);
 }
 
 Cut HornOfSphere(int level)
 {
   const Eigen::RowVector3d axis(0.0, 0.0, 1.0);
   return CutOut(shapetest::Icosphere(level), axis, 0.6,
-    [&](const Eigen::RowVector3d& place) { return Horn(place, axis); });
+    [&](const Eigen::RowVector3d& position) { return Horn(position, axis); });
 }
 
 /// A bump on the square [-1, 1]^2.
 Cut BumpOfSquare()
 {
   return CutOut(shapetest::FlatSquare(40, 0.2), Eigen::RowVector3d(0.1, 0.0, 0.0), 0.4,
-    [](const Eigen::RowVector3d& place)
+    [](const Eigen::RowVector3d& position)
     {
-      const double share = (place - Eigen::RowVector3d(0.1, 0.0, 0.0)).squaredNorm() / 0.12;
-      return place +
+      const double share = (position - Eigen::RowVector3d(0.1, 0.0, 0.0)).squaredNorm() / 0.12;
+      return position +
         (share < 1.0 ? std::pow(1.0 - share, 3) : 0.0) * Eigen::RowVector3d(0.1, 0.05, 0.4);
     });
 }
@@ -112,8 +112,8 @@ Cut BumpOfSquare()
 Eigen::MatrixXd FeaturePoints(const shape::PastedFeature& pasted)
 {
   const auto first = static_cast<Eigen::Index>(pasted.TargetPoints.size());
-  const auto middles = static_cast<Eigen::Index>(pasted.Middles.size());
-  return pasted.Surface.Points.middleRows(first, pasted.Surface.Points.rows() - first - middles);
+  const auto midpoints = static_cast<Eigen::Index>(pasted.Midpoints.size());
+  return pasted.Surface.Points.middleRows(first, pasted.Surface.Points.rows() - first - midpoints);
 }
 
 TEST(PasteFeature, DroppedInPlaceNothingHasMoved)
@@ -124,15 +124,16 @@ TEST(PasteFeature, DroppedInPlaceNothingHasMoved)
     const shape::Mesh base = isSphere ? shapetest::Icosphere(5) : shapetest::FlatSquare(40, 0.2);
     shape::PasteTarget target(base);
     const shape::FeatureToPaste feature(cut.Feature, cut.Base);
-    shape::PastePlacement place;
-    place.Seed = isSphere ? Eigen::RowVector3d(0.0, 0.0, 1.0) : Eigen::RowVector3d(0.1, 0.0, 0.0);
-    const shape::PastedFeature pasted = feature.PasteOn(target, place);
+    shape::PastePlacement position;
+    position.Seed =
+      isSphere ? Eigen::RowVector3d(0.0, 0.0, 1.0) : Eigen::RowVector3d(0.1, 0.0, 0.0);
+    const shape::PastedFeature pasted = feature.PasteOn(target, position);
     EXPECT_EQ(pasted.BandTriangles, 0);
     EXPECT_EQ(pasted.Surface.Points.rows(), base.Points.rows());
     EXPECT_EQ(pasted.Surface.Triangles.rows(), base.Triangles.rows());
     EXPECT_LT((FeaturePoints(pasted) - cut.Feature.Points).cwiseAbs().maxCoeff(),
-      1e-12 * shape::BoxDiagonal(base.Points));
-    EXPECT_EQ(shape::SurfaceTopology(pasted.Surface).EulerNumber, isSphere ? 2 : 1);
+      1e-12 * shape::ComputeBoxDiagonal(base.Points));
+    EXPECT_EQ(shape::ComputeTopology(pasted.Surface).EulerNumber, isSphere ? 2 : 1);
   }
 }
 
@@ -147,17 +148,17 @@ TEST(PasteFeature, AnywhereElseTheResultIsAClosedManifold)
     shape::PasteTarget target(base);
     for (int i = 0; i < 6; ++i)
     {
-      shape::PastePlacement place;
-      place.Seed = 4.0 * Eigen::RowVector3d::Random();
-      place.Rotation = 50.0 * i;
-      place.Scale = 0.6 + 0.1 * i;
-      const shape::PastedFeature pasted = feature.PasteOn(target, place);
+      shape::PastePlacement position;
+      position.Seed = 4.0 * Eigen::RowVector3d::Random();
+      position.Rotation = 50.0 * i;
+      position.Scale = 0.6 + 0.1 * i;
+      const shape::PastedFeature pasted = feature.PasteOn(target, position);
       const shape::Topology topology = shape::RequireClosedSurface(pasted.Surface, "the result");
       EXPECT_EQ(topology.EulerNumber, torus ? 0 : 2);
       EXPECT_EQ(topology.Components, 1);
       EXPECT_TRUE(pasted.Surface.Points.allFinite());
-      EXPECT_LT(shape::Percentile(pasted.AnglesAfter, 0.5), 3.0);
-      EXPECT_LT(shape::Percentile(pasted.AnglesAfter, 0.95), 10.0);
+      EXPECT_LT(shape::ComputePercentile(pasted.AnglesAfter, 0.5), 3.0);
+      EXPECT_LT(shape::ComputePercentile(pasted.AnglesAfter, 0.95), 10.0);
       EXPECT_GT(pasted.BandTriangles, 0);
       // Of the target, what is not covered is as it was.
       for (std::size_t p = 0; p < pasted.TargetPoints.size(); ++p)
@@ -177,11 +178,11 @@ TEST(PasteFeature, OnAPlaneTurningAndScalingAreASimilarity)
   wide.Points *= 4.0;
   wide.Points.col(2).setConstant(7.0);
   shape::PasteTarget target(wide);
-  shape::PastePlacement place;
-  place.Seed << 0.7, -0.4, 7.5;
-  place.Rotation = 35.0;
-  place.Scale = 1.7;
-  const shape::PastedFeature pasted = feature.PasteOn(target, place);
+  shape::PastePlacement position;
+  position.Seed << 0.7, -0.4, 7.5;
+  position.Rotation = 35.0;
+  position.Scale = 1.7;
+  const shape::PastedFeature pasted = feature.PasteOn(target, position);
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(35.0 * M_PI / 180.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const Eigen::MatrixXd wanted =
@@ -197,11 +198,11 @@ TEST(PasteFeature, ASphereTakesItAnywhereAsItWas)
   const Cut cut = HornOfSphere(5);
   const shape::FeatureToPaste feature(cut.Feature, cut.Base);
   shape::PasteTarget target(shapetest::Icosphere(5));
-  shape::PastePlacement place;
-  place.Seed = Eigen::RowVector3d(1.0, 0.5, -0.3).normalized();
-  const shape::PastedFeature pasted = feature.PasteOn(target, place);
+  shape::PastePlacement position;
+  position.Seed = Eigen::RowVector3d(1.0, 0.5, -0.3).normalized();
+  const shape::PastedFeature pasted = feature.PasteOn(target, position);
   const Eigen::Matrix3d turn =
-    Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), place.Seed.transpose())
+    Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), position.Seed.transpose())
       .toRotationMatrix();
   EXPECT_LT(
     (FeaturePoints(pasted) - cut.Feature.Points * turn.transpose()).rowwise().norm().maxCoeff(),
@@ -213,23 +214,23 @@ TEST(PasteFeature, DraggingIsNearToTheFullResult)
   const Cut cut = HornOfSphere(5);
   const shape::FeatureToPaste feature(cut.Feature, cut.Base);
   shape::PasteTarget target(shapetest::Torus(3.0, 1.5, 90, 40));
-  shape::PastePlacement place;
-  place.Seed << 4.0, 1.0, 0.5;
+  shape::PastePlacement position;
+  position.Seed << 4.0, 1.0, 0.5;
   shape::PasteFeatureOptions dragging;
   dragging.Dragging = true;
-  const shape::PastedFeature quick = feature.PasteOn(target, place, dragging);
-  const shape::PastedFeature full = feature.PasteOn(target, place);
+  const shape::PastedFeature quick = feature.PasteOn(target, position, dragging);
+  const shape::PastedFeature full = feature.PasteOn(target, position);
   ASSERT_EQ(quick.Surface.Triangles, full.Surface.Triangles);
   EXPECT_LT((quick.Surface.Points - full.Surface.Points).rowwise().norm().maxCoeff(), 0.1);
   for (const shape::PastedFeature& pasted : { quick, full })
   {
-    EXPECT_GT(shape::Percentile(pasted.AnglesBefore, 0.5), 9.0);
-    EXPECT_LT(shape::Percentile(pasted.AnglesAfter, 0.5),
-      shape::Percentile(pasted.AnglesBefore, 0.5) / 3.0);
-    EXPECT_LT(shape::Percentile(pasted.AnglesAfter, 0.95),
-      shape::Percentile(pasted.AnglesBefore, 0.95) / 3.0);
+    EXPECT_GT(shape::ComputePercentile(pasted.AnglesBefore, 0.5), 9.0);
+    EXPECT_LT(shape::ComputePercentile(pasted.AnglesAfter, 0.5),
+      shape::ComputePercentile(pasted.AnglesBefore, 0.5) / 3.0);
+    EXPECT_LT(shape::ComputePercentile(pasted.AnglesAfter, 0.95),
+      shape::ComputePercentile(pasted.AnglesBefore, 0.95) / 3.0);
   }
-  EXPECT_LT(shape::Percentile(full.AnglesAfter, 0.5), 3.0);
+  EXPECT_LT(shape::ComputePercentile(full.AnglesAfter, 0.5), 3.0);
 }
 
 std::string Refusal(const std::function<void()>& work)
@@ -250,16 +251,16 @@ TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
   const Cut cut = BumpOfSquare();
   const shape::FeatureToPaste feature(cut.Feature, cut.Base);
   shape::PasteTarget target(shapetest::FlatSquare(40, 0.2));
-  shape::PastePlacement place;
-  place.Seed << 0.8, 0.0, 0.0;
-  const std::string rim = Refusal([&] { feature.PasteOn(target, place); });
-  EXPECT_NE(rim.find("over its rim"), std::string::npos) << rim;
-  const auto at = rim.find("Scale to ");
-  ASSERT_NE(at, std::string::npos) << rim;
-  place.Scale = std::stod(rim.substr(at + 9));
-  EXPECT_GT(place.Scale, 0.3);
-  EXPECT_LT(place.Scale, 1.0);
-  feature.PasteOn(target, place);
+  shape::PastePlacement position;
+  position.Seed << 0.8, 0.0, 0.0;
+  const std::string loop = Refusal([&] { feature.PasteOn(target, position); });
+  EXPECT_NE(loop.find("over its rim"), std::string::npos) << loop;
+  const auto at = loop.find("Scale to ");
+  ASSERT_NE(at, std::string::npos) << loop;
+  position.Scale = std::stod(loop.substr(at + 9));
+  EXPECT_GT(position.Scale, 0.3);
+  EXPECT_LT(position.Scale, 1.0);
+  feature.PasteOn(target, position);
 
   shape::PasteTarget small(shapetest::Icosphere(4));
   const Cut horn = HornOfSphere(4);
@@ -271,8 +272,8 @@ TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
   huge.Scale = 0.0;
   EXPECT_NE(Refusal([&] { large.PasteOn(small, huge); }).find("positive"), std::string::npos);
 
-  shape::FeatureBase wrong = cut.Base;
-  wrong.LoopPlaces.row(3).swap(wrong.LoopPlaces.row(20));
+  shape::FeatureFootprint wrong = cut.Base;
+  wrong.LoopPositions.row(3).swap(wrong.LoopPositions.row(20));
   EXPECT_NE(
     Refusal([&] { shape::FeatureToPaste(cut.Feature, wrong); }).find("crosses"), std::string::npos);
 }

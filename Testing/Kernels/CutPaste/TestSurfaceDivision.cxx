@@ -5,9 +5,9 @@
 
 #include "CutPaste/SurfaceDivision.h"
 
+#include "CutPaste/LoopSides.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "CutPaste/LoopSides.h"
 #include "Support/DeformShapes.h"
 
 #include <gtest/gtest.h>
@@ -40,12 +40,12 @@ struct Divided
     : Surface(std::move(surface))
     , Joined(this->Surface)
   {
-    shape::InsertedLoops split;
+    shape::ImprintedCurves split;
     split.Surface = this->Joined.Surface;
     const auto count = static_cast<int>(this->Joined.Triangles.size());
     split.OriginalTriangles = Eigen::VectorXi::LinSpaced(count, 0, count - 1);
     std::vector<char> flags;
-    const Eigen::MatrixXd centres = shape::Centroids(split.Surface);
+    const Eigen::MatrixXd centres = shape::ComputeCentroids(split.Surface);
     for (const auto& centre : centres.rowwise())
     {
       flags.push_back(isFeature(centre) ? 1 : 0);
@@ -61,10 +61,10 @@ struct Divided
   {
     const shape::SurfaceLocator locator(this->Joined.Surface);
     shape::SurfacePaths paths(this->Joined.Surface);
-    shape::InsertedLoops split = shape::InsertLoops(
-      this->Joined.Surface, { shape::LoopThrough(curve, locator, paths) }, { 0.0 });
+    shape::ImprintedCurves split = shape::ImprintCurves(
+      this->Joined.Surface, { shape::TraceLoopThrough(curve, locator, paths) }, { 0.0 });
     std::vector<char> flags =
-      shape::TrianglesOnSide(split.Surface, split.Loops, shape::LoopSide::Smaller);
+      shape::MarkTrianglesOnSide(split.Surface, split.Loops, shape::LoopSide::Smaller);
     this->Division = std::make_unique<shape::SurfaceDivision>(
       this->Surface, this->Joined, std::move(split), std::move(flags));
   }
@@ -116,14 +116,15 @@ shape::Mesh Shuffled(const shape::Mesh& mesh)
 /// That the parts are those of the surface, point by point and triangle by triangle.
 void ExpectParts(const shape::Mesh& mesh, const std::vector<shape::DividedPart>& parts)
 {
-  Eigen::MatrixXd areas = shape::AreaVectors(mesh);
+  Eigen::MatrixXd areas = shape::ComputeAreaVectors(mesh);
   for (const shape::DividedPart& part : parts)
   {
-    const Eigen::MatrixXd own = shape::AreaVectors(part.Surface);
+    const Eigen::MatrixXd own = shape::ComputeAreaVectors(part.Surface);
     ASSERT_EQ(part.OriginalTriangles.size(), static_cast<std::size_t>(own.rows()));
     for (Eigen::Index t = 0; t < own.rows(); ++t)
     {
-      EXPECT_GE(own.row(t).dot(shape::AreaVectors(mesh).row(part.OriginalTriangles[t])), 0.0);
+      EXPECT_GE(
+        own.row(t).dot(shape::ComputeAreaVectors(mesh).row(part.OriginalTriangles[t])), 0.0);
       areas.row(part.OriginalTriangles[t]) -= own.row(t);
     }
     // Points of the surface in their order, then the others.
@@ -133,14 +134,14 @@ void ExpectParts(const shape::Mesh& mesh, const std::vector<shape::DividedPart>&
     EXPECT_EQ(std::count(added, originals.end(), -1), originals.end() - added);
     for (Eigen::Index i = 0; i < part.Surface.Points.rows(); ++i)
     {
-      const Eigen::RowVector3d place = part.Surface.Points.row(i);
+      const Eigen::RowVector3d position = part.Surface.Points.row(i);
       if (originals[i] >= 0)
       {
-        EXPECT_EQ(place, mesh.Points.row(originals[i]));
+        EXPECT_EQ(position, mesh.Points.row(originals[i]));
       }
       const Eigen::RowVector3d found =
-        part.Places.Barycentrics.row(i) * shape::Corners(mesh, part.Places.Triangles(i));
-      EXPECT_LT((found - place).norm(), 1e-15 * (1.0 + place.norm()));
+        part.Positions.Barycentrics.row(i) * shape::GetCorners(mesh, part.Positions.Triangles(i));
+      EXPECT_LT((found - position).norm(), 1e-15 * (1.0 + position.norm()));
     }
   }
   EXPECT_LT(areas.cwiseAbs().maxCoeff(), 1e-15);
@@ -180,7 +181,7 @@ double LengthOf(const shape::Mesh& mesh, const Loops& loops)
 TEST(SurfaceDivision, AlongEdges)
 {
   const shape::Mesh sphere = shapetest::Icosphere(3);
-  const IsFeature isCap = [](const Eigen::RowVector3d& place) { return place(2) > 0.35; };
+  const IsFeature isCap = [](const Eigen::RowVector3d& position) { return position(2) > 0.35; };
   const Divided plain(sphere, isCap);
   const double length = plain.Division->CutLength(), area = plain.Division->MeanArea();
   const shape::DividedPart cap = plain.Feature(), other = plain.Rest();
@@ -193,18 +194,18 @@ TEST(SurfaceDivision, AlongEdges)
   for (const shape::DividedPart& part : { cap, other })
   {
     const std::multiset<Side> sides = SidesById(plain.CutLoops(part), part.Ids, false);
-    const Eigen::VectorXd areas = 0.5 * shape::AreaVectors(part.Surface).rowwise().norm();
+    const Eigen::VectorXd areas = 0.5 * shape::ComputeAreaVectors(part.Surface).rowwise().norm();
     for (int t = 0; t < static_cast<int>(areas.size()); ++t)
     {
-      bool isBeside = false;
+      bool isNextTo = false;
       for (int k = 0; k < 3; ++k)
       {
         const int begin = part.Surface.Triangles(t, k);
         const int end = part.Surface.Triangles(t, (k + 1) % 3);
-        isBeside = isBeside || sides.count({ part.Ids[begin], part.Ids[end] }) > 0;
+        isNextTo = isNextTo || sides.count({ part.Ids[begin], part.Ids[end] }) > 0;
       }
-      beside += isBeside ? 1 : 0;
-      sum += isBeside ? areas(t) : 0.0;
+      beside += isNextTo ? 1 : 0;
+      sum += isNextTo ? areas(t) : 0.0;
     }
   }
   EXPECT_NEAR(area, sum / beside, 1e-15);
@@ -216,9 +217,9 @@ TEST(SurfaceDivision, AlongEdges)
     ExpectParts(mesh, { feature, rest });
     for (const shape::DividedPart& part : { feature, rest })
     {
-      const shape::Topology topology = shape::RequireManifold(shape::Seamless(part), "the part");
+      const shape::Topology topology = shape::RequireManifold(shape::MergeSeam(part), "the part");
       EXPECT_EQ(topology.EulerNumber, 1);
-      EXPECT_EQ(topology.OpenLoops, 1);
+      EXPECT_EQ(topology.BoundaryLoops, 1);
       EXPECT_NEAR(LengthOf(part.Surface, divided.CutLoops(part)), length, 1e-13);
     }
     EXPECT_EQ(SidesById(divided.CutLoops(feature), feature.Ids, false),
@@ -230,7 +231,7 @@ TEST(SurfaceDivision, AlongEdges)
   const Eigen::Matrix3d turn = shapetest::SomeRotation();
   const Eigen::RowVector3d shift(300, -200, 50);
   const Divided moved({ shapetest::Moved(sphere.Points, turn, 1e3, shift), sphere.Triangles },
-    [&](const Eigen::RowVector3d& place) { return isCap(1e-3 * (place - shift) * turn); });
+    [&](const Eigen::RowVector3d& position) { return isCap(1e-3 * (position - shift) * turn); });
   EXPECT_NEAR(moved.Division->CutLength(), 1e3 * length, 1e-10 * length);
   EXPECT_NEAR(moved.Division->MeanArea(), 1e6 * area, 1e-7 * area);
   EXPECT_EQ(moved.Feature().Surface.Triangles, cap.Surface.Triangles);
@@ -246,7 +247,7 @@ TEST(SurfaceDivision, AlongEdges)
   book.Points << 0, 0, 0, 0, 0, 2, 1, 1, 0, -1, -1, 0, 1, -1, 0, -1, 1, 0;
   book.Triangles << 0, 1, 2, 0, 1, 4, 0, 1, 3, 0, 1, 5;
   const Divided pages(
-    book, [](const Eigen::RowVector3d& place) { return place(0) * place(1) > 0; });
+    book, [](const Eigen::RowVector3d& position) { return position(0) * position(1) > 0; });
   EXPECT_EQ(pages.Division->CutLength(), 2.0);
 }
 
@@ -283,14 +284,14 @@ int AddedOnSeam(const shape::Mesh& tube, const shape::DividedPart& part)
   int added = 0;
   for (const auto& [id, points] : pointsOf)
   {
-    const Eigen::RowVector3d place = part.Surface.Points.row(points[0]);
-    const bool isOnSeam = place(0) > 0.0 && place(1) == 0.0;
+    const Eigen::RowVector3d position = part.Surface.Points.row(points[0]);
+    const bool isOnSeam = position(0) > 0.0 && position(1) == 0.0;
     EXPECT_EQ(points.size(), isOnSeam ? 2U : 1U);
     if (points.size() == 2)
     {
-      EXPECT_EQ(place, part.Surface.Points.row(points[1]));
+      EXPECT_EQ(position, part.Surface.Points.row(points[1]));
       const auto side = [&](int point)
-      { return shape::Corners(tube, part.Places.Triangles(point)).col(1).sum(); };
+      { return shape::GetCorners(tube, part.Positions.Triangles(point)).col(1).sum(); };
       EXPECT_LT(side(points[0]) * side(points[1]), 0.0);
       added += part.OriginalPoints[points[0]] < 0 ? 1 : 0;
     }
@@ -313,16 +314,16 @@ TEST(SurfaceDivision, AcrossASeam)
   // The curve crosses the seam twice. Closed, one is a disk, the other a tube with a hole.
   EXPECT_EQ(AddedOnSeam(tube, feature), 2);
   EXPECT_EQ(AddedOnSeam(tube, rest), 2);
-  EXPECT_EQ(shape::SurfaceTopology(feature.Surface).Components, 2);
-  EXPECT_EQ(shape::RequireManifold(shape::Seamless(feature), "the feature").EulerNumber, 1);
-  EXPECT_EQ(shape::SurfaceTopology(shape::Seamless(feature)).Components, 1);
-  EXPECT_EQ(shape::RequireManifold(shape::Seamless(rest), "the rest").EulerNumber, -1);
+  EXPECT_EQ(shape::ComputeTopology(feature.Surface).Components, 2);
+  EXPECT_EQ(shape::RequireManifold(shape::MergeSeam(feature), "the feature").EulerNumber, 1);
+  EXPECT_EQ(shape::ComputeTopology(shape::MergeSeam(feature)).Components, 1);
+  EXPECT_EQ(shape::RequireManifold(shape::MergeSeam(rest), "the rest").EulerNumber, -1);
   const double length = divided.Division->CutLength();
   EXPECT_NEAR(LengthOf(feature.Surface, divided.CutLoops(feature)), length, 1e-13);
   EXPECT_NEAR(LengthOf(rest.Surface, divided.CutLoops(rest)), length, 1e-13);
   EXPECT_EQ(SidesById(divided.CutLoops(feature), feature.Ids, false),
     SidesById(divided.CutLoops(rest), rest.Ids, true));
-  const shape::Mesh whole = shape::Seamless(rest);
+  const shape::Mesh whole = shape::MergeSeam(rest);
   for (Eigen::Index i = 0; i < whole.Triangles.size(); ++i)
   {
     const int id = rest.Ids[rest.Surface.Triangles.reshaped()(i)];
@@ -332,7 +333,7 @@ TEST(SurfaceDivision, AcrossASeam)
   // What is not on the surface has no id, and stays.
   shape::DividedPart loose = feature;
   std::fill(loose.Ids.begin(), loose.Ids.end(), -1);
-  EXPECT_EQ(shape::Seamless(loose).Triangles, feature.Surface.Triangles);
+  EXPECT_EQ(shape::MergeSeam(loose).Triangles, feature.Surface.Triangles);
 }
 
 TEST(SurfaceDivision, LoopsWithASideOfTheOldBorderAreNotCut)
@@ -352,15 +353,16 @@ TEST(SurfaceDivision, LoopsWithASideOfTheOldBorderAreNotCut)
     }
     return lengths;
   };
-  const auto within = [](const Eigen::RowVector3d& place, double size)
-  { return place.cwiseAbs().maxCoeff() < size; };
+  const auto within = [](const Eigen::RowVector3d& position, double size)
+  { return position.cwiseAbs().maxCoeff() < size; };
   using Lengths = std::array<std::vector<double>, 2>;
-  EXPECT_EQ(loopsOf([&](const auto& place) { return place(0) < 0.0; }), Lengths());
-  EXPECT_EQ(loopsOf([&](const auto& place) { return within(place, 0.5); }),
+  EXPECT_EQ(loopsOf([&](const auto& position) { return position(0) < 0.0; }), Lengths());
+  EXPECT_EQ(loopsOf([&](const auto& position) { return within(position, 0.5); }),
     (Lengths{ { { 4.0 }, { 4.0 } } }));
-  EXPECT_EQ(loopsOf([&](const auto& place) { return within(place, 0.75) && !within(place, 0.25); }),
+  EXPECT_EQ(loopsOf([&](const auto& position)
+              { return within(position, 0.75) && !within(position, 0.25); }),
     (Lengths{ { { 6.0, 2.0 }, { 6.0, 2.0 } } }));
-  EXPECT_EQ(loopsOf([&](const auto& place) { return !within(place, 0.75); }),
+  EXPECT_EQ(loopsOf([&](const auto& position) { return !within(position, 0.75); }),
     (Lengths{ { { 6.0 }, { 6.0 } } }));
 }
 
@@ -373,8 +375,8 @@ TEST(SurfaceDivision, PinchesOfTheCutArePartedAndNoOthers)
   both.Points << disk.Points, disk.Points.rowwise() + Eigen::RowVector3d(3, 0, 0);
   both.Triangles << disk.Triangles, disk.Triangles.array() + points;
   const int last = both.Triangles.bottomRows(disk.Triangles.rows()).maxCoeff();
-  const auto isBowTie = [](const Eigen::RowVector3d& place)
-  { return place.norm() < 0.2 && place(0) * place(1) > 1e-3; };
+  const auto isBowTie = [](const Eigen::RowVector3d& position)
+  { return position.norm() < 0.2 && position(0) * position(1) > 1e-3; };
   for (const bool isPinched : { false, true })
   {
     if (isPinched) // where nothing is cut
@@ -386,19 +388,19 @@ TEST(SurfaceDivision, PinchesOfTheCutArePartedAndNoOthers)
     {
       const bool isRest = part.Surface.Triangles.rows() > 2;
       const int left = isRest && isPinched ? 1 : 0;
-      EXPECT_EQ(shape::SurfaceTopology(part.Surface).NonManifoldPoints, 1 + left);
+      EXPECT_EQ(shape::ComputeTopology(part.Surface).NonManifoldPoints, 1 + left);
       const shape::DividedPart before = part;
       divided.Division->PartPinches(part);
-      EXPECT_EQ(shape::SurfaceTopology(part.Surface).NonManifoldPoints, left);
+      EXPECT_EQ(shape::ComputeTopology(part.Surface).NonManifoldPoints, left);
       const Eigen::Index copy = before.Surface.Points.rows();
       ASSERT_EQ(part.Surface.Points.rows(), copy + 1);
       EXPECT_EQ(part.Surface.Points.topRows(copy), before.Surface.Points);
       EXPECT_TRUE(part.Surface.Points.row(copy).isZero(0.0));
       EXPECT_EQ(part.Ids.at(copy), 0);
       EXPECT_EQ(part.OriginalPoints.at(copy), 0);
-      EXPECT_EQ(part.Places.Triangles(copy), part.Places.Triangles(0));
-      EXPECT_EQ(part.Places.Barycentrics.row(copy), part.Places.Barycentrics.row(0));
-      EXPECT_EQ(shape::AreaVectors(part.Surface), shape::AreaVectors(before.Surface));
+      EXPECT_EQ(part.Positions.Triangles(copy), part.Positions.Triangles(0));
+      EXPECT_EQ(part.Positions.Barycentrics.row(copy), part.Positions.Barycentrics.row(0));
+      EXPECT_EQ(shape::ComputeAreaVectors(part.Surface), shape::ComputeAreaVectors(before.Surface));
     }
   }
   // Triangles with points of their own hang together where their seams are closed.
@@ -414,11 +416,11 @@ TEST(SurfaceDivision, PinchesOfTheCutArePartedAndNoOthers)
   {
     for (int& point : slit.Triangles.row(t))
     {
-      point = point == 1 && shape::Corners(disk, t).col(1).sum() < 0.0 ? points : point;
+      point = point == 1 && shape::GetCorners(disk, t).col(1).sum() < 0.0 ? points : point;
     }
   }
-  const Divided beside(
-    slit, [](const Eigen::RowVector3d& place) { return place.norm() < 0.2 && place(0) > 0.05; });
+  const Divided beside(slit,
+    [](const Eigen::RowVector3d& position) { return position.norm() < 0.2 && position(0) > 0.05; });
   shape::DividedPart pair = beside.Feature();
   EXPECT_EQ(pair.Surface.Points.rows(), 5);
   beside.Division->PartPinches(pair);

@@ -38,23 +38,23 @@ Matrix3d RandomRotation()
 
 struct Sample
 {
-  Vector3d Rest = Vector3d::Random(), Place = Vector3d::Random();
+  Vector3d Rest = Vector3d::Random(), Position = Vector3d::Random();
   Matrix3d Rotation = RandomRotation();
 };
 
-shape::SampleMotions MotionsOf(const std::vector<Sample>& samples, int first = 0)
+shape::SampleTransforms MotionsOf(const std::vector<Sample>& samples, int first = 0)
 {
-  shape::SampleMotions motions(first + static_cast<int>(samples.size()));
+  shape::SampleTransforms motions(first + static_cast<int>(samples.size()));
   int number = first;
   for (const Sample& sample : samples)
   {
-    motions.Set(number++, sample.Rest, sample.Place, sample.Rotation);
+    motions.Set(number++, sample.Rest, sample.Position, sample.Rotation);
   }
   return motions;
 }
 
-shape::BlendedMotion BlendOf(
-  int begin, const std::vector<float>& weights, const shape::SampleMotions& motions)
+shape::BlendedTransform BlendOf(
+  int begin, const std::vector<float>& weights, const shape::SampleTransforms& motions)
 {
   shape::BlendedRows rows;
   rows.Add(begin, static_cast<int>(weights.size()));
@@ -63,9 +63,9 @@ shape::BlendedMotion BlendOf(
   return rows.Blend(0, motions);
 }
 
-double Difference(const shape::BlendedMotion& a, const shape::BlendedMotion& b)
+double Difference(const shape::BlendedTransform& a, const shape::BlendedTransform& b)
 {
-  return (a.Place - b.Place).norm() + (a.Turned - b.Turned).norm() +
+  return (a.Position - b.Position).norm() + (a.Turned - b.Turned).norm() +
     (a.Rotation - b.Rotation).norm();
 }
 
@@ -73,7 +73,7 @@ TEST(BlendedRows, ARowIsTheWeightedMeanOfItsSamples)
 {
   std::mt19937 random(5);
   const std::vector<Sample> samples(60);
-  const shape::SampleMotions motions = MotionsOf(samples);
+  const shape::SampleTransforms motions = MotionsOf(samples);
   // Within a block, across some, whole ones, up to the last sample.
   const std::vector<std::array<int, 2>> ranges = { { 2, 3 }, { 7, 2 }, { 13, 40 }, { 16, 16 },
     { 0, 60 }, { 59, 1 } };
@@ -97,17 +97,17 @@ TEST(BlendedRows, ARowIsTheWeightedMeanOfItsSamples)
   const Vector3d point(0.4, -1.2, 0.7);
   for (std::size_t i = 0; i < ranges.size(); ++i)
   {
-    Vector3d place = Vector3d::Zero();
+    Vector3d position = Vector3d::Zero();
     double sum = 0.0;
     for (int j = 0; j < ranges[i][1]; ++j)
     {
       const Sample& sample = samples[ranges[i][0] + j];
       const double weight = weights[i][j];
-      place += weight * (sample.Place + 1.7 * (sample.Rotation * (point - sample.Rest)));
+      position += weight * (sample.Position + 1.7 * (sample.Rotation * (point - sample.Rest)));
       sum += weight;
     }
-    const shape::BlendedMotion blend = rows.Blend(static_cast<int>(i), motions);
-    EXPECT_LT((blend.Apply(point, 1.7) - place / sum).norm(), 1e-14);
+    const shape::BlendedTransform blend = rows.Blend(static_cast<int>(i), motions);
+    EXPECT_LT((blend.Apply(point, 1.7) - position / sum).norm(), 1e-14);
   }
 }
 
@@ -119,20 +119,20 @@ TEST(BlendedRows, WhatAllSamplesDoIsTheBlend)
   const Vector3d shift(3, -7, 2), point(0.3, 0.1, -0.9);
   for (std::size_t i = 0; i < resting.size(); ++i)
   {
-    resting[i].Place = resting[i].Rest;
+    resting[i].Position = resting[i].Rest;
     resting[i].Rotation.setIdentity();
-    moving[i].Place = turn * moving[i].Rest + shift;
+    moving[i].Position = turn * moving[i].Rest + shift;
     moving[i].Rotation = turn;
   }
-  const shape::SampleMotions rest = MotionsOf(resting), rigid = MotionsOf(moving);
+  const shape::SampleTransforms rest = MotionsOf(resting), rigid = MotionsOf(moving);
   for (int begin = 0; begin < 12; ++begin)
   {
     const std::vector<float> weights = RandomWeights(25, random);
-    const shape::BlendedMotion still = BlendOf(begin, weights, rest);
-    EXPECT_EQ(still.Place, still.Turned);
+    const shape::BlendedTransform still = BlendOf(begin, weights, rest);
+    EXPECT_EQ(still.Position, still.Turned);
     EXPECT_EQ(still.Rotation, Matrix3d(Matrix3d::Identity()));
     EXPECT_EQ(still.Apply(point, 1.0), point);
-    const shape::BlendedMotion moved = BlendOf(begin, weights, rigid);
+    const shape::BlendedTransform moved = BlendOf(begin, weights, rigid);
     EXPECT_LT((moved.Apply(point, 1.0) - turn * point - shift).norm(), 1e-14);
     EXPECT_LT((moved.Rotation - turn).norm(), 1e-14);
   }
@@ -143,7 +143,7 @@ TEST(BlendedRows, NumbersAndTheSizeOfWeightsDoNotCount)
   std::mt19937 random(7);
   const std::vector<Sample> samples(30);
   const std::vector<float> weights = RandomWeights(30, random);
-  const shape::BlendedMotion blend = BlendOf(0, weights, MotionsOf(samples));
+  const shape::BlendedTransform blend = BlendOf(0, weights, MotionsOf(samples));
   for (const int first : { 1, 5, 8, 19 })
   {
     EXPECT_LT(Difference(BlendOf(first, weights, MotionsOf(samples, first)), blend), 1e-14);
@@ -161,22 +161,22 @@ TEST(BlendedRows, NumbersAndTheSizeOfWeightsDoNotCount)
     0.0);
 }
 
-TEST(BlendedRows, NearestRotation)
+TEST(BlendedRows, FitRotation)
 {
   for (int i = 0; i < 100; ++i)
   {
     const Matrix3d rotation = RandomRotation(), axes = RandomRotation();
-    EXPECT_LT((shape::NearestRotation(rotation) - rotation).norm(), 1e-14);
+    EXPECT_LT((shape::FitRotation(rotation) - rotation).norm(), 1e-14);
     // A stretch along any axes after it, little or much, does not turn.
     const Vector3d stretches(std::pow(10.0, -0.05 * i), 1.0, 1.5);
     const Matrix3d stretched = axes * stretches.asDiagonal() * axes.transpose() * rotation;
-    EXPECT_LT((shape::NearestRotation(stretched) - rotation).norm(), 1e-9);
+    EXPECT_LT((shape::FitRotation(stretched) - rotation).norm(), 1e-9);
 
     const Matrix3d any = Matrix3d::Random(); // half of them mirror
-    const Matrix3d nearest = shape::NearestRotation(any);
+    const Matrix3d nearest = shape::FitRotation(any);
     EXPECT_LT((nearest * nearest.transpose() - Matrix3d::Identity()).norm(), 1e-13);
     EXPECT_GT(nearest.determinant(), 0.0);
-    EXPECT_LT((shape::NearestRotation(axes * any * rotation) - axes * nearest * rotation).norm(),
+    EXPECT_LT((shape::FitRotation(axes * any * rotation) - axes * nearest * rotation).norm(),
       1e-6); // ill-conditioned where two singular values cancel
     for (int other = 0; other < 100; ++other)
     {

@@ -18,18 +18,18 @@ using shapetest::SomeRotation;
 /// A closed curve in space.
 Eigen::MatrixXd Wave(int samples)
 {
-  Eigen::MatrixXd places(samples, 3);
+  Eigen::MatrixXd positions(samples, 3);
   for (int i = 0; i < samples; ++i)
   {
     const double t = 2.0 * M_PI * i / samples;
-    places.row(i) << std::cos(t), 1.5 * std::sin(t), 0.3 * std::sin(2.0 * t);
+    positions.row(i) << std::cos(t), 1.5 * std::sin(t), 0.3 * std::sin(2.0 * t);
   }
-  return places;
+  return positions;
 }
 
-Eigen::MatrixXd RadialNormals(const Eigen::MatrixXd& places)
+Eigen::MatrixXd RadialNormals(const Eigen::MatrixXd& positions)
 {
-  return places.rowwise() + Eigen::RowVector3d(0, 0, 2.0);
+  return positions.rowwise() + Eigen::RowVector3d(0, 0, 2.0);
 }
 
 double FarthestFrom(const shape::HandlePose& pose, const Eigen::Matrix3d& turn)
@@ -45,11 +45,12 @@ double FarthestFrom(const shape::HandlePose& pose, const Eigen::Matrix3d& turn)
 /// Curves, closed and open, a planar one, a branching one, a surface, points; with no normals.
 std::vector<shape::BoundaryHandle> ManyHandles()
 {
-  std::vector<shape::BoundaryHandle> handles = { shape::CurveHandle(Wave(40), true),
-    shape::CurveHandle(Wave(40).topRows(11), false), shapetest::RimOf(shapetest::FlatDisk(4)) };
+  std::vector<shape::BoundaryHandle> handles = { shape::BuildCurveHandle(Wave(40), true),
+    shape::BuildCurveHandle(Wave(40).topRows(11), false),
+    shapetest::LoopOf(shapetest::FlatDisk(4)) };
   shape::BoundaryHandle branching = handles[1];
-  branching.Places.conservativeResize(13, 3);
-  branching.Places.bottomRows(2) << 0, 0, 1, 0, 0.5, 2;
+  branching.Positions.conservativeResize(13, 3);
+  branching.Positions.bottomRows(2) << 0, 0, 1, 0, 0.5, 2;
   branching.Segments.conservativeResize(12, 2);
   branching.Segments.bottomRows(2) << 5, 11, 11, 12;
   handles.push_back(branching);
@@ -67,12 +68,13 @@ TEST(BoundaryHandle, TurnsWithARigidMotion)
   const Eigen::Matrix3d turn = SomeRotation();
   for (shape::BoundaryHandle handle : ManyHandles())
   {
-    const Eigen::MatrixXd places = Moved(handle.Places, turn, 1.7, Eigen::RowVector3d(5, 6, 7));
-    EXPECT_LT(FarthestFrom(shape::PoseHandle(handle, places), turn), 1e-13);
-    handle.Normals = RadialNormals(handle.Places);
+    const Eigen::MatrixXd positions =
+      Moved(handle.Positions, turn, 1.7, Eigen::RowVector3d(5, 6, 7));
+    EXPECT_LT(FarthestFrom(shape::PoseHandle(handle, positions), turn), 1e-13);
+    handle.Normals = RadialNormals(handle.Positions);
     const Eigen::MatrixXd normals = handle.Normals * turn.transpose();
-    EXPECT_LT(FarthestFrom(shape::PoseHandle(handle, places, normals), turn), 1e-13);
-    EXPECT_EQ(FarthestFrom(shape::PoseHandle(handle, handle.Places, handle.Normals),
+    EXPECT_LT(FarthestFrom(shape::PoseHandle(handle, positions, normals), turn), 1e-13);
+    EXPECT_EQ(FarthestFrom(shape::PoseHandle(handle, handle.Positions, handle.Normals),
                 Eigen::Matrix3d::Identity()),
       0.0);
   }
@@ -80,15 +82,15 @@ TEST(BoundaryHandle, TurnsWithARigidMotion)
 
 TEST(BoundaryHandle, FramesTakeTangentsAndNormalsToTheNewOnes)
 {
-  shape::BoundaryHandle wave = shape::CurveHandle(Wave(60), true, RadialNormals(Wave(60)));
-  const Eigen::MatrixXd places = shapetest::Bent(wave.Places, 2.0);
-  const Eigen::MatrixXd normals = RadialNormals(places) * SomeRotation();
-  const shape::HandlePose pose = shape::PoseHandle(wave, places, normals);
-  const Eigen::MatrixXd before = shape::HandleTangents(wave, wave.Places);
-  const Eigen::MatrixXd after = shape::HandleTangents(wave, places);
+  shape::BoundaryHandle wave = shape::BuildCurveHandle(Wave(60), true, RadialNormals(Wave(60)));
+  const Eigen::MatrixXd positions = shapetest::Bent(wave.Positions, 2.0);
+  const Eigen::MatrixXd normals = RadialNormals(positions) * SomeRotation();
+  const shape::HandlePose pose = shape::PoseHandle(wave, positions, normals);
+  const Eigen::MatrixXd before = shape::ComputeHandleTangents(wave, wave.Positions);
+  const Eigen::MatrixXd after = shape::ComputeHandleTangents(wave, positions);
   for (int i = 0; i < 60; ++i)
   {
-    EXPECT_EQ(before.row(i), wave.Places.row((i + 1) % 60) - wave.Places.row((i + 59) % 60));
+    EXPECT_EQ(before.row(i), wave.Positions.row((i + 1) % 60) - wave.Positions.row((i + 59) % 60));
     const Eigen::Vector3d from = before.row(i).normalized().transpose();
     const Eigen::Vector3d to = after.row(i).normalized().transpose();
     EXPECT_LT((pose.Rotations[i] * from - to).norm(), 1e-13);
@@ -102,7 +104,7 @@ TEST(BoundaryHandle, FramesTakeTangentsAndNormalsToTheNewOnes)
   }
   // Without normals tangents are met, too.
   wave.Normals.resize(0, 0);
-  const shape::HandlePose plain = shape::PoseHandle(wave, places);
+  const shape::HandlePose plain = shape::PoseHandle(wave, positions);
   for (int i = 0; i < 60; ++i)
   {
     EXPECT_LT((plain.Rotations[i] * before.row(i).normalized().transpose() -
@@ -114,11 +116,11 @@ TEST(BoundaryHandle, FramesTakeTangentsAndNormalsToTheNewOnes)
 
 TEST(BoundaryHandle, DuplicatesAndFoldsHaveRotations)
 {
-  Eigen::MatrixXd places = Wave(20);
-  places.row(7) = places.row(6); // as polylines that repeat a point have it
-  places.row(15) = places.row(13);
-  const shape::BoundaryHandle handle = shape::CurveHandle(places, true);
-  Eigen::MatrixXd to = places;
+  Eigen::MatrixXd positions = Wave(20);
+  positions.row(7) = positions.row(6); // as polylines that repeat a point have it
+  positions.row(15) = positions.row(13);
+  const shape::BoundaryHandle handle = shape::BuildCurveHandle(positions, true);
+  Eigen::MatrixXd to = positions;
   to.middleRows(1, 5).rowwise() = to.row(1); // collapsed at its target
   for (const Eigen::Matrix3d& rotation : shape::PoseHandle(handle, to).Rotations)
   {
@@ -129,28 +131,29 @@ TEST(BoundaryHandle, DuplicatesAndFoldsHaveRotations)
 
 TEST(BoundaryHandle, AnglesTurnAboutTangents)
 {
-  const shape::BoundaryHandle rim = shapetest::RimOf(shapetest::FlatDisk(5));
-  shape::HandlePose pose = shape::RestPose(rim);
-  shape::TurnAboutTangents(rim, Eigen::VectorXd::Constant(rim.Places.rows(), 0.5 * M_PI), pose);
-  for (Eigen::Index i = 0; i < rim.Places.rows(); ++i)
+  const shape::BoundaryHandle loop = shapetest::LoopOf(shapetest::FlatDisk(5));
+  shape::HandlePose pose = shape::GetRestPose(loop);
+  shape::RotateAboutTangents(
+    loop, Eigen::VectorXd::Constant(loop.Positions.rows(), 0.5 * M_PI), pose);
+  for (Eigen::Index i = 0; i < loop.Positions.rows(); ++i)
   {
     // Counter-clockwise: what pointed up points outwards... by the right-hand rule, inwards is up.
-    const Eigen::Vector3d outwards = rim.Places.row(i).normalized().transpose();
+    const Eigen::Vector3d outwards = loop.Positions.row(i).normalized().transpose();
     EXPECT_LT((pose.Rotations[i] * Eigen::Vector3d::UnitZ() - outwards).norm(), 1e-12);
   }
 }
 
 TEST(BoundaryHandle, SetTurnsAreLinearInArcLength)
 {
-  Eigen::MatrixXd places(6, 3);
-  places << 0, 0, 0, 1, 0, 0, 3, 0, 0, 3, 4, 0, 3, 5, 0, 3, 5, 2;
-  const shape::BoundaryHandle open = shape::CurveHandle(places, false);
-  shape::SetTurns turns{ Eigen::MatrixXd::Zero(6, 3), Eigen::VectorXi::Zero(6) };
+  Eigen::MatrixXd positions(6, 3);
+  positions << 0, 0, 0, 1, 0, 0, 3, 0, 0, 3, 4, 0, 3, 5, 0, 3, 5, 2;
+  const shape::BoundaryHandle open = shape::BuildCurveHandle(positions, false);
+  shape::PrescribedRotations turns{ Eigen::MatrixXd::Zero(6, 3), Eigen::VectorXi::Zero(6) };
   turns.Turns(1, 2) = 0.3;
   turns.Turns(4, 2) = 0.3 + 7.0; // more than a whole turn
   turns.IsSet(1) = turns.IsSet(4) = 1;
-  shape::HandlePose pose = shape::RestPose(open);
-  shape::AddSetTurns(open, turns, pose);
+  shape::HandlePose pose = shape::GetRestPose(open);
+  shape::AddPrescribedRotations(open, turns, pose);
   const double angles[] = { 0.3, 0.3, 2.3, 6.3, 7.3, 7.3 }; // arc length from sample 1, and beyond
   for (int i = 0; i < 6; ++i)
   {
@@ -159,14 +162,14 @@ TEST(BoundaryHandle, SetTurnsAreLinearInArcLength)
     EXPECT_LT((pose.Rotations[i] - turn).norm(), 1e-12);
   }
   // One set sample of a closed curve turns all of it; none, none.
-  const shape::BoundaryHandle closed = shape::CurveHandle(Wave(30), true);
-  shape::SetTurns one{ Eigen::MatrixXd::Zero(30, 3), Eigen::VectorXi::Zero(30) };
+  const shape::BoundaryHandle closed = shape::BuildCurveHandle(Wave(30), true);
+  shape::PrescribedRotations one{ Eigen::MatrixXd::Zero(30, 3), Eigen::VectorXi::Zero(30) };
   one.Turns.row(4) << 0.2, -0.4, 0.1;
-  pose = shape::RestPose(closed);
-  shape::AddSetTurns(closed, one, pose);
+  pose = shape::GetRestPose(closed);
+  shape::AddPrescribedRotations(closed, one, pose);
   EXPECT_EQ(FarthestFrom(pose, Eigen::Matrix3d::Identity()), 0.0);
   one.IsSet(4) = 1;
-  shape::AddSetTurns(closed, one, pose);
+  shape::AddPrescribedRotations(closed, one, pose);
   const Eigen::Vector3d turn(0.2, -0.4, 0.1);
   EXPECT_LT(
     FarthestFrom(pose, Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix()),
@@ -176,16 +179,16 @@ TEST(BoundaryHandle, SetTurnsAreLinearInArcLength)
 TEST(BoundaryHandle, TheBiasFrameDrawsNormalsByItsWeight)
 {
   const shape::Mesh cap = shapetest::Cap(8);
-  const shape::BoundaryHandle rim = shapetest::RimOf(cap);
-  const Eigen::MatrixXd normals = shape::HandleNormals(rim, shape::MakePointGraph(cap));
-  const shape::HandlePose posed =
-    shape::PoseHandle(rim, Moved(rim.Places, SomeRotation(), 1.0, Eigen::RowVector3d(1, 2, 3)));
+  const shape::BoundaryHandle loop = shapetest::LoopOf(cap);
+  const Eigen::MatrixXd normals = shape::ComputeHandleNormals(loop, shape::BuildPointGraph(cap));
+  const shape::HandlePose posed = shape::PoseHandle(
+    loop, Moved(loop.Positions, SomeRotation(), 1.0, Eigen::RowVector3d(1, 2, 3)));
   const Eigen::Vector3d direction = Eigen::Vector3d(1, 1, 3).normalized();
   const auto anglesAt = [&](double weight)
   {
     shape::HandlePose pose = posed;
-    shape::BiasFrames(rim, normals, { { 1, 1, 3 }, weight }, pose);
-    Eigen::VectorXd angles(rim.Places.rows());
+    shape::BiasFrames(loop, normals, { { 1, 1, 3 }, weight }, pose);
+    Eigen::VectorXd angles(loop.Positions.rows());
     for (Eigen::Index i = 0; i < angles.size(); ++i)
     {
       const Eigen::Vector3d normal = pose.Rotations[i] * normals.row(i).transpose();
@@ -200,9 +203,9 @@ TEST(BoundaryHandle, TheBiasFrameDrawsNormalsByItsWeight)
     EXPECT_LT((anglesAt(weight) - (1.0 - weight) * whole).cwiseAbs().maxCoeff(), 1e-7);
   }
   // Opposite normals have a way, too.
-  shape::HandlePose pose = shape::RestPose(rim);
-  const Eigen::MatrixXd down = Eigen::RowVector3d(0, 0, -1).replicate(rim.Places.rows(), 1);
-  shape::BiasFrames(rim, down, { { 0, 0, 1 }, 1.0 }, pose);
+  shape::HandlePose pose = shape::GetRestPose(loop);
+  const Eigen::MatrixXd down = Eigen::RowVector3d(0, 0, -1).replicate(loop.Positions.rows(), 1);
+  shape::BiasFrames(loop, down, { { 0, 0, 1 }, 1.0 }, pose);
   for (const Eigen::Matrix3d& rotation : pose.Rotations)
   {
     EXPECT_LT((rotation * Eigen::Vector3d(0, 0, -1) - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
@@ -211,17 +214,19 @@ TEST(BoundaryHandle, TheBiasFrameDrawsNormalsByItsWeight)
 
 TEST(BoundaryHandle, NamesWhatIsWrong)
 {
-  shape::BoundaryHandle handle = shape::CurveHandle(Wave(8), true);
-  Eigen::MatrixXd places = Wave(8);
+  shape::BoundaryHandle handle = shape::BuildCurveHandle(Wave(8), true);
+  Eigen::MatrixXd positions = Wave(8);
   EXPECT_THROW(shape::PoseHandle(handle, Wave(7)), shape::InvalidInput);
-  EXPECT_THROW(shape::PoseHandle(handle, places, places), shape::InvalidInput);
-  handle.Normals = places;
-  EXPECT_THROW(shape::PoseHandle(handle, places), shape::InvalidInput);
-  places(3, 2) = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(shape::PoseHandle(handle, places, Wave(8)), shape::InvalidInput);
-  shape::HandlePose pose = shape::RestPose(handle);
+  EXPECT_THROW(shape::PoseHandle(handle, positions, positions), shape::InvalidInput);
+  handle.Normals = positions;
+  EXPECT_THROW(shape::PoseHandle(handle, positions), shape::InvalidInput);
+  positions(3, 2) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(shape::PoseHandle(handle, positions, Wave(8)), shape::InvalidInput);
+  shape::HandlePose pose = shape::GetRestPose(handle);
+  EXPECT_THROW(shape::AddPrescribedRotations(handle, { Wave(7), Eigen::VectorXi::Zero(7) }, pose),
+    shape::InvalidInput);
   EXPECT_THROW(
-    shape::AddSetTurns(handle, { Wave(7), Eigen::VectorXi::Zero(7) }, pose), shape::InvalidInput);
-  EXPECT_THROW(shape::BiasFrames(handle, places, { { 0, 0, 1 }, 1.5 }, pose), shape::InvalidInput);
-  EXPECT_THROW(shape::BiasFrames(handle, places, { { 0, 0, 0 }, 0.5 }, pose), shape::InvalidInput);
+    shape::BiasFrames(handle, positions, { { 0, 0, 1 }, 1.5 }, pose), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::BiasFrames(handle, positions, { { 0, 0, 0 }, 0.5 }, pose), shape::InvalidInput);
 }

@@ -23,16 +23,16 @@ constexpr int Around = 32;
 constexpr double Degree = M_PI / 180.0;
 
 /// A tube, moved as the space is, and its lower rim as the handle.
-struct Rim
+struct Loop
 {
-  explicit Rim(const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity(),
+  explicit Loop(const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity(),
     const RowVector3d& shift = RowVector3d::Zero())
     : Surface(shapetest::Tube(Around, 8, 1.6))
   {
     this->Surface.Points = shapetest::Moved(this->Surface.Points, turn, 1.0, shift);
-    this->Handle = shape::CurveHandle(this->Surface.Points.topRows(Around), true);
+    this->Handle = shape::BuildCurveHandle(this->Surface.Points.topRows(Around), true);
     this->Deformation =
-      shape::PrepareDeformation(shape::MakePointGraph(this->Surface), this->Handle);
+      shape::PrepareDeformation(shape::BuildPointGraph(this->Surface), this->Handle);
     this->Options.Enough = 0.0;
     this->Options.Reach = 0.3; // the first ring, which is 0.2 away
   }
@@ -41,7 +41,7 @@ struct Rim
     const MatrixXd& wanted, const shape::NormalsOfShape& normals) const
   {
     return shape::OptimizeBoundaryNormals(*this->Deformation, this->Handle,
-      shape::RestPose(this->Handle), wanted, normals, this->Options);
+      shape::GetRestPose(this->Handle), wanted, normals, this->Options);
   }
 
   shape::Mesh Surface;
@@ -100,28 +100,28 @@ Eigen::VectorXd UnevenAngles()
 
 TEST(BoundaryNormals, FramesTurnByTheMissingAngles)
 {
-  Rim rim;
+  Loop loop;
   const Eigen::VectorXd uneven = UnevenAngles(), even = Eigen::VectorXd::Constant(Around, -0.6);
-  const shape::BoundaryNormalsResult each = rim.Optimize(Tilted(uneven), NormalsOfFrames);
+  const shape::BoundaryNormalsResult each = loop.Optimize(Tilted(uneven), NormalsOfFrames);
   EXPECT_NEAR(each.Before, 20.0, 1e-9);
   EXPECT_LT(each.After, 0.05);
   EXPECT_LT((each.Angles - uneven).cwiseAbs().maxCoeff(), 0.1 * Degree);
   EXPECT_LE(each.LineSearches, 10);
-  shape::HandlePose turned = shape::RestPose(rim.Handle);
-  shape::TurnAboutTangents(rim.Handle, each.Angles, turned);
-  EXPECT_EQ(each.Pose.Places, rim.Handle.Places);
+  shape::HandlePose turned = shape::GetRestPose(loop.Handle);
+  shape::RotateAboutTangents(loop.Handle, each.Angles, turned);
+  EXPECT_EQ(each.Pose.Positions, loop.Handle.Positions);
   EXPECT_EQ(each.Pose.Rotations, turned.Rotations);
 
-  rim.Options.SingleAngle = true;
-  const shape::BoundaryNormalsResult one = rim.Optimize(Tilted(uneven), NormalsOfFrames);
+  loop.Options.SingleAngle = true;
+  const shape::BoundaryNormalsResult one = loop.Optimize(Tilted(uneven), NormalsOfFrames);
   EXPECT_EQ(one.Angles.minCoeff(), one.Angles.maxCoeff());
   EXPECT_NEAR(one.Angles(0), 20.0 * Degree, 0.1 * Degree);
   EXPECT_NEAR(one.After, 10.0 * 2.0 / M_PI, 0.1); // the mean of a cosine's size
-  const shape::BoundaryNormalsResult all = rim.Optimize(Tilted(even), NormalsOfFrames);
+  const shape::BoundaryNormalsResult all = loop.Optimize(Tilted(even), NormalsOfFrames);
   EXPECT_LT((all.Angles - even).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT(all.After, 1e-9);
-  rim.Options.LineSearches = 0;
-  const shape::BoundaryNormalsResult none = rim.Optimize(Tilted(even), NormalsOfFrames);
+  loop.Options.LineSearches = 0;
+  const shape::BoundaryNormalsResult none = loop.Optimize(Tilted(even), NormalsOfFrames);
   EXPECT_EQ(none.Angles, Eigen::VectorXd(Eigen::VectorXd::Zero(Around)));
   EXPECT_EQ(none.After, none.Before);
 }
@@ -130,9 +130,9 @@ TEST(BoundaryNormals, ARimComesNearToNormalsThatItCanHaveWhereverItIs)
 {
   const MatrixXd wanted = Tilted(UnevenAngles());
   const Eigen::Matrix3d turn = shapetest::SomeRotation();
-  Rim rim, moved(turn, { 3, -7, 2 });
-  rim.Options.Enough = moved.Options.Enough = 2.0; // before rounding decides what is better
-  const shape::BoundaryNormalsResult here = rim.Optimize(wanted, NormalsOfSides);
+  Loop loop, moved(turn, { 3, -7, 2 });
+  loop.Options.Enough = moved.Options.Enough = 2.0; // before rounding decides what is better
+  const shape::BoundaryNormalsResult here = loop.Optimize(wanted, NormalsOfSides);
   EXPECT_LT(here.After, 0.05 * here.Before);
   const shape::BoundaryNormalsResult there =
     moved.Optimize(wanted * turn.transpose(), NormalsOfSides);
@@ -155,58 +155,60 @@ MatrixXd HastyNormals(const shape::DeformedShape& deformed)
 
 TEST(BoundaryNormals, NothingBecomesWorse)
 {
-  const Rim rim;
+  const Loop loop;
   for (const shape::NormalsOfShape& normals :
     { shape::NormalsOfShape(NormalsOfSides), shape::NormalsOfShape(HastyNormals) })
   {
     const auto energy = [&](const shape::HandlePose& pose, const MatrixXd& wanted)
     {
-      const MatrixXd now = normals(rim.Deformation->Deform(pose, rim.Options.Reach));
+      const MatrixXd now = normals(loop.Deformation->Deform(pose, loop.Options.Reach));
       return (1.0 - now.cwiseProduct(wanted).rowwise().sum().array()).abs().sum();
     };
     for (int i = 0; i < 20; ++i)
     {
       const MatrixXd wanted = MatrixXd::Random(Around, 3).rowwise().normalized();
-      const shape::BoundaryNormalsResult result = rim.Optimize(wanted, normals);
-      EXPECT_LE(energy(result.Pose, wanted), energy(shape::RestPose(rim.Handle), wanted) + 1e-12);
+      const shape::BoundaryNormalsResult result = loop.Optimize(wanted, normals);
+      EXPECT_LE(
+        energy(result.Pose, wanted), energy(shape::GetRestPose(loop.Handle), wanted) + 1e-12);
     }
   }
 }
 
 TEST(BoundaryNormals, SamplesThatWantNoneDoNotCount)
 {
-  const Rim rim;
-  const shape::BoundaryNormalsResult any = rim.Optimize(MatrixXd::Zero(Around, 3), NormalsOfFrames);
+  const Loop loop;
+  const shape::BoundaryNormalsResult any =
+    loop.Optimize(MatrixXd::Zero(Around, 3), NormalsOfFrames);
   EXPECT_EQ(any.Angles, Eigen::VectorXd(Eigen::VectorXd::Zero(Around)));
   EXPECT_EQ(any.Before, 0.0);
   EXPECT_EQ(any.After, 0.0);
   MatrixXd some = Tilted(Eigen::VectorXd::Constant(Around, 0.3));
   some.topRows(5).setZero();
-  const shape::BoundaryNormalsResult rest = rim.Optimize(some, NormalsOfFrames);
+  const shape::BoundaryNormalsResult rest = loop.Optimize(some, NormalsOfFrames);
   EXPECT_NEAR(rest.Before, 0.3 / Degree, 1e-9);
   EXPECT_LT(rest.After, 0.1);
 
   MatrixXd a(5, 3), b(5, 3);
   a << 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1;
   b << 0, 1, 0, -1, 0, 0, 1, 1e-9, 0, 0, 0, 1, 0, 0, 0;
-  EXPECT_NEAR(shape::MeanAngle(a.topRows(2), b.topRows(2)), 135.0, 1e-12);
-  EXPECT_NEAR(shape::MeanAngle(a.row(2), b.row(2)) * Degree, 1e-9, 1e-18);
-  EXPECT_NEAR(shape::MeanAngle(a, b), 90.0, 1e-7);
-  EXPECT_EQ(shape::MeanAngle(a.bottomRows(2), b.bottomRows(2)), 0.0);
+  EXPECT_NEAR(shape::ComputeMeanAngle(a.topRows(2), b.topRows(2)), 135.0, 1e-12);
+  EXPECT_NEAR(shape::ComputeMeanAngle(a.row(2), b.row(2)) * Degree, 1e-9, 1e-18);
+  EXPECT_NEAR(shape::ComputeMeanAngle(a, b), 90.0, 1e-7);
+  EXPECT_EQ(shape::ComputeMeanAngle(a.bottomRows(2), b.bottomRows(2)), 0.0);
 }
 
 TEST(BoundaryNormals, RefusesWhatDoesNotFitTogether)
 {
-  const Rim rim;
+  const Loop loop;
   const MatrixXd wanted = Tilted(UnevenAngles());
-  EXPECT_THROW(rim.Optimize(wanted.topRows(5), NormalsOfFrames), shape::InvalidInput);
-  shape::HandlePose pose = shape::RestPose(rim.Handle);
-  pose.Places.conservativeResize(Around - 1, 3);
+  EXPECT_THROW(loop.Optimize(wanted.topRows(5), NormalsOfFrames), shape::InvalidInput);
+  shape::HandlePose pose = shape::GetRestPose(loop.Handle);
+  pose.Positions.conservativeResize(Around - 1, 3);
   EXPECT_THROW(
-    shape::OptimizeBoundaryNormals(*rim.Deformation, rim.Handle, pose, wanted, NormalsOfFrames),
+    shape::OptimizeBoundaryNormals(*loop.Deformation, loop.Handle, pose, wanted, NormalsOfFrames),
     shape::InvalidInput);
   EXPECT_THROW(
-    shape::OptimizeBoundaryNormals(*rim.Deformation, rim.Handle, shape::RestPose(rim.Handle),
+    shape::OptimizeBoundaryNormals(*loop.Deformation, loop.Handle, shape::GetRestPose(loop.Handle),
       wanted, NormalsOfFrames, {}, shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

@@ -22,9 +22,9 @@ Options Relative()
 }
 
 /// Points around the curve below, as a point set.
-Eigen::MatrixXd PlacesAround()
+Eigen::MatrixXd PositionsAround()
 {
-  Eigen::MatrixXd places(27, 3);
+  Eigen::MatrixXd positions(27, 3);
   int row = 0;
   for (const double x : { -0.8, 0.1, 0.9 })
   {
@@ -32,11 +32,11 @@ Eigen::MatrixXd PlacesAround()
     {
       for (const double z : { 0.2, 0.5, 1.1 })
       {
-        places.row(row++) << x, y, z;
+        positions.row(row++) << x, y, z;
       }
     }
   }
-  return places;
+  return positions;
 }
 
 /// An L of two segments of length 2, whose corner alone moves, with `pieces` samples on each.
@@ -48,7 +48,7 @@ shape::BoundaryHandle Corner(int pieces)
     samples.row(i) << -1.0 + 2.0 * i / pieces, 0, 0;
     samples.row(pieces + i) << 1, 2.0 * i / pieces, 0;
   }
-  return shape::CurveHandle(samples, false);
+  return shape::BuildCurveHandle(samples, false);
 }
 
 /// The integrals of 1 / d^2 and s / d^2 over a segment from `from` to `to`, s from 0 to 1 along it.
@@ -68,28 +68,28 @@ Eigen::Vector2d SegmentIntegrals(
 
 TEST(BoundaryRelative, IsTheClosedFormOfASquaredDistanceOnAPolyline)
 {
-  const Eigen::MatrixXd places = PlacesAround();
+  const Eigen::MatrixXd positions = PositionsAround();
   const Eigen::RowVector3d shift(0.3, -0.5, 0.4);
   const Eigen::Vector3d a(-1, 0, 0), b(1, 0, 0), c(1, 2, 0);
-  const shape::PointGraph graph = shape::MakePointGraph({ places, {}, {}, {} });
+  const shape::PointGraph graph = shape::BuildPointGraph({ positions, {}, {}, {} });
   double before = 1.0;
   for (const int pieces : { 20, 40, 80, 160 })
   {
     const shape::BoundaryHandle corner = Corner(pieces);
-    shape::HandlePose pose = shape::RestPose(corner);
+    shape::HandlePose pose = shape::GetRestPose(corner);
     for (int i = 0; i <= 2 * pieces; ++i)
     {
-      pose.Places.row(i) += (1.0 - std::abs(i - pieces) / static_cast<double>(pieces)) * shift;
+      pose.Positions.row(i) += (1.0 - std::abs(i - pieces) / static_cast<double>(pieces)) * shift;
     }
     const Eigen::MatrixXd moved =
       shape::ShapeDeformation(graph, corner, Relative()).Deform(pose).Points;
     double error = 0.0;
-    for (int i = 0; i < places.rows(); ++i)
+    for (int i = 0; i < positions.rows(); ++i)
     {
-      const Eigen::Vector3d p = places.row(i).transpose();
+      const Eigen::Vector3d p = positions.row(i).transpose();
       const Eigen::Vector2d first = SegmentIntegrals(a, b, p), second = SegmentIntegrals(c, b, p);
       const double share = (first(1) + second(1)) / (first(0) + second(0));
-      error = std::max(error, (moved.row(i) - places.row(i) - share * shift).norm());
+      error = std::max(error, (moved.row(i) - positions.row(i) - share * shift).norm());
     }
     EXPECT_LT(error, pieces == 20 ? 2e-3 : before / 3.5); // of second order
     before = error;
@@ -100,25 +100,25 @@ TEST(BoundaryRelative, IsTheClosedFormOfASquaredDistanceOnAPolyline)
 TEST(BoundaryRelative, AnUnevenlySampledLoopGivesTheSame)
 {
   const shape::Mesh cap = shapetest::Cap(12);
-  const shape::PointGraph graph = shape::MakePointGraph(cap);
+  const shape::PointGraph graph = shape::BuildPointGraph(cap);
   // A circle of 400 samples, evenly, and ever denser towards one place.
   const auto circle = [](bool even)
   {
-    Eigen::MatrixXd places(400, 3);
+    Eigen::MatrixXd positions(400, 3);
     for (int i = 0; i < 400; ++i)
     {
       const double t = i / 400.0,
                    angle = 2.0 * M_PI * (even ? t : t + 0.13 * std::sin(2.0 * M_PI * t));
-      places.row(i) << 1.2 * std::cos(angle), 1.2 * std::sin(angle), -0.2;
+      positions.row(i) << 1.2 * std::cos(angle), 1.2 * std::sin(angle), -0.2;
     }
-    return shape::CurveHandle(places, true);
+    return shape::BuildCurveHandle(positions, true);
   };
   std::vector<Eigen::MatrixXd> results;
   for (const bool even : { true, false })
   {
     const shape::BoundaryHandle loop = circle(even);
     results.push_back(shape::ShapeDeformation(graph, loop, Relative())
-                        .Deform(shape::PoseHandle(loop, shapetest::Bent(loop.Places, 1.5)))
+                        .Deform(shape::PoseHandle(loop, shapetest::Bent(loop.Positions, 1.5)))
                         .Points);
   }
   EXPECT_GT(Largest(results[0] - cap.Points), 0.3);
@@ -135,13 +135,13 @@ TEST(BoundaryRelative, SquashesFarPointsAndTheFrontDoesNot)
     row(2) = 3.0 * (1.0 - std::max(0.0, (r - 0.3) / 0.7));
     row.head<2>() *= r > 0.0 ? wall / r : 0.0;
   }
-  const shape::BoundaryHandle rim = shapetest::RimOf(cup);
-  const shape::HandlePose pose = shape::PoseHandle(rim, shapetest::Bent(rim.Places, 0.8));
+  const shape::BoundaryHandle rim = shapetest::LoopOf(cup);
+  const shape::HandlePose pose = shape::PoseHandle(rim, shapetest::Bent(rim.Positions, 0.8));
   const auto heightOf = [&](const Options& options)
   {
     const Eigen::MatrixXd moved =
-      shape::ShapeDeformation(shape::MakePointGraph(cup), rim, options).Deform(pose).Points;
-    return moved.col(2).maxCoeff() - pose.Places.col(2).mean();
+      shape::ShapeDeformation(shape::BuildPointGraph(cup), rim, options).Deform(pose).Points;
+    return moved.col(2).maxCoeff() - pose.Positions.col(2).mean();
   };
   EXPECT_LT(heightOf(Relative()), 2.85);
   Options front = Relative();
@@ -153,15 +153,15 @@ TEST(BoundaryRelative, StreamedWeightsAreTheKeptOnes)
 {
   const shape::Mesh cap = shapetest::Cap(10);
   shape::NodeProblem problem;
-  problem.Graph = shape::MakePointGraph(cap);
-  problem.Sources = shape::OpenLoops(cap).front();
+  problem.Graph = shape::BuildPointGraph(cap);
+  problem.Sources = shape::FindManifoldBoundaryLoops(cap).front();
   problem.Powers = Eigen::VectorXd::Constant(cap.Points.rows(), 2.0);
   problem.Scales = Eigen::VectorXd::Ones(cap.Points.rows());
   const auto sources = static_cast<Eigen::Index>(problem.Sources.size());
-  shape::NodeMotions motions{ Eigen::MatrixXd::Random(3, sources),
+  shape::NodeTransforms motions{ Eigen::MatrixXd::Random(3, sources),
     std::vector<Eigen::Matrix3d>(sources, shapetest::SomeRotation()) };
   const shape::BoundaryRelative kept(problem);
-  problem.MostWeights = 0;
+  problem.MaximumWeights = 0;
   const shape::BoundaryRelative streamed(problem);
   EXPECT_TRUE(streamed.IsStreamed() && !kept.IsStreamed());
   EXPECT_EQ(streamed.Move(motions, 1e9).Shifts, kept.Move(motions, 1e9).Shifts);
@@ -171,8 +171,8 @@ TEST(BoundaryRelative, SourcesWithoutWeightCountByTheirDistance)
 {
   const shape::Mesh cap = shapetest::Cap(10);
   shape::NodeProblem problem;
-  problem.Graph = shape::MakePointGraph(cap);
-  problem.Sources = shape::OpenLoops(cap).front();
+  problem.Graph = shape::BuildPointGraph(cap);
+  problem.Sources = shape::FindManifoldBoundaryLoops(cap).front();
   for (const int source : problem.Sources)
   {
     problem.Graph.Weights(source) = 0.0;
@@ -181,11 +181,11 @@ TEST(BoundaryRelative, SourcesWithoutWeightCountByTheirDistance)
   problem.Scales = Eigen::VectorXd::Ones(cap.Points.rows());
   const auto sources = static_cast<Eigen::Index>(problem.Sources.size());
   const Eigen::Vector3d shift(1.0, 2.0, 3.0);
-  const shape::NodeMotions motions{ shift.replicate(1, sources),
+  const shape::NodeTransforms motions{ shift.replicate(1, sources),
     std::vector<Eigen::Matrix3d>(sources, Eigen::Matrix3d::Identity()) };
   for (const bool streamed : { false, true })
   {
-    problem.MostWeights = streamed ? 0 : problem.MostWeights;
+    problem.MaximumWeights = streamed ? 0 : problem.MaximumWeights;
     const shape::BoundaryRelative relative(problem);
     EXPECT_EQ(relative.ZeroWeights(), cap.Points.rows() - sources);
     const Eigen::MatrixXd shifts = relative.Move(motions, 1e9).Shifts;

@@ -16,7 +16,7 @@ using shapetest::Largest;
 shape::DeformProblem SomeProblem()
 {
   const shape::Mesh cap = shapetest::Cap(10);
-  shape::DeformProblem problem{ { cap.Points, {}, cap.Triangles, {} }, shapetest::RimOf(cap), {},
+  shape::DeformProblem problem{ { cap.Points, {}, cap.Triangles, {} }, shapetest::LoopOf(cap), {},
     {} };
   problem.Fields.Rigidity = Eigen::VectorXd::Ones(cap.Points.rows());
   return problem;
@@ -30,7 +30,7 @@ TEST(Deform, KeepsItsWeightsWhileOnlyTheTargetChanges)
   shape::Deformer deformer;
   for (const double radius : { 1.0, 1.5, 2.0 })
   {
-    const shape::HandleTarget target{ shapetest::Bent(problem.Handle.Places, radius), {}, {} };
+    const shape::HandleTarget target{ shapetest::Bent(problem.Handle.Positions, radius), {}, {} };
     const Eigen::MatrixXd kept = deformer.Deform(problem, target).Points;
     EXPECT_EQ(deformer.HasPrepared(), radius == 1.0);
     EXPECT_EQ(kept, shape::Deformer().Deform(problem, target).Points);
@@ -48,7 +48,7 @@ TEST(Deform, PreparesAgainWhereAnythingElseChanges)
     [](Problem& one) { std::swap(one.Shape.Triangles(0, 0), one.Shape.Triangles(0, 1)); },
     [](Problem& one) { one.Shape.Lines = Eigen::RowVector2i(0, 5); },
     [](Problem& one) { one.Shape.Tetrahedra = Eigen::RowVector4i(0, 1, 2, 3); },
-    [](Problem& one) { one.Handle.Places(3, 0) += 1e-9; },
+    [](Problem& one) { one.Handle.Positions(3, 0) += 1e-9; },
     [](Problem& one) { one.Handle.Segments.conservativeResize(20, 2); },
     [](Problem& one) { one.Handle.Triangles = Eigen::RowVector3i(0, 1, 2); },
     [](Problem& one) { one.Fields.Rigidity(0) = 2.0; },
@@ -70,10 +70,10 @@ TEST(Deform, PreparesAgainWhereAnythingElseChanges)
   shape::Deformer deformer;
   for (const auto& change : changes)
   {
-    deformer.Deform(before, { before.Handle.Places, {}, {} });
+    deformer.Deform(before, { before.Handle.Positions, {}, {} });
     shape::DeformProblem after = before;
     change(after);
-    const shape::HandleTarget target{ shapetest::Bent(after.Handle.Places, 1.0), {}, {} };
+    const shape::HandleTarget target{ shapetest::Bent(after.Handle.Positions, 1.0), {}, {} };
     const Eigen::MatrixXd points = deformer.Deform(after, target).Points;
     EXPECT_TRUE(deformer.HasPrepared());
     EXPECT_EQ(points, shape::Deformer().Deform(after, target).Points);
@@ -86,10 +86,10 @@ TEST(Deform, TheOrderOfPointsAndElementsDoesNotMatter)
   const shape::Mesh square = shapetest::FlatSquare(50, 0.0);
   const auto n = static_cast<int>(square.Points.rows());
   shape::DeformProblem problem{ { square.Points, {}, square.Triangles, {} },
-    shapetest::RimOf(square), {}, {} };
+    shapetest::LoopOf(square), {}, {} };
   problem.Options.Multiresolution = shape::DeformOptions::MultiresolutionType::On;
   problem.Fields.Rigidity = Eigen::VectorXd::LinSpaced(n, 0.5, 2.0);
-  const shape::HandleTarget target{ shapetest::Bent(problem.Handle.Places, 1.0), {}, {} };
+  const shape::HandleTarget target{ shapetest::Bent(problem.Handle.Positions, 1.0), {}, {} };
   const Eigen::MatrixXd before = shape::Deformer().Deform(problem, target).Points;
   std::vector<int> order(n), number(n);
   for (int i = 0; i < n; ++i)
@@ -109,7 +109,7 @@ TEST(Deform, TheOrderOfPointsAndElementsDoesNotMatter)
 TEST(Deform, WhatFailsOrIsStoppedLeavesNothingWrong)
 {
   const shape::DeformProblem problem = SomeProblem();
-  const shape::HandleTarget target{ shapetest::Bent(problem.Handle.Places, 1.0), {}, {} };
+  const shape::HandleTarget target{ shapetest::Bent(problem.Handle.Positions, 1.0), {}, {} };
   const Eigen::MatrixXd points = shape::Deformer().Deform(problem, target).Points;
   shape::Deformer deformer;
   shape::DeformProblem wrong = problem;
@@ -145,24 +145,25 @@ TEST(Deform, WhatFailsOrIsStoppedLeavesNothingWrong)
 TEST(Deform, SetTurnsAndTheBiasTurnFrames)
 {
   const shape::DeformProblem problem = SomeProblem();
-  const Eigen::Index samples = problem.Handle.Places.rows();
-  shape::HandleTarget target{ problem.Handle.Places, {}, {} };
+  const Eigen::Index samples = problem.Handle.Positions.rows();
+  shape::HandleTarget target{ problem.Handle.Positions, {}, {} };
   target.Turns = { Eigen::MatrixXd::Zero(samples, 3), Eigen::VectorXi::Zero(samples) };
   target.Turns.Turns(0, 2) = 0.5;
   target.Turns.IsSet(0) = 1;
   shape::PoseOptions options;
-  const shape::PointGraph graph = shape::MakePointGraph(problem.Shape);
+  const shape::PointGraph graph = shape::BuildPointGraph(problem.Shape);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   for (const Eigen::Matrix3d& rotation :
-    shape::PoseAt(problem.Handle, target, options, graph).Rotations)
+    shape::PoseHandleAt(problem.Handle, target, options, graph).Rotations)
   {
     EXPECT_LT((rotation - turn).norm(), 1e-12);
   }
   options.BiasWeight = 1.0; // towards z, wherever the cap's normals point
-  const shape::HandlePose pose = shape::PoseAt(problem.Handle, target, options, graph);
+  const shape::HandlePose pose = shape::PoseHandleAt(problem.Handle, target, options, graph);
   for (Eigen::Index i = 0; i < samples; ++i)
   {
-    const Eigen::Vector3d normal = shape::HandleNormals(problem.Handle, graph).row(i).transpose();
+    const Eigen::Vector3d normal =
+      shape::ComputeHandleNormals(problem.Handle, graph).row(i).transpose();
     EXPECT_LT((pose.Rotations[i] * normal.normalized() - Eigen::Vector3d::UnitZ()).norm(), 1e-7);
   }
 }

@@ -27,13 +27,13 @@ Options InFull()
 /// The first `count` points, which are a ring, as a handle.
 shape::BoundaryHandle FirstRing(const shape::Mesh& tube, int count)
 {
-  return shape::CurveHandle(tube.Points.topRows(count), true);
+  return shape::BuildCurveHandle(tube.Points.topRows(count), true);
 }
 
 shape::DeformedShape DeformedTo(const shape::Mesh& mesh, const shape::BoundaryHandle& handle,
   const Eigen::MatrixXd& target, const Options& options = InFull())
 {
-  return shape::ShapeDeformation(shape::MakePointGraph(mesh), handle, options)
+  return shape::ShapeDeformation(shape::BuildPointGraph(mesh), handle, options)
     .Deform(shape::PoseHandle(handle, target));
 }
 
@@ -56,13 +56,13 @@ TEST(FrontDeformation, ALongTubeDoesNotDrift)
   // as straight and as round as before, and its frames are rotations.
   constexpr int around = 24, along = 400;
   const shape::Mesh tube = shapetest::Tube(around, along, 100.0);
-  const shape::BoundaryHandle rim = FirstRing(tube, around);
+  const shape::BoundaryHandle loop = FirstRing(tube, around);
   shape::HandlePose pose = shape::PoseHandle(
-    rim, shapetest::Moved(rim.Places, shapetest::SomeRotation(), 1.0, { 1, 2, 3 }));
-  const shape::ShapeDeformation prepared(shape::MakePointGraph(tube), rim, InFull());
+    loop, shapetest::Moved(loop.Positions, shapetest::SomeRotation(), 1.0, { 1, 2, 3 }));
+  const shape::ShapeDeformation prepared(shape::BuildPointGraph(tube), loop, InFull());
   EXPECT_LT(Largest(prepared.Deform(pose).Points -
               shapetest::Moved(tube.Points, shapetest::SomeRotation(), 1.0, { 1, 2, 3 })),
-    1e-12 * shape::BoxDiagonal(tube.Points));
+    1e-12 * shape::ComputeBoxDiagonal(tube.Points));
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   constexpr double noise = 1e-3;
@@ -100,9 +100,9 @@ TEST(FrontDeformation, ABentRimBecomesRoundAgainFarAway)
 {
   constexpr int around = 48, along = 100;
   const shape::Mesh tube = shapetest::Tube(around, along, 10.0);
-  const shape::BoundaryHandle rim = FirstRing(tube, around);
-  const Eigen::MatrixXd target = Bent(rim.Places, 1.3);
-  const Eigen::MatrixXd moved = DeformedTo(tube, rim, target).Points;
+  const shape::BoundaryHandle loop = FirstRing(tube, around);
+  const Eigen::MatrixXd target = Bent(loop.Positions, 1.3);
+  const Eigen::MatrixXd moved = DeformedTo(tube, loop, target).Points;
   const Eigen::MatrixXd centres = Centres(moved, around);
   const auto unevenness = [&](int ring)
   {
@@ -125,9 +125,9 @@ TEST(FrontDeformation, JitterOfARegularGridDoesNotBias)
 {
   constexpr int around = 48, along = 40;
   const shape::Mesh tube = shapetest::Tube(around, along, 4.0);
-  const shape::BoundaryHandle rim = FirstRing(tube, around);
-  const Eigen::MatrixXd target = Bent(rim.Places, 1.3);
-  const Eigen::MatrixXd before = DeformedTo(tube, rim, target).Points;
+  const shape::BoundaryHandle loop = FirstRing(tube, around);
+  const Eigen::MatrixXd target = Bent(loop.Positions, 1.3);
+  const Eigen::MatrixXd before = DeformedTo(tube, loop, target).Points;
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (const double share : { 1e-9, 1e-6, 1e-3, 1e-2 })
@@ -141,16 +141,16 @@ TEST(FrontDeformation, JitterOfARegularGridDoesNotBias)
       }
     }
     // What arrives together in one and not in the other would change the result at once.
-    EXPECT_LT(Largest(DeformedTo(shaken, rim, target).Points - before), 0.5 * share + 1e-12);
+    EXPECT_LT(Largest(DeformedTo(shaken, loop, target).Points - before), 0.5 * share + 1e-12);
   }
 }
 
 TEST(FrontDeformation, ALocallyDensifiedMeshGivesTheOriginalsResult)
 {
   const shape::Mesh cap = shapetest::Cap(16);
-  const shape::BoundaryHandle rim = shapetest::RimOf(cap);
-  const Eigen::MatrixXd target = Bent(rim.Places, 1.0);
-  const Eigen::MatrixXd before = DeformedTo(cap, rim, target).Points;
+  const shape::BoundaryHandle loop = shapetest::LoopOf(cap);
+  const Eigen::MatrixXd target = Bent(loop.Positions, 1.0);
+  const Eigen::MatrixXd before = DeformedTo(cap, loop, target).Points;
   EXPECT_GT(Largest(before - cap.Points), 0.5);
   shape::Mesh dense = cap;
   for (int round = 0; round < 3; ++round)
@@ -158,7 +158,7 @@ TEST(FrontDeformation, ALocallyDensifiedMeshGivesTheOriginalsResult)
     // A point in the middle of each triangle on one side.
     for (Eigen::Index t = dense.Triangles.rows() - 1; t >= 0; --t)
     {
-      const Eigen::RowVector3d centre = shape::Corners(dense, t).colwise().mean();
+      const Eigen::RowVector3d centre = shape::GetCorners(dense, t).colwise().mean();
       if ((centre.head<2>() - Eigen::RowVector2d(0.5, 0.0)).norm() < 0.25)
       {
         const Eigen::RowVector3i corners = dense.Triangles.row(t);
@@ -174,22 +174,22 @@ TEST(FrontDeformation, ALocallyDensifiedMeshGivesTheOriginalsResult)
     }
   }
   EXPECT_GT(dense.Points.rows(), 2 * cap.Points.rows());
-  const Eigen::MatrixXd after = DeformedTo(dense, rim, target).Points;
+  const Eigen::MatrixXd after = DeformedTo(dense, loop, target).Points;
   EXPECT_LT(Largest(after.topRows(cap.Points.rows()) - before), 0.02);
 }
 
 TEST(FrontDeformation, MoreSamplesOnTheSameLoopGiveTheSame)
 {
   const shape::Mesh cap = shapetest::Cap(16);
-  const shape::BoundaryHandle rim = shapetest::RimOf(cap);
-  const Eigen::MatrixXd target = Bent(rim.Places, 1.0);
-  const shape::HandlePose pose = shape::PoseHandle(rim, target);
-  const shape::PointGraph graph = shape::MakePointGraph(cap);
+  const shape::BoundaryHandle loop = shapetest::LoopOf(cap);
+  const Eigen::MatrixXd target = Bent(loop.Positions, 1.0);
+  const shape::HandlePose pose = shape::PoseHandle(loop, target);
+  const shape::PointGraph graph = shape::BuildPointGraph(cap);
   // Half of the segments get nine samples more, their frames in between.
   shape::BoundaryHandle uneven;
   shape::HandlePose posed;
-  const Eigen::Index n = rim.Places.rows();
-  std::vector<Eigen::RowVector3d> places, targets;
+  const Eigen::Index n = loop.Positions.rows();
+  std::vector<Eigen::RowVector3d> positions, targets;
   for (Eigen::Index i = 0; i < n; ++i)
   {
     const Eigen::Index next = (i + 1) % n;
@@ -198,20 +198,20 @@ TEST(FrontDeformation, MoreSamplesOnTheSameLoopGiveTheSame)
     for (int k = 0; k < pieces; ++k)
     {
       const double t = static_cast<double>(k) / pieces;
-      places.emplace_back((1.0 - t) * rim.Places.row(i) + t * rim.Places.row(next));
+      positions.emplace_back((1.0 - t) * loop.Positions.row(i) + t * loop.Positions.row(next));
       targets.emplace_back((1.0 - t) * target.row(i) + t * target.row(next));
       posed.Rotations.push_back(from.slerp(t, to).toRotationMatrix());
     }
   }
-  Eigen::MatrixXd rows(places.size(), 3);
-  posed.Places.resize(rows.rows(), 3);
+  Eigen::MatrixXd rows(positions.size(), 3);
+  posed.Positions.resize(rows.rows(), 3);
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
   {
-    rows.row(i) = places[i];
-    posed.Places.row(i) = targets[i];
+    rows.row(i) = positions[i];
+    posed.Positions.row(i) = targets[i];
   }
-  uneven = shape::CurveHandle(rows, true);
-  const Eigen::MatrixXd one = shape::ShapeDeformation(graph, rim, InFull()).Deform(pose).Points;
+  uneven = shape::BuildCurveHandle(rows, true);
+  const Eigen::MatrixXd one = shape::ShapeDeformation(graph, loop, InFull()).Deform(pose).Points;
   const Eigen::MatrixXd other =
     shape::ShapeDeformation(graph, uneven, InFull()).Deform(posed).Points;
   EXPECT_LT(Largest(one - other), 0.01); // edges are 0.06
@@ -221,15 +221,15 @@ TEST(FrontDeformation, StreamedWeightsAreTheKeptOnes)
 {
   const shape::Mesh cap = shapetest::Cap(10);
   shape::NodeProblem problem;
-  problem.Graph = shape::MakePointGraph(cap);
-  problem.Sources = shape::OpenLoops(cap).front();
+  problem.Graph = shape::BuildPointGraph(cap);
+  problem.Sources = shape::FindManifoldBoundaryLoops(cap).front();
   problem.Powers = Eigen::VectorXd::Constant(cap.Points.rows(), 3.0);
   problem.Scales = Eigen::VectorXd::Ones(cap.Points.rows());
   const auto sources = static_cast<Eigen::Index>(problem.Sources.size());
-  shape::NodeMotions motions{ Eigen::MatrixXd::Random(3, sources),
+  shape::NodeTransforms motions{ Eigen::MatrixXd::Random(3, sources),
     std::vector<Eigen::Matrix3d>(sources, shapetest::SomeRotation()) };
   const shape::FrontDeformation kept(problem);
-  problem.MostWeights = 0;
+  problem.MaximumWeights = 0;
   const shape::FrontDeformation streamed(problem);
   EXPECT_TRUE(streamed.IsStreamed() && !kept.IsStreamed());
   EXPECT_EQ(streamed.Move(motions, 1e9).Shifts, kept.Move(motions, 1e9).Shifts);

@@ -50,12 +50,12 @@ shape::Mesh RegularStrip()
 
 MatrixXd Line(const RowVector3d& from, const RowVector3d& to, int samples)
 {
-  MatrixXd places(samples, 3);
+  MatrixXd positions(samples, 3);
   for (int i = 0; i < samples; ++i)
   {
-    places.row(i) = from + i * (to - from) / (samples - 1);
+    positions.row(i) = from + i * (to - from) / (samples - 1);
   }
-  return places;
+  return positions;
 }
 
 /// One triangle as a handle.
@@ -63,8 +63,8 @@ shape::BoundaryHandle TriangleHandle(
   const RowVector3d& a, const RowVector3d& b, const RowVector3d& c)
 {
   shape::BoundaryHandle handle;
-  handle.Places.resize(3, 3);
-  handle.Places << a, b, c;
+  handle.Positions.resize(3, 3);
+  handle.Positions << a, b, c;
   handle.Triangles = Eigen::RowVector3i(0, 1, 2);
   return handle;
 }
@@ -83,14 +83,15 @@ double WeightOf(const shape::HandleSources& sources)
 void ExpectSound(const shape::PointGraph& shape, const shape::BoundaryHandle& handle,
   const shape::HandleSources& sources)
 {
-  EXPECT_EQ(sources.Graph.Places.topRows(shape.Size()), shape.Places);
+  EXPECT_EQ(sources.Graph.Positions.topRows(shape.Size()), shape.Positions);
   EXPECT_EQ(NodesOf(sources).size(), sources.Nodes.size());
   ASSERT_EQ(sources.Samples.rows(), static_cast<Eigen::Index>(sources.Nodes.size()));
   EXPECT_GE(sources.Shares.minCoeff(), 0.0);
   EXPECT_LT((sources.Shares.rowwise().sum().array() - 1.0).abs().maxCoeff(), 1e-14);
-  const double size = std::max(shape::BoxDiagonal(shape.Places), shape::BoxDiagonal(handle.Places));
+  const double size = std::max(
+    shape::ComputeBoxDiagonal(shape.Positions), shape::ComputeBoxDiagonal(handle.Positions));
   std::set<std::pair<int, int>> toShape;
-  for (const auto& [a, b] : shape::LinksOf(sources.Graph))
+  for (const auto& [a, b] : shape::ListLinks(sources.Graph))
   {
     if (a < shape.Size())
     {
@@ -99,32 +100,32 @@ void ExpectSound(const shape::PointGraph& shape, const shape::BoundaryHandle& ha
   }
   for (Eigen::Index k = 0; k < sources.Samples.rows(); ++k)
   {
-    RowVector3d place = RowVector3d::Zero();
+    RowVector3d position = RowVector3d::Zero();
     for (int c = 0; c < 3; ++c)
     {
-      place += sources.Shares(k, c) * handle.Places.row(sources.Samples(k, c));
+      position += sources.Shares(k, c) * handle.Positions.row(sources.Samples(k, c));
     }
     const int node = sources.Nodes[k];
-    EXPECT_LE((sources.Graph.Places.row(node) - place).norm(), 1.01e-6 * size);
+    EXPECT_LE((sources.Graph.Positions.row(node) - position).norm(), 1.01e-6 * size);
     if (node >= shape.Size()) // linked with the nearest node of the shape
     {
       Eigen::Index nearest = 0;
-      (shape.Places.rowwise() - place).rowwise().norm().minCoeff(&nearest);
+      (shape.Positions.rowwise() - position).rowwise().norm().minCoeff(&nearest);
       EXPECT_EQ(toShape.count({ node, static_cast<int>(nearest) }), 1U);
     }
   }
-  std::vector<std::pair<int, int>> links = shape::LinksOf(shape), all;
-  all = shape::LinksOf(sources.Graph);
+  std::vector<std::pair<int, int>> links = shape::ListLinks(shape), all;
+  all = shape::ListLinks(sources.Graph);
   EXPECT_TRUE(std::includes(all.begin(), all.end(), links.begin(), links.end()));
 }
 
 TEST(HandleSources, ABorderOfTheShapeIsItsNodes)
 {
-  const shape::PointGraph shape = shape::MakePointGraph(RegularStrip());
+  const shape::PointGraph shape = shape::BuildPointGraph(RegularStrip());
   for (const int step : { 1, 4, 20 }) // every node, some, the ends: the rest lies on the segments
   {
     const shape::BoundaryHandle handle =
-      shape::CurveHandle(shape.Places(Eigen::seq(0, 20, step), Eigen::all), false);
+      shape::BuildCurveHandle(shape.Positions(Eigen::seq(0, 20, step), Eigen::all), false);
     const shape::HandleSources sources = shape::AttachHandle(shape, handle);
     ExpectSound(shape, handle, sources);
     std::vector<int> nodes(sources.Nodes), row(21);
@@ -142,11 +143,11 @@ TEST(HandleSources, ABorderOfTheShapeIsItsNodes)
   // A place that the curve comes back to is one source, on the shape and above it.
   for (const double height : { 0.0, 1.0 })
   {
-    MatrixXd places(5, 3);
-    places << shape.Places.row(0), shape.Places.row(1), shape.Places.row(21), shape.Places.row(1),
-      shape.Places.row(0);
-    places.col(2).array() += height;
-    const shape::BoundaryHandle handle = shape::CurveHandle(places, false);
+    MatrixXd positions(5, 3);
+    positions << shape.Positions.row(0), shape.Positions.row(1), shape.Positions.row(21),
+      shape.Positions.row(1), shape.Positions.row(0);
+    positions.col(2).array() += height;
+    const shape::BoundaryHandle handle = shape::BuildCurveHandle(positions, false);
     const shape::HandleSources sources = shape::AttachHandle(shape, handle);
     ExpectSound(shape, handle, sources);
     EXPECT_EQ(sources.Nodes.size(), 3U);
@@ -155,24 +156,24 @@ TEST(HandleSources, ABorderOfTheShapeIsItsNodes)
 
 TEST(HandleSources, ACoarseCurveHasNoGapsAndAWeightByItsLength)
 {
-  const shape::PointGraph shape = shape::MakePointGraph(RegularStrip());
+  const shape::PointGraph shape = shape::BuildPointGraph(RegularStrip());
   const RowVector3d from(3.2, 1.1, 0.4), to(17.9, 3.3, 0.4);
   double weight = 0.0;
   for (const int samples : { 2, 3, 8, 50 })
   {
-    const shape::BoundaryHandle handle = shape::CurveHandle(Line(from, to, samples), false);
+    const shape::BoundaryHandle handle = shape::BuildCurveHandle(Line(from, to, samples), false);
     const shape::HandleSources sources = shape::AttachHandle(shape, handle);
     ExpectSound(shape, handle, sources);
     std::vector<std::pair<double, int>> along;
     for (const int node : sources.Nodes)
     {
       EXPECT_GE(node, shape.Size()); // above the shape
-      along.emplace_back((sources.Graph.Places.row(node) - from).norm(), node);
+      along.emplace_back((sources.Graph.Positions.row(node) - from).norm(), node);
     }
     std::sort(along.begin(), along.end());
     EXPECT_EQ(along.front().first, 0.0);
     EXPECT_NEAR(along.back().first, (to - from).norm(), 1e-12);
-    const std::vector<std::pair<int, int>> links = shape::LinksOf(sources.Graph);
+    const std::vector<std::pair<int, int>> links = shape::ListLinks(sources.Graph);
     for (std::size_t i = 1; i < along.size(); ++i)
     {
       EXPECT_LE(along[i].first - along[i - 1].first, 1.5 * shape.MeanLength);
@@ -182,13 +183,14 @@ TEST(HandleSources, ACoarseCurveHasNoGapsAndAWeightByItsLength)
     weight = weight > 0.0 ? weight : WeightOf(sources);
     EXPECT_NEAR(WeightOf(sources), weight, 1e-12 * weight);
   }
-  const shape::BoundaryHandle half = shape::CurveHandle(Line(from, (from + to) / 2.0, 2), false);
+  const shape::BoundaryHandle half =
+    shape::BuildCurveHandle(Line(from, (from + to) / 2.0, 2), false);
   EXPECT_NEAR(WeightOf(shape::AttachHandle(shape, half)), weight / 2.0, 1e-12 * weight);
 }
 
 TEST(HandleSources, ATriangleHasTheNodesInItAndNoGapsElsewhere)
 {
-  const shape::PointGraph shape = shape::MakePointGraph(RegularStrip());
+  const shape::PointGraph shape = shape::BuildPointGraph(RegularStrip());
   const RowVector3d a(4.1, 0.3, 0.0), u(9.0, 0.4, 0.0), v(4.2, 3.1, 0.0);
   const shape::BoundaryHandle handle = TriangleHandle(a, a + u, a + v);
   const shape::HandleSources sources = shape::AttachHandle(shape, handle);
@@ -196,7 +198,7 @@ TEST(HandleSources, ATriangleHasTheNodesInItAndNoGapsElsewhere)
   std::set<int> within;
   for (int i = 0; i < shape.Size(); ++i)
   {
-    const RowVector3d w = shape.Places.row(i) - a;
+    const RowVector3d w = shape.Positions.row(i) - a;
     const double s = w.cross(v).z() / u.cross(v).z(), t = u.cross(w).z() / u.cross(v).z();
     if (s > 0.0 && t > 0.0 && s + t < 1.0)
     {
@@ -213,30 +215,30 @@ TEST(HandleSources, ATriangleHasTheNodesInItAndNoGapsElsewhere)
   const shape::HandleSources filled = shape::AttachHandle(shape, above);
   ExpectSound(shape, above, filled);
   EXPECT_GE(*std::min_element(filled.Nodes.begin(), filled.Nodes.end()), shape.Size());
-  const MatrixXd places = filled.Graph.Places(filled.Nodes, Eigen::all);
+  const MatrixXd positions = filled.Graph.Positions(filled.Nodes, Eigen::all);
   for (const int node : within)
   {
-    const RowVector3d place = shape.Places.row(node) + up;
-    EXPECT_LT((places.rowwise() - place).rowwise().norm().minCoeff(), shape.MeanLength);
+    const RowVector3d position = shape.Positions.row(node) + up;
+    EXPECT_LT((positions.rowwise() - position).rowwise().norm().minCoeff(), shape.MeanLength);
   }
 }
 
 TEST(HandleSources, AFineSurfaceWeighsThreeTimesItsArea)
 {
   // As the shape's nodes do; with twice as many triangles no more.
-  const shape::PointGraph shape = shape::MakePointGraph(RegularStrip());
+  const shape::PointGraph shape = shape::BuildPointGraph(RegularStrip());
   const RowVector3d shift(9.0, 2.2, 0.7);
   for (const int cells : { 6, 12 })
   {
     const shape::Mesh square = shapetest::FlatSquare(cells, 0.2);
     shape::BoundaryHandle handle;
-    handle.Places = (2.0 * square.Points).rowwise() + shift;
+    handle.Positions = (2.0 * square.Points).rowwise() + shift;
     handle.Triangles = square.Triangles;
     const shape::HandleSources sources = shape::AttachHandle(shape, handle);
     ExpectSound(shape, handle, sources);
-    EXPECT_EQ(static_cast<Eigen::Index>(sources.Nodes.size()), handle.Places.rows());
+    EXPECT_EQ(static_cast<Eigen::Index>(sources.Nodes.size()), handle.Positions.rows());
     EXPECT_NEAR(WeightOf(sources), 3.0 * 16.0, 1e-12);
-    const Eigen::VectorXd areas = shape::PointAreas({ handle.Places, handle.Triangles });
+    const Eigen::VectorXd areas = shape::ComputePointAreas({ handle.Positions, handle.Triangles });
     EXPECT_LT((sources.Graph.Weights(sources.Nodes) - 3.0 * areas).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
@@ -244,13 +246,13 @@ TEST(HandleSources, AFineSurfaceWeighsThreeTimesItsArea)
 TEST(HandleSources, OnlyNodesWithinTheToleranceAreOnTheHandle)
 {
   const shape::Mesh strip = RegularStrip();
-  const shape::PointGraph shape = shape::MakePointGraph(strip);
-  const double tolerance = 1e-6 * shape::BoxDiagonal(strip.Points);
+  const shape::PointGraph shape = shape::BuildPointGraph(strip);
+  const double tolerance = 1e-6 * shape::ComputeBoxDiagonal(strip.Points);
   for (const double share : { 0.9, 1.1 })
   {
     const RowVector3d off(0, 0, share * tolerance);
     const shape::BoundaryHandle ends =
-      shape::CurveHandle(Line(strip.Points.row(0) + off, strip.Points.row(5) + off, 2), false);
+      shape::BuildCurveHandle(Line(strip.Points.row(0) + off, strip.Points.row(5) + off, 2), false);
     const shape::BoundaryHandle face = TriangleHandle(
       strip.Points.row(0) + off, strip.Points.row(5) + off, strip.Points.row(105) + off);
     for (const shape::BoundaryHandle& handle : { ends, face })
@@ -262,19 +264,19 @@ TEST(HandleSources, OnlyNodesWithinTheToleranceAreOnTheHandle)
     }
   }
   // Two samples at one node are one source.
-  MatrixXd places = strip.Points.topRows(2).replicate(2, 1);
-  places.row(2).z() += 0.5 * tolerance;
-  EXPECT_EQ(shape::AttachHandle(shape, shape::CurveHandle(places, false)).Nodes,
+  MatrixXd positions = strip.Points.topRows(2).replicate(2, 1);
+  positions.row(2).z() += 0.5 * tolerance;
+  EXPECT_EQ(shape::AttachHandle(shape, shape::BuildCurveHandle(positions, false)).Nodes,
     std::vector<int>({ 0, 1 }));
 }
 
 TEST(HandleSources, FollowsMotionsAndScales)
 {
   const shape::Mesh cap = shapetest::Cap(8);
-  shape::BoundaryHandle handle = shapetest::RimOf(cap);
-  handle.Places.row(0) *= 1.3; // one sample off the shape
+  shape::BoundaryHandle handle = shapetest::LoopOf(cap);
+  handle.Positions.row(0) *= 1.3; // one sample off the shape
   handle.Triangles = Eigen::RowVector3i(3, 15, 30);
-  const shape::HandleSources here = shape::AttachHandle(shape::MakePointGraph(cap), handle);
+  const shape::HandleSources here = shape::AttachHandle(shape::BuildPointGraph(cap), handle);
   const Eigen::Matrix3d turn = shapetest::SomeRotation();
   const RowVector3d shift(3, -7, 2);
   for (const double scale : { 1.0, 1e-3, 1e4 })
@@ -282,8 +284,8 @@ TEST(HandleSources, FollowsMotionsAndScales)
     const shape::Mesh moved{ shapetest::Moved(cap.Points, turn, scale, scale * shift),
       cap.Triangles };
     shape::BoundaryHandle other = handle;
-    other.Places = shapetest::Moved(handle.Places, turn, scale, scale * shift);
-    const shape::HandleSources there = shape::AttachHandle(shape::MakePointGraph(moved), other);
+    other.Positions = shapetest::Moved(handle.Positions, turn, scale, scale * shift);
+    const shape::HandleSources there = shape::AttachHandle(shape::BuildPointGraph(moved), other);
     EXPECT_EQ(there.Nodes, here.Nodes);
     EXPECT_EQ(there.Samples, here.Samples);
     EXPECT_EQ(there.Graph.Neighbours, here.Graph.Neighbours);
@@ -295,11 +297,11 @@ TEST(HandleSources, FollowsMotionsAndScales)
 
 TEST(HandleSources, RefusesWrongHandles)
 {
-  const shape::PointGraph shape = shape::MakePointGraph(RegularStrip());
+  const shape::PointGraph shape = shape::BuildPointGraph(RegularStrip());
   const auto refuses = [&](const shape::BoundaryHandle& handle)
   { EXPECT_THROW(shape::AttachHandle(shape, handle), shape::InvalidInput); };
   shape::BoundaryHandle none;
-  none.Places.resize(0, 3);
+  none.Positions.resize(0, 3);
   refuses(none);
   const shape::BoundaryHandle sound = TriangleHandle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 });
   for (const int point : { -1, 3 })
@@ -312,7 +314,7 @@ TEST(HandleSources, RefusesWrongHandles)
     refuses(wrong);
   }
   shape::BoundaryHandle wrong = sound;
-  wrong.Places(1, 2) = std::numeric_limits<double>::quiet_NaN();
+  wrong.Positions(1, 2) = std::numeric_limits<double>::quiet_NaN();
   refuses(wrong);
   EXPECT_THROW(shape::AttachHandle(shape, sound, shape::Progress([](double) { return false; })),
     shape::Aborted);

@@ -12,14 +12,14 @@ namespace
 using Options = shape::DeformOptions;
 using shapetest::Bent;
 using shapetest::Cap;
-using shapetest::RimOf;
+using shapetest::LoopOf;
 
 Eigen::MatrixXd DeformedPoints(
   const shape::Mesh& mesh, const Options& options, const shape::DeformFields& fields = {})
 {
-  const shape::BoundaryHandle rim = RimOf(mesh);
-  return shape::ShapeDeformation(shape::MakePointGraph(mesh), rim, options, fields)
-    .Deform(shape::PoseHandle(rim, Bent(rim.Places, 1.0)))
+  const shape::BoundaryHandle loop = LoopOf(mesh);
+  return shape::ShapeDeformation(shape::BuildPointGraph(mesh), loop, options, fields)
+    .Deform(shape::PoseHandle(loop, Bent(loop.Positions, 1.0)))
     .Points;
 }
 
@@ -106,10 +106,10 @@ TEST(PointParameters, ScaleAndInnerScaleGrowTheShape)
     Options options;
     options.Scale = scale;
     options.InnerScale = inner;
-    const shape::BoundaryHandle rim = RimOf(cap);
+    const shape::BoundaryHandle loop = LoopOf(cap);
     const Eigen::MatrixXd moved =
-      shape::ShapeDeformation(shape::MakePointGraph(cap), rim, options, fields)
-        .Deform(shape::RestPose(rim))
+      shape::ShapeDeformation(shape::BuildPointGraph(cap), loop, options, fields)
+        .Deform(shape::GetRestPose(loop))
         .Points;
     return moved.col(2).maxCoeff();
   };
@@ -131,16 +131,16 @@ TEST(PointParameters, ALargerUpwindRadiusDrawsTheShapeToTheHandle)
 {
   // The rim is stretched, and the shape keeps its size: how high it stays is what the radius tells.
   const shape::Mesh cap = Cap(20);
-  const shape::BoundaryHandle rim = RimOf(cap);
-  Eigen::MatrixXd target = rim.Places;
+  const shape::BoundaryHandle loop = LoopOf(cap);
+  Eigen::MatrixXd target = loop.Positions;
   target.col(0) *= 1.5;
   double before = 10.0;
   for (const double radius : { 1.2, 2.1, 4.0, 8.0 })
   {
     Options options;
     options.UpwindRadius = radius;
-    const double height = shape::ShapeDeformation(shape::MakePointGraph(cap), rim, options)
-                            .Deform(shape::PoseHandle(rim, target))
+    const double height = shape::ShapeDeformation(shape::BuildPointGraph(cap), loop, options)
+                            .Deform(shape::PoseHandle(loop, target))
                             .Points.col(2)
                             .mean();
     EXPECT_LT(height, before) << radius;

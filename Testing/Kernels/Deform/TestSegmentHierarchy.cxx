@@ -26,7 +26,7 @@ struct TwoBumps
     {
       for (const int side : { -1, 1 })
       {
-        const Eigen::RowVector2d centre(Place * side, 0.0);
+        const Eigen::RowVector2d centre(Position * side, 0.0);
         const double r = (this->Surface.Points.row(i).head<2>() - centre).norm();
         int& tip = this->Tips[side > 0 ? 0 : 1];
         if (r < 0.25)
@@ -39,7 +39,7 @@ struct TwoBumps
     }
   }
 
-  static constexpr double Place = 0.3; ///< of the bumps' middles, on both sides
+  static constexpr double Position = 0.3; ///< of the bumps' middles, on both sides
   shape::Mesh Surface;
   Eigen::VectorXi Labels;
   int Tips[2];
@@ -53,9 +53,9 @@ TEST(SegmentHierarchy, NeighbouringBumpsDoNotStickTogether)
   // both at the same time, and so keeps them side by side; segments let them go.
   constexpr double radius = 0.8;
   const TwoBumps bumps;
-  const shape::BoundaryHandle rim = shapetest::RimOf(bumps.Surface);
-  const shape::HandlePose pose = shape::PoseHandle(rim, shapetest::Bent(rim.Places, radius));
-  const shape::PointGraph graph = shape::MakePointGraph(bumps.Surface);
+  const shape::BoundaryHandle loop = shapetest::LoopOf(bumps.Surface);
+  const shape::HandlePose pose = shape::PoseHandle(loop, shapetest::Bent(loop.Positions, radius));
+  const shape::PointGraph graph = shape::BuildPointGraph(bumps.Surface);
   shape::DeformFields fields;
   fields.Segments = bumps.Labels;
   for (const auto resolution : { shape::DeformOptions::MultiresolutionType::On,
@@ -63,8 +63,9 @@ TEST(SegmentHierarchy, NeighbouringBumpsDoNotStickTogether)
   {
     shape::DeformOptions options;
     options.Multiresolution = resolution;
-    const shape::DeformedShape together = shape::ShapeDeformation(graph, rim, options).Deform(pose);
-    const shape::ShapeDeformation parts(graph, rim, options, fields);
+    const shape::DeformedShape together =
+      shape::ShapeDeformation(graph, loop, options).Deform(pose);
+    const shape::ShapeDeformation parts(graph, loop, options, fields);
     EXPECT_EQ(parts.Facts().Segments, 3);
     const shape::DeformedShape apart = parts.Deform(pose);
     const auto leaning = [&](const shape::DeformedShape& shape, int tip)
@@ -72,7 +73,7 @@ TEST(SegmentHierarchy, NeighbouringBumpsDoNotStickTogether)
       const Eigen::Vector3d up = shape.Rotations[bumps.Tips[tip]].col(2);
       return (tip == 0 ? 1.0 : -1.0) * std::atan2(up(0), up(2));
     };
-    constexpr double ideal = TwoBumps::Place / radius;
+    constexpr double ideal = TwoBumps::Position / radius;
     for (const int tip : { 0, 1 })
     {
       EXPECT_LT(leaning(together, tip), 0.3 * ideal);
@@ -87,22 +88,22 @@ TEST(SegmentHierarchy, NeighbouringBumpsDoNotStickTogether)
 TEST(SegmentHierarchy, OneLabelIsNoLabel)
 {
   const shape::Mesh cap = shapetest::Cap(12);
-  const shape::BoundaryHandle rim = shapetest::RimOf(cap);
-  const shape::PointGraph graph = shape::MakePointGraph(cap);
-  const shape::HandlePose pose = shape::PoseHandle(rim, shapetest::Bent(rim.Places, 1.0));
+  const shape::BoundaryHandle loop = shapetest::LoopOf(cap);
+  const shape::PointGraph graph = shape::BuildPointGraph(cap);
+  const shape::HandlePose pose = shape::PoseHandle(loop, shapetest::Bent(loop.Positions, 1.0));
   shape::DeformFields fields;
   fields.Segments = Eigen::VectorXi::Constant(cap.Points.rows(), 7);
-  const shape::ShapeDeformation one(graph, rim, {}, fields);
+  const shape::ShapeDeformation one(graph, loop, {}, fields);
   EXPECT_EQ(one.Facts().Segments, 1);
   EXPECT_LT(
-    Largest(one.Deform(pose).Points - shape::ShapeDeformation(graph, rim).Deform(pose).Points),
+    Largest(one.Deform(pose).Points - shape::ShapeDeformation(graph, loop).Deform(pose).Points),
     1e-13);
 }
 
 TEST(SegmentHierarchy, ARigidMotionStaysExactWhateverTheLabels)
 {
   const shape::Mesh cap = shapetest::Cap(12);
-  const shape::BoundaryHandle rim = shapetest::RimOf(cap);
+  const shape::BoundaryHandle loop = shapetest::LoopOf(cap);
   shape::DeformFields fields;
   fields.Segments = Eigen::VectorXi::Zero(cap.Points.rows());
   for (int i = 0; i < fields.Segments.size(); ++i)
@@ -110,11 +111,11 @@ TEST(SegmentHierarchy, ARigidMotionStaysExactWhateverTheLabels)
     fields.Segments(i) = (i * 2654435761u >> 8) % 3u; // a mess of many parts
   }
   const Eigen::Matrix3d turn = shapetest::SomeRotation();
-  const Eigen::MatrixXd target = shapetest::Moved(rim.Places, turn, 1.0, { 1, 2, 3 });
-  const shape::ShapeDeformation parts(shape::MakePointGraph(cap), rim, {}, fields);
+  const Eigen::MatrixXd target = shapetest::Moved(loop.Positions, turn, 1.0, { 1, 2, 3 });
+  const shape::ShapeDeformation parts(shape::BuildPointGraph(cap), loop, {}, fields);
   EXPECT_GT(parts.Facts().Segments, 20);
-  EXPECT_LT(Largest(parts.Deform(shape::PoseHandle(rim, target)).Points -
+  EXPECT_LT(Largest(parts.Deform(shape::PoseHandle(loop, target)).Points -
               shapetest::Moved(cap.Points, turn, 1.0, { 1, 2, 3 })),
-    1e-12 * shape::BoxDiagonal(cap.Points));
-  EXPECT_EQ(parts.Deform(shape::RestPose(rim)).Points, cap.Points);
+    1e-12 * shape::ComputeBoxDiagonal(cap.Points));
+  EXPECT_EQ(parts.Deform(shape::GetRestPose(loop)).Points, cap.Points);
 }

@@ -17,8 +17,8 @@ using Options = shape::DeformOptions;
 using shapetest::Bent;
 using shapetest::Cap;
 using shapetest::Largest;
+using shapetest::LoopOf;
 using shapetest::Moved;
-using shapetest::RimOf;
 using shapetest::SomeRotation;
 
 /// Combinations of what changes the weights.
@@ -70,13 +70,13 @@ shape::ShapeElements ElementsOf(const shape::Mesh& mesh)
 std::vector<Case> ManyCases()
 {
   const shape::Mesh cap = Cap(18); // more than 1000 points, for multiresolution
-  const shape::BoundaryHandle rim = RimOf(cap);
+  const shape::BoundaryHandle rim = LoopOf(cap);
   std::vector<Case> cases = { { "rim", ElementsOf(cap), rim } };
   cases.push_back(
-    { "open curve", ElementsOf(cap), shape::CurveHandle(rim.Places.topRows(30), false) });
+    { "open curve", ElementsOf(cap), shape::BuildCurveHandle(rim.Positions.topRows(30), false) });
   cases.push_back({ "coarse curve", ElementsOf(cap),
-    shape::CurveHandle(rim.Places(std::vector<int>{ 0, 20, 25, 70 }, Eigen::all), true) });
-  cases.push_back({ "points", ElementsOf(cap), { rim.Places.topRows(5), {}, {}, {} } });
+    shape::BuildCurveHandle(rim.Positions(std::vector<int>{ 0, 20, 25, 70 }, Eigen::all), true) });
+  cases.push_back({ "points", ElementsOf(cap), { rim.Positions.topRows(5), {}, {}, {} } });
   shape::Mesh patch = cap;
   patch.Triangles = Eigen::MatrixXi(cap.Triangles.topRows(60));
   cases.push_back(
@@ -89,7 +89,7 @@ std::vector<Case> ManyCases()
   shape::Mesh soup{ Eigen::MatrixXd(3 * cap.Triangles.rows(), 3), cap.Triangles };
   for (int t = 0; t < cap.Triangles.rows(); ++t)
   {
-    soup.Points.middleRows(3 * t, 3) = shape::Corners(cap, t);
+    soup.Points.middleRows(3 * t, 3) = shape::GetCorners(cap, t);
     soup.Triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
     if (t % 11 == 0)
     {
@@ -108,15 +108,15 @@ std::vector<Case> ManyCases()
 double RelativeError(const shape::DeformedShape& deformed, const Eigen::MatrixXd& wanted)
 {
   return Largest(deformed.Points - wanted) /
-    std::max(shape::BoxDiagonal(wanted), wanted.cwiseAbs().maxCoeff());
+    std::max(shape::ComputeBoxDiagonal(wanted), wanted.cwiseAbs().maxCoeff());
 }
 
 Eigen::MatrixXd DeformedPoints(
   const shape::Mesh& mesh, const Options& options, const shape::DeformFields& fields = {})
 {
-  const shape::BoundaryHandle rim = RimOf(mesh);
-  return shape::ShapeDeformation(shape::MakePointGraph(mesh), rim, options, fields)
-    .Deform(shape::PoseHandle(rim, Bent(rim.Places, 1.0)))
+  const shape::BoundaryHandle rim = LoopOf(mesh);
+  return shape::ShapeDeformation(shape::BuildPointGraph(mesh), rim, options, fields)
+    .Deform(shape::PoseHandle(rim, Bent(rim.Positions, 1.0)))
     .Points;
 }
 
@@ -128,9 +128,9 @@ TEST(ShapeDeformation, ARigidMotionOfTheHandleIsThatOfTheShape)
   const Eigen::RowVector3d shift(3, -100, 2);
   for (const Case& one : ManyCases())
   {
-    const shape::PointGraph graph = shape::MakePointGraph(one.Shape);
+    const shape::PointGraph graph = shape::BuildPointGraph(one.Shape);
     const shape::HandlePose pose =
-      shape::PoseHandle(one.Handle, Moved(one.Handle.Places, turn, 1.0, shift));
+      shape::PoseHandle(one.Handle, Moved(one.Handle.Positions, turn, 1.0, shift));
     for (const Options& options : ManyOptions())
     {
       const shape::DeformedShape deformed =
@@ -151,9 +151,9 @@ TEST(ShapeDeformation, AHandleScaledByScaleIsASimilarity)
   const Eigen::RowVector3d shift(3, -1, 2);
   for (const Case& one : ManyCases())
   {
-    const shape::PointGraph graph = shape::MakePointGraph(one.Shape);
+    const shape::PointGraph graph = shape::BuildPointGraph(one.Shape);
     const shape::HandlePose pose =
-      shape::PoseHandle(one.Handle, Moved(one.Handle.Places, turn, 1.7, shift));
+      shape::PoseHandle(one.Handle, Moved(one.Handle.Positions, turn, 1.7, shift));
     for (Options options : ManyOptions())
     {
       options.Scale = 1.7;
@@ -171,13 +171,13 @@ TEST(ShapeDeformation, AnUnmovedHandleReturnsThePointsThemselves)
   {
     const Eigen::RowVector3d off(0.3, 17.1, 4.7);
     one.Shape.Points.rowwise() += off;
-    one.Handle.Places.rowwise() += off;
-    const shape::PointGraph graph = shape::MakePointGraph(one.Shape);
+    one.Handle.Positions.rowwise() += off;
+    const shape::PointGraph graph = shape::BuildPointGraph(one.Shape);
     for (const Options& options : ManyOptions())
     {
       const shape::ShapeDeformation prepared(graph, one.Handle, options);
-      EXPECT_EQ(
-        prepared.Deform(shape::PoseHandle(one.Handle, one.Handle.Places)).Points, one.Shape.Points)
+      EXPECT_EQ(prepared.Deform(shape::PoseHandle(one.Handle, one.Handle.Positions)).Points,
+        one.Shape.Points)
         << one.Name;
     }
   }
@@ -186,16 +186,16 @@ TEST(ShapeDeformation, AnUnmovedHandleReturnsThePointsThemselves)
 TEST(ShapeDeformation, PointsOnTheHandleFollowItExactly)
 {
   const shape::Mesh cap = Cap(20);
-  const shape::BoundaryHandle rim = RimOf(cap);
-  const std::vector<int> loop = shape::OpenLoops(cap).front();
+  const shape::BoundaryHandle rim = LoopOf(cap);
+  const std::vector<int> loop = shape::FindManifoldBoundaryLoops(cap).front();
   // Every fifth sample: the points between them are on the segments of a polygon.
   std::vector<int> few;
   for (int i = 0; i < static_cast<int>(loop.size()); i += 5)
   {
     few.push_back(i);
   }
-  const shape::PointGraph graph = shape::MakePointGraph(cap);
-  const Eigen::MatrixXd target = Bent(rim.Places, 1.0);
+  const shape::PointGraph graph = shape::BuildPointGraph(cap);
+  const Eigen::MatrixXd target = Bent(rim.Positions, 1.0);
   for (const Options& options : ManyOptions())
   {
     const Eigen::MatrixXd moved =
@@ -205,10 +205,10 @@ TEST(ShapeDeformation, PointsOnTheHandleFollowItExactly)
   shape::Mesh square = shapetest::FlatSquare(20, 0.2);
   Eigen::MatrixXd corners(4, 3);
   corners << -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0;
-  const shape::BoundaryHandle frame = shape::CurveHandle(corners, true);
+  const shape::BoundaryHandle frame = shape::BuildCurveHandle(corners, true);
   Eigen::MatrixXd skew = corners;
   skew.row(2) += Eigen::RowVector3d(0.5, 0.2, 0.7);
-  const Eigen::MatrixXd moved = shape::ShapeDeformation(shape::MakePointGraph(square), frame)
+  const Eigen::MatrixXd moved = shape::ShapeDeformation(shape::BuildPointGraph(square), frame)
                                   .Deform(shape::PoseHandle(frame, skew))
                                   .Points;
   for (int i = 0; i < square.Points.rows(); ++i)
@@ -224,9 +224,9 @@ TEST(ShapeDeformation, PointsOnTheHandleFollowItExactly)
 TEST(ShapeDeformation, ReachStopsEarlyAndChangesNothingBefore)
 {
   const shape::Mesh cap = Cap(18);
-  const shape::BoundaryHandle rim = RimOf(cap);
-  const shape::PointGraph graph = shape::MakePointGraph(cap);
-  const shape::HandlePose pose = shape::PoseHandle(rim, Bent(rim.Places, 1.0));
+  const shape::BoundaryHandle rim = LoopOf(cap);
+  const shape::PointGraph graph = shape::BuildPointGraph(cap);
+  const shape::HandlePose pose = shape::PoseHandle(rim, Bent(rim.Positions, 1.0));
   for (const Options& options : ManyOptions())
   {
     const shape::ShapeDeformation prepared(graph, rim, options);
@@ -251,13 +251,13 @@ TEST(ShapeDeformation, FramesOfTheHandleTurnTheShape)
 {
   // All frames turned by one angle about the tangents, by the right-hand rule: inwards is up.
   const shape::Mesh cap = Cap(14);
-  const shape::BoundaryHandle rim = RimOf(cap);
-  const shape::ShapeDeformation prepared(shape::MakePointGraph(cap), rim);
+  const shape::BoundaryHandle rim = LoopOf(cap);
+  const shape::ShapeDeformation prepared(shape::BuildPointGraph(cap), rim);
   double before = -1.0;
   for (const double angle : { -0.6, -0.3, 0.0, 0.3, 0.6 })
   {
-    shape::HandlePose pose = shape::RestPose(rim);
-    shape::TurnAboutTangents(rim, Eigen::VectorXd::Constant(rim.Places.rows(), angle), pose);
+    shape::HandlePose pose = shape::GetRestPose(rim);
+    shape::RotateAboutTangents(rim, Eigen::VectorXd::Constant(rim.Positions.rows(), angle), pose);
     const double height = prepared.Deform(pose).Points.col(2).maxCoeff();
     EXPECT_GT(height, before);
     before = height;
@@ -269,7 +269,7 @@ TEST(ShapeDeformation, CountsWhatItMeets)
   for (const Case& one : ManyCases())
   {
     const shape::DeformFacts facts =
-      shape::ShapeDeformation(shape::MakePointGraph(one.Shape), one.Handle).Facts();
+      shape::ShapeDeformation(shape::BuildPointGraph(one.Shape), one.Handle).Facts();
     const bool soup = std::string(one.Name) == "soup";
     EXPECT_EQ(facts.Islands > 10, soup) << one.Name;
     EXPECT_EQ(facts.WeldedPoints > 0, soup) << one.Name;
@@ -279,7 +279,7 @@ TEST(ShapeDeformation, CountsWhatItMeets)
   options.UpwindRadius = 0.01;
   const shape::Mesh cap = Cap(40);
   shape::DeformFacts facts =
-    shape::ShapeDeformation(shape::MakePointGraph(cap), RimOf(cap), options).Facts();
+    shape::ShapeDeformation(shape::BuildPointGraph(cap), LoopOf(cap), options).Facts();
   EXPECT_GT(facts.EmptyBands, 300);
   EXPECT_GT(facts.BasePoints, 1000);
   // All triangles degenerate: nothing has a weight.
@@ -287,23 +287,23 @@ TEST(ShapeDeformation, CountsWhatItMeets)
   line.Points.col(1).setZero();
   line.Points.col(0) += Eigen::VectorXd::LinSpaced(25, 0.0, 0.01);
   const shape::BoundaryHandle end = { line.Points.topRows(1), {}, {}, {} };
-  const shape::ShapeDeformation prepared(shape::MakePointGraph(line), end);
+  const shape::ShapeDeformation prepared(shape::BuildPointGraph(line), end);
   EXPECT_GT(prepared.Facts().ZeroWeights, 0);
-  const shape::DeformedShape deformed = prepared.Deform({ end.Places, { SomeRotation() } });
+  const shape::DeformedShape deformed = prepared.Deform({ end.Positions, { SomeRotation() } });
   EXPECT_TRUE(deformed.Points.allFinite());
 }
 
 TEST(ShapeDeformation, OpposedFramesAndCollapsedHandlesStayFinite)
 {
   const shape::Mesh cap = Cap(10);
-  const shape::BoundaryHandle rim = RimOf(cap);
-  const shape::ShapeDeformation prepared(shape::MakePointGraph(cap), rim);
-  shape::HandlePose pose = shape::RestPose(rim);
+  const shape::BoundaryHandle rim = LoopOf(cap);
+  const shape::ShapeDeformation prepared(shape::BuildPointGraph(cap), rim);
+  shape::HandlePose pose = shape::GetRestPose(rim);
   for (std::size_t i = 0; i < pose.Rotations.size(); i += 2)
   {
     pose.Rotations[i] = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
   }
-  pose.Places.rowwise() = Eigen::RowVector3d(1, 2, 3);
+  pose.Positions.rowwise() = Eigen::RowVector3d(1, 2, 3);
   const shape::DeformedShape deformed = prepared.Deform(pose);
   EXPECT_TRUE(deformed.Points.allFinite());
   for (const Eigen::Matrix3d& rotation : deformed.Rotations)
@@ -316,33 +316,33 @@ TEST(ShapeDeformation, OpposedFramesAndCollapsedHandlesStayFinite)
 TEST(ShapeDeformation, ExtremesAreDefined)
 {
   const shape::Mesh cap = Cap(6);
-  const shape::BoundaryHandle rim = RimOf(cap);
+  const shape::BoundaryHandle rim = LoopOf(cap);
   const Eigen::Matrix3d turn = SomeRotation();
   const auto isRigid = [&](const Eigen::MatrixXd& points, const shape::BoundaryHandle& handle)
   {
     const Eigen::RowVector3d shift(1, 2, 3);
-    const shape::ShapeDeformation prepared(shape::MakePointGraph({ points, {}, {}, {} }), handle);
-    shape::HandlePose pose{ Moved(handle.Places, turn, 1.0, shift),
-      std::vector<Eigen::Matrix3d>(handle.Places.rows(), turn) };
+    const shape::ShapeDeformation prepared(shape::BuildPointGraph({ points, {}, {}, {} }), handle);
+    shape::HandlePose pose{ Moved(handle.Positions, turn, 1.0, shift),
+      std::vector<Eigen::Matrix3d>(handle.Positions.rows(), turn) };
     EXPECT_LT(RelativeError(prepared.Deform(pose), Moved(points, turn, 1.0, shift)), 1e-12);
   };
   isRigid(Eigen::RowVector3d(0.1, 0.2, 0.3), rim);                 // one point
   isRigid(Eigen::RowVector3d(0.1, 0.2, 0.3).replicate(5, 1), rim); // all at one place
   isRigid(cap.Points, { cap.Points.topRows(1), {}, {}, {} });      // one sample
   isRigid(cap.Points, { cap.Points.topRows(1).replicate(4, 1), {}, {}, {} });
-  isRigid(cap.Points, shape::CurveHandle(rim.Places * 1e3, true));  // large and far
-  isRigid(cap.Points, shape::CurveHandle(rim.Places * 1e-9, true)); // in one spot
-  isRigid(rim.Places, rim);                                         // nothing but the handle
+  isRigid(cap.Points, shape::BuildCurveHandle(rim.Positions * 1e3, true));  // large and far
+  isRigid(cap.Points, shape::BuildCurveHandle(rim.Positions * 1e-9, true)); // in one spot
+  isRigid(rim.Positions, rim); // nothing but the handle
   isRigid(Eigen::RowVector3d(1e6, 0, 0).replicate(3, 1), rim);
   // A unit of length more or less changes nothing.
-  const Eigen::MatrixXd target = Bent(rim.Places, 1.0);
+  const Eigen::MatrixXd target = Bent(rim.Positions, 1.0);
   const Eigen::MatrixXd one = DeformedPoints(cap, {});
   for (const double unit : { 1e-12, 1e12 })
   {
     shape::BoundaryHandle scaled = rim;
-    scaled.Places *= unit;
+    scaled.Positions *= unit;
     const shape::ShapeDeformation prepared(
-      shape::MakePointGraph(shape::Mesh{ cap.Points * unit, cap.Triangles }), scaled);
+      shape::BuildPointGraph(shape::Mesh{ cap.Points * unit, cap.Triangles }), scaled);
     EXPECT_LT(
       Largest(prepared.Deform(shape::PoseHandle(scaled, target * unit)).Points / unit - one), 1e-6);
   }
@@ -357,8 +357,8 @@ TEST(ShapeDeformation, TheSameInputGivesTheSameBits)
 TEST(ShapeDeformation, NamesWhatIsWrong)
 {
   const shape::Mesh cap = Cap(4);
-  const shape::PointGraph graph = shape::MakePointGraph(cap);
-  const shape::BoundaryHandle rim = RimOf(cap);
+  const shape::PointGraph graph = shape::BuildPointGraph(cap);
+  const shape::BoundaryHandle rim = LoopOf(cap);
   const auto refuses = [&](auto change)
   {
     Options options;
@@ -382,13 +382,13 @@ TEST(ShapeDeformation, NamesWhatIsWrong)
   wrong.Segments(0, 1) = 1000;
   EXPECT_THROW(shape::ShapeDeformation(graph, wrong), shape::InvalidInput);
   wrong = rim;
-  wrong.Places(2, 2) = NAN;
+  wrong.Positions(2, 2) = NAN;
   EXPECT_THROW(shape::ShapeDeformation(graph, wrong), shape::InvalidInput);
   wrong = rim; // far from the shape, which would be one point beside it
-  wrong.Places(2, 2) = 1e12;
+  wrong.Positions(2, 2) = 1e12;
   EXPECT_THROW(shape::ShapeDeformation(graph, wrong), shape::InvalidInput);
   const shape::ShapeDeformation prepared(graph, rim);
-  shape::HandlePose pose = shape::RestPose(rim);
+  shape::HandlePose pose = shape::GetRestPose(rim);
   pose.Rotations.pop_back();
   EXPECT_THROW(prepared.Deform(pose), shape::InvalidInput);
   EXPECT_THROW(
@@ -402,11 +402,11 @@ TEST(ShapeDeformation, SliversOfTheHandleAreSampledByTheirArea)
   shape::Mesh square = shapetest::FlatSquare(20, 0.0);
   square.Points *= 1e-4;
   shape::BoundaryHandle sliver;
-  sliver.Places = Eigen::MatrixXd(3, 3);
-  sliver.Places << 0, 0, 0, 1, 0, 0, 0.5, 1e-3, 0;
+  sliver.Positions = Eigen::MatrixXd(3, 3);
+  sliver.Positions << 0, 0, 0, 1, 0, 0, 0.5, 1e-3, 0;
   sliver.Triangles = Eigen::MatrixXi(1, 3);
   sliver.Triangles << 0, 1, 2;
-  const shape::ShapeDeformation prepared(shape::MakePointGraph(square), sliver);
-  const Eigen::MatrixXd moved = prepared.Deform(shape::RestPose(sliver)).Points;
+  const shape::ShapeDeformation prepared(shape::BuildPointGraph(square), sliver);
+  const Eigen::MatrixXd moved = prepared.Deform(shape::GetRestPose(sliver)).Points;
   EXPECT_LT((moved - square.Points).cwiseAbs().maxCoeff(), 1e-12);
 }

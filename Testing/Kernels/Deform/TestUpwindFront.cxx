@@ -16,7 +16,7 @@ struct Swept
 {
   Swept(const shape::Mesh& mesh, const std::vector<int>& sources, double power = 2.0,
     const shape::UpwindFrontOptions& options = {})
-    : Graph(shape::MakePointGraph(mesh))
+    : Graph(shape::BuildPointGraph(mesh))
     , Sweep(shape::SweepFront(this->Graph, sources))
     , Front(this->Graph, this->Sweep, Eigen::VectorXd::Constant(this->Graph.Size(), power), options)
   {
@@ -177,7 +177,7 @@ TEST(UpwindFront, GeodesicBandsDoNotJumpGaps)
   std::vector<int> kept;
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    const Eigen::RowVector3d centre = shape::Corners(mesh, t).colwise().mean();
+    const Eigen::RowVector3d centre = shape::GetCorners(mesh, t).colwise().mean();
     if (centre(0) < -0.9 || std::abs(centre(1)) > 0.05)
     {
       kept.push_back(t);
@@ -185,7 +185,7 @@ TEST(UpwindFront, GeodesicBandsDoNotJumpGaps)
   }
   mesh.Triangles = Eigen::MatrixXi(mesh.Triangles(kept, Eigen::all));
   const std::vector<int> side = LeftSide(mesh);
-  shape::PointGraph graph = shape::MakePointGraph(mesh, { 2 });
+  shape::PointGraph graph = shape::BuildPointGraph(mesh, { 2 });
   const shape::FrontSweep sweep = shape::SweepFront(graph, side);
   const Eigen::VectorXd powers = Eigen::VectorXd::Constant(graph.Size(), 2.0);
   for (const auto distance : { shape::FrontDistance::Euclidean, shape::FrontDistance::Geodesic })
@@ -194,14 +194,14 @@ TEST(UpwindFront, GeodesicBandsDoNotJumpGaps)
     double across = 0.0;
     for (int rank = sweep.Sources; rank < graph.Size(); ++rank)
     {
-      if (graph.Places(sweep.Nodes[rank], 0) > -0.5)
+      if (graph.Positions(sweep.Nodes[rank], 0) > -0.5)
       {
         std::vector<float> row(front.End(rank) - front.Begin(rank));
         EXPECT_TRUE(front.Row(rank, row.data()));
         for (int j = front.Begin(rank); j < front.End(rank); ++j)
         {
           const bool other =
-            graph.Places(sweep.Nodes[rank], 1) * graph.Places(sweep.Nodes[j], 1) < 0.0;
+            graph.Positions(sweep.Nodes[rank], 1) * graph.Positions(sweep.Nodes[j], 1) < 0.0;
           across += other ? row[j - front.Begin(rank)] : 0.0F;
         }
       }
@@ -218,5 +218,5 @@ TEST(UpwindFront, ADisconnectedGraphIsRefused)
   mesh.Triangles.conservativeResize(2 * m, 3);
   mesh.Points.bottomRows(n) = mesh.Points.topRows(n).array() + 5.0;
   mesh.Triangles.bottomRows(m) = mesh.Triangles.topRows(m).array() + static_cast<int>(n);
-  EXPECT_THROW(shape::SweepFront(shape::MakePointGraph(mesh), { 0 }), shape::InvalidInput);
+  EXPECT_THROW(shape::SweepFront(shape::BuildPointGraph(mesh), { 0 }), shape::InvalidInput);
 }

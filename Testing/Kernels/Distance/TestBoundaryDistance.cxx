@@ -82,12 +82,12 @@ const Eigen::RowVector3d Origin = Eigen::RowVector3d::Zero();
 
 } // namespace
 
-TEST(OrientedByNesting, MakesTheVolumeOfTheSolidWhicheverWayItsSurfacesFace)
+TEST(OrientByNesting, MakesTheVolumeOfTheSolidWhicheverWayItsSurfacesFace)
 {
   // A ball with a void in which a ball floats, and a ball beside: each in both orientations.
   const std::vector<shape::Mesh> parts = { Sphere(0.4, Origin), Sphere(1.0, Origin),
     Sphere(0.7, Origin), Sphere(0.3, { 2, 0, 0 }) };
-  const double unit = shape::EnclosedVolume(Sphere(1.0, Origin));
+  const double unit = shape::ComputeEnclosedVolume(Sphere(1.0, Origin));
   const double solid = unit * (1.0 - std::pow(0.7, 3) + std::pow(0.4, 3) + std::pow(0.3, 3));
   for (int turned = 0; turned < 16; ++turned)
   {
@@ -96,8 +96,8 @@ TEST(OrientedByNesting, MakesTheVolumeOfTheSolidWhicheverWayItsSurfacesFace)
     {
       some[i] = turned >> i & 1 ? Turned(parts[i]) : parts[i];
     }
-    const shape::Mesh oriented = shape::OrientedByNesting(Joined(some), "it");
-    EXPECT_NEAR(shape::EnclosedVolume(oriented), solid, 1e-12) << turned;
+    const shape::Mesh oriented = shape::OrientByNesting(Joined(some), "it");
+    EXPECT_NEAR(shape::ComputeEnclosedVolume(oriented), solid, 1e-12) << turned;
     const Eigen::MatrixXi expected =
       Joined({ parts[0], parts[1], Turned(parts[2]), parts[3] }).Triangles;
     for (Eigen::Index t = 0; t < expected.rows(); ++t)
@@ -107,30 +107,30 @@ TEST(OrientedByNesting, MakesTheVolumeOfTheSolidWhicheverWayItsSurfacesFace)
   }
 }
 
-TEST(OrientedByNesting, AComponentInTheHoleOfATorusIsNotInside)
+TEST(OrientByNesting, AComponentInTheHoleOfATorusIsNotInside)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.3, 48, 24), ball = Sphere(0.2, Origin);
-  const shape::Mesh oriented = shape::OrientedByNesting(Joined({ Turned(ball), torus }), "it");
-  EXPECT_NEAR(shape::EnclosedVolume(oriented),
-    shape::EnclosedVolume(torus) + shape::EnclosedVolume(ball), 1e-12);
+  const shape::Mesh oriented = shape::OrientByNesting(Joined({ Turned(ball), torus }), "it");
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(oriented),
+    shape::ComputeEnclosedVolume(torus) + shape::ComputeEnclosedVolume(ball), 1e-12);
   const shape::Mesh inTube = Sphere(0.2, { 1, 0, 0 });
-  EXPECT_NEAR(shape::EnclosedVolume(shape::OrientedByNesting(Joined({ inTube, torus }), "it")),
-    shape::EnclosedVolume(torus) - shape::EnclosedVolume(inTube), 1e-12);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(shape::OrientByNesting(Joined({ inTube, torus }), "it")),
+    shape::ComputeEnclosedVolume(torus) - shape::ComputeEnclosedVolume(inTube), 1e-12);
 }
 
-TEST(OrientedByNesting, RefusesComponentsThatTouchOrCross)
+TEST(OrientByNesting, RefusesComponentsThatTouchOrCross)
 {
   const shape::Mesh cube = Cube(Origin);
-  EXPECT_NEAR(shape::EnclosedVolume(cube), 1.0, 1e-15);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(cube), 1.0, 1e-15);
   // Across, sharing a face, an edge, a corner; the middle of a face on a corner.
   for (const Eigen::RowVector3d& low : { Eigen::RowVector3d(0.5, 0.5, 0.5),
          Eigen::RowVector3d(1, 0, 0), Eigen::RowVector3d(1, 1, 0), Eigen::RowVector3d(1, 1, 1),
          Eigen::RowVector3d(0.5, 0.5, 1), Eigen::RowVector3d(0.1, 0.2, 0.3) })
   {
-    EXPECT_THROW(shape::OrientedByNesting(Joined({ cube, Cube(low) }), "it"), shape::InvalidInput)
+    EXPECT_THROW(shape::OrientByNesting(Joined({ cube, Cube(low) }), "it"), shape::InvalidInput)
       << low;
   }
-  EXPECT_NO_THROW(shape::OrientedByNesting(Joined({ cube, Cube({ 1.001, 0, 0 }) }), "it"));
+  EXPECT_NO_THROW(shape::OrientByNesting(Joined({ cube, Cube({ 1.001, 0, 0 }) }), "it"));
   const std::string error = ErrorOf(Joined({ Sphere(1.0, Origin), Sphere(1.0, { 0.5, 0, 0 }) }));
   EXPECT_NE(error.find("touch or cross (the ones of points 0 and 642"), std::string::npos) << error;
   EXPECT_NE(error.find("turn Signed off"), std::string::npos) << error;

@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
-#include "Support/TestShapes.h"
 #include "Distance/TargetDistance.h"
+#include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ std::string Refusal(const shape::Mesh& boundary, const shape::Mesh& target)
 {
   try
   {
-    shape::TargetDistance(boundary, boundary.Points, target);
+    shape::ComputeTargetDistance(boundary, boundary.Points, target);
   }
   catch (const shape::InvalidInput& error)
   {
@@ -48,9 +48,9 @@ shape::Mesh Moved(shape::Mesh mesh, double x)
 TEST(TargetDistance, OfConcentricSpheresIsTheDifferenceOfTheirRadii)
 {
   const shape::Mesh sphere = shapetest::Icosphere(4);
-  EXPECT_NEAR(shape::TargetDistance(sphere, sphere.Points, sphere), 0.0, 1e-15);
+  EXPECT_NEAR(shape::ComputeTargetDistance(sphere, sphere.Points, sphere), 0.0, 1e-15);
   // Points beyond a corner of the target are closest to that corner.
-  EXPECT_NEAR(shape::TargetDistance(sphere, 1.5 * sphere.Points, sphere), 0.25, 1e-4);
+  EXPECT_NEAR(shape::ComputeTargetDistance(sphere, 1.5 * sphere.Points, sphere), 0.25, 1e-4);
 }
 
 TEST(TargetDistance, ComponentsMustHaveTheSameGenera)

@@ -41,8 +41,8 @@ double LargestError(const shape::Mesh& mesh, const shape::ExponentialPatch& patc
   double largest = 0.0;
   for (std::size_t row = 0; row < patch.Points.size(); ++row)
   {
-    const RowVector2d place = patch.Places.row(static_cast<Eigen::Index>(row));
-    largest = std::max(largest, (place - expected(mesh.Points.row(patch.Points[row]))).norm());
+    const RowVector2d position = patch.Positions.row(static_cast<Eigen::Index>(row));
+    largest = std::max(largest, (position - expected(mesh.Points.row(patch.Points[row]))).norm());
   }
   return largest;
 }
@@ -64,7 +64,7 @@ void ExpectPrefix(const shape::ExponentialPatch& patch, const shape::Exponential
   ASSERT_LE(patch.Triangles.size(), larger.Triangles.size());
   EXPECT_TRUE(std::equal(patch.Points.begin(), patch.Points.end(), larger.Points.begin()));
   EXPECT_TRUE(std::equal(patch.Triangles.begin(), patch.Triangles.end(), larger.Triangles.begin()));
-  EXPECT_EQ(patch.Places, larger.Places.topRows(k));
+  EXPECT_EQ(patch.Positions, larger.Positions.topRows(k));
   EXPECT_EQ(patch.Distances, larger.Distances.head(k));
   EXPECT_EQ(patch.Corners, larger.Corners.topRows(t));
 }
@@ -84,7 +84,7 @@ TEST(ExponentialMap, LaysAPlaneOutAsItIs)
                 [&](const RowVector3d& point) -> RowVector2d { return point.head(2) - origin; }),
       1e-14);
     // Distances are those of straight ways, and every point that near is in the patch.
-    EXPECT_LT((patch.Distances - patch.Places.rowwise().norm()).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_LT((patch.Distances - patch.Positions.rowwise().norm()).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_LE(patch.Distances.maxCoeff(), 0.5);
     const auto near =
       ((mesh.Points.leftCols(2).rowwise() - origin).rowwise().norm().array() <= 0.48).count();
@@ -151,7 +151,7 @@ TEST(ExponentialMap, OfASphereKeepsDistancesAndDirections)
     const shape::ExponentialPatch patch = map.Around(normal, 1.2);
     EXPECT_TRUE(patch.Flipped.empty());
     EXPECT_TRUE(patch.Torn.empty());
-    double distance = 0.0, place = 0.0;
+    double distance = 0.0, position = 0.0;
     for (std::size_t row = 0; row < patch.Points.size(); ++row)
     {
       const RowVector3d point = mesh.Points.row(patch.Points[row]);
@@ -159,10 +159,10 @@ TEST(ExponentialMap, OfASphereKeepsDistancesAndDirections)
       const RowVector2d flat(point.dot(patch.Seed.XAxis), point.dot(patch.Seed.YAxis));
       const auto i = static_cast<Eigen::Index>(row);
       distance = std::max(distance, std::abs(patch.Distances(i) - angle));
-      place =
-        std::max(place, (patch.Places.row(i) - angle / std::max(1e-9, flat.norm()) * flat).norm());
+      position = std::max(
+        position, (patch.Positions.row(i) - angle / std::max(1e-9, flat.norm()) * flat).norm());
     }
-    return std::make_pair(distance, place);
+    return std::make_pair(distance, position);
   };
   const auto coarse = errors(3), fine = errors(5);
   EXPECT_LT(coarse.first, 0.03);
@@ -180,12 +180,12 @@ TEST(ExponentialMap, TurnsWithTheSurface)
   const RowVector3d shift(3.0, -1.0, 2.0);
   shape::Mesh moved = mesh;
   moved.Points = (mesh.Points * turn.transpose()).rowwise() + shift;
-  const double radius = 0.12 * shape::BoxDiagonal(mesh.Points);
+  const double radius = 0.12 * shape::ComputeBoxDiagonal(mesh.Points);
   const shape::ExponentialPatch one = shape::ExponentialMap(mesh).Around(seed, radius, direction);
   const shape::ExponentialPatch other = shape::ExponentialMap(moved).Around(
     RowVector3d(seed * turn.transpose() + shift), radius, direction * turn.transpose());
   EXPECT_EQ(one.Points, other.Points);
-  EXPECT_LT((one.Places - other.Places).cwiseAbs().maxCoeff(), 1e-10 * radius);
+  EXPECT_LT((one.Positions - other.Positions).cwiseAbs().maxCoeff(), 1e-10 * radius);
   // The x axis is where the direction points, on the surface's side.
   EXPECT_LT(std::abs(one.Seed.XAxis.dot(one.Seed.Normal)), 1e-12);
   EXPECT_GT(one.Seed.XAxis.dot(direction), 0.0);
@@ -198,7 +198,7 @@ TEST(ExponentialMap, ALargerRadiusOnlyAdds)
   {
     SCOPED_TRACE(name);
     const shape::Mesh mesh = Model(name);
-    const double diagonal = shape::BoxDiagonal(mesh.Points);
+    const double diagonal = shape::ComputeBoxDiagonal(mesh.Points);
     shape::ExponentialMap map(mesh);
     for (const int point : { 3, 1000 })
     {
@@ -224,9 +224,9 @@ TEST(ExponentialMap, ALargerRadiusOnlyAdds)
 TEST(ExponentialMap, UpwindAveragingSparesFlips)
 {
   const shape::Mesh mesh = Model("bunny00");
-  const double diagonal = shape::BoxDiagonal(mesh.Points);
+  const double diagonal = shape::ComputeBoxDiagonal(mesh.Points);
   std::mt19937 random(1);
-  const Eigen::MatrixXd seeds = shape::RandomPlaces(mesh, 60, 1);
+  const Eigen::MatrixXd seeds = shape::SampleRandomly(mesh, 60, 1);
   double rates[2];
   for (const bool average : { false, true })
   {
@@ -253,13 +253,13 @@ TEST(ExponentialMap, IsCutOpenWhereTheFrontMeetsItself)
   EXPECT_FALSE(patch.Torn.empty());
   EXPECT_TRUE(Untorn(patch).empty());
   // The image is as wide as the tube is around, and no wider.
-  EXPECT_NEAR(patch.Places.col(0).maxCoeff(), M_PI, 0.25);
-  EXPECT_NEAR(patch.Places.col(0).minCoeff(), -M_PI, 0.25);
-  EXPECT_GT(patch.Places.col(1).maxCoeff(), 4.5);
+  EXPECT_NEAR(patch.Positions.col(0).maxCoeff(), M_PI, 0.25);
+  EXPECT_NEAR(patch.Positions.col(0).minCoeff(), -M_PI, 0.25);
+  EXPECT_GT(patch.Positions.col(1).maxCoeff(), 4.5);
   // Only those that have points on both sides of the cut are torn.
   for (const int row : patch.Torn)
   {
-    const Eigen::Vector3d around = patch.Places(patch.Corners.row(row), 0);
+    const Eigen::Vector3d around = patch.Positions(patch.Corners.row(row), 0);
     EXPECT_GT(around.maxCoeff(), 2.3);
     EXPECT_LT(around.minCoeff(), -2.3);
   }
@@ -287,8 +287,9 @@ TEST(ExponentialMap, ChangesLittleWhereTheSeedDoes)
     {
       if (rows[patch.Points[row]] >= 0)
       {
-        const RowVector2d place = patch.Places.row(static_cast<Eigen::Index>(row));
-        largest = std::max(largest, (place - before.Places.row(rows[patch.Points[row]])).norm());
+        const RowVector2d position = patch.Positions.row(static_cast<Eigen::Index>(row));
+        largest =
+          std::max(largest, (position - before.Positions.row(rows[patch.Points[row]])).norm());
       }
     }
     EXPECT_LT(largest, 2.5 * step);
@@ -302,8 +303,8 @@ TEST(ExponentialMap, TakesTheClosestPlaceAndSaysWhereTheRimIs)
   shape::ExponentialMap map(mesh);
   const shape::ExponentialPatch far = map.Around(RowVector3d(0.3, 0.2, 7.0), 0.4);
   EXPECT_TRUE(far.Seed.Origin.isApprox(RowVector3d(0.3, 0.2, 0.0), 1e-12));
-  EXPECT_FALSE(far.ReachesRim);
-  EXPECT_TRUE(map.Around(RowVector3d(0.9, 0.2, 0.0), 0.4).ReachesRim);
+  EXPECT_FALSE(far.ReachesBoundary);
+  EXPECT_TRUE(map.Around(RowVector3d(0.9, 0.2, 0.0), 0.4).ReachesBoundary);
   EXPECT_TRUE(
     map.Around(RowVector3d(5.0, 9.0, 0.0), 0.4).Seed.Origin.isApprox(RowVector3d(1, 1, 0), 1e-12));
   // Less than the nearest point: no points, and the frame.
@@ -320,11 +321,11 @@ TEST(ExponentialMap, OfTrianglesThatDoNotHangTogetherIsTheSame)
   shape::Mesh soup{ Eigen::MatrixXd(3 * t, 3), Eigen::MatrixXi(t, 3) };
   for (int row = 0; row < t; ++row)
   {
-    soup.Points.middleRows(3 * row, 3) = shape::Corners(mesh, row);
+    soup.Points.middleRows(3 * row, 3) = shape::GetCorners(mesh, row);
     soup.Triangles.row(row) << 3 * row, 3 * row + 1, 3 * row + 2;
   }
   const RowVector3d seed = mesh.Points.row(42);
-  const double radius = 0.1 * shape::BoxDiagonal(mesh.Points);
+  const double radius = 0.1 * shape::ComputeBoxDiagonal(mesh.Points);
   const shape::ExponentialPatch one = shape::ExponentialMap(mesh).Around(seed, radius);
   const shape::ExponentialPatch other = shape::ExponentialMap(soup).Around(seed, radius);
   std::vector<int> triangles[2] = { one.Triangles, other.Triangles };
@@ -334,16 +335,16 @@ TEST(ExponentialMap, OfTrianglesThatDoNotHangTogetherIsTheSame)
   }
   EXPECT_EQ(triangles[0], triangles[1]);
   EXPECT_EQ(one.Flipped.size(), other.Flipped.size());
-  Eigen::MatrixXd places = Eigen::MatrixXd::Zero(mesh.Points.rows(), 2);
+  Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(mesh.Points.rows(), 2);
   for (std::size_t row = 0; row < one.Points.size(); ++row)
   {
-    places.row(one.Points[row]) = one.Places.row(static_cast<Eigen::Index>(row));
+    positions.row(one.Points[row]) = one.Positions.row(static_cast<Eigen::Index>(row));
   }
   for (std::size_t row = 0; row < other.Points.size(); ++row)
   {
     const int point = mesh.Triangles(other.Points[row] / 3, other.Points[row] % 3);
-    EXPECT_LT(
-      (places.row(point) - other.Places.row(static_cast<Eigen::Index>(row))).norm(), 1e-9 * radius);
+    EXPECT_LT((positions.row(point) - other.Positions.row(static_cast<Eigen::Index>(row))).norm(),
+      1e-9 * radius);
   }
 }
 
@@ -354,7 +355,7 @@ TEST(ExponentialMap, SeesNoPointsWithoutTriangles)
   const shape::ExponentialPatch patch = shape::ExponentialMap(mesh).Around(seed, 1.0);
   const Eigen::Index n = mesh.Points.rows();
   mesh.Points.conservativeResize(n + 30, 3);
-  mesh.Points.bottomRows(30) = 1.01 * shape::RandomPlaces(shapetest::Icosphere(2), 30, 1);
+  mesh.Points.bottomRows(30) = 1.01 * shape::SampleRandomly(shapetest::Icosphere(2), 30, 1);
   const shape::ExponentialPatch beside = shape::ExponentialMap(mesh).Around(seed, 1.0);
   ExpectPrefix(patch, beside);
   ExpectPrefix(beside, patch);
@@ -379,21 +380,21 @@ TEST(ExponentialMap, IsDefinedOnSurfacesOfEveryKind)
   for (const double radius : { 0.3, 2.0, 50.0 })
   {
     const shape::ExponentialPatch patch = map.Around(RowVector3d(0.02, 0.01, 0), radius);
-    EXPECT_TRUE(patch.Places.allFinite());
+    EXPECT_TRUE(patch.Positions.allFinite());
     EXPECT_TRUE(patch.Distances.allFinite());
     EXPECT_LT(*std::max_element(patch.Points.begin(), patch.Points.end()), n + 1);
   }
   const shape::ExponentialPatch apart = map.Around(RowVector3d(5.2, 0.2, 0), 10.0);
   EXPECT_EQ(apart.Triangles, std::vector<int>{ static_cast<int>(m + 3) });
-  EXPECT_TRUE(apart.ReachesRim);
+  EXPECT_TRUE(apart.ReachesBoundary);
   // Where no triangle has an area.
   shape::Mesh line{ Eigen::MatrixXd::Zero(4, 3), Eigen::MatrixXi(2, 3) };
   line.Points.col(0) << 0, 1, 2, 3;
   line.Triangles << 0, 1, 2, 1, 2, 3;
   const shape::ExponentialPatch flat =
     shape::ExponentialMap(line).Around(RowVector3d(0.5, 0, 0), 2.0);
-  EXPECT_TRUE(flat.Places.allFinite());
-  EXPECT_NEAR(flat.Places.row(0).norm(), 0.5, 1e-12);
+  EXPECT_TRUE(flat.Positions.allFinite());
+  EXPECT_NEAR(flat.Positions.row(0).norm(), 0.5, 1e-12);
   EXPECT_TRUE(flat.Flipped.empty());
 }
 
@@ -409,7 +410,7 @@ TEST(ExponentialMap, RefusesWhatItCannotUse)
   }
   EXPECT_THROW(map.Around(RowVector3d(nan, 0, 0), 1.0), shape::InvalidInput);
   EXPECT_THROW(map.Around(seed, 1.0, { 0, nan, 0 }), shape::InvalidInput);
-  EXPECT_THROW(map.Around(shape::ClosestPlace{}, 1.0), shape::InvalidInput);
+  EXPECT_THROW(map.Around(shape::ClosestPoint{}, 1.0), shape::InvalidInput);
   EXPECT_THROW(shape::ExponentialMap(mesh, { true, -1 }), shape::InvalidInput);
   EXPECT_THROW(shape::ExponentialMap({ mesh.Points, Eigen::MatrixXi(0, 3) }), shape::InvalidInput);
   shape::Mesh bad = mesh;
@@ -432,22 +433,23 @@ TEST(TangentFrame, TurnsWithoutAJump)
   for (int i = 0; i < 200; ++i)
   {
     const RowVector3d from = unit(), to = unit(), vector = unit();
-    EXPECT_LT((shape::TurnedBetween(from, from, to) - to).norm(), 1e-12);
-    const RowVector3d turned = shape::TurnedBetween(vector, from, to);
+    EXPECT_LT((shape::RotateBetweenNormals(from, from, to) - to).norm(), 1e-12);
+    const RowVector3d turned = shape::RotateBetweenNormals(vector, from, to);
     EXPECT_NEAR(turned.norm(), 1.0, 1e-12);
     // The axis of the shortest turn is across both.
     EXPECT_NEAR(turned.dot(from.cross(to)), vector.dot(from.cross(to)), 1e-12);
-    EXPECT_LT((shape::TurnedBetween(from, from, -from) + from).norm(), 1e-12);
+    EXPECT_LT((shape::RotateBetweenNormals(from, from, -from) + from).norm(), 1e-12);
 
-    const shape::TangentFrame frame = shape::FrameAt(vector, to);
+    const shape::TangentFrame frame = shape::BuildTangentFrame(vector, to);
     EXPECT_NEAR(frame.XAxis.norm(), 1.0, 1e-12);
     EXPECT_LT((frame.XAxis.cross(frame.YAxis) - to).norm(), 1e-12);
     const RowVector3d near = (to + 1e-4 * unit()).normalized();
     if (to(2) > -0.9)
     {
-      EXPECT_LT((shape::FrameAt(vector, near).XAxis - frame.XAxis).norm(), 1e-2);
+      EXPECT_LT((shape::BuildTangentFrame(vector, near).XAxis - frame.XAxis).norm(), 1e-2);
     }
-    EXPECT_EQ(shape::FrameAt(vector, to, to).XAxis, frame.XAxis);
+    EXPECT_EQ(shape::BuildTangentFrame(vector, to, to).XAxis, frame.XAxis);
   }
-  EXPECT_TRUE(shape::FrameAt({ 0, 0, 0 }, { 0, 0, -1 }).XAxis.isApprox(RowVector3d(1, 0, 0)));
+  EXPECT_TRUE(
+    shape::BuildTangentFrame({ 0, 0, 0 }, { 0, 0, -1 }).XAxis.isApprox(RowVector3d(1, 0, 0)));
 }

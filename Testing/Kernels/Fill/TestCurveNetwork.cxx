@@ -1,8 +1,8 @@
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "Fill/CurveNetwork.h"
 #include "Fill/FillHoles.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -70,18 +70,18 @@ std::pair<Eigen::MatrixXd, Lines> WireCube(int segments)
       lines.back().push_back(b);
     }
   }
-  Eigen::MatrixXd places(points.size(), 3);
-  std::copy(points.begin(), points.end(), places.rowwise().begin());
-  return { places, lines };
+  Eigen::MatrixXd positions(points.size(), 3);
+  std::copy(points.begin(), points.end(), positions.rowwise().begin());
+  return { positions, lines };
 }
 
 double AreaAlong(
-  const Eigen::MatrixXd& points, const std::vector<int>& rim, const Eigen::RowVector3d& normal)
+  const Eigen::MatrixXd& points, const std::vector<int>& loop, const Eigen::RowVector3d& normal)
 {
   double area = 0.0;
-  for (std::size_t i = 0; i < rim.size(); ++i)
+  for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    const Eigen::RowVector3d a = points.row(rim[i]), b = points.row(rim[(i + 1) % rim.size()]);
+    const Eigen::RowVector3d a = points.row(loop[i]), b = points.row(loop[(i + 1) % loop.size()]);
     area += 0.5 * normal.dot(a.cross(b));
   }
   return area;
@@ -107,33 +107,33 @@ TEST(CurveNetwork, AClosedCurveRunsAroundItsNormals)
   for (const Lines& lines : { line, turned })
   {
     // As the normals say, whatever the sense of the line.
-    const shape::CurveNetwork with = shape::FindRims(points, lines, 3.0 * up);
-    ASSERT_EQ(with.Rims.size(), 1u);
-    EXPECT_EQ(with.Rims[0].size(), 24u);
-    EXPECT_GT(AreaAlong(points, with.Rims[0], { 0, 0, 1 }), 3.0);
+    const shape::CurveNetwork with = shape::FindCurveLoops(points, lines, 3.0 * up);
+    ASSERT_EQ(with.Loops.size(), 1u);
+    EXPECT_EQ(with.Loops[0].size(), 24u);
+    EXPECT_GT(AreaAlong(points, with.Loops[0], { 0, 0, 1 }), 3.0);
     EXPECT_LT((with.Normals.topRows(count) - up.topRows(count)).norm(), 1e-12);
-    const shape::CurveNetwork down = shape::FindRims(points, lines, -up);
-    EXPECT_LT(AreaAlong(points, down.Rims[0], { 0, 0, 1 }), -3.0);
+    const shape::CurveNetwork down = shape::FindCurveLoops(points, lines, -up);
+    EXPECT_LT(AreaAlong(points, down.Loops[0], { 0, 0, 1 }), -3.0);
     // Without, as the line runs, around its own plane's normal.
-    const shape::CurveNetwork own = shape::FindRims(points, lines, none);
-    ASSERT_EQ(own.Rims.size(), 1u);
-    const double area = AreaAlong(points, own.Rims[0], own.Normals.row(0));
+    const shape::CurveNetwork own = shape::FindCurveLoops(points, lines, none);
+    ASSERT_EQ(own.Loops.size(), 1u);
+    const double area = AreaAlong(points, own.Loops[0], own.Normals.row(0));
     EXPECT_GT(area, 3.0);
     EXPECT_NEAR(std::abs(own.Normals(0, 2)), 1.0, 1e-9);
   }
-  EXPECT_GT(shape::FindRims(points, line, none).Normals(0, 2), 0.0);
-  EXPECT_LT(shape::FindRims(points, turned, none).Normals(0, 2), 0.0);
+  EXPECT_GT(shape::FindCurveLoops(points, line, none).Normals(0, 2), 0.0);
+  EXPECT_LT(shape::FindCurveLoops(points, turned, none).Normals(0, 2), 0.0);
 }
 
 TEST(CurveNetwork, AFlatGridHasItsInnerFaces)
 {
   const auto [points, lines] = FlatGrid(3);
-  const shape::CurveNetwork network = shape::FindRims(points, lines, Eigen::MatrixXd(0, 3));
-  EXPECT_EQ(network.Rims.size(), 9u); // the outer face is none
-  for (const std::vector<int>& rim : network.Rims)
+  const shape::CurveNetwork network = shape::FindCurveLoops(points, lines, Eigen::MatrixXd(0, 3));
+  EXPECT_EQ(network.Loops.size(), 9u); // the outer face is none
+  for (const std::vector<int>& loop : network.Loops)
   {
-    EXPECT_EQ(rim.size(), 4u);
-    EXPECT_NEAR(AreaAlong(points, rim, { 0, 0, 1 }), 1.0, 1e-12);
+    EXPECT_EQ(loop.size(), 4u);
+    EXPECT_NEAR(AreaAlong(points, loop, { 0, 0, 1 }), 1.0, 1e-12);
   }
   EXPECT_EQ(network.SkippedFaces, 0);
   EXPECT_EQ(network.LooseSegments, 0);
@@ -147,8 +147,8 @@ TEST(CurveNetwork, LooseEndsAreLeftOut)
   points.bottomRows(3) << 0.4, 0.4, 0, 0.6, 0.5, 0, 5, 5, 5;
   lines.push_back({ 0, old, old + 1 }); // into the first square
   lines.push_back({ 8, old + 2 });      // and away from a corner
-  const shape::CurveNetwork network = shape::FindRims(points, lines, Eigen::MatrixXd(0, 3));
-  EXPECT_EQ(network.Rims.size(), 4u);
+  const shape::CurveNetwork network = shape::FindCurveLoops(points, lines, Eigen::MatrixXd(0, 3));
+  EXPECT_EQ(network.Loops.size(), 4u);
   EXPECT_EQ(network.LooseSegments, 3);
 }
 
@@ -158,27 +158,27 @@ TEST(CurveNetwork, FacesThatComeBackToAPlaceAreSkipped)
   Eigen::MatrixXd points(8, 3);
   points << 0, 0, 0, 3, 0, 0, 3, 3, 0, 0, 3, 0, 1, 1, 0, 2, 1, 0, 2, 2, 0, 1, 2, 0;
   const Lines lines = { { 0, 1, 2, 3, 0 }, { 4, 5, 6, 7, 4 }, { 0, 4 } };
-  const shape::CurveNetwork network = shape::FindRims(points, lines, Eigen::MatrixXd(0, 3));
-  ASSERT_EQ(network.Rims.size(), 1u);
-  EXPECT_NEAR(AreaAlong(points, network.Rims[0], { 0, 0, 1 }), 1.0, 1e-12);
+  const shape::CurveNetwork network = shape::FindCurveLoops(points, lines, Eigen::MatrixXd(0, 3));
+  ASSERT_EQ(network.Loops.size(), 1u);
+  EXPECT_NEAR(AreaAlong(points, network.Loops[0], { 0, 0, 1 }), 1.0, 1e-12);
   EXPECT_EQ(network.SkippedFaces, 1);
 }
 
 TEST(CurveNetwork, ACubesWiresBoundSixPatches)
 {
   const auto [points, lines] = WireCube(7);
-  const shape::CurveNetwork network = shape::FindRims(points, lines, points);
-  ASSERT_EQ(network.Rims.size(), 6u);
-  for (const std::vector<int>& rim : network.Rims)
+  const shape::CurveNetwork network = shape::FindCurveLoops(points, lines, points);
+  ASSERT_EQ(network.Loops.size(), 6u);
+  for (const std::vector<int>& loop : network.Loops)
   {
-    EXPECT_EQ(rim.size(), 28u);
+    EXPECT_EQ(loop.size(), 28u);
   }
   shape::FillHolesOptions options;
   for (const shape::FillMethod method :
     { shape::FillMethod::Automatic, shape::FillMethod::Membrane })
   {
     options.Method = method;
-    shape::SurfaceFiller filler({ points, Eigen::MatrixXi(0, 3) }, network.Rims, network.Normals);
+    shape::SurfaceFiller filler({ points, Eigen::MatrixXi(0, 3) }, network.Loops, network.Normals);
     const shape::FilledSurface filled = filler.Fill(options);
     const shape::Topology topology = shape::RequireClosedSurface(filled.Surface, "the patches");
     EXPECT_EQ(topology.EulerNumber, 2);
@@ -187,7 +187,7 @@ TEST(CurveNetwork, ACubesWiresBoundSixPatches)
     {
       EXPECT_EQ(hole.SelfIntersections, 0);
     }
-    const double volume = shape::EnclosedVolume(filled.Surface);
+    const double volume = shape::ComputeEnclosedVolume(filled.Surface);
     if (method == shape::FillMethod::Membrane)
     {
       EXPECT_NEAR(volume, 8.0, 1e-9);
@@ -203,9 +203,10 @@ TEST(CurveNetwork, NamesWhatIsWrong)
 {
   const auto [points, lines] = WireCube(2);
   const Eigen::MatrixXd none(0, 3);
-  EXPECT_THROW(shape::FindRims(points, lines, none), shape::InvalidInput); // no plane, no normals
-  EXPECT_THROW(shape::FindRims(points, { { 0, 1000 } }, none), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::FindCurveLoops(points, lines, none), shape::InvalidInput); // no plane, no normals
+  EXPECT_THROW(shape::FindCurveLoops(points, { { 0, 1000 } }, none), shape::InvalidInput);
   Eigen::MatrixXd bad = points;
   bad(3, 1) = std::nan("");
-  EXPECT_THROW(shape::FindRims(bad, lines, points), shape::InvalidInput);
+  EXPECT_THROW(shape::FindCurveLoops(bad, lines, points), shape::InvalidInput);
 }

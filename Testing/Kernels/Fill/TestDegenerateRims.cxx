@@ -1,5 +1,5 @@
-#include "Mesh/Topology.h"
 #include "Fill/FillHoles.h"
+#include "Mesh/Topology.h"
 #include "Support/HoleShapes.h"
 
 #include <Eigen/Geometry>
@@ -30,7 +30,7 @@ Eigen::MatrixXd Circle(int count)
 }
 
 /// A ribbon's inner border with the ribbon to the left; also where points coincide.
-std::vector<int> InnerBorder(int count)
+std::vector<int> InnerBoundary(int count)
 {
   std::vector<int> loop;
   for (int i = 0; i < count; ++i)
@@ -45,7 +45,7 @@ shape::FilledSurface Filled(const shape::Mesh& ribbon, shape::FillMethod method)
   shape::FillHolesOptions options;
   options.Method = method;
   return shape::FillLoops(
-    ribbon, { InnerBorder(static_cast<int>(ribbon.Points.rows()) / 3) }, options);
+    ribbon, { InnerBoundary(static_cast<int>(ribbon.Points.rows()) / 3) }, options);
 }
 
 } // namespace
@@ -54,11 +54,11 @@ TEST(DegenerateRims, LoopsOfOneAndOfTwoPlacesAreClosedByNumber)
 {
   for (const int count : { 3, 4, 7 })
   {
-    for (const int places : { 1, 2 })
+    for (const int positions : { 1, 2 })
     {
       const Eigen::MatrixXd circle = Circle(count);
       Eigen::MatrixXd curve = Eigen::MatrixXd::Zero(count, 3);
-      curve.bottomRows(places == 1 ? 0 : count / 2).col(0).setOnes();
+      curve.bottomRows(positions == 1 ? 0 : count / 2).col(0).setOnes();
       const shape::Mesh ribbon = shapetest::Ribbon(curve, circle);
       for (const shape::FillMethod method : AllMethods)
       {
@@ -121,7 +121,7 @@ TEST(DegenerateRims, ThinSlits)
       {
         const shape::Mesh patch{ filled.Surface.Points,
           filled.Surface.Triangles.bottomRows(filled.Holes[0].Triangles) };
-        EXPECT_NEAR(0.5 * shape::AreaVectors(patch).rowwise().norm().sum(),
+        EXPECT_NEAR(0.5 * shape::ComputeAreaVectors(patch).rowwise().norm().sum(),
           0.5 * count * std::sin(2.0 * M_PI / count) * width, 1e-14);
       }
       if (isMembrane || method == shape::FillMethod::Automatic)

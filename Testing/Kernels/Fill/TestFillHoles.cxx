@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Fill/FillHoles.h"
 #include "Fill/FillValues.h"
+#include "Mesh/Surface.h"
 #include "Support/HoleShapes.h"
 
 #include <Eigen/Geometry>
@@ -57,7 +58,7 @@ TEST(FillHoles, ASpheresCapComesBack)
     const shape::Topology topology = shape::RequireClosedSurface(filled.Surface, "the sphere");
     EXPECT_EQ(topology.EulerNumber, 2);
     // Triangles as large as the others, on the average.
-    const Eigen::VectorXd areas = shape::AreaVectors(filled.Surface).rowwise().norm();
+    const Eigen::VectorXd areas = shape::ComputeAreaVectors(filled.Surface).rowwise().norm();
     const double old = areas.head(open.Triangles.rows()).mean();
     const double made = areas.tail(filled.Holes[0].Triangles).mean();
     EXPECT_GT(made, 0.4 * old) << degrees;
@@ -93,7 +94,7 @@ TEST(FillHoles, EachMethodKeepsTheInputAndClosesIt)
       }
     }
     // Some loops only.
-    const std::vector<std::vector<int>> loops = shape::BorderLoops(torus).Loops;
+    const std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(torus).Loops;
     shapetest::ExpectSound(torus, shape::FillLoops(torus, { loops[1] }, options), 2, -2);
   }
 }
@@ -113,7 +114,7 @@ TEST(FillHoles, InAPlaneFillsLieInIt)
       flat.Points =
         (100.0 * flat.Points * turn.transpose()).rowwise() + Eigen::RowVector3d(500.0, 0.0, -300.0);
     }
-    std::vector<std::vector<int>> loops = shape::BorderLoops(flat).Loops;
+    std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(flat).Loops;
     loops.erase(loops.begin()); // the outer one
     ASSERT_GE(loops.size(), 2u);
     for (const shape::FillMethod method :
@@ -135,7 +136,7 @@ TEST(FillHoles, InAPlaneFillsLieInIt)
       {
         EXPECT_LT(heights.cwiseAbs().maxCoeff(), 1e-14);
       }
-      EXPECT_NEAR(0.5 * shape::AreaVectors(filled.Surface).rowwise().norm().sum(),
+      EXPECT_NEAR(0.5 * shape::ComputeAreaVectors(filled.Surface).rowwise().norm().sum(),
         isTurned ? 4e4 : 4.0, isTurned ? 1e-4 : 1e-8);
     }
   }
@@ -151,7 +152,7 @@ TEST(FillHoles, ACylindersWallGoesOn)
   const shape::Mesh open = shapetest::Without(wall,
     [](const Eigen::RowVector3d& p)
     { return std::hypot(p.x(), std::asin(std::clamp(p.y(), -1.0, 1.0))) < 0.6; });
-  std::vector<std::vector<int>> loops = shape::BorderLoops(open).Loops;
+  std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(open).Loops;
   ASSERT_EQ(loops.size(), 2u);
   const shape::FilledSurface filled = shape::FillLoops(open, { loops[1] });
   double worst = 0.0;
@@ -195,7 +196,7 @@ TEST(FillHoles, ParametersShapeTheFillLive)
 {
   const shape::Mesh open = shapetest::SphereWithoutCap(4, 50);
   const Eigen::RowVector3d axis = shapetest::CapAxis();
-  const std::vector<std::vector<int>> loops = shape::BorderLoops(open).Loops;
+  const std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(open).Loops;
   shape::SurfaceFiller filler(open, loops);
   shape::FillHolesOptions options;
   options.Method = shape::FillMethod::Deformation;
@@ -252,18 +253,19 @@ TEST(FillHoles, DataGoOnFromTheRim)
   const shape::FilledSurface filled = shape::FillHoles(open);
   const shape::FilledHole& hole = filled.Holes[0];
   // Coordinates are harmonic on a minimal surface; on a sphere nearly so.
-  const Eigen::MatrixXd own = shape::ValuesOnFill(filled.Surface, hole, filled.Surface.Points);
-  const Eigen::MatrixXd places = filled.Surface.Points.middleRows(hole.FirstPoint, hole.Points);
-  EXPECT_LT((own - places).rowwise().norm().maxCoeff(), 0.3);
+  const Eigen::MatrixXd own =
+    shape::ExtendValuesOntoFill(filled.Surface, hole, filled.Surface.Points);
+  const Eigen::MatrixXd positions = filled.Surface.Points.middleRows(hole.FirstPoint, hole.Points);
+  EXPECT_LT((own - positions).rowwise().norm().maxCoeff(), 0.3);
   double low = 1.0, high = -1.0;
-  for (const int point : hole.Rim)
+  for (const int point : hole.Loop)
   {
     low = std::min(low, filled.Surface.Points(point, 0));
     high = std::max(high, filled.Surface.Points(point, 0));
   }
   EXPECT_GE(own.col(0).minCoeff(), low);
   EXPECT_LE(own.col(0).maxCoeff(), high);
-  const shape::FillSources sources = shape::SourcesOfFills(filled.Surface, { hole }).front();
+  const shape::FillSources sources = shape::FindFillSources(filled.Surface, { hole }).front();
   for (const int triangle : sources.Triangles)
   {
     EXPECT_GE(triangle, 0);

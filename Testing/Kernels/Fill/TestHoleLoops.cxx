@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
 #include "Fill/FillHoles.h"
 #include "Fill/LoopChoice.h"
-#include "Fill/Private/PatchCrossings.h"
+#include "Fill/Private/PatchSelfIntersections.h"
 #include "Support/HoleShapes.h"
 
 #include <Eigen/Geometry>
@@ -25,9 +25,9 @@ TEST(HoleLoops, SmallLoops)
     for (int t = 0; t < sphere.Triangles.rows(); ++t)
     {
       // Two that share the edge of the first one's first two corners.
-      const bool isBeside = (sphere.Triangles.row(t).array() == sphere.Triangles(0, 0)).any() &&
+      const bool isNextTo = (sphere.Triangles.row(t).array() == sphere.Triangles(0, 0)).any() &&
         (sphere.Triangles.row(t).array() == sphere.Triangles(0, 1)).any();
-      if (!(t == 0 || (removed == 2 && isBeside)))
+      if (!(t == 0 || (removed == 2 && isNextTo)))
       {
         open.Triangles.row(kept++) = sphere.Triangles.row(t);
       }
@@ -35,7 +35,7 @@ TEST(HoleLoops, SmallLoops)
     open.Triangles.conservativeResize(kept, 3);
     ASSERT_EQ(kept, sphere.Triangles.rows() - removed);
     const shape::FilledSurface filled = shape::FillHoles(open);
-    EXPECT_EQ(filled.Holes[0].Rim.size(), 2u + removed);
+    EXPECT_EQ(filled.Holes[0].Loop.size(), 2u + removed);
     shapetest::ExpectSound(open, filled, 0, 2);
     EXPECT_EQ(filled.Holes[0].Triangles, removed);
     EXPECT_EQ(shapetest::Crossings(filled), 0);
@@ -47,7 +47,7 @@ TEST(HoleLoops, PointsOnOneLineAndTwiceAtAPlace)
   // A square hole whose sides have many points, one corner of it twice.
   shape::Mesh flat = shapetest::Without(shapetest::FlatSquare(20, 0.0),
     [](const Eigen::RowVector3d& p) { return p.cwiseAbs().maxCoeff() < 0.5; });
-  std::vector<std::vector<int>> loops = shape::BorderLoops(flat).Loops;
+  std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(flat).Loops;
   ASSERT_EQ(loops.size(), 2u);
   const shape::FilledSurface plain = shape::FillLoops(flat, { loops[1] });
   shapetest::ExpectSound(flat, plain, 1, 1);
@@ -72,13 +72,13 @@ TEST(HoleLoops, PointsOnOneLineAndTwiceAtAPlace)
   {
     point = point == corner ? static_cast<int>(flat.Points.rows()) : point;
   }
-  const std::vector<std::vector<int>> split = shape::BorderLoops(doubled).Loops;
+  const std::vector<std::vector<int>> split = shape::FindBoundaryLoops(doubled).Loops;
   ASSERT_EQ(split.size(), 2u);
   EXPECT_EQ(split[1].size(), loops[1].size() + 1);
   const shape::FilledSurface filled = shape::FillLoops(doubled, { split[1] });
   EXPECT_EQ(shapetest::Crossings(filled), 0);
   // Every side of the hole has a triangle by number, the one without length, too.
-  const shape::Topology topology = shape::SurfaceTopology(filled.Surface);
+  const shape::Topology topology = shape::ComputeTopology(filled.Surface);
   EXPECT_EQ(topology.NonManifoldEdges, 0);
   EXPECT_EQ(topology.MisorientedEdges, 0);
 }
@@ -117,7 +117,7 @@ TEST(HoleLoops, LoopsThatTouchThemselvesAreFilledApart)
     }
   }
   open.Triangles.conservativeResize(kept, 3);
-  ASSERT_EQ(shape::SurfaceTopology(open).NonManifoldPoints, 1);
+  ASSERT_EQ(shape::ComputeTopology(open).NonManifoldPoints, 1);
   const shape::FilledSurface filled = shape::FillHoles(open);
   EXPECT_EQ(filled.Holes.size(), 2u);
   shapetest::ExpectSound(open, filled, 0, 2);
@@ -128,7 +128,7 @@ TEST(HoleLoops, AnEdgeThatIsThereIsNotMadeTwice)
   // A hexagon whose first and third point the surface joins by an edge of its own.
   shape::Mesh mesh = shapetest::Without(
     shapetest::FlatDisk(3), [](const Eigen::RowVector3d& p) { return p.norm() < 1.0 / 3.0; });
-  std::vector<std::vector<int>> loops = shape::BorderLoops(mesh).Loops;
+  std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(mesh).Loops;
   ASSERT_EQ(loops[1].size(), 6u);
   const int a = loops[1][0], b = loops[1][2];
   const auto top = static_cast<int>(mesh.Points.rows());
@@ -143,7 +143,7 @@ TEST(HoleLoops, AnEdgeThatIsThereIsNotMadeTwice)
     shape::FillHolesOptions options;
     options.Method = method;
     const shape::FilledSurface filled = shape::FillLoops(mesh, { loops[1] }, options);
-    EXPECT_EQ(shape::SurfaceTopology(filled.Surface).NonManifoldEdges, 0);
+    EXPECT_EQ(shape::ComputeTopology(filled.Surface).NonManifoldEdges, 0);
   }
 }
 
@@ -218,7 +218,7 @@ TEST(HoleLoops, FillsOfAScanMeetNeitherItNorEachOther)
   EXPECT_EQ(filled.Holes.size(), 171u);
   EXPECT_EQ(shapetest::Crossings(filled), 0);
   EXPECT_EQ(filled.Surface.Triangles.topRows(open.Triangles.rows()), open.Triangles);
-  EXPECT_EQ(shape::RequireManifold(filled.Surface, "the filled scan").OpenLoops, 0);
+  EXPECT_EQ(shape::RequireManifold(filled.Surface, "the filled scan").BoundaryLoops, 0);
 }
 
 TEST(HoleLoops, FillsThatWouldMeetEachOtherAreReplacedBothOrOne)
@@ -265,10 +265,10 @@ TEST(HoleLoops, AutomaticTakesWhatMeetsTheSurfaceLeast)
   shapetest::ExpectSound(sheet, filled, 0, 2);
   EXPECT_EQ(filled.Holes[0].Method, shape::FillMethod::Fair);
   EXPECT_NE(filled.Holes[0].Reason.find("did not settle"), std::string::npos);
-  const int least = shapetest::Crossings(filled);
-  EXPECT_EQ(shapetest::Crossings(filledBy(shape::FillMethod::Fair)), least);
-  EXPECT_GT(shapetest::Crossings(filledBy(shape::FillMethod::Deformation)), least);
-  EXPECT_GT(shapetest::Crossings(filledBy(shape::FillMethod::Membrane)), least);
+  const int minimum = shapetest::Crossings(filled);
+  EXPECT_EQ(shapetest::Crossings(filledBy(shape::FillMethod::Fair)), minimum);
+  EXPECT_GT(shapetest::Crossings(filledBy(shape::FillMethod::Deformation)), minimum);
+  EXPECT_GT(shapetest::Crossings(filledBy(shape::FillMethod::Membrane)), minimum);
 }
 
 TEST(HoleLoops, WhereTheFairSurfaceWouldMeetAnotherAnotherMethodIsTaken)
@@ -286,7 +286,7 @@ TEST(HoleLoops, WhereTheFairSurfaceWouldMeetAnotherAnotherMethodIsTaken)
   walled.Points.row(first + 2) = 1.5 * axis + 0.1 * other;
   walled.Triangles.conservativeResize(open.Triangles.rows() + 1, 3);
   walled.Triangles.bottomRows(1) << first, first + 1, first + 2;
-  const std::vector<std::vector<int>> loops = { shape::BorderLoops(open).Loops };
+  const std::vector<std::vector<int>> loops = { shape::FindBoundaryLoops(open).Loops };
   const shape::FilledSurface filled = shape::FillLoops(walled, loops);
   EXPECT_EQ(filled.Holes[0].Method, shape::FillMethod::Membrane);
   EXPECT_NE(filled.Holes[0].Reason.find("meets itself or the surface"), std::string::npos);
@@ -297,7 +297,8 @@ TEST(HoleLoops, WhereTheFairSurfaceWouldMeetAnotherAnotherMethodIsTaken)
   const shape::FilledSurface fair = shape::FillLoops(walled, loops, options);
   EXPECT_GT(fair.Holes[0].SelfIntersections, 0);
   EXPECT_EQ(static_cast<std::size_t>(fair.Holes[0].SelfIntersections),
-    shape::PatchCrossings(fair.Surface, static_cast<int>(walled.Triangles.rows())).size());
+    shape::FindPatchSelfIntersections(fair.Surface, static_cast<int>(walled.Triangles.rows()))
+      .size());
 }
 
 TEST(HoleLoops, EdgesGrowWhereALargeLoopWouldTakeTooManyPoints)
@@ -330,7 +331,7 @@ TEST(HoleLoops, LoopsAreChosen)
 {
   const shape::Mesh open = shapetest::Without(shapetest::Icosphere(4),
     [](const Eigen::RowVector3d& p) { return p.z() > 0.8 || p.z() < -0.9 || p.x() > 0.95; });
-  const std::vector<std::vector<int>> loops = shape::BorderLoops(open).Loops;
+  const std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(open).Loops;
   ASSERT_EQ(loops.size(), 3u);
   shape::LoopChoice choice;
   using Type = shape::LoopChoice::LoopsType;
@@ -343,7 +344,8 @@ TEST(HoleLoops, LoopsAreChosen)
   choice.Indices = { 3 };
   EXPECT_THROW(shape::ChooseLoops(open, loops, choice), shape::InvalidInput);
   choice = {};
-  choice.MaximumLength =
-    0.5 * (shape::LoopLength(open.Points, loops[0]) + shape::LoopLength(open.Points, loops[1]));
+  choice.MaximumLength = 0.5 *
+    (shape::ComputeLoopLength(open.Points, loops[0]) +
+      shape::ComputeLoopLength(open.Points, loops[1]));
   EXPECT_EQ(shape::ChooseLoops(open, loops, choice), (std::vector<int>{ 1, 2 }));
 }

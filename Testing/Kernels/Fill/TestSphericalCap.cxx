@@ -20,68 +20,68 @@ constexpr double Degree = M_PI / 180.0;
 
 /// A circle of the unit sphere at an angle from its pole, and the sphere's normals there. Its
 /// points are denser on one side where `uneven` is not 0.
-shape::SurfaceRim CircleOfSphere(int points, double angle, double uneven = 0.0)
+shape::BoundaryLoop CircleOfSphere(int points, double angle, double uneven = 0.0)
 {
-  shape::SurfaceRim rim;
-  rim.Points.resize(points, 3);
+  shape::BoundaryLoop loop;
+  loop.Points.resize(points, 3);
   for (int i = 0; i < points; ++i)
   {
     const double even = 2.0 * M_PI * i / points, along = even + uneven * std::sin(even);
-    rim.Points.row(i) << std::sin(angle) * std::cos(along), std::sin(angle) * std::sin(along),
+    loop.Points.row(i) << std::sin(angle) * std::cos(along), std::sin(angle) * std::sin(along),
       std::cos(angle);
   }
-  rim.Normals = rim.Points;
-  return rim;
+  loop.Normals = loop.Points;
+  return loop;
 }
 
-shape::HolePatch PatchOf(const shape::SurfaceRim& rim)
+shape::HolePatch PatchOf(const shape::BoundaryLoop& loop)
 {
   shape::PatchSizes sizes;
-  sizes.Rim = shape::RimSizes(rim.Points);
-  return shape::MembranePatch(rim.Points, sizes);
+  sizes.Loop = shape::ComputeBoundarySizes(loop.Points);
+  return shape::BuildMembranePatch(loop.Points, sizes);
 }
 
 /// A circle pulled out of its plane and out of round, as are its normals.
-shape::SurfaceRim Wavy(int points, double angle)
+shape::BoundaryLoop Wavy(int points, double angle)
 {
-  shape::SurfaceRim rim = CircleOfSphere(points, angle);
+  shape::BoundaryLoop loop = CircleOfSphere(points, angle);
   for (int i = 0; i < points; ++i)
   {
     const double along = 2.0 * M_PI * i / points;
-    rim.Points.row(i).head<2>() *= 1.0 + 0.2 * std::cos(2.0 * along);
-    rim.Points(i, 2) += 0.15 * std::sin(3.0 * along);
+    loop.Points.row(i).head<2>() *= 1.0 + 0.2 * std::cos(2.0 * along);
+    loop.Points(i, 2) += 0.15 * std::sin(3.0 * along);
   }
-  return rim;
+  return loop;
 }
 
-shape::SurfaceRim Moved(const shape::SurfaceRim& rim, const Eigen::Matrix3d& turn, double scale,
-  const Eigen::RowVector3d& shift)
+shape::BoundaryLoop Moved(const shape::BoundaryLoop& loop, const Eigen::Matrix3d& turn,
+  double scale, const Eigen::RowVector3d& shift)
 {
-  return { shapetest::Moved(rim.Points, turn, scale, shift), rim.Normals * turn.transpose() };
+  return { shapetest::Moved(loop.Points, turn, scale, shift), loop.Normals * turn.transpose() };
 }
 
 TEST(SphericalCap, TheMeanTilt)
 {
   for (const double tilt : { -170.0, -60.0, 0.0, 30.0, 90.0, 140.0 })
   {
-    shape::SurfaceRim rim = CircleOfSphere(40, 1.0);
+    shape::BoundaryLoop loop = CircleOfSphere(40, 1.0);
     for (Eigen::Index i = 0; i < 40; ++i)
     {
       // As much outwards as inwards, in the mean; along the rim it is no tilt.
-      const Eigen::RowVector3d outwards(rim.Points(i, 0), rim.Points(i, 1), 0.0);
+      const Eigen::RowVector3d outwards(loop.Points(i, 0), loop.Points(i, 1), 0.0);
       const double own = tilt * Degree + 0.15 * (i % 2 == 0 ? 1.0 : -1.0);
       const Eigen::RowVector3d normal = std::cos(own) * Eigen::RowVector3d::UnitZ() +
         std::sin(own) * outwards.normalized() +
         0.1 * i / 40.0 * Eigen::RowVector3d::UnitZ().cross(outwards);
-      rim.Normals.row(i) = normal.normalized();
+      loop.Normals.row(i) = normal.normalized();
     }
-    EXPECT_NEAR(shape::MeanTilt(rim), tilt * Degree, 1e-14);
-    const shape::SurfaceRim moved = Moved(rim, shapetest::SomeRotation(), 1e-3, { 4, -1, 2 });
-    EXPECT_NEAR(shape::MeanTilt(moved), tilt * Degree, 1e-11);
+    EXPECT_NEAR(shape::ComputeMeanTilt(loop), tilt * Degree, 1e-14);
+    const shape::BoundaryLoop moved = Moved(loop, shapetest::SomeRotation(), 1e-3, { 4, -1, 2 });
+    EXPECT_NEAR(shape::ComputeMeanTilt(moved), tilt * Degree, 1e-11);
     // The other way around, the surface is on its other side.
-    const shape::SurfaceRim other{ rim.Points.colwise().reverse(),
-      -rim.Normals.colwise().reverse() };
-    EXPECT_NEAR(shape::MeanTilt(other), -tilt * Degree, 1e-14);
+    const shape::BoundaryLoop other{ loop.Points.colwise().reverse(),
+      -loop.Normals.colwise().reverse() };
+    EXPECT_NEAR(shape::ComputeMeanTilt(other), -tilt * Degree, 1e-14);
   }
 }
 
@@ -89,12 +89,12 @@ TEST(SphericalCap, OverACircleOfASphereIsTheSphere)
 {
   for (const double angle : { 0.2, 45.0, 90.0, 120.0, 145.0 })
   {
-    const shape::SurfaceRim rim = CircleOfSphere(48, angle * Degree);
-    const shape::HolePatch patch = PatchOf(rim);
-    const Eigen::MatrixXd cap = shape::BentCap(patch, rim);
+    const shape::BoundaryLoop loop = CircleOfSphere(48, angle * Degree);
+    const shape::HolePatch patch = PatchOf(loop);
+    const Eigen::MatrixXd cap = shape::BuildSphericalCap(patch, loop);
     ASSERT_EQ(cap.rows(), patch.Flat.rows());
     EXPECT_LT((cap.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-10) << angle;
-    EXPECT_LT(shapetest::Largest(cap.topRows(48) - rim.Points), 1e-13);
+    EXPECT_LT(shapetest::Largest(cap.topRows(48) - loop.Points), 1e-13);
     // Tangents of half the angles from the pole are the distances from the layout's middle.
     const double radius = patch.Flat.topRows(48).rowwise().norm().mean();
     double wrong = 0.0;
@@ -112,18 +112,18 @@ TEST(SphericalCap, HoweverTheRimIsSpaced)
 {
   for (const double uneven : { 0.2, 0.5, 0.8 })
   {
-    const shape::SurfaceRim rim = CircleOfSphere(60, 1.2, uneven);
-    const Eigen::MatrixXd cap = shape::BentCap(PatchOf(rim), rim);
+    const shape::BoundaryLoop loop = CircleOfSphere(60, 1.2, uneven);
+    const Eigen::MatrixXd cap = shape::BuildSphericalCap(PatchOf(loop), loop);
     EXPECT_LT((cap.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-3) << uneven;
   }
 }
 
 TEST(SphericalCap, ThroughAnyRimAndMovedWithIt)
 {
-  const shape::SurfaceRim rim = Wavy(60, 80.0 * Degree);
-  const shape::HolePatch patch = PatchOf(rim);
-  const Eigen::MatrixXd cap = shape::BentCap(patch, rim);
-  EXPECT_LT(shapetest::Largest(cap.topRows(60) - rim.Points), 1e-14);
+  const shape::BoundaryLoop loop = Wavy(60, 80.0 * Degree);
+  const shape::HolePatch patch = PatchOf(loop);
+  const Eigen::MatrixXd cap = shape::BuildSphericalCap(patch, loop);
+  EXPECT_LT(shapetest::Largest(cap.topRows(60) - loop.Points), 1e-14);
   const Eigen::Matrix3d turn = shapetest::SomeRotation();
   const Eigen::RowVector3d shift(20, -7, 3);
   for (const double scale : { 1e-6, 1.0, 1e6 })
@@ -131,37 +131,39 @@ TEST(SphericalCap, ThroughAnyRimAndMovedWithIt)
     // The layout of the patch may have any size.
     shape::HolePatch same = patch;
     same.Flat *= 3.0;
-    const Eigen::MatrixXd moved = shape::BentCap(same, Moved(rim, turn, scale, scale * shift));
+    const Eigen::MatrixXd moved =
+      shape::BuildSphericalCap(same, Moved(loop, turn, scale, scale * shift));
     EXPECT_LT(
       shapetest::Largest(moved - shapetest::Moved(cap, turn, scale, scale * shift)), 1e-11 * scale);
   }
   // Normals mirrored in the plane of the rim's middle: so is the cap.
   const Eigen::RowVector3d mirror(1, 1, -1);
-  const shape::SurfaceRim below{ rim.Points * mirror.asDiagonal(),
-    rim.Normals * Eigen::RowVector3d(-1, -1, 1).asDiagonal() };
-  EXPECT_NEAR(shape::MeanTilt(below), -shape::MeanTilt(rim), 1e-14);
-  EXPECT_LT(shapetest::Largest(shape::BentCap(patch, below) - cap * mirror.asDiagonal()), 1e-12);
+  const shape::BoundaryLoop below{ loop.Points * mirror.asDiagonal(),
+    loop.Normals * Eigen::RowVector3d(-1, -1, 1).asDiagonal() };
+  EXPECT_NEAR(shape::ComputeMeanTilt(below), -shape::ComputeMeanTilt(loop), 1e-14);
+  EXPECT_LT(
+    shapetest::Largest(shape::BuildSphericalCap(patch, below) - cap * mirror.asDiagonal()), 1e-12);
 }
 
 TEST(SphericalCap, AWaveOfTheRimGoesInAsHarmonicsOfTheDisk)
 {
   // The sphere is a conformal image of the layout: what is harmonic on one is on the other.
-  const shape::SurfaceRim rim = CircleOfSphere(96, 70.0 * Degree);
-  const shape::HolePatch patch = PatchOf(rim);
-  const Eigen::MatrixXd cap = shape::BentCap(patch, rim);
+  const shape::BoundaryLoop loop = CircleOfSphere(96, 70.0 * Degree);
+  const shape::HolePatch patch = PatchOf(loop);
+  const Eigen::MatrixXd cap = shape::BuildSphericalCap(patch, loop);
   const double radius = patch.Flat.topRows(96).rowwise().norm().mean();
   for (const int waves : { 2, 3, 4 })
   {
-    shape::SurfaceRim wavy = rim;
+    shape::BoundaryLoop wavy = loop;
     for (int i = 0; i < 96; ++i)
     {
       wavy.Points(i, 2) += 0.1 * std::cos(2.0 * M_PI * waves * i / 96);
     }
-    const Eigen::MatrixXd bent = shape::BentCap(patch, wavy);
+    const Eigen::MatrixXd bent = shape::BuildSphericalCap(patch, wavy);
     for (Eigen::Index i = 0; i < bent.rows(); ++i)
     {
-      const std::complex<double> place(patch.Flat(i, 0) / radius, patch.Flat(i, 1) / radius);
-      const double height = 0.1 * std::pow(place, waves).real();
+      const std::complex<double> position(patch.Flat(i, 0) / radius, patch.Flat(i, 1) / radius);
+      const double height = 0.1 * std::pow(position, waves).real();
       EXPECT_LT((bent.row(i) - cap.row(i) - Eigen::RowVector3d(0, 0, height)).norm(), 2e-3);
     }
   }
@@ -169,13 +171,13 @@ TEST(SphericalCap, AWaveOfTheRimGoesInAsHarmonicsOfTheDisk)
 
 TEST(SphericalCap, FlatWithoutTiltAndNoSteeperThanItMayBe)
 {
-  shape::SurfaceRim rim = CircleOfSphere(48, 90.0 * Degree);
-  const shape::HolePatch patch = PatchOf(rim);
+  shape::BoundaryLoop loop = CircleOfSphere(48, 90.0 * Degree);
+  const shape::HolePatch patch = PatchOf(loop);
   const auto capOf = [&](double tilt)
   {
-    rim.Normals = rim.Points * std::sin(tilt * Degree);
-    rim.Normals.col(2).setConstant(std::cos(tilt * Degree));
-    return shape::BentCap(patch, rim);
+    loop.Normals = loop.Points * std::sin(tilt * Degree);
+    loop.Normals.col(2).setConstant(std::cos(tilt * Degree));
+    return shape::BuildSphericalCap(patch, loop);
   };
   EXPECT_LT(capOf(0.0).col(2).cwiseAbs().maxCoeff(), 1e-3);
   // The sphere that leaves the unit circle by 150 degrees.

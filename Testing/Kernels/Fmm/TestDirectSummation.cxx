@@ -24,8 +24,8 @@ Eigen::MatrixXd Random(int rows, int columns, unsigned seed)
 Eigen::Vector2d Errors(
   const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points)
 {
-  const Eigen::MatrixXd potentials = shape::DirectPotentials(sources, charges, points);
-  const Eigen::MatrixXd gradients = shape::DirectGradients(sources, charges, points);
+  const Eigen::MatrixXd potentials = shape::SumPotentialsDirectly(sources, charges, points);
+  const Eigen::MatrixXd gradients = shape::SumGradientsDirectly(sources, charges, points);
   EXPECT_EQ(gradients.cols(), 3 * charges.cols());
   long double worst = 0.0, worstGradient = 0.0;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
@@ -90,9 +90,9 @@ TEST(DirectSummation, ASmallErrorOfTheRootsIsAsSmallAsPromised)
   for (std::int64_t left = supported; left != 0; left &= left - 1)
   {
     hwy::SetSupportedTargetsForTest(left & -left);
-    const Eigen::MatrixXd right = shape::DirectPotentials(sources, charges, points);
+    const Eigen::MatrixXd right = shape::SumPotentialsDirectly(sources, charges, points);
     const Eigen::MatrixXd small =
-      shape::DirectPotentials(sources, charges, points, shape::RootError::Small);
+      shape::SumPotentialsDirectly(sources, charges, points, shape::RootError::Small);
     EXPECT_LE((small - right).cwiseQuotient(right).cwiseAbs().maxCoeff(), 1e-8)
       << hwy::TargetName(left & -left);
   }
@@ -128,15 +128,15 @@ TEST(DirectSummation, APointsSumDependsOnItAlone)
   const Eigen::MatrixXd sources = Random(5000, 3, 7), charges = Random(5000, 3, 8);
   const Eigen::MatrixXd points = Random(1001, 3, 9);
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
-  const Eigen::MatrixXd one = shape::DirectPotentials(sources, charges, points);
-  const Eigen::MatrixXd oneGradient = shape::DirectGradients(sources, charges, points);
+  const Eigen::MatrixXd one = shape::SumPotentialsDirectly(sources, charges, points);
+  const Eigen::MatrixXd oneGradient = shape::SumGradientsDirectly(sources, charges, points);
   setenv("VTK_SMP_MAX_THREADS", "2", 1);
-  EXPECT_EQ(shape::DirectPotentials(sources, charges, points), one);
-  EXPECT_EQ(shape::DirectGradients(sources, charges, points), oneGradient);
+  EXPECT_EQ(shape::SumPotentialsDirectly(sources, charges, points), one);
+  EXPECT_EQ(shape::SumGradientsDirectly(sources, charges, points), oneGradient);
   unsetenv("VTK_SMP_MAX_THREADS");
-  EXPECT_EQ(
-    shape::DirectPotentials(sources, charges, points.middleRows(77, 5)), one.middleRows(77, 5));
-  EXPECT_EQ(shape::DirectGradients(sources, charges, points.middleRows(77, 5)),
+  EXPECT_EQ(shape::SumPotentialsDirectly(sources, charges, points.middleRows(77, 5)),
+    one.middleRows(77, 5));
+  EXPECT_EQ(shape::SumGradientsDirectly(sources, charges, points.middleRows(77, 5)),
     oneGradient.middleRows(77, 5));
 }
 
@@ -149,8 +149,8 @@ TEST(DirectSummation, IsNotFiniteWhereAPointCoincidesWithASource)
     hwy::SetSupportedTargetsForTest(left & -left);
     Eigen::MatrixXd points = Random(20, 3, 12);
     points.row(7) = sources.row(30);
-    const Eigen::MatrixXd potentials = shape::DirectPotentials(sources, charges, points);
-    const Eigen::MatrixXd gradients = shape::DirectGradients(sources, charges, points);
+    const Eigen::MatrixXd potentials = shape::SumPotentialsDirectly(sources, charges, points);
+    const Eigen::MatrixXd gradients = shape::SumGradientsDirectly(sources, charges, points);
     for (int i = 0; i < 20; ++i)
     {
       EXPECT_EQ(potentials.row(i).array().isFinite().all(), i != 7)
@@ -164,14 +164,14 @@ TEST(DirectSummation, IsNotFiniteWhereAPointCoincidesWithASource)
 TEST(DirectSummation, EmptySumsAreZeroAndWrongSizesAreRefused)
 {
   const Eigen::MatrixXd none(0, 3), points = Random(5, 3, 13);
-  EXPECT_EQ(shape::DirectPotentials(none, Eigen::MatrixXd(0, 2), points),
+  EXPECT_EQ(shape::SumPotentialsDirectly(none, Eigen::MatrixXd(0, 2), points),
     Eigen::MatrixXd(Eigen::MatrixXd::Zero(5, 2)));
-  EXPECT_EQ(shape::DirectPotentials(points, Random(5, 2, 1), none).rows(), 0);
-  EXPECT_EQ(shape::DirectGradients(points, Eigen::MatrixXd(5, 0), points).cols(), 0);
-  EXPECT_THROW(shape::DirectPotentials(points, Random(4, 3, 1), points), shape::InvalidInput);
+  EXPECT_EQ(shape::SumPotentialsDirectly(points, Random(5, 2, 1), none).rows(), 0);
+  EXPECT_EQ(shape::SumGradientsDirectly(points, Eigen::MatrixXd(5, 0), points).cols(), 0);
+  EXPECT_THROW(shape::SumPotentialsDirectly(points, Random(4, 3, 1), points), shape::InvalidInput);
   EXPECT_THROW(
-    shape::DirectPotentials(points, Random(5, 3, 1), Random(5, 2, 1)), shape::InvalidInput);
-  EXPECT_THROW(shape::DirectPotentials(points, Random(5, 3, 1), points, shape::RootError::Rounding,
-                 shape::Progress([](double) { return false; })),
+    shape::SumPotentialsDirectly(points, Random(5, 3, 1), Random(5, 2, 1)), shape::InvalidInput);
+  EXPECT_THROW(shape::SumPotentialsDirectly(points, Random(5, 3, 1), points,
+                 shape::RootError::Rounding, shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

@@ -20,7 +20,7 @@ TEST(ClosedCurves, OneThatEndsWhereItBegins)
   // By its number, or by its place.
   for (const int last : { 0, 4 })
   {
-    const auto curves = shape::ClosedCurves(Square(), { { 0, 1, 1, 2, 3, last } }, "the Loop");
+    const auto curves = shape::ChainClosedCurves(Square(), { { 0, 1, 1, 2, 3, last } }, "the Loop");
     ASSERT_EQ(curves.size(), 1U);
     EXPECT_EQ(curves[0], Square().topRows(4));
   }
@@ -29,7 +29,7 @@ TEST(ClosedCurves, OneThatEndsWhereItBegins)
 TEST(ClosedCurves, LinesInAnyOrderAndSense)
 {
   const auto curves =
-    shape::ClosedCurves(Square(), { { 0, 1 }, { 3, 2 }, { 2, 1 }, { 3, 4 } }, "the Loop");
+    shape::ChainClosedCurves(Square(), { { 0, 1 }, { 3, 2 }, { 2, 1 }, { 3, 4 } }, "the Loop");
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_EQ(curves[0], Square().topRows(4));
 }
@@ -38,7 +38,7 @@ TEST(ClosedCurves, TwoThatShareAPoint)
 {
   Eigen::MatrixXd points(5, 3);
   points << 0, 0, 0, 1, 1, 0, 1, -1, 0, -1, 1, 0, -1, -1, 0;
-  const auto curves = shape::ClosedCurves(
+  const auto curves = shape::ChainClosedCurves(
     points, { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 3, 4 }, { 4, 0 } }, "the Loop");
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(curves[0].rows(), 3);
@@ -49,7 +49,7 @@ TEST(ClosedCurves, AnOpenOneIsNamed)
 {
   try
   {
-    shape::ClosedCurves(Square(), { { 0, 1, 2, 0 }, { 3, 5 } }, "the Loop");
+    shape::ChainClosedCurves(Square(), { { 0, 1, 2, 0 }, { 3, 5 } }, "the Loop");
     FAIL();
   }
   catch (const shape::InvalidInput& error)
@@ -57,5 +57,5 @@ TEST(ClosedCurves, AnOpenOneIsNamed)
     EXPECT_NE(std::string(error.what()).find("the Loop has an open curve, which ends at (5, 5, 5)"),
       std::string::npos);
   }
-  EXPECT_TRUE(shape::ClosedCurves(Square(), {}, "the Loop").empty());
+  EXPECT_TRUE(shape::ChainClosedCurves(Square(), {}, "the Loop").empty());
 }

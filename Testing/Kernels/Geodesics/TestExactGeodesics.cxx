@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "Geodesics/ExactGeodesics.h"
+#include "Mesh/Topology.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -15,24 +15,24 @@
 namespace
 {
 
-shape::ClosestPoints At(const shape::Mesh& mesh, const Eigen::RowVector3d& place)
+shape::ClosestPoints At(const shape::Mesh& mesh, const Eigen::RowVector3d& position)
 {
-  return shape::SurfaceLocator(mesh).Find(place);
+  return shape::SurfaceLocator(mesh).Find(position);
 }
 
 /// Four triangles for each, in its plane: the same polyhedron. The points of `mesh` come first.
 shape::Mesh Split(const shape::Mesh& mesh)
 {
-  std::map<std::pair<int, int>, int> middles;
-  std::vector<Eigen::RowVector3d> places;
+  std::map<std::pair<int, int>, int> midpoints;
+  std::vector<Eigen::RowVector3d> positions;
   const int points = static_cast<int>(mesh.Points.rows());
   const auto middle = [&](int a, int b)
   {
     const auto [found, isNew] =
-      middles.emplace(std::minmax(a, b), points + static_cast<int>(places.size()));
+      midpoints.emplace(std::minmax(a, b), points + static_cast<int>(positions.size()));
     if (isNew)
     {
-      places.emplace_back(0.5 * (mesh.Points.row(a) + mesh.Points.row(b)));
+      positions.emplace_back(0.5 * (mesh.Points.row(a) + mesh.Points.row(b)));
     }
     return found->second;
   };
@@ -44,11 +44,11 @@ shape::Mesh Split(const shape::Mesh& mesh)
     const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
     split.Triangles.middleRows(4 * t, 4) << a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca;
   }
-  split.Points.resize(points + static_cast<Eigen::Index>(places.size()), 3);
+  split.Points.resize(points + static_cast<Eigen::Index>(positions.size()), 3);
   split.Points.topRows(points) = mesh.Points;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    split.Points.row(points + static_cast<Eigen::Index>(i)) = places[i];
+    split.Points.row(points + static_cast<Eigen::Index>(i)) = positions[i];
   }
   return split;
 }
@@ -66,7 +66,7 @@ TEST(ExactGeodesics, AreStraightInThePlane)
   for (const Eigen::RowVector3d& seed : { Eigen::RowVector3d(0.123, -0.345, 0.0),
          Eigen::RowVector3d(1.0, 0.05, 0.0), Eigen::RowVector3d(square.Points.row(70)) })
   {
-    const Eigen::VectorXd distances = shape::ExactGeodesics(square, At(square, seed));
+    const Eigen::VectorXd distances = shape::ComputeExactGeodesics(square, At(square, seed));
     const Eigen::VectorXd straight = (square.Points.rowwise() - seed).rowwise().norm();
     EXPECT_LT((distances - straight).cwiseAbs().maxCoeff(), 1e-12);
   }
@@ -91,7 +91,7 @@ TEST(ExactGeodesics, TurnOnTheBorder)
   }
   bent.Triangles = bent.Triangles(kept, Eigen::all).eval();
   const Eigen::VectorXd distances =
-    shape::ExactGeodesics(bent, At(bent, Eigen::RowVector3d(1.0, -0.25, 0.0)));
+    shape::ComputeExactGeodesics(bent, At(bent, Eigen::RowVector3d(1.0, -0.25, 0.0)));
   const double corner = std::hypot(1.0, 0.25);
   int beyond = 0;
   for (int point = 0; point < static_cast<int>(bent.Points.rows()); ++point)
@@ -129,7 +129,7 @@ TEST(ExactGeodesics, OfABoxAreThoseOfItsUnfoldings)
   walls.Triangles.row(triangle) << corners(0), corners(1), point;
   walls.Triangles.row(last) << corners(1), corners(2), point;
   walls.Triangles.row(last + 1) << corners(2), corners(0), point;
-  EXPECT_NEAR(shape::ExactGeodesics(walls, At(walls, spider))(point), 40.0, 1e-10);
+  EXPECT_NEAR(shape::ComputeExactGeodesics(walls, At(walls, spider))(point), 40.0, 1e-10);
 }
 
 TEST(ExactGeodesics, DoNotDependOnHowThePolyhedronIsCutIntoTriangles)
@@ -139,8 +139,8 @@ TEST(ExactGeodesics, DoNotDependOnHowThePolyhedronIsCutIntoTriangles)
     SCOPED_TRACE(name);
     const shape::Mesh mesh = Model(name), split = Split(mesh);
     const Eigen::RowVector3d seed = mesh.Points.row(17);
-    const Eigen::VectorXd distances = shape::ExactGeodesics(mesh, At(mesh, seed)),
-                          finer = shape::ExactGeodesics(split, At(split, seed));
+    const Eigen::VectorXd distances = shape::ComputeExactGeodesics(mesh, At(mesh, seed)),
+                          finer = shape::ComputeExactGeodesics(split, At(split, seed));
     EXPECT_GT(distances.maxCoeff(), 0.0);
     EXPECT_LT((distances - finer.head(distances.size())).cwiseAbs().maxCoeff(),
       1e-9 * distances.maxCoeff());
@@ -152,8 +152,8 @@ TEST(ExactGeodesics, AreTheSameThereAndBack)
   const shape::Mesh mesh = Model("elephant");
   for (const auto& [a, b] : { std::pair(3, 1000), std::pair(500, 2000), std::pair(77, 1500) })
   {
-    const double there = shape::ExactGeodesics(mesh, At(mesh, mesh.Points.row(a)))(b),
-                 back = shape::ExactGeodesics(mesh, At(mesh, mesh.Points.row(b)))(a);
+    const double there = shape::ComputeExactGeodesics(mesh, At(mesh, mesh.Points.row(a)))(b),
+                 back = shape::ComputeExactGeodesics(mesh, At(mesh, mesh.Points.row(b)))(a);
     EXPECT_NEAR(there, back, 1e-10 * there);
     EXPECT_GE(there, (mesh.Points.row(a) - mesh.Points.row(b)).norm());
   }
@@ -167,22 +167,23 @@ TEST(ExactGeodesics, BetweenPlacesAreThoseFromThem)
   for (const shape::Mesh& mesh : { Model("hand"), Model("elk"), half })
   {
     const int count = 40;
-    const shape::ClosestPoints places =
-      shape::SurfaceLocator(mesh).Find(shape::RandomPlaces(mesh, count, 3));
+    const shape::ClosestPoints positions =
+      shape::SurfaceLocator(mesh).Find(shape::SampleRandomly(mesh, count, 3));
     Eigen::VectorXi points = Eigen::VectorXi::LinSpaced(count, 0, 1000);
-    const shape::PreciseMap corners = shape::MapToPoints(points, mesh);
-    const Eigen::VectorXd there = shape::ExactGeodesicsBetween(mesh, places, corners),
-                          back = shape::ExactGeodesicsBetween(mesh, corners, places);
+    const shape::SurfacePoints corners = shape::MakeSurfacePointsAtVertices(points, mesh);
+    const Eigen::VectorXd there = shape::ComputeExactGeodesicsBetween(mesh, positions, corners),
+                          back = shape::ComputeExactGeodesicsBetween(mesh, corners, positions);
     for (int i = 0; i < count; ++i)
     {
       shape::ClosestPoints seed;
-      seed.Triangles = places.Triangles.row(i);
-      seed.Barycentrics = places.Barycentrics.row(i);
-      const double wanted = shape::ExactGeodesics(mesh, seed)(points(i));
+      seed.Triangles = positions.Triangles.row(i);
+      seed.Barycentrics = positions.Barycentrics.row(i);
+      const double wanted = shape::ComputeExactGeodesics(mesh, seed)(points(i));
       EXPECT_NEAR(there(i), wanted, 1e-10 * wanted);
       EXPECT_NEAR(back(i), wanted, 1e-10 * wanted);
     }
-    EXPECT_EQ(shape::ExactGeodesicsBetween(mesh, places, places).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ(
+      shape::ComputeExactGeodesicsBetween(mesh, positions, positions).cwiseAbs().maxCoeff(), 0.0);
   }
 }
 
@@ -196,10 +197,10 @@ TEST(ExactGeodesics, BetweenComponentsAreInfinite)
   two.Triangles.conservativeResize(2 * triangles, 3);
   two.Triangles.bottomRows(triangles) =
     (two.Triangles.topRows(triangles).array() + static_cast<int>(points)).matrix();
-  const shape::PreciseMap from = shape::MapToPoints(Eigen::Vector2i(0, 1), two),
-                          to =
-                            shape::MapToPoints(Eigen::Vector2i(static_cast<int>(points), 1), two);
-  const Eigen::VectorXd distances = shape::ExactGeodesicsBetween(two, from, to);
+  const shape::SurfacePoints from = shape::MakeSurfacePointsAtVertices(Eigen::Vector2i(0, 1), two),
+                             to = shape::MakeSurfacePointsAtVertices(
+                               Eigen::Vector2i(static_cast<int>(points), 1), two);
+  const Eigen::VectorXd distances = shape::ComputeExactGeodesicsBetween(two, from, to);
   EXPECT_TRUE(std::isinf(distances(0)));
   EXPECT_EQ(distances(1), 0.0);
 }
@@ -207,11 +208,12 @@ TEST(ExactGeodesics, BetweenComponentsAreInfinite)
 TEST(ExactGeodesics, CanBeAborted)
 {
   const shape::Mesh mesh = Model("elephant");
-  EXPECT_THROW(shape::ExactGeodesics(
+  EXPECT_THROW(shape::ComputeExactGeodesics(
                  mesh, At(mesh, mesh.Points.row(0)), shape::Progress([](double) { return false; })),
     shape::Aborted);
-  const shape::PreciseMap ends = shape::MapToPoints(Eigen::Vector2i(0, 1000), mesh);
-  EXPECT_THROW(
-    shape::ExactGeodesicsBetween(mesh, ends, ends, shape::Progress([](double) { return false; })),
+  const shape::SurfacePoints ends =
+    shape::MakeSurfacePointsAtVertices(Eigen::Vector2i(0, 1000), mesh);
+  EXPECT_THROW(shape::ComputeExactGeodesicsBetween(
+                 mesh, ends, ends, shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

@@ -17,7 +17,7 @@ Eigen::VectorXd Distances(const shape::Mesh& mesh, const Eigen::MatrixXd& seeds,
 {
   shape::GeodesicDistanceOptions options;
   options.Method = method;
-  return shape::GeodesicDistance(mesh, seeds, options).Distances;
+  return shape::ComputeGeodesicDistance(mesh, seeds, options).Distances;
 }
 
 /// The angles to the seed: great circles of the unit sphere.
@@ -100,7 +100,7 @@ TEST(GeodesicDistance, SaysWhereNoPathLeads)
     shape::GeodesicDistanceOptions options;
     options.Method = method;
     const shape::GeodesicDistanceResult result =
-      shape::GeodesicDistance(two, Eigen::RowVector3d(0.1, 0.2, 1.0), options);
+      shape::ComputeGeodesicDistance(two, Eigen::RowVector3d(0.1, 0.2, 1.0), options);
     EXPECT_EQ(result.Unreached, points + 1);
     EXPECT_EQ(result.Distances.tail(points + 1), Eigen::VectorXd::Constant(points + 1, -1.0));
     EXPECT_LT(
@@ -121,12 +121,12 @@ TEST(GeodesicDistance, HeatIsNearToStraightOnTheBorder)
 TEST(GeodesicDistance, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(1);
-  EXPECT_THROW(shape::GeodesicDistance(sphere, Eigen::MatrixXd(0, 3)), shape::InvalidInput);
-  EXPECT_THROW(shape::GeodesicDistance(
+  EXPECT_THROW(shape::ComputeGeodesicDistance(sphere, Eigen::MatrixXd(0, 3)), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeGeodesicDistance(
                  sphere, Eigen::RowVector3d(0.0, std::numeric_limits<double>::quiet_NaN(), 0.0)),
     shape::InvalidInput);
   shape::Mesh broken = sphere;
   broken.Triangles.row(0).reverseInPlace();
   EXPECT_THROW(
-    shape::GeodesicDistance(broken, Eigen::RowVector3d(1.0, 0.0, 0.0)), shape::InvalidInput);
+    shape::ComputeGeodesicDistance(broken, Eigen::RowVector3d(1.0, 0.0, 0.0)), shape::InvalidInput);
 }

@@ -1,8 +1,8 @@
 #include "Base/Errors.h"
-#include "Mesh/HalfEdges.h"
-#include "Mesh/PreciseMap.h"
 #include "Geodesics/ExactGeodesics.h"
 #include "Geodesics/SurfacePath.h"
+#include "Mesh/HalfEdges.h"
+#include "Mesh/SurfacePoints.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -17,13 +17,13 @@
 namespace
 {
 
-Eigen::RowVector3d PositionOf(const shape::Mesh& mesh, const shape::SurfacePlace& place)
+Eigen::RowVector3d PositionOf(const shape::Mesh& mesh, const shape::SurfacePoint& position)
 {
-  return place.Barycentric * shape::Corners(mesh, place.Triangle);
+  return position.Barycentric * shape::GetCorners(mesh, position.Triangle);
 }
 
 /// The place at a point.
-shape::SurfacePlace AtPoint(const shape::Mesh& mesh, int point)
+shape::SurfacePoint AtPoint(const shape::Mesh& mesh, int point)
 {
   for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
   {
@@ -37,33 +37,33 @@ shape::SurfacePlace AtPoint(const shape::Mesh& mesh, int point)
 }
 
 /// Inside a triangle, at one of its corners, or on one of its edges.
-shape::SurfacePlace RandomPlace(const shape::Mesh& mesh, std::mt19937& random)
+shape::SurfacePoint RandomPosition(const shape::Mesh& mesh, std::mt19937& random)
 {
   const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  shape::SurfacePlace place{ static_cast<int>(random() % mesh.Triangles.rows()), {} };
+  shape::SurfacePoint position{ static_cast<int>(random() % mesh.Triangles.rows()), {} };
   const double a = share(), b = (1.0 - a) * share();
   switch (random() % 3)
   {
     case 0:
-      place.Barycentric << 0, 1, 0;
+      position.Barycentric << 0, 1, 0;
       break;
     case 1:
-      place.Barycentric << a, 0, 1.0 - a;
+      position.Barycentric << a, 0, 1.0 - a;
       break;
     default:
-      place.Barycentric << 1.0 - a - b, a, b;
+      position.Barycentric << 1.0 - a - b, a, b;
   }
-  return place;
+  return position;
 }
 
 /// That every stretch lies in its triangle, and that they are as long as the path together.
 void ExpectPath(const shape::Mesh& mesh, const shape::SurfacePath& path)
 {
-  ASSERT_EQ(path.Places.size(), path.Triangles.size() + 1);
+  ASSERT_EQ(path.Positions.size(), path.Triangles.size() + 1);
   double length = 0.0;
   for (std::size_t i = 0; i < path.Triangles.size(); ++i)
   {
-    for (const shape::SurfacePlace& end : { path.Places[i], path.Places[i + 1] })
+    for (const shape::SurfacePoint& end : { path.Positions[i], path.Positions[i + 1] })
     {
       for (int k = 0; k < 3; ++k)
       {
@@ -72,7 +72,8 @@ void ExpectPath(const shape::Mesh& mesh, const shape::SurfacePath& path)
           (mesh.Triangles.row(path.Triangles[i]).array() == point).any());
       }
     }
-    length += (PositionOf(mesh, path.Places[i + 1]) - PositionOf(mesh, path.Places[i])).norm();
+    length +=
+      (PositionOf(mesh, path.Positions[i + 1]) - PositionOf(mesh, path.Positions[i])).norm();
   }
   EXPECT_NEAR(path.Length, length, 1e-12 * length);
 }
@@ -83,32 +84,32 @@ double LesserAngle(const shape::Mesh& mesh, const std::vector<int>& twins,
   const shape::SurfacePath& path, std::size_t at)
 {
   Eigen::Index corner = 0;
-  path.Places[at].Barycentric.maxCoeff(&corner);
-  const int point = mesh.Triangles(path.Places[at].Triangle, corner);
+  path.Positions[at].Barycentric.maxCoeff(&corner);
+  const int point = mesh.Triangles(path.Positions[at].Triangle, corner);
   const auto angle = [](const Eigen::RowVector3d& a, const Eigen::RowVector3d& b)
   { return std::atan2(a.cross(b).norm(), a.dot(b)); };
-  const Eigen::RowVector3d place = mesh.Points.row(point);
+  const Eigen::RowVector3d position = mesh.Points.row(point);
   double total = 0.0;
   std::vector<double> directions; // counted around the point, of the path before and after it
-  const int first = 3 * path.Places[at].Triangle + static_cast<int>(corner);
+  const int first = 3 * path.Positions[at].Triangle + static_cast<int>(corner);
   int side = first;
   do
   {
     const int t = side / 3;
     const Eigen::RowVector3d a =
-      mesh.Points.row(mesh.Triangles(t, shape::NextSide(side) % 3)) - place;
+      mesh.Points.row(mesh.Triangles(t, shape::NextHalfEdge(side) % 3)) - position;
     const Eigen::RowVector3d b =
-      mesh.Points.row(mesh.Triangles(t, shape::PreviousSide(side) % 3)) - place;
+      mesh.Points.row(mesh.Triangles(t, shape::PreviousHalfEdge(side) % 3)) - position;
     for (const std::size_t stretch : { at - 1, at })
     {
       const std::size_t other = stretch == at ? at + 1 : at - 1;
       if (path.Triangles[stretch] == t)
       {
-        directions.push_back(total + angle(a, PositionOf(mesh, path.Places[other]) - place));
+        directions.push_back(total + angle(a, PositionOf(mesh, path.Positions[other]) - position));
       }
     }
     total += angle(a, b);
-    side = twins[shape::PreviousSide(side)];
+    side = twins[shape::PreviousHalfEdge(side)];
   } while (side >= 0 && side != first);
   if (side < 0 || directions.size() != 2)
   {
@@ -127,7 +128,8 @@ TEST(SurfacePath, IsStraightInThePlane)
   std::mt19937 random(1);
   for (int i = 0; i < 200; ++i)
   {
-    const shape::SurfacePlace from = RandomPlace(plane, random), to = RandomPlace(plane, random);
+    const shape::SurfacePoint from = RandomPosition(plane, random),
+                              to = RandomPosition(plane, random);
     const shape::SurfacePath path = paths.Find(from, to);
     ExpectPath(plane, path);
     EXPECT_NEAR(path.Length, (PositionOf(plane, to) - PositionOf(plane, from)).norm(), 1e-13);
@@ -167,7 +169,7 @@ TEST(SurfacePath, TurnsAtTheCornerOfABorder)
   std::vector<int> kept;
   for (int t = 0; t < static_cast<int>(corner.Triangles.rows()); ++t)
   {
-    const Eigen::RowVector3d middle = shape::Corners(corner, t).colwise().mean();
+    const Eigen::RowVector3d middle = shape::GetCorners(corner, t).colwise().mean();
     if (middle(0) < 0.0 || middle(1) < 0.0)
     {
       kept.push_back(t);
@@ -194,11 +196,11 @@ TEST(SurfacePath, IsLocallyShortestOnModels)
     shape::SurfacePaths paths(mesh);
     std::mt19937 random(2);
     constexpr int count = 40;
-    shape::PreciseMap from{ Eigen::VectorXi(count), Eigen::MatrixXd(count, 3) }, to = from;
+    shape::SurfacePoints from{ Eigen::VectorXi(count), Eigen::MatrixXd(count, 3) }, to = from;
     Eigen::VectorXd lengths(count);
     for (int i = 0; i < count; ++i)
     {
-      const shape::SurfacePlace a = RandomPlace(mesh, random), b = RandomPlace(mesh, random);
+      const shape::SurfacePoint a = RandomPosition(mesh, random), b = RandomPosition(mesh, random);
       from.Triangles(i) = a.Triangle;
       from.Barycentrics.row(i) = a.Barycentric;
       to.Triangles(i) = b.Triangle;
@@ -206,16 +208,16 @@ TEST(SurfacePath, IsLocallyShortestOnModels)
       const shape::SurfacePath path = paths.Find(a, b);
       ExpectPath(mesh, path);
       lengths(i) = path.Length;
-      for (std::size_t at = 1; at + 1 < path.Places.size(); ++at)
+      for (std::size_t at = 1; at + 1 < path.Positions.size(); ++at)
       {
-        if (path.Places[at].Barycentric.maxCoeff() == 1.0)
+        if (path.Positions[at].Barycentric.maxCoeff() == 1.0)
         {
           EXPECT_GE(LesserAngle(mesh, paths.Twins(), path, at), M_PI - 1e-8) << name;
         }
       }
     }
     const Eigen::ArrayXd ratios =
-      lengths.array() / shape::ExactGeodesicsBetween(mesh, from, to).array();
+      lengths.array() / shape::ComputeExactGeodesicsBetween(mesh, from, to).array();
     EXPECT_GT(ratios.minCoeff(), 1.0 - 1e-9) << name;
     EXPECT_LT(ratios.mean(), 1.002) << name;
     EXPECT_LT(ratios.maxCoeff(), 1.1) << name;
@@ -233,7 +235,7 @@ TEST(SurfacePath, WithinATriangleAndAlongAnEdge)
   const int a = sphere.Triangles(7, 0), b = sphere.Triangles(7, 1);
   const shape::SurfacePath edge = paths.Find(AtPoint(sphere, a), AtPoint(sphere, b));
   ExpectPath(sphere, edge);
-  EXPECT_EQ(edge.Places.size(), 2U);
+  EXPECT_EQ(edge.Positions.size(), 2U);
   EXPECT_NEAR(edge.Length, (sphere.Points.row(a) - sphere.Points.row(b)).norm(), 1e-15);
   const shape::SurfacePath nowhere = paths.Find(AtPoint(sphere, a), AtPoint(sphere, a));
   EXPECT_EQ(nowhere.Length, 0.0);

@@ -19,13 +19,13 @@
 namespace
 {
 
-Eigen::RowVector3d PositionOf(const shape::Mesh& mesh, const shape::SurfacePlace& place)
+Eigen::RowVector3d PositionOf(const shape::Mesh& mesh, const shape::SurfacePoint& position)
 {
-  return place.Barycentric * shape::Corners(mesh, place.Triangle);
+  return position.Barycentric * shape::GetCorners(mesh, position.Triangle);
 }
 
 /// The place at a corner of a triangle.
-shape::SurfacePlace AtCorner(const shape::Mesh& mesh, int triangle, int point)
+shape::SurfacePoint AtCorner(const shape::Mesh& mesh, int triangle, int point)
 {
   return { triangle, (mesh.Triangles.row(triangle).array() == point).cast<double>() };
 }
@@ -83,20 +83,21 @@ void Shorten(shape::TriangleStrip& strip)
 /// That the path's stretches lie in their triangles and are as long as it is.
 void ExpectPath(const shape::Mesh& mesh, const shape::SurfacePath& path)
 {
-  ASSERT_EQ(path.Places.size(), path.Triangles.size() + 1);
+  ASSERT_EQ(path.Positions.size(), path.Triangles.size() + 1);
   double length = 0.0;
   for (std::size_t i = 0; i < path.Triangles.size(); ++i)
   {
-    for (const shape::SurfacePlace& end : { path.Places[i], path.Places[i + 1] })
+    for (const shape::SurfacePoint& end : { path.Positions[i], path.Positions[i + 1] })
     {
-      EXPECT_TRUE(shape::PlaceSupport(mesh, end).IsIn(mesh.Triangles.row(path.Triangles[i])));
+      EXPECT_TRUE(shape::PointSupport(mesh, end).IsIn(mesh.Triangles.row(path.Triangles[i])));
     }
-    length += (PositionOf(mesh, path.Places[i + 1]) - PositionOf(mesh, path.Places[i])).norm();
+    length +=
+      (PositionOf(mesh, path.Positions[i + 1]) - PositionOf(mesh, path.Positions[i])).norm();
   }
   EXPECT_NEAR(path.Length, length, 1e-12 * length);
 }
 
-shape::SurfacePlace RandomPlace(const shape::Mesh& mesh, std::mt19937& random)
+shape::SurfacePoint RandomPosition(const shape::Mesh& mesh, std::mt19937& random)
 {
   const double a = 0.1 + 0.3 * static_cast<double>(random()) / 4294967296.0;
   return { static_cast<int>(random() % mesh.Triangles.rows()), { a, 0.3, 0.7 - a } };
@@ -105,17 +106,17 @@ shape::SurfacePlace RandomPlace(const shape::Mesh& mesh, std::mt19937& random)
 TEST(TriangleStrip, APlaceIsTheSameInEachTriangleThatHasIt)
 {
   const shape::Mesh sphere = shapetest::Icosphere(1);
-  const std::vector<int> twins = shape::SideTwins(sphere.Triangles, sphere.Points.rows());
+  const std::vector<int> twins = shape::FindTwins(sphere.Triangles, sphere.Points.rows());
   for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
     const int triangle = side / 3, beside = twins[side] / 3;
     const int begin = sphere.Triangles(triangle, side % 3);
-    const int end = sphere.Triangles(triangle, shape::NextSide(side) % 3);
-    const int apex = sphere.Triangles(triangle, shape::PreviousSide(side) % 3);
-    shape::SurfacePlace place{ triangle, Eigen::RowVector3d::Zero() };
-    place.Barycentric(side % 3) = 0.75;
-    place.Barycentric(shape::NextSide(side) % 3) = 0.25;
-    const shape::PlaceSupport onEdge(sphere, place);
+    const int end = sphere.Triangles(triangle, shape::NextHalfEdge(side) % 3);
+    const int apex = sphere.Triangles(triangle, shape::PreviousHalfEdge(side) % 3);
+    shape::SurfacePoint position{ triangle, Eigen::RowVector3d::Zero() };
+    position.Barycentric(side % 3) = 0.75;
+    position.Barycentric(shape::NextHalfEdge(side) % 3) = 0.25;
+    const shape::PointSupport onEdge(sphere, position);
     EXPECT_EQ(onEdge.Count, 2);
     EXPECT_TRUE(onEdge.IsOn(end, begin));
     EXPECT_FALSE(onEdge.IsOn(apex, begin));
@@ -125,12 +126,12 @@ TEST(TriangleStrip, APlaceIsTheSameInEachTriangleThatHasIt)
       having += onEdge.IsIn(corners) ? 1 : 0;
     }
     EXPECT_EQ(having, 2);
-    const shape::SurfacePlace there = onEdge.In(sphere, beside);
+    const shape::SurfacePoint there = onEdge.In(sphere, beside);
     EXPECT_EQ(there.Triangle, beside);
-    EXPECT_LT((PositionOf(sphere, there) - PositionOf(sphere, place)).norm(), 1e-15);
-    EXPECT_EQ(onEdge.In(sphere, triangle).Barycentric, place.Barycentric);
+    EXPECT_LT((PositionOf(sphere, there) - PositionOf(sphere, position)).norm(), 1e-15);
+    EXPECT_EQ(onEdge.In(sphere, triangle).Barycentric, position.Barycentric);
 
-    const shape::PlaceSupport atCorner(sphere, AtCorner(sphere, triangle, begin));
+    const shape::PointSupport atCorner(sphere, AtCorner(sphere, triangle, begin));
     EXPECT_EQ(atCorner.Count, 1);
     EXPECT_TRUE(atCorner.IsOn(begin, apex));
     EXPECT_EQ(PositionOf(sphere, atCorner.In(sphere, beside)), sphere.Points.row(begin));
@@ -138,8 +139,8 @@ TEST(TriangleStrip, APlaceIsTheSameInEachTriangleThatHasIt)
       AtCorner(sphere, beside, begin), triangle, { side });
     nowhere.FindPath();
     EXPECT_EQ(nowhere.Length(), 0.0);
-    EXPECT_EQ(nowhere.Path().Places.size(), 1U);
-    const shape::PlaceSupport inside(sphere, { triangle, { 0.5, 0.25, 0.25 } });
+    EXPECT_EQ(nowhere.Path().Positions.size(), 1U);
+    const shape::PointSupport inside(sphere, { triangle, { 0.5, 0.25, 0.25 } });
     EXPECT_EQ(inside.Count, 3);
     EXPECT_FALSE(inside.IsIn(sphere.Triangles.row(beside)));
   }
@@ -148,12 +149,13 @@ TEST(TriangleStrip, APlaceIsTheSameInEachTriangleThatHasIt)
 TEST(TriangleStrip, StraightInAFlatConvexRegion)
 {
   const shape::Mesh plane = shapetest::FlatSquare(14, 0.3);
-  const std::vector<int> twins = shape::SideTwins(plane.Triangles, plane.Points.rows());
+  const std::vector<int> twins = shape::FindTwins(plane.Triangles, plane.Points.rows());
   std::mt19937 random(7);
   int bent = 0;
   for (int i = 0; i < 60; ++i)
   {
-    const shape::SurfacePlace from = RandomPlace(plane, random), to = RandomPlace(plane, random);
+    const shape::SurfacePoint from = RandomPosition(plane, random),
+                              to = RandomPosition(plane, random);
     const Eigen::RowVector3d begin = PositionOf(plane, from), end = PositionOf(plane, to);
     const double distance = (end - begin).norm();
     const std::vector<int> sides = SidesBetween(twins, from.Triangle, to.Triangle);
@@ -177,9 +179,9 @@ TEST(TriangleStrip, StraightInAFlatConvexRegion)
     EXPECT_NEAR(strip.Length(), distance, 1e-13);
     const shape::SurfacePath path = strip.Path();
     ExpectPath(plane, path);
-    for (const shape::SurfacePlace& place : path.Places)
+    for (const shape::SurfacePoint& position : path.Positions)
     {
-      EXPECT_LT((PositionOf(plane, place) - begin).cross(end - begin).norm(), 1e-12 * distance);
+      EXPECT_LT((PositionOf(plane, position) - begin).cross(end - begin).norm(), 1e-12 * distance);
     }
   }
   EXPECT_GT(bent, 20);
@@ -188,9 +190,9 @@ TEST(TriangleStrip, StraightInAFlatConvexRegion)
 TEST(TriangleStrip, AroundAReflexCornerOfTheBorder)
 {
   const shape::Mesh bracket = shapetest::Without(shapetest::FlatSquare(10, 0.0),
-    [](const Eigen::RowVector3d& place) { return place(0) > 0.0 && place(1) > 0.0; });
-  const std::vector<int> twins = shape::SideTwins(bracket.Triangles, bracket.Points.rows());
-  const Eigen::MatrixXd centres = shape::Centroids(bracket);
+    [](const Eigen::RowVector3d& position) { return position(0) > 0.0 && position(1) > 0.0; });
+  const std::vector<int> twins = shape::FindTwins(bracket.Triangles, bracket.Points.rows());
+  const Eigen::MatrixXd centres = shape::ComputeCentroids(bracket);
   const Eigen::RowVector3d third = Eigen::RowVector3d::Constant(1.0 / 3.0);
   int around = 0;
   for (int a = 0; a < centres.rows(); a += 7)
@@ -210,9 +212,9 @@ TEST(TriangleStrip, AroundAReflexCornerOfTheBorder)
         strip.Length(), isHidden ? begin.norm() + end.norm() : (end - begin).norm(), 1e-13);
       const shape::SurfacePath path = strip.Path();
       ExpectPath(bracket, path);
-      const bool isPassed = std::any_of(path.Places.begin(), path.Places.end(),
-        [&](const shape::SurfacePlace& place)
-        { return PositionOf(bracket, place).norm() < 1e-14; });
+      const bool isPassed = std::any_of(path.Positions.begin(), path.Positions.end(),
+        [&](const shape::SurfacePoint& position)
+        { return PositionOf(bracket, position).norm() < 1e-14; });
       EXPECT_TRUE(isPassed == isHidden || std::abs(turn) < 1e-14);
     }
   }
@@ -224,7 +226,7 @@ TEST(TriangleStrip, AHelixMoreThanOnceAroundATube)
   constexpr int across = 12;
   const shape::Mesh tube = shapetest::Tube(across, 4, 2.0);
   const double width = 2.0 * std::sin(M_PI / across);
-  const std::vector<int> twins = shape::SideTwins(tube.Triangles, tube.Points.rows());
+  const std::vector<int> twins = shape::FindTwins(tube.Triangles, tube.Points.rows());
   shape::Mesh moved = tube;
   moved.Points = shapetest::Moved(tube.Points, shapetest::SomeRotation(), 250.0, { 7, -3, 900 });
   for (const int quads : { 1, 7, 12, 31 })
@@ -240,8 +242,8 @@ TEST(TriangleStrip, AHelixMoreThanOnceAroundATube)
         sides.push_back(3 * lower + 1);
       }
     }
-    const shape::SurfacePlace from = AtCorner(tube, 1, 0);
-    const shape::SurfacePlace to =
+    const shape::SurfacePoint from = AtCorner(tube, 1, 0);
+    const shape::SurfacePoint to =
       AtCorner(tube, 2 * ((quads - 1) % across), across + quads % across);
     shape::TriangleStrip helix(tube, twins, from, to, 1, sides);
     helix.FindPath();
@@ -259,19 +261,20 @@ TEST(TriangleStrip, AHelixMoreThanOnceAroundATube)
 TEST(TriangleStrip, NoTurnAtAConvexPoint)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const std::vector<int> twins = shape::SideTwins(sphere.Triangles, sphere.Points.rows());
+  const std::vector<int> twins = shape::FindTwins(sphere.Triangles, sphere.Points.rows());
   std::mt19937 random(9);
   for (int i = 0; i < 60; ++i)
   {
-    const shape::SurfacePlace from = RandomPlace(sphere, random), to = RandomPlace(sphere, random);
+    const shape::SurfacePoint from = RandomPosition(sphere, random),
+                              to = RandomPosition(sphere, random);
     shape::TriangleStrip strip(
       sphere, twins, from, to, from.Triangle, SidesBetween(twins, from.Triangle, to.Triangle));
     Shorten(strip);
     const shape::SurfacePath path = strip.Path();
     ExpectPath(sphere, path);
-    for (std::size_t at = 1; at + 1 < path.Places.size(); ++at)
+    for (std::size_t at = 1; at + 1 < path.Positions.size(); ++at)
     {
-      EXPECT_EQ(shape::PlaceSupport(sphere, path.Places[at]).Count, 2);
+      EXPECT_EQ(shape::PointSupport(sphere, path.Positions[at]).Count, 2);
     }
   }
 }

@@ -50,7 +50,7 @@ TEST(FeatureCurves, LongStepsAreDividedEvenlyAndSayWhereTheyLie)
     EXPECT_EQ(matched.Curves(13 + i), 1);
     EXPECT_NEAR(matched.Points(13 + i, 0), 0.25 * i, 1e-15);
     EXPECT_NEAR(matched.Targets(13 + i, 1), 0.5 * i, 1e-14);
-    EXPECT_NEAR(matched.Places(13 + i), i < 4 ? 0.25 * i : 1.0 + 0.5 * (i - 4), 1e-15);
+    EXPECT_NEAR(matched.Positions(13 + i), i < 4 ? 0.25 * i : 1.0 + 0.5 * (i - 4), 1e-15);
   }
 }
 

@@ -48,9 +48,9 @@ TEST(Orientation, AgreesWithIntegersOnAndBesideAPlane)
       points[2](k) = static_cast<double>(a[k] + v[k]);
       points[3](k) = static_cast<double>(a[k] + w[k]);
     }
-    const int sign = shape::Orientation(points[0], points[1], points[2], points[3]);
+    const int sign = shape::EvaluateOrientation(points[0], points[1], points[2], points[3]);
     ASSERT_EQ(sign, Truth(u, v, w));
-    ASSERT_EQ(shape::Orientation(points[1], points[0], points[2], points[3]), -sign);
+    ASSERT_EQ(shape::EvaluateOrientation(points[1], points[0], points[2], points[3]), -sign);
     zeros += sign == 0;
   }
   EXPECT_GE(zeros, 10000);
@@ -61,19 +61,19 @@ TEST(Orientation, SeesTheLastBitOfACoordinate)
   // Differences that no double holds: 1 + 2^-52 against 2^-60.
   const double tiny = std::ldexp(1.0, -60), one = 1.0 + std::ldexp(1.0, -52);
   const Eigen::RowVector3d a(tiny, tiny, tiny), b(one, 0, 0), c(0, one, 0), d(0, 0, one);
-  EXPECT_EQ(shape::Orientation(a, b, c, d), 1);
+  EXPECT_EQ(shape::EvaluateOrientation(a, b, c, d), 1);
   const Eigen::RowVector3d middle(0.5 * one, 0.5 * one, 0), above(0.5 * one, 0.5 * one, 1e-300);
-  EXPECT_EQ(shape::Orientation(b, c, d, middle), 0);
-  EXPECT_EQ(shape::Orientation(b, c, d, above), -shape::Orientation(b, c, d, a));
+  EXPECT_EQ(shape::EvaluateOrientation(b, c, d, middle), 0);
+  EXPECT_EQ(shape::EvaluateOrientation(b, c, d, above), -shape::EvaluateOrientation(b, c, d, a));
   const Eigen::RowVector2d o(0.1, 0.1), p(0.2, 0.2), q(0.3, 0.3), r(0.3, std::nextafter(0.3, 1.0));
-  EXPECT_EQ(shape::Orientation(o, p, q), 0);
-  EXPECT_EQ(shape::Orientation(o, p, r), 1);
+  EXPECT_EQ(shape::EvaluateOrientation(o, p, q), 0);
+  EXPECT_EQ(shape::EvaluateOrientation(o, p, r), 1);
 }
 
 TEST(Orientation, InCircleAgreesWithIntegersOnAndBesideACircle)
 {
   // Of (3, 4, 5): the circle of radius 25 s through these places, all whole numbers.
-  const std::int64_t places[12][2] = { { 25, 0 }, { 24, 7 }, { 20, 15 }, { 15, 20 }, { 7, 24 },
+  const std::int64_t positions[12][2] = { { 25, 0 }, { 24, 7 }, { 20, 15 }, { 15, 20 }, { 7, 24 },
     { 0, 25 }, { -7, 24 }, { -24, 7 }, { -25, 0 }, { -15, -20 }, { 0, -25 }, { 20, -15 } };
   std::mt19937_64 generator(6);
   for (int round = 0; round < 20000; ++round)
@@ -81,19 +81,19 @@ TEST(Orientation, InCircleAgreesWithIntegersOnAndBesideACircle)
     const std::int64_t scale = static_cast<std::int64_t>(generator() % 1000) + 1;
     const std::int64_t x = generator() % 100000, y = generator() % 100000;
     int picked[4];
-    for (int& place : picked)
+    for (int& position : picked)
     {
-      place = static_cast<int>(generator() % 12);
+      position = static_cast<int>(generator() % 12);
     }
     std::sort(picked, picked + 3);
     Eigen::RowVector2d points[4];
     for (int i = 0; i < 4; ++i)
     {
-      points[i] << static_cast<double>(x + scale * places[picked[i]][0]),
-        static_cast<double>(y + scale * places[picked[i]][1]);
+      points[i] << static_cast<double>(x + scale * positions[picked[i]][0]),
+        static_cast<double>(y + scale * positions[picked[i]][1]);
     }
     const bool isTriangle = picked[0] < picked[1] && picked[1] < picked[2];
-    ASSERT_EQ(shape::InCircle(points[0], points[1], points[2], points[3]), 0);
+    ASSERT_EQ(shape::EvaluateInCircle(points[0], points[1], points[2], points[3]), 0);
     // The least step that such a number can take, inwards and outwards.
     const Eigen::RowVector2d outwards =
       points[3] - Eigen::RowVector2d(static_cast<double>(x), static_cast<double>(y));
@@ -102,7 +102,7 @@ TEST(Orientation, InCircleAgreesWithIntegersOnAndBesideACircle)
     {
       Eigen::RowVector2d moved = points[3];
       moved(axis) = std::nextafter(moved(axis), moved(axis) + side * outwards(axis));
-      ASSERT_EQ(shape::InCircle(points[0], points[1], points[2], moved),
+      ASSERT_EQ(shape::EvaluateInCircle(points[0], points[1], points[2], moved),
         isTriangle ? -static_cast<int>(side) : 0);
     }
   }
@@ -114,7 +114,7 @@ TEST(Orientation, ASegmentMeetsATriangleWhereSomePlaceOfItIsInside)
   // the triangle's sides are positive; the least of three such linear functions along the segment
   // is largest at one of its ends or where two of them are equal.
   std::mt19937 generator(8);
-  const auto place = [&]
+  const auto position = [&]
   {
     return std::array<std::int64_t, 2>{ static_cast<std::int64_t>(generator() % 7),
       static_cast<std::int64_t>(generator() % 7) };
@@ -124,8 +124,9 @@ TEST(Orientation, ASegmentMeetsATriangleWhereSomePlaceOfItIsInside)
   int met = 0, apart = 0;
   while (met + apart < 20000)
   {
-    const auto a = place(), b = place();
-    const std::array<std::array<std::int64_t, 2>, 3> corners = { place(), place(), place() };
+    const auto a = position(), b = position();
+    const std::array<std::array<std::int64_t, 2>, 3> corners = { position(), position(),
+      position() };
     if (a == b || area(corners[0], corners[1], corners[2]) <= 0)
     {
       continue;
@@ -159,7 +160,7 @@ TEST(Orientation, ASegmentMeetsATriangleWhereSomePlaceOfItIsInside)
     }
     const Eigen::RowVector2d from(static_cast<double>(a[0]), static_cast<double>(a[1]));
     const Eigen::RowVector2d to(static_cast<double>(b[0]), static_cast<double>(b[1]));
-    ASSERT_EQ(shape::MeetsTriangle(from, to, triangle), expected);
+    ASSERT_EQ(shape::SegmentMeetsTriangle(from, to, triangle), expected);
     ++(expected ? met : apart);
   }
   EXPECT_GT(met, 5000);

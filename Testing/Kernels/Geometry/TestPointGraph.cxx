@@ -1,5 +1,5 @@
 #include "Base/Errors.h"
-#include "Geometry/GraphIslands.h"
+#include "Geometry/GraphComponents.h"
 #include "Geometry/PointGraph.h"
 #include "Search/PointTree.h"
 #include "Support/TestShapes.h"
@@ -20,7 +20,7 @@ shape::Mesh Soup(const shape::Mesh& mesh)
   shape::Mesh soup{ Eigen::MatrixXd(3 * mesh.Triangles.rows(), 3), mesh.Triangles };
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    soup.Points.middleRows(3 * t, 3) = shape::Corners(mesh, t);
+    soup.Points.middleRows(3 * t, 3) = shape::GetCorners(mesh, t);
     soup.Triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
   }
   return soup;
@@ -44,7 +44,7 @@ Eigen::MatrixXd RandomPoints(int count)
 TEST(PointGraph, OfASphereHasItsEdgesAreasAndCurvature)
 {
   const shape::Mesh sphere = shapetest::Icosphere(4);
-  const shape::PointGraph graph = shape::MakePointGraph(sphere);
+  const shape::PointGraph graph = shape::BuildPointGraph(sphere);
   EXPECT_EQ(graph.Size(), 2562);
   EXPECT_EQ(graph.Neighbours.size(), 6u * 2560u); // twice the edges, 3 (n - 2)
   for (int i = 0; i < graph.Size(); ++i)
@@ -70,13 +70,14 @@ TEST(PointGraph, OfASoupIsThatOfTheSurface)
   const shape::Mesh sphere = shapetest::Icosphere(2);
   shape::Mesh soup = Soup(sphere);
   soup.Points += 1e-12 * RandomPoints(static_cast<int>(soup.Points.rows()));
-  const shape::PointGraph one = shape::MakePointGraph(sphere), other = shape::MakePointGraph(soup);
+  const shape::PointGraph one = shape::BuildPointGraph(sphere),
+                          other = shape::BuildPointGraph(soup);
   ASSERT_EQ(other.Size(), one.Size());
   EXPECT_NEAR(other.MeanLength, one.MeanLength, 1e-10);
   for (int point = 0; point < soup.Points.rows(); ++point)
   {
     const int node = other.NodeOf(point);
-    EXPECT_LT((other.Places.row(node) - soup.Points.row(point)).norm(), 1e-10);
+    EXPECT_LT((other.Positions.row(node) - soup.Points.row(point)).norm(), 1e-10);
     const int same = sphere.Triangles(point / 3, point % 3);
     EXPECT_NEAR(other.Weights(node), one.Weights(same), 1e-10);
     EXPECT_EQ(NeighboursOf(other, node).size(), NeighboursOf(one, same).size());
@@ -86,7 +87,7 @@ TEST(PointGraph, OfASoupIsThatOfTheSurface)
 TEST(PointGraph, ADenseSpotHardlyChangesTheMeanLength)
 {
   const shape::Mesh flat = shapetest::FlatSquare(20, 0.2);
-  const double before = shape::MakePointGraph(flat).MeanLength;
+  const double before = shape::BuildPointGraph(flat).MeanLength;
   shape::Mesh dense = flat; // 200 points in one triangle, as fans
   for (int k = 0; k < 200; ++k)
   {
@@ -102,7 +103,7 @@ TEST(PointGraph, ADenseSpotHardlyChangesTheMeanLength)
     dense.Triangles.row(m) << corners(1), corners(2), n;
     dense.Triangles.row(m + 1) << corners(2), corners(0), n;
   }
-  EXPECT_NEAR(shape::MakePointGraph(dense).MeanLength, before, 0.02 * before);
+  EXPECT_NEAR(shape::BuildPointGraph(dense).MeanLength, before, 0.02 * before);
 }
 
 TEST(PointGraph, SolidsCurvesAndLoosePointsHaveNeighbours)
@@ -114,7 +115,7 @@ TEST(PointGraph, SolidsCurvesAndLoosePointsHaveNeighbours)
   shape.Tetrahedra << 0, 1, 2, 3;
   shape.Lines.resize(2, 2);
   shape.Lines << 3, 4, 4, 5;
-  const shape::PointGraph graph = shape::MakePointGraph(shape, { 1 });
+  const shape::PointGraph graph = shape::BuildPointGraph(shape, { 1 });
   EXPECT_EQ(NeighboursOf(graph, 0), std::vector<int>({ 1, 2, 3 }));
   EXPECT_EQ(NeighboursOf(graph, 4), std::vector<int>({ 3, 5 }));
   EXPECT_EQ(NeighboursOf(graph, 6), std::vector<int>({ 7 }));
@@ -130,7 +131,7 @@ TEST(PointGraph, DegenerateTrianglesHaveNoWeight)
   mesh.Points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 3, 0, 0, 1, 0, 0;
   mesh.Triangles.resize(3, 3);
   mesh.Triangles << 0, 1, 2, 1, 3, 4, 1, 5, 3;
-  const shape::PointGraph graph = shape::MakePointGraph(mesh);
+  const shape::PointGraph graph = shape::BuildPointGraph(mesh);
   EXPECT_EQ(graph.Size(), 5); // 5 is 1
   EXPECT_EQ(graph.NodeOf(5), graph.NodeOf(1));
   EXPECT_EQ(graph.Weights(3), 0.0);
@@ -149,29 +150,29 @@ TEST(PointGraph, IslandsAreJoinedWhereTheyAreNearest)
     all.Points.middleRows(k * n, n) = square.Points.rowwise() + Eigen::RowVector3d(2.5 * k, 0, 0);
     all.Triangles.middleRows(k * m, m) = square.Triangles.array() + static_cast<int>(k * n);
   }
-  shape::PointGraph graph = shape::MakePointGraph(all);
-  const auto links = shape::LinksOf(graph);
-  EXPECT_EQ(shape::JoinIslands(graph, { 0 }), 2);
-  const auto joined = shape::LinksOf(graph);
+  shape::PointGraph graph = shape::BuildPointGraph(all);
+  const auto links = shape::ListLinks(graph);
+  EXPECT_EQ(shape::ConnectComponents(graph, { 0 }), 2);
+  const auto joined = shape::ListLinks(graph);
   ASSERT_EQ(joined.size(), links.size() + 2);
   double longest = 0.0;
   for (const auto& [a, b] : joined)
   {
-    longest = std::max(longest, (graph.Places.row(a) - graph.Places.row(b)).norm());
+    longest = std::max(longest, (graph.Positions.row(a) - graph.Positions.row(b)).norm());
   }
   EXPECT_LT(longest, 0.71); // a diagonal of a square's cell: the gaps are 0.5
-  EXPECT_EQ(shape::JoinIslands(graph, { 0 }), 0);
+  EXPECT_EQ(shape::ConnectComponents(graph, { 0 }), 0);
 }
 
 TEST(PointGraph, NamesWhatIsWrong)
 {
   shape::Mesh mesh = shapetest::Icosphere(0);
-  EXPECT_THROW(shape::MakePointGraph(shape::Mesh{}), shape::InvalidInput);
+  EXPECT_THROW(shape::BuildPointGraph(shape::Mesh{}), shape::InvalidInput);
   mesh.Triangles(0, 0) = 12;
-  EXPECT_THROW(shape::MakePointGraph(mesh), shape::InvalidInput);
+  EXPECT_THROW(shape::BuildPointGraph(mesh), shape::InvalidInput);
   mesh.Triangles(0, 0) = 0;
   mesh.Points(3, 1) = NAN;
-  EXPECT_THROW(shape::MakePointGraph(mesh), shape::InvalidInput);
+  EXPECT_THROW(shape::BuildPointGraph(mesh), shape::InvalidInput);
 }
 
 TEST(PointTree, FindsWhatASearchThroughAllFinds)
@@ -179,16 +180,16 @@ TEST(PointTree, FindsWhatASearchThroughAllFinds)
   Eigen::MatrixXd points = RandomPoints(500);
   points.bottomRows(100) = points.topRows(100); // equally near ones, too
   const shape::PointTree tree(points);
-  const Eigen::MatrixXd places = RandomPoints(50);
-  for (const Eigen::RowVector3d place : places.rowwise())
+  const Eigen::MatrixXd positions = RandomPoints(50);
+  for (const Eigen::RowVector3d position : positions.rowwise())
   {
     std::vector<std::pair<double, int>> order;
     for (int i = 0; i < points.rows(); ++i)
     {
-      order.emplace_back((points.row(i) - place).squaredNorm(), i);
+      order.emplace_back((points.row(i) - position).squaredNorm(), i);
     }
     std::sort(order.begin(), order.end());
-    const std::vector<int> nearest = tree.Nearest(place, 20);
+    const std::vector<int> nearest = tree.Nearest(position, 20);
     ASSERT_EQ(nearest.size(), 20u);
     for (int k = 0; k < 20; ++k)
     {
@@ -197,21 +198,21 @@ TEST(PointTree, FindsWhatASearchThroughAllFinds)
     const auto odd = std::find_if(
       order.begin(), order.end(), [](const auto& item) { return item.second % 2 == 1; });
     EXPECT_EQ(tree.NearestOf(
-                place, [](int i) { return i % 2 == 1; }, 10.0),
+                position, [](int i) { return i % 2 == 1; }, 10.0),
       odd->second);
     EXPECT_EQ(tree.NearestOf(
-                place, [](int) { return false; }, 10.0),
+                position, [](int) { return false; }, 10.0),
       -1);
     const double radius = std::sqrt(order[7].first);
-    const std::vector<int> within = tree.Within(place, 1.000001 * radius);
+    const std::vector<int> within = tree.Within(position, 1.000001 * radius);
     EXPECT_TRUE(std::is_sorted(within.begin(), within.end()));
     EXPECT_GE(within.size(), 8u);
     for (const int i : within)
     {
-      EXPECT_LE((points.row(i) - place).norm(), 1.000001 * radius);
+      EXPECT_LE((points.row(i) - position).norm(), 1.000001 * radius);
     }
   }
-  EXPECT_EQ(tree.Nearest(places.row(0), 1000).size(), 500u);
+  EXPECT_EQ(tree.Nearest(positions.row(0), 1000).size(), 500u);
 }
 
 TEST(PointGraph, LengthsThatCannotBeComputedWithAreNamed)
@@ -221,8 +222,8 @@ TEST(PointGraph, LengthsThatCannotBeComputedWithAreNamed)
   {
     shape::Mesh scaled = sphere;
     scaled.Points *= scale;
-    EXPECT_THROW(shape::MakePointGraph(scaled), shape::InvalidInput);
+    EXPECT_THROW(shape::BuildPointGraph(scaled), shape::InvalidInput);
   }
   sphere.Points *= 1e-40;
-  EXPECT_GT(shape::MakePointGraph(sphere).MeanLength, 0.0);
+  EXPECT_GT(shape::BuildPointGraph(sphere).MeanLength, 0.0);
 }

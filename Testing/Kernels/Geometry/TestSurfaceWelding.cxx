@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
+#include "Geometry/SurfaceWelding.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Geometry/SurfaceWelding.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -38,20 +38,23 @@ TEST(SurfaceWelding, PointsWithinTheToleranceAreTheFirstOfThem)
 {
   Eigen::MatrixXd points(5, 3);
   points << 0, 0, 0, 1, 0, 0, 4e-10, 0, 0, 1, 3e-9, 0, 1, 0, 0;
-  EXPECT_EQ(shape::FirstNearby(points), (std::vector<int>{ 0, 1, 0, 3, 1 }));
+  EXPECT_EQ(shape::FindPointsWithinTolerance(points), (std::vector<int>{ 0, 1, 0, 3, 1 }));
   // A share of the diagonal, however large or small this is, and wherever.
   for (const double scale : { 1e-200, 1e-3, 1e140 })
   {
-    EXPECT_EQ(shape::FirstNearby(scale * points), shape::FirstNearby(points)) << scale;
+    EXPECT_EQ(
+      shape::FindPointsWithinTolerance(scale * points), shape::FindPointsWithinTolerance(points))
+      << scale;
   }
-  EXPECT_EQ(shape::FirstNearby(Eigen::MatrixXd::Ones(4, 3)), (std::vector<int>{ 0, 0, 0, 0 }));
-  EXPECT_TRUE(shape::FirstNearby(Eigen::MatrixXd(0, 3)).empty());
+  EXPECT_EQ(shape::FindPointsWithinTolerance(Eigen::MatrixXd::Ones(4, 3)),
+    (std::vector<int>{ 0, 0, 0, 0 }));
+  EXPECT_TRUE(shape::FindPointsWithinTolerance(Eigen::MatrixXd(0, 3)).empty());
 }
 
 TEST(SurfaceWelding, ASoupIsTheSurfaceThatItIs)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.3, 30, 12);
-  const double diagonal = shape::BoxDiagonal(torus.Points);
+  const double diagonal = shape::ComputeBoxDiagonal(torus.Points);
   for (const double noise : { 0.0, 1e-10 * diagonal })
   {
     const shape::WeldedSurface welded(Soup(torus, noise));
@@ -72,7 +75,7 @@ TEST(SurfaceWelding, WhatOnlyTouchesStaysApart)
   two.Triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3, 4, 5, 6, 4, 7, 5, 4, 6, 7, 5, 7, 6;
   const shape::WeldedSurface touching(two);
   EXPECT_EQ(touching.WeldedPoints, 0);
-  EXPECT_EQ(shape::SurfaceTopology(touching.Surface).Components, 2);
+  EXPECT_EQ(shape::ComputeTopology(touching.Surface).Components, 2);
   // Two sheets over each other, each whole by itself, are joined at their rims alone.
   const shape::Mesh square = shapetest::FlatSquare(4, 0.0);
   const Eigen::Index points = square.Points.rows(), count = square.Triangles.rows();
@@ -88,7 +91,7 @@ TEST(SurfaceWelding, WhatOnlyTouchesStaysApart)
 TEST(SurfaceWelding, TrianglesWithoutThreePlacesGoAndLeaveNoHole)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const double tiny = 1e-11 * shape::BoxDiagonal(sphere.Points);
+  const double tiny = 1e-11 * shape::ComputeBoxDiagonal(sphere.Points);
   // A point is doubled, and the cleft along two of its edges is filled by slivers.
   shape::Mesh cleft = sphere;
   const auto points = static_cast<int>(sphere.Points.rows());

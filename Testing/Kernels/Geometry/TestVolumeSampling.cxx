@@ -1,10 +1,10 @@
 #include "Base/Errors.h"
+#include "Distance/OutsideDomain.h"
+#include "Geometry/Sampling.h"
+#include "Harmonic/Private/OffsetSurface.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/TestShapes.h"
-#include "Harmonic/Private/OffsetSurface.h"
-#include "Distance/OutsideDomain.h"
-#include "Geometry/Sampling.h"
 
 #include <gtest/gtest.h>
 
@@ -15,15 +15,15 @@
 namespace
 {
 
-double LeastSpacing(const Eigen::MatrixXd& points)
+double MinimumSpacing(const Eigen::MatrixXd& points)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 1; i < points.rows(); ++i)
   {
-    least = std::min(
-      least, (points.topRows(i).rowwise() - points.row(i)).rowwise().squaredNorm().minCoeff());
+    minimum = std::min(
+      minimum, (points.topRows(i).rowwise() - points.row(i)).rowwise().squaredNorm().minCoeff());
   }
-  return std::sqrt(least);
+  return std::sqrt(minimum);
 }
 
 } // namespace
@@ -35,9 +35,9 @@ TEST(OffsetSurface, IsClosedAndNearItsDistanceThatPointsCanBeMovedTo)
   for (const auto& [mesh, eulerNumber] : cases)
   {
     const shape::SignedDistance field(mesh);
-    const shape::Mesh offset = shape::OffsetSurface(field, 0.2);
+    const shape::Mesh offset = shape::BuildOffsetSurface(field, 0.2);
     EXPECT_EQ(shape::RequireClosedSurface(offset, "the offset").EulerNumber, eulerNumber);
-    EXPECT_GT(shape::EnclosedVolume(offset), shape::EnclosedVolume(mesh));
+    EXPECT_GT(shape::ComputeEnclosedVolume(offset), shape::ComputeEnclosedVolume(mesh));
     const Eigen::VectorXd distances = field.Evaluate(offset.Points).Distances;
     EXPECT_LT((distances.array() - 0.2).abs().maxCoeff(), 0.02);
     const Eigen::VectorXd wanted = Eigen::VectorXd::LinSpaced(offset.Points.rows(), 0.1, 0.3);
@@ -50,7 +50,7 @@ TEST(OffsetSurface, IsClosedAndNearItsDistanceThatPointsCanBeMovedTo)
 TEST(OffsetSurface, ClosesTheHoleOfATorusBeyondItsRadius)
 {
   const shape::SignedDistance field(shapetest::Torus(1.0, 0.3, 40, 20));
-  EXPECT_EQ(shape::SurfaceTopology(shape::OffsetSurface(field, 0.8)).EulerNumber, 2);
+  EXPECT_EQ(shape::ComputeTopology(shape::BuildOffsetSurface(field, 0.8)).EulerNumber, 2);
 }
 
 TEST(OffsetSurface, ItsVolumeIsSteinersFormulaWhateverTheGrid)
@@ -61,7 +61,8 @@ TEST(OffsetSurface, ItsVolumeIsSteinersFormulaWhateverTheGrid)
   {
     shape::OffsetSurfaceOptions options;
     options.CellsPerDistance = cells;
-    const double volume = shape::EnclosedVolume(shape::OffsetSurface(field, 0.15, options));
+    const double volume =
+      shape::ComputeEnclosedVolume(shape::BuildOffsetSurface(field, 0.15, options));
     EXPECT_NEAR(volume, 4.0 / 3.0 * M_PI * std::pow(1.15, 3), 0.05);
   }
 }
@@ -69,11 +70,11 @@ TEST(OffsetSurface, ItsVolumeIsSteinersFormulaWhateverTheGrid)
 TEST(OffsetSurface, RefusesDistancesThatCannotBeSampled)
 {
   const shape::SignedDistance field(shapetest::Icosphere(2));
-  EXPECT_THROW(shape::OffsetSurface(field, 0.0), shape::InvalidInput);
-  EXPECT_THROW(shape::OffsetSurface(field, 1e-4), shape::InvalidInput);
+  EXPECT_THROW(shape::BuildOffsetSurface(field, 0.0), shape::InvalidInput);
+  EXPECT_THROW(shape::BuildOffsetSurface(field, 1e-4), shape::InvalidInput);
   shape::OffsetSurfaceOptions capped;
   capped.MaximumSamples = 2e4; // a quarter of the distance would need about 10^5
-  EXPECT_GT(shape::OffsetSurface(field, 0.2, capped).Triangles.rows(), 0);
+  EXPECT_GT(shape::BuildOffsetSurface(field, 0.2, capped).Triangles.rows(), 0);
 }
 
 TEST(Sampling, UniformIsExactInNumberAndFarApart)
@@ -83,9 +84,9 @@ TEST(Sampling, UniformIsExactInNumberAndFarApart)
   ASSERT_EQ(points.rows(), 400);
   EXPECT_LT(shape::SurfaceLocator(torus).Find(points).Distances.maxCoeff(), 1e-12);
   // Yuksel reports 0.7 and more of the densest packing's spacing; random points give a hundredth.
-  const double area = 0.5 * shape::AreaVectors(torus).rowwise().norm().sum();
+  const double area = 0.5 * shape::ComputeAreaVectors(torus).rowwise().norm().sum();
   const double densest = 2.0 * std::sqrt(area / (2.0 * std::sqrt(3.0) * 400));
-  EXPECT_GT(LeastSpacing(points), 0.6 * densest);
+  EXPECT_GT(MinimumSpacing(points), 0.6 * densest);
   EXPECT_EQ(points, shape::SampleSurface(torus, 400, shape::SamplingMode::Uniform, 3));
   EXPECT_NE(points, shape::SampleSurface(torus, 400, shape::SamplingMode::Uniform, 4));
 }
@@ -127,13 +128,14 @@ TEST(Sampling, AdaptiveLeavesNoFlatPartEmpty)
   }
   EXPECT_GT(nearEdges, 0.3 * count);
   // No place of the surface is farther from a sample than 2.5 times what the best spread allows.
-  const Eigen::MatrixXd places = shape::SampleSurface(cube, 4000, shape::SamplingMode::Uniform, 7);
+  const Eigen::MatrixXd positions =
+    shape::SampleSurface(cube, 4000, shape::SamplingMode::Uniform, 7);
   double farthest = 0.0;
-  for (const auto& place : places.rowwise())
+  for (const auto& position : positions.rowwise())
   {
-    farthest = std::max(farthest, (points.rowwise() - place).rowwise().norm().minCoeff());
+    farthest = std::max(farthest, (points.rowwise() - position).rowwise().norm().minCoeff());
   }
-  EXPECT_LT(farthest, 2.5 * shape::PackingRadius(6.0, count) * 2.0 / std::sqrt(3.0));
+  EXPECT_LT(farthest, 2.5 * shape::ComputePackingRadius(6.0, count) * 2.0 / std::sqrt(3.0));
 }
 
 TEST(Sampling, AreasMakeASumAnIntegralHoweverDenseTheSamplesAre)
@@ -143,15 +145,15 @@ TEST(Sampling, AreasMakeASumAnIntegralHoweverDenseTheSamplesAre)
   ellipsoid.Points.col(0) *= 4.0;
   const auto mean = [](const Eigen::MatrixXd& points, const Eigen::VectorXd& weights)
   { return weights.dot(points.col(0).cwiseAbs2()) / weights.sum(); };
-  const Eigen::VectorXd exactWeights = shape::AreaVectors(ellipsoid).rowwise().norm();
-  const double exact = mean(shape::Centroids(ellipsoid), exactWeights);
+  const Eigen::VectorXd exactWeights = shape::ComputeAreaVectors(ellipsoid).rowwise().norm();
+  const double exact = mean(shape::ComputeCentroids(ellipsoid), exactWeights);
   const Eigen::MatrixXd points =
     shape::SampleSurface(ellipsoid, 2000, shape::SamplingMode::GeometryAdaptive);
-  const Eigen::VectorXd areas = shape::SampledAreas(points);
+  const Eigen::VectorXd areas = shape::ComputeSampledAreas(points);
   EXPECT_GT(mean(points, Eigen::VectorXd::Ones(2000)), 1.2 * exact);
   EXPECT_NEAR(mean(points, areas), exact, 0.05 * exact);
   EXPECT_GT(areas.minCoeff(), 0.0);
-  EXPECT_EQ(shape::SampledAreas(Eigen::MatrixXd::Ones(5, 3)), Eigen::VectorXd::Ones(5));
+  EXPECT_EQ(shape::ComputeSampledAreas(Eigen::MatrixXd::Ones(5, 3)), Eigen::VectorXd::Ones(5));
 }
 
 TEST(Sampling, RefusesAndAborts)
@@ -169,7 +171,7 @@ TEST(Sampling, SpatialOrderSpreadsEveryFourthPoint)
 {
   const Eigen::MatrixXd points =
     shape::SampleSurface(shapetest::Icosphere(3), 800, shape::SamplingMode::Uniform);
-  const Eigen::VectorXi order = shape::SpatialOrder(points);
+  const Eigen::VectorXi order = shape::FindSpatialOrder(points);
   Eigen::VectorXi sorted = order;
   std::sort(sorted.begin(), sorted.end());
   EXPECT_EQ(sorted, Eigen::VectorXi::LinSpaced(800, 0, 799));
@@ -191,9 +193,9 @@ TEST(OutsideDomain, SparesWhatAMeshOfTheSmoothSurfaceSticksOut)
   const shape::SignedDistance field(shapetest::Icosphere(2));
   // Points on the smooth sphere lie outside the facets by up to the sagitta.
   const Eigen::MatrixXd onSphere = shapetest::Icosphere(4).Points;
-  EXPECT_EQ(shape::OutsideDomain(field, onSphere, 0.1).sum(), 0);
-  EXPECT_EQ(shape::OutsideDomain(field, 0.5 * onSphere, 0.1).sum(), 0);
-  EXPECT_EQ(shape::OutsideDomain(field, 1.2 * onSphere, 0.1).sum(), onSphere.rows());
+  EXPECT_EQ(shape::FindPointsOutsideDomain(field, onSphere, 0.1).sum(), 0);
+  EXPECT_EQ(shape::FindPointsOutsideDomain(field, 0.5 * onSphere, 0.1).sum(), 0);
+  EXPECT_EQ(shape::FindPointsOutsideDomain(field, 1.2 * onSphere, 0.1).sum(), onSphere.rows());
 }
 
 TEST(OutsideDomain, TheToleranceStaysWellWithinTheCharges)
@@ -208,6 +210,6 @@ TEST(OutsideDomain, TheToleranceStaysWellWithinTheCharges)
   const shape::SignedDistance field(cube);
   Eigen::MatrixXd points(3, 3);
   points << 1.04, 0.5, 0.5, 1.06, 0.5, 0.5, 0.5, 0.5, 0.5;
-  EXPECT_EQ(shape::OutsideDomain(field, points, 0.05), Eigen::Vector3i(0, 1, 0));
-  EXPECT_EQ(shape::OutsideDomain(field, points, 1.0), Eigen::Vector3i(0, 0, 0));
+  EXPECT_EQ(shape::FindPointsOutsideDomain(field, points, 0.05), Eigen::Vector3i(0, 1, 0));
+  EXPECT_EQ(shape::FindPointsOutsideDomain(field, points, 1.0), Eigen::Vector3i(0, 0, 0));
 }

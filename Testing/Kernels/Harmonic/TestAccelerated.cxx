@@ -1,14 +1,14 @@
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "Distance/SignedDistance.h"
-#include "Support/TestShapes.h"
 #include "Fmm/DirectSummation.h"
-#include "Linear/Gmres.h"
 #include "Harmonic/HarmonicVolumeMap.h"
-#include "Remesh/LongestEdgeBisection.h"
 #include "Harmonic/NearSourceSystem.h"
 #include "Harmonic/Private/NearSources.h"
+#include "Linear/Gmres.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
+#include "Remesh/LongestEdgeBisection.h"
+#include "Support/TestShapes.h"
 
 #include <Eigen/Dense>
 
@@ -42,10 +42,10 @@ shape::Mesh Egg(int level)
 /// Two coordinates of charges outside the egg, and the third as it is.
 Eigen::MatrixXd Harmonic(const Eigen::MatrixXd& points)
 {
-  Eigen::MatrixXd places(2, 3), charges(2, 3);
-  places << 1.6, 0.8, 0.3, -0.5, -1.4, 1.1;
+  Eigen::MatrixXd positions(2, 3), charges(2, 3);
+  positions << 1.6, 0.8, 0.3, -0.5, -1.4, 1.1;
   charges << 4.0, -1.0, 0.0, 1.0, 3.0, 0.0;
-  return points + shape::DirectPotentials(places, charges, points);
+  return points + shape::SumPotentialsDirectly(positions, charges, points);
 }
 
 double InteriorError(const shape::ChargeSet& map, const shape::Mesh& boundary)
@@ -54,7 +54,7 @@ double InteriorError(const shape::ChargeSet& map, const shape::Mesh& boundary)
   inside << 0.9 * boundary.Points, 0.5 * boundary.Points, 0.1 * boundary.Points;
   return std::sqrt((shape::Evaluate(map, inside) - Harmonic(inside)).squaredNorm() /
            static_cast<double>(inside.rows())) /
-    shape::LongestSide(Harmonic(boundary.Points));
+    shape::ComputeLongestBoxEdge(Harmonic(boundary.Points));
 }
 
 } // namespace
@@ -68,7 +68,7 @@ TEST(Gmres, SolvesASquareSystemInAsManyStepsAsItHasRows)
   shape::GmresOptions options;
   options.MaximumIterations = n;
   options.Tolerance = 0.0;
-  const auto result = shape::Gmres([&](const Eigen::MatrixXd& v) { return a * v; },
+  const auto result = shape::SolveGmres([&](const Eigen::MatrixXd& v) { return a * v; },
     [](const Eigen::MatrixXd& v) { return v; }, b, Eigen::VectorXd::Ones(n), options);
   EXPECT_LT((result.Solution - x).norm(), 1e-10 * x.norm());
   EXPECT_LT(result.Residuals.maxCoeff(), 1e-12);
@@ -83,7 +83,7 @@ TEST(Gmres, FindsTheWeightedLeastSquares)
   const Eigen::MatrixXd back = a.transpose() * weights.asDiagonal();
   shape::GmresOptions options;
   options.Tolerance = 0.0;
-  const auto result = shape::Gmres([&](const Eigen::MatrixXd& v) { return a * v; },
+  const auto result = shape::SolveGmres([&](const Eigen::MatrixXd& v) { return a * v; },
     [&](const Eigen::MatrixXd& v) { return back * v; }, b, weights, options);
   const Eigen::MatrixXd expected = (back * a).ldlt().solve(back * b);
   EXPECT_LT((result.Solution - expected).norm(), 1e-9 * expected.norm());
@@ -99,22 +99,23 @@ TEST(Gmres, FindsTheWeightedLeastSquares)
 TEST(LongestEdgeBisection, KeepsTheSurfaceAndItsTopology)
 {
   shape::Mesh mesh = shapetest::Torus(1.0, 0.3, 24, 5); // slim triangles
-  const double volume = shape::EnclosedVolume(mesh), area = shape::PointAreas(mesh).sum();
+  const double volume = shape::ComputeEnclosedVolume(mesh),
+               area = shape::ComputePointAreas(mesh).sum();
   const auto before = mesh.Triangles.rows();
   const auto sharpest = [](const shape::Mesh& surface)
   {
-    double least = M_PI;
+    double minimum = M_PI;
     for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
     {
-      const Eigen::Matrix3d p = shape::Corners(surface, t);
+      const Eigen::Matrix3d p = shape::GetCorners(surface, t);
       for (int k = 0; k < 3; ++k)
       {
         const Eigen::RowVector3d one = p.row((k + 1) % 3) - p.row(k);
         const Eigen::RowVector3d other = p.row((k + 2) % 3) - p.row(k);
-        least = std::min(least, std::acos(one.dot(other) / (one.norm() * other.norm())));
+        minimum = std::min(minimum, std::acos(one.dot(other) / (one.norm() * other.norm())));
       }
     }
-    return least;
+    return minimum;
   };
   const double angle = sharpest(mesh);
   std::vector<char> marked(before, 0);
@@ -123,8 +124,8 @@ TEST(LongestEdgeBisection, KeepsTheSurfaceAndItsTopology)
   ASSERT_GE(ends.rows(), 7); // three edges each, one of which two share
   EXPECT_EQ(mesh.Triangles.rows(), before + 2 * ends.rows());
   EXPECT_EQ(shape::RequireClosedSurface(mesh, "the torus").EulerNumber, 0);
-  EXPECT_NEAR(shape::EnclosedVolume(mesh), volume, 1e-12);
-  EXPECT_NEAR(shape::PointAreas(mesh).sum(), area, 1e-12);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(mesh), volume, 1e-12);
+  EXPECT_NEAR(shape::ComputePointAreas(mesh).sum(), area, 1e-12);
   for (Eigen::Index k = 0; k < ends.rows(); ++k)
   {
     const Eigen::RowVector3d middle =
@@ -154,7 +155,7 @@ TEST(NearSources, KeepTheirDistanceInAGap)
     (sphere.Triangles.array() + static_cast<int>(n)).rowwise().reverse();
   const shape::SignedDistance field(shells);
   const Eigen::VectorXd offsets = Eigen::VectorXd::Constant(n, 0.1);
-  const auto sources = shape::PlaceNearSources(field, sphere.Points, sphere.Points, offsets);
+  const auto sources = shape::InsertNearSources(field, sphere.Points, sphere.Points, offsets);
   ASSERT_EQ(sources.Sites.size(), n);
   EXPECT_LT(sources.Offsets.maxCoeff(), 0.04);
   const Eigen::VectorXd distances = field.Evaluate(sources.Points).Distances;
@@ -166,7 +167,7 @@ TEST(NearSources, KeepTheirDistanceInAGap)
   }
   // Where that would be too near, there is none.
   EXPECT_EQ(
-    shape::PlaceNearSources(field, sphere.Points, sphere.Points, 2.0 * offsets).Sites.size(), 0);
+    shape::InsertNearSources(field, sphere.Points, sphere.Points, 2.0 * offsets).Sites.size(), 0);
 }
 
 TEST(Accelerated, TheInteriorErrorIsOfSecondOrderInTheEdges)
@@ -176,7 +177,7 @@ TEST(Accelerated, TheInteriorErrorIsOfSecondOrderInTheEdges)
   {
     const shape::Mesh boundary = Egg(level);
     const auto result =
-      shape::HarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, Accelerated());
+      shape::ComputeHarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, Accelerated());
     errors[level - 2] = InteriorError(result.Map, boundary);
   }
   EXPECT_GT(errors[0] / errors[1], 3.0) << errors[0];
@@ -192,9 +193,9 @@ TEST(Accelerated, AffineMapsAreExact)
   matrix << 2, 0.3, 0, -0.5, 1, 0.2, 0, 0.1, 3;
   const Eigen::MatrixXd targets =
     (boundary.Points * matrix.transpose()).rowwise() + Eigen::RowVector3d(7, 8, 9);
-  const auto result = shape::HarmonicVolumeMap(boundary, targets, {}, Accelerated());
+  const auto result = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, Accelerated());
   const Eigen::MatrixXd error = shape::Evaluate(result.Map, boundary.Points) - targets;
-  EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-12 * shape::LongestSide(targets));
+  EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-12 * shape::ComputeLongestBoxEdge(targets));
 }
 
 TEST(Accelerated, RefinesWhereTheBoundaryMapBendsSharply)
@@ -205,9 +206,9 @@ TEST(Accelerated, RefinesWhereTheBoundaryMapBendsSharply)
   targets(100, 2) += 0.05;
   auto options = Accelerated();
   options.MaximumLevels = 1;
-  const auto coarse = shape::HarmonicVolumeMap(boundary, targets, {}, options);
+  const auto coarse = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
   options.MaximumLevels = 4;
-  const auto fine = shape::HarmonicVolumeMap(boundary, targets, {}, options);
+  const auto fine = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
   ASSERT_GT(fine.Levels.size(), coarse.Levels.size());
   EXPECT_LT(fine.Levels.back().RMSEInside, 0.5 * coarse.Levels.back().RMSEInside);
   EXPECT_LT(fine.Levels.back().Sources, 1.5 * static_cast<double>(boundary.Points.rows()));
@@ -227,8 +228,8 @@ TEST(Accelerated, PointsAtGapsTooNarrowForChargesAreCounted)
     (ball.Triangles.array() + static_cast<int>(n)).rowwise().reverse();
   auto options = Accelerated();
   options.MaximumLevels = 1;
-  const auto without = shape::HarmonicVolumeMap(ball, Harmonic(ball.Points), {}, options);
-  const auto with = shape::HarmonicVolumeMap(slit, Harmonic(slit.Points), {}, options);
+  const auto without = shape::ComputeHarmonicVolumeMap(ball, Harmonic(ball.Points), {}, options);
+  const auto with = shape::ComputeHarmonicVolumeMap(slit, Harmonic(slit.Points), {}, options);
   EXPECT_EQ(without.PointsWithoutCharge, 0);
   EXPECT_EQ(with.PointsWithoutCharge, n);
   EXPECT_EQ(with.Levels.back().Sources, without.Levels.back().Sources);
@@ -242,12 +243,12 @@ TEST(Accelerated, TheSetupServesOtherTargets)
   second.col(0) += 0.3 * first.col(1);
   shape::AcceleratedSetup setup;
   const auto solve = [&](const shape::Mesh& mesh, const Eigen::MatrixXd& targets)
-  { return shape::HarmonicVolumeMap(mesh, targets, {}, Accelerated(), {}, &setup).Map; };
+  { return shape::ComputeHarmonicVolumeMap(mesh, targets, {}, Accelerated(), {}, &setup).Map; };
   solve(boundary, first);
   const shape::NearSourceSystem* kept = setup.System.get();
   const shape::ChargeSet again = solve(boundary, second);
   EXPECT_EQ(setup.System.get(), kept);
-  const auto fresh = shape::HarmonicVolumeMap(boundary, second, {}, Accelerated()).Map;
+  const auto fresh = shape::ComputeHarmonicVolumeMap(boundary, second, {}, Accelerated()).Map;
   EXPECT_EQ(again.Points, fresh.Points);
   EXPECT_EQ(again.Charges, fresh.Charges);
   // Another boundary is not taken for the first.
@@ -260,15 +261,15 @@ TEST(Accelerated, TheNumberOfThreadsHardlyMatters)
   const shape::Mesh boundary = Egg(4);
   const Eigen::MatrixXd targets = Harmonic(boundary.Points);
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
-  const auto one = shape::HarmonicVolumeMap(boundary, targets, {}, Accelerated()).Map;
+  const auto one = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, Accelerated()).Map;
   setenv("VTK_SMP_MAX_THREADS", "3", 1);
-  const auto three = shape::HarmonicVolumeMap(boundary, targets, {}, Accelerated()).Map;
+  const auto three = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, Accelerated()).Map;
   unsetenv("VTK_SMP_MAX_THREADS");
   EXPECT_LT(
     (shape::Evaluate(one, 0.9 * boundary.Points) - shape::Evaluate(three, 0.9 * boundary.Points))
       .cwiseAbs()
       .maxCoeff(),
-    1e-9 * shape::LongestSide(targets));
+    1e-9 * shape::ComputeLongestBoxEdge(targets));
 }
 
 TEST(Accelerated, ThinWallsAndVoidsAreMet)
@@ -291,7 +292,8 @@ TEST(Accelerated, ThinWallsAndVoidsAreMet)
     }
     return values;
   };
-  const auto result = shape::HarmonicVolumeMap(shell, exact(shell.Points), {}, Accelerated());
+  const auto result =
+    shape::ComputeHarmonicVolumeMap(shell, exact(shell.Points), {}, Accelerated());
   const Eigen::MatrixXd between = 0.9 * outer.Points;
   const double error =
     (shape::Evaluate(result.Map, between) - exact(between)).rowwise().norm().maxCoeff();

@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
-#include "Support/TestShapes.h"
 #include "Harmonic/ApplyVolumeMap.h"
 #include "Harmonic/InverseMap.h"
+#include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ shape::ChargeSet SomeCharges()
   return map;
 }
 
-shape::LayeredMap InSphere(const shape::ChargeSet& map)
+shape::PiecewiseHarmonicMap InSphere(const shape::ChargeSet& map)
 {
-  return shape::LayeredMap({ { map }, shapetest::Icosphere(3), {}, 0.2, {} });
+  return shape::PiecewiseHarmonicMap({ { map }, shapetest::Icosphere(3), {}, 0.2, {} });
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
-#include "Support/TestShapes.h"
 #include "Harmonic/ChargeSet.h"
+#include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(ChargeSet, IsTheFormula)
   const shape::ChargeSet set = SomeCharges(40);
   const Eigen::MatrixXd points = 0.7 * shapetest::Icosphere(1).Points;
   const Eigen::MatrixXd values = shape::Evaluate(set, points);
-  const Eigen::MatrixXd product = shape::PotentialMatrix(points, set.Points) * set.Charges;
+  const Eigen::MatrixXd product = shape::BuildPotentialMatrix(points, set.Points) * set.Charges;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
     Eigen::RowVector3d expected =

@@ -1,6 +1,6 @@
+#include "Harmonic/FreeBoundary.h"
 #include "Search/ClosestPoint.h"
 #include "Support/TestShapes.h"
-#include "Harmonic/FreeBoundary.h"
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ TEST(FreeBoundary, TakesBackASlideOfABallsBoundary)
 {
   const shape::Mesh ball = shapetest::Icosphere(2);
   const Eigen::MatrixXd targets = Slid(ball);
-  const shape::HarmonicVolumeMapResult map = shape::HarmonicVolumeMap(ball, targets);
-  const shape::FreeBoundaryResult result = shape::FreeBoundary(ball, targets, ball, {}, {}, map);
+  const shape::HarmonicVolumeMapResult map = shape::ComputeHarmonicVolumeMap(ball, targets);
+  const shape::FreeBoundaryResult result = shape::SlideBoundary(ball, targets, ball, {}, {}, map);
   EXPECT_TRUE(result.Kept);
   // Of an isometry the energy is 6: most of what is above it goes.
   EXPECT_GT(result.DistortionBefore, 6.5);
@@ -43,9 +43,9 @@ TEST(FreeBoundary, TakesBackASlideOfABallsBoundary)
 TEST(FreeBoundary, KeepsWhatCannotBeBetter)
 {
   const shape::Mesh ball = shapetest::Icosphere(2);
-  const shape::HarmonicVolumeMapResult map = shape::HarmonicVolumeMap(ball, ball.Points);
+  const shape::HarmonicVolumeMapResult map = shape::ComputeHarmonicVolumeMap(ball, ball.Points);
   const shape::FreeBoundaryResult result =
-    shape::FreeBoundary(ball, ball.Points, ball, {}, {}, map);
+    shape::SlideBoundary(ball, ball.Points, ball, {}, {}, map);
   EXPECT_NEAR(result.DistortionBefore, 6.0, 1e-6);
   EXPECT_LE(result.DistortionAfter, result.DistortionBefore);
   EXPECT_NEAR((result.Targets - ball.Points).cwiseAbs().maxCoeff(), 0.0, 1e-6);

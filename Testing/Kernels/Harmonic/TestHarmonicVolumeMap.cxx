@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
-#include "Support/TestShapes.h"
 #include "Harmonic/HarmonicVolumeMap.h"
+#include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ double InteriorError(const shape::ChargeSet& map, const shape::Mesh& boundary)
   inside << 0.9 * boundary.Points, 0.6 * boundary.Points, 0.2 * boundary.Points;
   const Eigen::MatrixXd error = shape::Evaluate(map, inside) - Harmonic(inside);
   return std::sqrt(error.squaredNorm() / error.rows()) /
-    shape::LongestSide(Harmonic(boundary.Points));
+    shape::ComputeLongestBoxEdge(Harmonic(boundary.Points));
 }
 
 shape::HarmonicVolumeMapOptions With(Method method, double collocations, double sources)
@@ -90,8 +90,8 @@ TEST(HarmonicVolumeMap, TheInteriorErrorFallsAsSourcesAreAdded)
   const double ratios[3] = { 0.01, 0.03, 0.09 };
   for (int i = 0; i < 3; ++i)
   {
-    const auto result =
-      shape::HarmonicVolumeMap(boundary, targets, {}, With(Method::SingleShot, 0.4, ratios[i]));
+    const auto result = shape::ComputeHarmonicVolumeMap(
+      boundary, targets, {}, With(Method::SingleShot, 0.4, ratios[i]));
     errors[i] = InteriorError(result.Map, boundary);
   }
   EXPECT_LT(errors[1], errors[0] / 4.0) << errors[0];
@@ -107,7 +107,8 @@ TEST(HarmonicVolumeMap, TheInteriorErrorIsOfSecondOrderInTheBoundarysEdges)
   {
     const shape::Mesh boundary = Bumpy(2 + i);
     const auto options = With(Method::SingleShot, i == 0 ? 4.0 : 1.0, i == 0 ? 1.6 : 0.4);
-    const auto result = shape::HarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, options);
+    const auto result =
+      shape::ComputeHarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, options);
     errors[i] = InteriorError(result.Map, boundary);
   }
   EXPECT_GT(errors[0] / errors[1], 3.0) << errors[0] << " " << errors[1];
@@ -123,9 +124,10 @@ TEST(HarmonicVolumeMap, AffineMapsAreExact)
     (boundary.Points * matrix.transpose()).rowwise() + Eigen::RowVector3d(7, 8, 9);
   for (const Method method : { Method::MultiLevel, Method::SingleShot })
   {
-    const auto result = shape::HarmonicVolumeMap(boundary, targets, {}, With(method, 0.2, 0.2));
+    const auto result =
+      shape::ComputeHarmonicVolumeMap(boundary, targets, {}, With(method, 0.2, 0.2));
     const Eigen::MatrixXd error = shape::Evaluate(result.Map, boundary.Points) - targets;
-    EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-12 * shape::LongestSide(targets));
+    EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-12 * shape::ComputeLongestBoxEdge(targets));
   }
 }
 
@@ -135,7 +137,7 @@ TEST(HarmonicVolumeMap, EachKeptLevelLowersTheResidual)
   auto options = With(Method::MultiLevel, 0.8, 0.8);
   options.MaximumLevels = 8;
   const auto result =
-    shape::HarmonicVolumeMap(boundary, shapetest::Icosphere(3).Points, {}, options);
+    shape::ComputeHarmonicVolumeMap(boundary, shapetest::Icosphere(3).Points, {}, options);
   ASSERT_GE(result.Levels.size(), 4u);
   int kept = 0;
   for (std::size_t i = 1; i < result.Levels.size(); ++i)
@@ -158,12 +160,14 @@ TEST(HarmonicVolumeMap, TheReportedErrorsAreThoseOfTheMap)
   const Eigen::MatrixXd targets = 5.0 * shapetest::Icosphere(3).Points;
   for (const Method method : { Method::MultiLevel, Method::SingleShot })
   {
-    const auto result = shape::HarmonicVolumeMap(boundary, targets, {}, With(method, 0.8, 0.2));
-    const double size = shape::LongestSide(targets);
+    const auto result =
+      shape::ComputeHarmonicVolumeMap(boundary, targets, {}, With(method, 0.8, 0.2));
+    const double size = shape::ComputeLongestBoxEdge(targets);
     const Eigen::MatrixXd atPoints =
       (shape::Evaluate(result.Map, boundary.Points) - targets) / size;
-    const Eigen::MatrixXd inside = (shape::Evaluate(result.Map, shape::OffCentres(boundary)) -
-                                     shape::AtOffCentres(boundary, targets)) /
+    const Eigen::MatrixXd inside =
+      (shape::Evaluate(result.Map, shape::ComputeOffCentres(boundary)) -
+        shape::InterpolateAtOffCentres(boundary, targets)) /
       size;
     const auto& level = result.Levels.back();
     EXPECT_NEAR(level.RMSEVertices, std::sqrt(atPoints.squaredNorm() / atPoints.rows()), 1e-10);
@@ -179,7 +183,7 @@ TEST(HarmonicVolumeMap, StopsAtTheTolerance)
   auto options = With(Method::MultiLevel, 0.8, 0.4);
   options.Tolerance = 5e-3;
   const auto result =
-    shape::HarmonicVolumeMap(boundary, shapetest::Icosphere(3).Points, {}, options);
+    shape::ComputeHarmonicVolumeMap(boundary, shapetest::Icosphere(3).Points, {}, options);
   EXPECT_EQ(result.Reason, Stop::Tolerance);
   EXPECT_LE(result.Levels.back().RMSEInside, 5e-3);
   EXPECT_GT(result.Levels[result.Levels.size() - 2].RMSEInside, 5e-3);
@@ -191,7 +195,8 @@ TEST(HarmonicVolumeMap, ALargeThresholdDeletesSources)
   auto options = With(Method::MultiLevel, 0.8, 0.8);
   options.SingularValueThreshold = 0.1;
   options.MaximumLevels = 6;
-  const auto result = shape::HarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, options);
+  const auto result =
+    shape::ComputeHarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, options);
   EXPECT_GT(result.DeletedSources, 0);
   ASSERT_EQ(result.Levels.size(), 7u);
   // The fifth level takes up the first subset again, with ten new ones for those deleted.
@@ -208,7 +213,8 @@ TEST(HarmonicVolumeMap, ASoftFeatureIsMetBetterTheMoreItWeighs)
   {
     auto options = With(Method::SingleShot, 0.6, 0.3);
     options.FeatureWeight = weight;
-    return shape::HarmonicVolumeMap(boundary, boundary.Points, features, options).RMSEFeatures;
+    return shape::ComputeHarmonicVolumeMap(boundary, boundary.Points, features, options)
+      .RMSEFeatures;
   };
   const double light = error(1.0), heavy = error(20.0), rigid = error(2000.0);
   EXPECT_LT(heavy, 0.9 * light);
@@ -227,8 +233,8 @@ TEST(HarmonicVolumeMap, AWeightCountsAsSoManyRows)
   thrice.Weights = Eigen::VectorXd::Ones(3);
   const auto options = With(Method::SingleShot, 2.0, 0.5);
   const Eigen::MatrixXd targets = shapetest::Icosphere(2).Points;
-  const auto a = shape::HarmonicVolumeMap(boundary, targets, once, options);
-  const auto b = shape::HarmonicVolumeMap(boundary, targets, thrice, options);
+  const auto a = shape::ComputeHarmonicVolumeMap(boundary, targets, once, options);
+  const auto b = shape::ComputeHarmonicVolumeMap(boundary, targets, thrice, options);
   EXPECT_LT((shape::Evaluate(a.Map, boundary.Points) - shape::Evaluate(b.Map, boundary.Points))
               .cwiseAbs()
               .maxCoeff(),
@@ -240,7 +246,7 @@ TEST(HarmonicVolumeMap, AnInwardFacingBoundaryAndUnusedPointsChangeNothing)
   const shape::Mesh boundary = Bumpy(2);
   const Eigen::MatrixXd targets = shapetest::Icosphere(2).Points;
   const auto options = With(Method::MultiLevel, 2.0, 1.0);
-  const auto expected = shape::HarmonicVolumeMap(boundary, targets, {}, options);
+  const auto expected = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
   shape::Mesh inward = boundary;
   inward.Triangles.col(1).swap(inward.Triangles.col(2));
   inward.Points.conservativeResize(boundary.Points.rows() + 1, 3);
@@ -248,7 +254,7 @@ TEST(HarmonicVolumeMap, AnInwardFacingBoundaryAndUnusedPointsChangeNothing)
   Eigen::MatrixXd more = targets;
   more.conservativeResize(targets.rows() + 1, 3);
   more.bottomRows(1).setConstant(50.0);
-  const auto result = shape::HarmonicVolumeMap(inward, more, {}, options);
+  const auto result = shape::ComputeHarmonicVolumeMap(inward, more, {}, options);
   EXPECT_EQ(result.Map.Points, expected.Map.Points);
   EXPECT_EQ(result.Map.Charges, expected.Map.Charges);
 }
@@ -261,12 +267,12 @@ TEST(HarmonicVolumeMap, RepeatsItselfForAnyNumberOfThreads)
   {
     auto options = With(Method::MultiLevel, 0.8, 0.4);
     options.CollocationSampling = options.SourceSampling = mode;
-    const auto first = shape::HarmonicVolumeMap(boundary, targets, {}, options);
-    const auto second = shape::HarmonicVolumeMap(boundary, targets, {}, options);
+    const auto first = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
+    const auto second = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
     EXPECT_EQ(first.Map.Points, second.Map.Points);
     EXPECT_EQ(first.Map.Charges, second.Map.Charges);
     setenv("VTK_SMP_MAX_THREADS", "1", 1);
-    const auto one = shape::HarmonicVolumeMap(boundary, targets, {}, options);
+    const auto one = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
     unsetenv("VTK_SMP_MAX_THREADS");
     EXPECT_LT(
       (shape::Evaluate(first.Map, boundary.Points) - shape::Evaluate(one.Map, boundary.Points))
@@ -281,8 +287,9 @@ TEST(HarmonicVolumeMap, RefusesWithTheFactAndTheRemedy)
   const shape::Mesh sphere = shapetest::Icosphere(2);
   const auto map = [&](const shape::Mesh& boundary, const Eigen::MatrixXd& targets,
                      const shape::VolumeFeatures& features = {},
-                     const shape::HarmonicVolumeMapOptions& options = {})
-  { return Refusal([&] { shape::HarmonicVolumeMap(boundary, targets, features, options); }); };
+                     const shape::HarmonicVolumeMapOptions& options = {}) {
+    return Refusal([&] { shape::ComputeHarmonicVolumeMap(boundary, targets, features, options); });
+  };
 
   shape::Mesh open = sphere;
   open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
@@ -334,7 +341,7 @@ TEST(HarmonicVolumeMap, StopsWhereverItIsToldTo)
   int calls = 0;
   double last = 0.0;
   bool rising = true;
-  shape::HarmonicVolumeMap(boundary, targets, {}, options,
+  shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options,
     shape::Progress(
       [&](double fraction)
       {
@@ -348,7 +355,7 @@ TEST(HarmonicVolumeMap, StopsWhereverItIsToldTo)
   for (const int limit : { 1, calls / 4, calls / 2, calls - 2 })
   {
     int left = limit;
-    EXPECT_THROW(shape::HarmonicVolumeMap(boundary, targets, {}, options,
+    EXPECT_THROW(shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options,
                    shape::Progress([&](double) { return --left > 0; })),
       shape::Aborted);
   }
@@ -362,18 +369,20 @@ TEST(HarmonicVolumeMap, TheAutomaticOffsetFollowsTheSpacingOfTheCollocationPoint
   options.Method = Method::MultiLevel;
   options.MaximumLevels = 1;
   options.CollocationRatio = 0.8;
-  const double coarse = shape::HarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance;
+  const double coarse =
+    shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance;
   options.CollocationRatio = 3.2;
-  const double fine = shape::HarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance;
+  const double fine =
+    shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance;
   EXPECT_NEAR(coarse / fine, 2.0, 1e-9);
   // What is asked for is the farthest; the last of MultiLevel's 4 subsets is sqrt(4) times nearer.
   options.OffsetDistance = 0.11;
   options.SourceSubsets = 4;
   EXPECT_NEAR(
-    shape::HarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance, 0.055, 1e-15);
+    shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance, 0.055, 1e-15);
   options.Method = Method::SingleShot;
   options.CollocationRatio = 0.8;
-  EXPECT_EQ(shape::HarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance, 0.11);
+  EXPECT_EQ(shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options).OffsetDistance, 0.11);
 }
 
 TEST(HarmonicVolumeMap, EachChargeSitsAtAPlaceOfItsOwn)
@@ -384,7 +393,7 @@ TEST(HarmonicVolumeMap, EachChargeSitsAtAPlaceOfItsOwn)
   options.SourceSubsets = 2;
   options.MaximumLevels = 6;
   const shape::HarmonicVolumeMapResult result =
-    shape::HarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, options);
+    shape::ComputeHarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, options);
   int solved = 0;
   for (const auto& level : result.Levels)
   {
@@ -419,7 +428,7 @@ TEST(HarmonicVolumeMap, DoesNotDependOnHowTheBoundaryIsNumbered)
   const auto image = [&](const shape::Mesh& mesh)
   {
     const shape::HarmonicVolumeMapResult result =
-      shape::HarmonicVolumeMap(mesh, Harmonic(mesh.Points), {}, options);
+      shape::ComputeHarmonicVolumeMap(mesh, Harmonic(mesh.Points), {}, options);
     return shape::Evaluate(result.Map, 0.7 * boundary.Points);
   };
   EXPECT_EQ(image(boundary), image(renumbered));

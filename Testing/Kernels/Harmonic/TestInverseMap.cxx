@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
-#include "Support/TestShapes.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Harmonic/InverseMap.h"
+#include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -30,13 +30,14 @@ shape::Mesh Dented(int level)
 /// The dented ball onto the ball.
 const shape::HarmonicVolumeMapResult& DentedToBall()
 {
-  static const auto result = shape::HarmonicVolumeMap(Dented(3), shapetest::Icosphere(3).Points);
+  static const auto result =
+    shape::ComputeHarmonicVolumeMap(Dented(3), shapetest::Icosphere(3).Points);
   return result;
 }
 
 double Farthest()
 {
-  return 0.5 * DentedToBall().OffsetDistance * shape::LongestSide(Dented(3).Points);
+  return 0.5 * DentedToBall().OffsetDistance * shape::ComputeLongestBoxEdge(Dented(3).Points);
 }
 
 /// Shrunken copies of a surface around the origin.
@@ -74,7 +75,7 @@ TEST(InverseMap, TheDerivativeIsThatOfTheMap)
 {
   const shape::ChargeSet& map = DentedToBall().Map;
   const Eigen::MatrixXd points = Shells(0.9 * Dented(1).Points);
-  const Eigen::MatrixXd jacobians = shape::Jacobians(map, points);
+  const Eigen::MatrixXd jacobians = shape::EvaluateJacobians(map, points);
   const double h = 1e-5;
   for (int c = 0; c < 3; ++c)
   {
@@ -91,7 +92,7 @@ TEST(InverseMap, TheDerivativeIsThatOfTheMap)
   shape::ChargeSet one;
   one.Points = Eigen::RowVector3d(0.0, 0.0, 2.0);
   one.Charges = Eigen::RowVector3d(0.0, 0.0, 4.0 * M_PI);
-  const Eigen::MatrixXd at = shape::Jacobians(one, Eigen::RowVector3d::Zero());
+  const Eigen::MatrixXd at = shape::EvaluateJacobians(one, Eigen::RowVector3d::Zero());
   EXPECT_LT(
     (at - (Eigen::RowVectorXd(9) << 1, 0, 0, 0, 1, 0, 0, 0, 1.25).finished()).norm(), 1e-15);
 }
@@ -101,25 +102,25 @@ TEST(InverseMap, OfAnAffineMapIsExact)
   shape::ChargeSet map;
   map.Affine << 1.2, 0.3, 0.0, 3.0, -0.1, 0.9, 0.2, -2.0, 0.0, 0.4, -1.1, 1.0;
   const shape::Mesh domain = Dented(3);
-  const Eigen::MatrixXd places = Shells(domain.Points);
+  const Eigen::MatrixXd positions = Shells(domain.Points);
   const shape::InverseMap inverse(map, domain, 0.1);
   EXPECT_FALSE(inverse.Folds()) << "it turns orientation, which is no fold";
-  const auto found = inverse.Find(shape::Evaluate(map, places));
-  EXPECT_EQ(Count(found, State::Found), places.rows());
-  EXPECT_LT((found.Points - places).cwiseAbs().maxCoeff(), 1e-12);
+  const auto found = inverse.Find(shape::Evaluate(map, positions));
+  EXPECT_EQ(Count(found, State::Found), positions.rows());
+  EXPECT_LT((found.Points - positions).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(InverseMap, FindsWhereAHarmonicMapTookThePointsFrom)
 {
   const shape::ChargeSet& map = DentedToBall().Map;
-  const Eigen::MatrixXd places = Shells(Dented(3).Points);
-  const Eigen::MatrixXd images = shape::Evaluate(map, places);
+  const Eigen::MatrixXd positions = Shells(Dented(3).Points);
+  const Eigen::MatrixXd images = shape::Evaluate(map, positions);
   const shape::InverseMap inverse(map, Dented(3), Farthest());
   EXPECT_FALSE(inverse.Folds());
   const auto found = inverse.Find(images);
-  ASSERT_EQ(Count(found, State::Found), places.rows());
+  ASSERT_EQ(Count(found, State::Found), positions.rows());
   EXPECT_LT((shape::Evaluate(map, found.Points) - images).rowwise().norm().maxCoeff(), 2e-10);
-  EXPECT_LT((found.Points - places).rowwise().norm().maxCoeff(), 1e-9);
+  EXPECT_LT((found.Points - positions).rowwise().norm().maxCoeff(), 1e-9);
 }
 
 TEST(InverseMap, EveryPointOfTheImageHasAPreimageAndNoneBeyond)
@@ -155,20 +156,20 @@ TEST(InverseMap, OneOfTheTwoPreimagesUnderAFold)
   EXPECT_TRUE(inverse.Folds());
   // x and its mirror image have the same image, but for the charges' higher moments, which are
   // even.
-  const Eigen::MatrixXd places = Shells(0.9 * shapetest::Icosphere(1).Points);
-  const Eigen::MatrixXd images = shape::Evaluate(map, places);
+  const Eigen::MatrixXd positions = Shells(0.9 * shapetest::Icosphere(1).Points);
+  const Eigen::MatrixXd images = shape::Evaluate(map, positions);
   const auto found = inverse.Find(images);
   const auto again = inverse.Find(images);
   EXPECT_EQ(found.Points, again.Points);
   int checked = 0;
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
     // Near the fold the derivative has no inverse.
-    if (std::abs(places(i, 0)) > 0.05)
+    if (std::abs(positions(i, 0)) > 0.05)
     {
-      ASSERT_EQ(found.States(i), static_cast<int>(State::Found)) << places.row(i);
-      EXPECT_NEAR(std::abs(found.Points(i, 0)), std::abs(places(i, 0)), 1e-7);
-      EXPECT_LT((found.Points.row(i) - places.row(i)).tail<2>().norm(), 1e-7);
+      ASSERT_EQ(found.States(i), static_cast<int>(State::Found)) << positions.row(i);
+      EXPECT_NEAR(std::abs(found.Points(i, 0)), std::abs(positions(i, 0)), 1e-7);
+      EXPECT_LT((found.Points.row(i) - positions.row(i)).tail<2>().norm(), 1e-7);
       ++checked;
     }
   }

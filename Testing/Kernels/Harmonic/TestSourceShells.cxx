@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
-#include "Support/TestShapes.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Harmonic/Private/SourceShells.h"
+#include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(SourceShells, ChargesInAVoidMakeWhatNoneOutsideCan)
       options.CollocationRatio = 1.0;
       options.SourceRatio = 0.6;
       const auto result =
-        shape::HarmonicVolumeMap(ball, OfAChargeAt(centre, ball.Points), {}, options);
+        shape::ComputeHarmonicVolumeMap(ball, OfAChargeAt(centre, ball.Points), {}, options);
       EXPECT_LT(result.Levels.back().RMSEInside, 2e-3) << radius;
       // Inside the solid, along a ring halfway between wall and sphere.
       Eigen::MatrixXd ring(64, 3);
@@ -109,7 +109,7 @@ TEST(SourceShells, TheFirstLevelHasAsManyRowsAsThereArePoints)
     options.CollocationRatio = (points + 0.1) / ball.Points.rows();
     options.SourceRatio = 0.9 * options.CollocationRatio;
     const auto result =
-      shape::HarmonicVolumeMap(ball, OfAChargeAt(centre, ball.Points), {}, options);
+      shape::ComputeHarmonicVolumeMap(ball, OfAChargeAt(centre, ball.Points), {}, options);
     EXPECT_NEAR(result.Levels.back().Collocations, points, 1);
     EXPECT_LT(result.Levels.back().RMSEInside, result.Levels.front().RMSEInside);
   }
@@ -121,7 +121,7 @@ TEST(SourceShells, AVoidMayFaceAnyWay)
   const Eigen::MatrixXd targets = OfAChargeAt(Eigen::RowVector3d(0.3, 0, 0), ball.Points);
   shape::HarmonicVolumeMapOptions options;
   options.MaximumLevels = 2;
-  const auto one = shape::HarmonicVolumeMap(ball, targets, {}, options);
-  const auto other = shape::HarmonicVolumeMap(FacingOut(ball), targets, {}, options);
+  const auto one = shape::ComputeHarmonicVolumeMap(ball, targets, {}, options);
+  const auto other = shape::ComputeHarmonicVolumeMap(FacingOut(ball), targets, {}, options);
   EXPECT_EQ(one.Map.Charges, other.Map.Charges);
 }

@@ -1,7 +1,7 @@
 #include "Base/Parallel.h"
-#include "Support/TestShapes.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Harmonic/VolumeTransform.h"
+#include "Support/TestShapes.h"
 
 #include <Eigen/LU>
 
@@ -16,9 +16,9 @@ namespace
 using State = shape::InverseMap::State;
 
 /// A ball whose surface is mapped to itself with dents and a twist.
-const shape::LayeredCharges& Charges()
+const shape::PiecewiseCharges& Charges()
 {
-  static const shape::LayeredCharges charges = []
+  static const shape::PiecewiseCharges charges = []
   {
     const shape::Mesh ball = shapetest::Icosphere(3);
     Eigen::MatrixXd targets = ball.Points;
@@ -27,19 +27,19 @@ const shape::LayeredCharges& Charges()
       const Eigen::RowVector3d p = ball.Points.row(i);
       targets.row(i) *= 1.1 - 0.3 * std::exp(-6.0 * (1.0 - p(0))) + 0.1 * std::sin(3.0 * p(1));
     }
-    const auto result = shape::HarmonicVolumeMap(ball, targets);
-    return shape::LayeredCharges{ { result.Map }, ball, {}, result.OffsetDistance, {} };
+    const auto result = shape::ComputeHarmonicVolumeMap(ball, targets);
+    return shape::PiecewiseCharges{ { result.Map }, ball, {}, result.OffsetDistance, {} };
   }();
   return charges;
 }
 
-/// Places in the ball, and beyond.
-Eigen::MatrixXd Places(double radius)
+/// Positions in the ball, and beyond.
+Eigen::MatrixXd Positions(double radius)
 {
   const Eigen::MatrixXd unit = shapetest::Icosphere(2).Points;
-  Eigen::MatrixXd places(3 * unit.rows(), 3);
-  places << radius * unit, 0.6 * radius * unit, 0.1 * radius * unit;
-  return places;
+  Eigen::MatrixXd positions(3 * unit.rows(), 3);
+  positions << radius * unit, 0.6 * radius * unit, 0.1 * radius * unit;
+  return positions;
 }
 
 } // namespace
@@ -54,15 +54,15 @@ TEST(PointCharges, AgreeWithTheSumsOverManyPlaces)
     set.Charges *= unit;
     set.Affine.leftCols<3>() /= unit;
     const shape::PointCharges charges(set);
-    const Eigen::MatrixXd places = unit * Places(0.95);
-    const Eigen::MatrixXd values = shape::Evaluate(set, places);
-    const Eigen::MatrixXd jacobians = shape::Jacobians(set, places);
-    for (Eigen::Index i = 0; i < places.rows(); ++i)
+    const Eigen::MatrixXd positions = unit * Positions(0.95);
+    const Eigen::MatrixXd values = shape::Evaluate(set, positions);
+    const Eigen::MatrixXd jacobians = shape::EvaluateJacobians(set, positions);
+    for (Eigen::Index i = 0; i < positions.rows(); ++i)
     {
       Eigen::Matrix3d jacobian;
-      const Eigen::Vector3d place = places.row(i);
-      const Eigen::Vector3d value = charges.Evaluate(place, jacobian);
-      EXPECT_LT((value - charges.Evaluate(place)).norm(), 1e-13);
+      const Eigen::Vector3d position = positions.row(i);
+      const Eigen::Vector3d value = charges.Evaluate(position, jacobian);
+      EXPECT_LT((value - charges.Evaluate(position)).norm(), 1e-13);
       ASSERT_LT((value.transpose() - values.row(i)).norm(), 1e-12);
       for (int r = 0; r < 3; ++r)
       {
@@ -86,39 +86,39 @@ TEST(PointCharges, OfNoChargeAreTheAffinePart)
 TEST(VolumeTransform, OnePlaceAtATimeIsWhatManyAre)
 {
   const shape::VolumeTransform transform(Charges(), true);
-  const Eigen::MatrixXd places = Places(1.05);
-  const auto forward = transform.Forward(places);
-  const auto backward = transform.Backward(places);
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  const Eigen::MatrixXd positions = Positions(1.05);
+  const auto forward = transform.Forward(positions);
+  const auto backward = transform.Backward(positions);
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    const Eigen::Vector3d place = places.row(i);
-    EXPECT_EQ(forward[i].Place, transform.Forward(place).Place);
-    EXPECT_EQ(backward[i].Place, transform.Backward(place).Place);
-    EXPECT_EQ(forward[i].Jacobian, transform.Forward(place).Jacobian);
+    const Eigen::Vector3d position = positions.row(i);
+    EXPECT_EQ(forward[i].Position, transform.Forward(position).Position);
+    EXPECT_EQ(backward[i].Position, transform.Backward(position).Position);
+    EXPECT_EQ(forward[i].Jacobian, transform.Forward(position).Jacobian);
   }
 }
 
 TEST(VolumeTransform, ForwardUndoesBackwardAndOutsideKeepsItsPlace)
 {
   const shape::VolumeTransform transform(Charges(), true);
-  const double goal = 1e-11 * shape::LongestSide(Charges().Surface.Points) * 1.3;
+  const double goal = 1e-11 * shape::ComputeLongestBoxEdge(Charges().Surface.Points) * 1.3;
   int found = 0;
-  for (const Eigen::MatrixXd& places : { Places(0.75), Places(2.0) })
+  for (const Eigen::MatrixXd& positions : { Positions(0.75), Positions(2.0) })
   {
-    for (Eigen::Index i = 0; i < places.rows(); ++i)
+    for (Eigen::Index i = 0; i < positions.rows(); ++i)
     {
-      const Eigen::Vector3d place = places.row(i);
-      const auto back = transform.Backward(place);
+      const Eigen::Vector3d position = positions.row(i);
+      const auto back = transform.Backward(position);
       ASSERT_NE(back.State, State::Missed);
       if (back.State == State::Outside)
       {
-        EXPECT_EQ(back.Place, place);
+        EXPECT_EQ(back.Position, position);
         EXPECT_TRUE(back.Jacobian.isIdentity(0.0));
         continue;
       }
       ++found;
-      const auto forth = transform.Forward(back.Place);
-      EXPECT_LE((forth.Place - place).norm(), goal);
+      const auto forth = transform.Forward(back.Position);
+      EXPECT_LE((forth.Position - position).norm(), goal);
       EXPECT_EQ(forth.Jacobian, back.Jacobian);
     }
   }
@@ -132,14 +132,14 @@ TEST(VolumeTransform, ForwardUndoesBackwardAndOutsideKeepsItsPlace)
 TEST(VolumeTransform, AgreesWithTheInverseOfManyPoints)
 {
   const shape::VolumeTransform transform(Charges(), true);
-  const auto map = std::make_shared<const shape::LayeredMap>(Charges());
-  const shape::LayeredInverse inverse(map);
-  const Eigen::MatrixXd places = Places(0.8);
-  const auto many = inverse.Find(places);
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  const auto map = std::make_shared<const shape::PiecewiseHarmonicMap>(Charges());
+  const shape::PiecewiseInverseMap inverse(map);
+  const Eigen::MatrixXd positions = Positions(0.8);
+  const auto many = inverse.Find(positions);
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    const auto one = transform.Backward(Eigen::Vector3d(places.row(i)));
+    const auto one = transform.Backward(Eigen::Vector3d(positions.row(i)));
     EXPECT_EQ(static_cast<int>(one.State), many.States(i));
-    EXPECT_LT((one.Place.transpose() - many.Points.row(i)).norm(), 1e-9);
+    EXPECT_LT((one.Position.transpose() - many.Points.row(i)).norm(), 1e-9);
   }
 }

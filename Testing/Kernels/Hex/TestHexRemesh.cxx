@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
+#include "Hex/HexRemesh.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Hex/HexRemesh.h"
 #include "Quality/ScaledJacobian.h"
 #include "Support/TestShapes.h"
 
@@ -30,15 +30,16 @@ TEST(HexRemesh, EveryMethodFillsATorus)
   for (const MethodType method : { MethodType::Grid, MethodType::Polycube, MethodType::Automatic })
   {
     options.Method = method;
-    const shape::HexRemeshResult result = shape::HexRemesh(torus, options);
+    const shape::HexRemeshResult result = shape::RemeshHexahedra(torus, options);
     EXPECT_TRUE(method == MethodType::Automatic || result.Method == method);
     EXPECT_FALSE(result.Reason.empty());
     EXPECT_EQ(BoundaryTopology(result.Fit).EulerNumber, 0);
-    EXPECT_EQ(result.Fit.LeastScaledJacobian, shape::ScaledJacobians(result.Fit.Solid).minCoeff());
-    EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
-    EXPECT_NEAR(
-      shape::EnclosedVolume({ result.Fit.Solid.Points, shape::SplitQuads(result.Fit.Quads) }),
-      shape::EnclosedVolume(torus), 0.03 * shape::EnclosedVolume(torus));
+    EXPECT_EQ(
+      result.Fit.MinimumScaledJacobian, shape::ComputeScaledJacobians(result.Fit.Solid).minCoeff());
+    EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.3);
+    EXPECT_NEAR(shape::ComputeEnclosedVolume(
+                  { result.Fit.Solid.Points, shape::SplitQuads(result.Fit.Quads) }),
+      shape::ComputeEnclosedVolume(torus), 0.03 * shape::ComputeEnclosedVolume(torus));
   }
 }
 
@@ -51,13 +52,13 @@ TEST(HexRemesh, ASurfaceThatCrossesItselfIsFilledByAGrid)
   surface.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
   shape::HexRemeshOptions options;
   options.CellSize = 0.2;
-  const shape::HexRemeshResult result = shape::HexRemesh(surface, options);
+  const shape::HexRemeshResult result = shape::RemeshHexahedra(surface, options);
   EXPECT_EQ(result.Method, MethodType::Grid);
   EXPECT_GT(result.Crossings, 0);
   EXPECT_NE(result.Reason.find("crosses itself"), std::string::npos) << result.Reason;
   EXPECT_EQ(BoundaryTopology(result.Fit).Components, 1);
   options.Method = MethodType::Polycube;
-  EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(surface, options), shape::InvalidInput);
 }
 
 TEST(HexRemesh, CellsOnTheLongestSideAreACellSize)
@@ -67,15 +68,15 @@ TEST(HexRemesh, CellsOnTheLongestSideAreACellSize)
   shape::HexRemeshOptions options;
   options.Method = MethodType::Grid;
   options.CellSize = 0.25;
-  const shape::HexRemeshResult sized = shape::HexRemesh(surface, options);
+  const shape::HexRemeshResult sized = shape::RemeshHexahedra(surface, options);
   options.CellsOnLongestSide = 12;
-  EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(surface, options), shape::InvalidInput);
   options.CellSize = 0.0;
-  const shape::HexRemeshResult counted = shape::HexRemesh(surface, options);
+  const shape::HexRemeshResult counted = shape::RemeshHexahedra(surface, options);
   EXPECT_EQ(counted.CellSize, sized.CellSize);
   EXPECT_EQ(counted.Fit.Solid.Points, sized.Fit.Solid.Points);
   options.CellsOnLongestSide = -1;
-  EXPECT_THROW(shape::HexRemesh(surface, options), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(surface, options), shape::InvalidInput);
 }
 
 TEST(HexRemesh, GuidesNeedAGrid)
@@ -85,18 +86,18 @@ TEST(HexRemesh, GuidesNeedAGrid)
   sized.Sizes = Eigen::VectorXd::Constant(sphere.Points.rows(), 0.25);
   inner.InnerSurfaces = { { 0.5 * sphere.Points, sphere.Triangles } };
   shape::HexRemeshOptions options;
-  shape::HexRemeshResult result = shape::HexRemesh(sphere, options, {}, sized);
+  shape::HexRemeshResult result = shape::RemeshHexahedra(sphere, options, {}, sized);
   EXPECT_EQ(result.Method, MethodType::Grid);
   EXPECT_NE(result.Reason.find("SizeArray"), std::string::npos) << result.Reason;
   EXPECT_EQ(result.SizeRatios.size(), result.Fit.Quads.rows());
   options.CellSize = 0.25;
-  EXPECT_THROW(shape::HexRemesh(sphere, options, {}, sized), shape::InvalidInput);
-  result = shape::HexRemesh(sphere, options, {}, inner);
+  EXPECT_THROW(shape::RemeshHexahedra(sphere, options, {}, sized), shape::InvalidInput);
+  result = shape::RemeshHexahedra(sphere, options, {}, inner);
   EXPECT_EQ(result.Method, MethodType::Grid);
   EXPECT_NE(result.Reason.find("InnerSurfaces"), std::string::npos) << result.Reason;
   EXPECT_EQ(result.Fit.RegionOf.maxCoeff(), 1);
   options.Method = MethodType::Polycube;
-  EXPECT_THROW(shape::HexRemesh(sphere, options, {}, inner), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(sphere, options, {}, inner), shape::InvalidInput);
 }
 
 TEST(HexRemesh, NamesWhatIsWrong)
@@ -104,15 +105,15 @@ TEST(HexRemesh, NamesWhatIsWrong)
   const shape::Mesh sphere = shapetest::Icosphere(2);
   shape::HexRemeshOptions options;
   options.CellSize = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(shape::HexRemesh(sphere, options), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(sphere, options), shape::InvalidInput);
   options.CellSize = 0.2;
   options.PaddingLayers = 0;
-  EXPECT_THROW(shape::HexRemesh(sphere, options), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(sphere, options), shape::InvalidInput);
   options.PaddingLayers = 1;
   options.FeatureAngle = 181.0;
-  EXPECT_THROW(shape::HexRemesh(sphere, options), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(sphere, options), shape::InvalidInput);
   options.FeatureAngle = 40.0;
   shape::Mesh open = sphere;
   open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
-  EXPECT_THROW(shape::HexRemesh(open, options), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(open, options), shape::InvalidInput);
 }

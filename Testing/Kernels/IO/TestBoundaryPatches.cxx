@@ -1,9 +1,9 @@
-#include "Mesh/CellFaces.h"
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "IO/BoundaryPatches.h"
 #include "IO/MeshSets.h"
+#include "Mesh/CellFaces.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
 #include "Support/SolverMeshes.h"
 #include "Support/TestShapes.h"
 
@@ -23,9 +23,9 @@ using namespace shape::cell_kind;
 /// How many faces each patch of a mesh has, in rising order.
 std::multiset<int> PatchSizes(const shape::Cells& cells, double featureAngle)
 {
-  const shape::SolidFaces boundary = shape::BoundaryFaces(cells);
+  const shape::SolidFaces boundary = shape::FindBoundaryFaces(cells);
   const Eigen::VectorXi patches =
-    shape::BoundaryPatches(cells.Points, boundary.Corners, featureAngle);
+    shape::FindBoundaryPatches(cells.Points, boundary.Corners, featureAngle);
   std::map<int, int> counts;
   for (const int patch : patches)
   {
@@ -58,8 +58,9 @@ TEST(CellFaces, FaceOutwardsAndCloseEachCell)
     one.Add(all.Kinds(cell),
       { all.Corners.begin() + all.Offsets(cell), all.Corners.begin() + all.Offsets(cell + 1) });
     const shape::Cells alone = one.Over(all.Points);
-    const shape::SolidFaces faces = shape::BoundaryFaces(alone);
-    EXPECT_EQ(faces.Cell.size(), static_cast<Eigen::Index>(shape::FacesOf(all.Kinds(cell)).size()));
+    const shape::SolidFaces faces = shape::FindBoundaryFaces(alone);
+    EXPECT_EQ(
+      faces.Cell.size(), static_cast<Eigen::Index>(shape::GetFaces(all.Kinds(cell)).size()));
     // The divergence theorem: no area in sum, and three times the volume as the flux of x.
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
     double flux = 0.0;
@@ -88,8 +89,8 @@ TEST(BoundaryPatches, OfACubeAreItsSides)
   EXPECT_EQ(PatchSizes(cube, 0.0), sides);
   EXPECT_EQ(PatchSizes(cube, 89.9), sides);
   EXPECT_EQ(PatchSizes(cube, 90.1), (std::multiset<int>{ 94 }));
-  const shape::SolidFaces boundary = shape::BoundaryFaces(cube);
-  const Eigen::VectorXi patches = shape::BoundaryPatches(cube.Points, boundary.Corners, 40.0);
+  const shape::SolidFaces boundary = shape::FindBoundaryFaces(cube);
+  const Eigen::VectorXi patches = shape::FindBoundaryPatches(cube.Points, boundary.Corners, 40.0);
   // All faces of a patch lie in one plane, and patches are numbered by their first faces.
   std::map<int, Eigen::RowVector3d> normals;
   int next = 0;
@@ -143,7 +144,7 @@ TEST(BoundaryPatches, TouchInAnEdgeWithoutHangingTogether)
 TEST(BoundaryPatches, OfMixedCellsHaveTrianglesToo)
 {
   const shape::Cells cells = shapetest::OneOfEach();
-  const shape::SolidFaces boundary = shape::BoundaryFaces(cells);
+  const shape::SolidFaces boundary = shape::FindBoundaryFaces(cells);
   // 6 + 5 + 5 + 4 faces without twice the three that are shared.
   EXPECT_EQ(boundary.Cell.size(), 14);
   EXPECT_EQ((boundary.Corners.col(3).array() < 0).count(), 3 + 2 + 3);
@@ -157,15 +158,15 @@ TEST(BoundaryPatches, OfMixedCellsHaveTrianglesToo)
     }
   }
   EXPECT_EQ(shape::RequireClosedSurface(surface, "the boundary").EulerNumber, 2);
-  EXPECT_NEAR(shape::EnclosedVolume(surface), 2.0, 1e-14);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(surface), 2.0, 1e-14);
 }
 
-TEST(RegionInterfaces, LieBetweenEachTwoRegionsSeenFromTheLower)
+TEST(FindRegionInterfaces, LieBetweenEachTwoRegionsSeenFromTheLower)
 {
   const shape::Cells cells = shapetest::Cubes({ 3, 2, 2 }, shapetest::Everywhere);
   Eigen::VectorXi regions(12);
   regions << 7, 2, 2, 7, 2, 2, 7, 2, 0, 7, 2, 2;
-  const auto interfaces = shape::RegionInterfaces(cells, regions);
+  const auto interfaces = shape::FindRegionInterfaces(cells, regions);
   ASSERT_EQ(interfaces.size(), 2u);
   EXPECT_EQ(interfaces[0].Lower, 0);
   EXPECT_EQ(interfaces[0].Upper, 2);
@@ -177,7 +178,7 @@ TEST(RegionInterfaces, LieBetweenEachTwoRegionsSeenFromTheLower)
   {
     EXPECT_EQ(AreaVector(cells, face), Eigen::RowVector3d(-1.0, 0.0, 0.0));
   }
-  EXPECT_TRUE(shape::RegionInterfaces(cells, Eigen::VectorXi::Zero(12)).empty());
+  EXPECT_TRUE(shape::FindRegionInterfaces(cells, Eigen::VectorXi::Zero(12)).empty());
 }
 
 TEST(MeshSets, TurnWedgesThatAreNumberedTheOtherWay)

@@ -22,8 +22,8 @@ shape::Mesh Degenerate()
 
 Eigen::SparseMatrix<double> StiffnessOf(const shape::Mesh& mesh)
 {
-  return shape::CotangentStiffness(
-    mesh.Triangles, shape::AnglesOfTriangles(mesh).Cotangents, mesh.Points.rows());
+  return shape::BuildCotangentStiffness(
+    mesh.Triangles, shape::ComputeTriangleAngles(mesh).Cotangents, mesh.Points.rows());
 }
 
 } // namespace
@@ -34,9 +34,9 @@ TEST(CotangentWeights, TheDirichletEnergyOfThePlaceIsTheArea)
   mesh.Points.col(0) *= 5.0;
   mesh.Points.col(1).array() += mesh.Points.col(0).array().sin();
   const double energy = 0.5 * mesh.Points.cwiseProduct(StiffnessOf(mesh) * mesh.Points).sum();
-  EXPECT_NEAR(energy / shape::PointAreas(mesh).sum(), 1.0, 1e-12);
-  EXPECT_NEAR(
-    shape::AnglesOfTriangles(mesh).Areas.sum() / shape::PointAreas(mesh).sum(), 1.0, 1e-12);
+  EXPECT_NEAR(energy / shape::ComputePointAreas(mesh).sum(), 1.0, 1e-12);
+  EXPECT_NEAR(shape::ComputeTriangleAngles(mesh).Areas.sum() / shape::ComputePointAreas(mesh).sum(),
+    1.0, 1e-12);
 }
 
 TEST(CotangentWeights, AnEquilateralTriangleHasItsCotangentsAtAnyScale)
@@ -45,8 +45,9 @@ TEST(CotangentWeights, AnEquilateralTriangleHasItsCotangentsAtAnyScale)
   {
     shape::Mesh mesh = shapetest::Icosphere(0);
     mesh.Points *= scale;
-    EXPECT_LT(
-      (shape::AnglesOfTriangles(mesh).Cotangents.array() - 1.0 / std::sqrt(3.0)).abs().maxCoeff(),
+    EXPECT_LT((shape::ComputeTriangleAngles(mesh).Cotangents.array() - 1.0 / std::sqrt(3.0))
+                .abs()
+                .maxCoeff(),
       1e-12);
   }
 }
@@ -66,7 +67,7 @@ TEST(CotangentWeights, TrianglesWithoutAreaStayFiniteAndPositiveSemidefinite)
 
 TEST(CotangentWeights, PositiveStiffnessHasNoWeightBelowTheLeast)
 {
-  const Eigen::MatrixXd dense = shape::PositiveStiffness(StiffnessOf(Degenerate()), 0.01);
+  const Eigen::MatrixXd dense = shape::BuildPositiveStiffness(StiffnessOf(Degenerate()), 0.01);
   EXPECT_LT(dense.rowwise().sum().cwiseAbs().maxCoeff(), 1e-9);
   for (Eigen::Index i = 0; i < dense.rows(); ++i)
   {

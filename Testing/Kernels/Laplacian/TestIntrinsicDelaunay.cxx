@@ -1,6 +1,6 @@
-#include "Mesh/HalfEdges.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"
+#include "Mesh/HalfEdges.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -17,32 +17,33 @@ namespace
 /// Checks that no edge inside has a negative weight and that the area is the surface's.
 Eigen::SparseMatrix<double> CheckedStiffness(const shape::Mesh& mesh)
 {
-  const shape::IntrinsicTriangles flat = shape::IntrinsicDelaunay(mesh);
+  const shape::IntrinsicTriangles flat = shape::BuildIntrinsicDelaunay(mesh);
   EXPECT_EQ(flat.Triangles.rows(), mesh.Triangles.rows());
-  const shape::TriangleAngles angles = shape::AnglesOfSides(flat.Sides);
-  const double area = shape::AnglesOfTriangles(mesh).Areas.sum();
+  const shape::TriangleAngles angles = shape::ComputeAnglesFromLengths(flat.Sides);
+  const double area = shape::ComputeTriangleAngles(mesh).Areas.sum();
   EXPECT_NEAR(angles.Areas.sum(), area, 1e-4 * area);
   Eigen::SparseMatrix<double> stiffness =
-    shape::CotangentStiffness(flat.Triangles, angles.Cotangents, mesh.Points.rows());
-  std::set<std::pair<int, int>> border;
-  for (const shape::HalfEdge& edge : shape::SortedHalfEdges(mesh.Triangles, mesh.Points.rows()))
+    shape::BuildCotangentStiffness(flat.Triangles, angles.Cotangents, mesh.Points.rows());
+  std::set<std::pair<int, int>> boundary;
+  for (const shape::HalfEdge& edge : shape::SortHalfEdges(mesh.Triangles, mesh.Points.rows()))
   {
     const std::pair<int, int> ends(edge.Low(), edge.High());
-    if (!border.insert(ends).second)
+    if (!boundary.insert(ends).second)
     {
-      border.erase(ends);
+      boundary.erase(ends);
     }
   }
-  double most = 0.0;
+  double maximum = 0.0;
   for (int column = 0; column < stiffness.outerSize(); ++column)
   {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(stiffness, column); entry; ++entry)
     {
       const std::pair<int, int> ends = std::minmax({ static_cast<int>(entry.row()), column });
-      most = entry.row() == column || border.count(ends) ? most : std::max(most, entry.value());
+      maximum =
+        entry.row() == column || boundary.count(ends) ? maximum : std::max(maximum, entry.value());
     }
   }
-  EXPECT_LE(most, 1e-6);
+  EXPECT_LE(maximum, 1e-6);
   return stiffness;
 }
 
@@ -88,7 +89,7 @@ TEST(IntrinsicDelaunay, KeepsTheDirichletEnergyOfLinearFunctionsInThePlane)
   }
   const Eigen::SparseMatrix<double> stiffness = CheckedStiffness(fan);
   const Eigen::VectorXd x = fan.Points.col(0);
-  const double area = shape::AnglesOfTriangles(fan).Areas.sum();
+  const double area = shape::ComputeTriangleAngles(fan).Areas.sum();
   EXPECT_NEAR(x.dot(stiffness * x), area, 1e-4 * area);
 }
 

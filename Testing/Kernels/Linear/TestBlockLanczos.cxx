@@ -86,7 +86,8 @@ TEST(BlockLanczos, FindsTheLargestEigenvaluesAndTheirVectors)
 {
   const Eigen::VectorXd values = Falling(3000);
   const Reflected matrix(values);
-  const shape::Eigenpairs pairs = shape::BlockLanczos(matrix, Eigen::MatrixXd(3000, 0), 150);
+  const shape::Eigenpairs pairs =
+    shape::FindExtremeEigenpairs(matrix, Eigen::MatrixXd(3000, 0), 150);
   ExpectPairs(matrix, values.head(150), pairs);
   // Alone, so each is determined but for its sign.
   EXPECT_GT(
@@ -98,7 +99,8 @@ TEST(BlockLanczos, FindsMoreEqualOnesThanItsBlocksHaveColumns)
   Eigen::VectorXd values = Falling(1000);
   values.head(50).setConstant(2.0);
   const Reflected matrix(values);
-  ExpectPairs(matrix, values.head(80), shape::BlockLanczos(matrix, Eigen::MatrixXd(1000, 0), 80));
+  ExpectPairs(
+    matrix, values.head(80), shape::FindExtremeEigenpairs(matrix, Eigen::MatrixXd(1000, 0), 80));
 }
 
 TEST(BlockLanczos, DoesNotFindWhatIsKnown)
@@ -106,7 +108,7 @@ TEST(BlockLanczos, DoesNotFindWhatIsKnown)
   const Eigen::VectorXd values = Falling(1000);
   const Reflected matrix(values);
   const Eigen::MatrixXd known = matrix.Vectors(20);
-  const shape::Eigenpairs pairs = shape::BlockLanczos(matrix, known, 30);
+  const shape::Eigenpairs pairs = shape::FindExtremeEigenpairs(matrix, known, 30);
   ExpectPairs(matrix, values.segment(20, 30), pairs);
   EXPECT_LT((known.transpose() * pairs.Vectors).cwiseAbs().maxCoeff(), 1e-11);
 }
@@ -119,5 +121,5 @@ TEST(BlockLanczos, GoesOnWhereABlockBringsNothingNew)
   const Reflected matrix(values);
   Eigen::VectorXd wanted = Eigen::VectorXd::Constant(60, 1.0);
   wanted.head(40).setConstant(3.0);
-  ExpectPairs(matrix, wanted, shape::BlockLanczos(matrix, Eigen::MatrixXd(500, 0), 60));
+  ExpectPairs(matrix, wanted, shape::FindExtremeEigenpairs(matrix, Eigen::MatrixXd(500, 0), 60));
 }

@@ -1,5 +1,5 @@
-#include "Linear/DenseSolve.h"
 #include "Base/Errors.h"
+#include "Linear/DenseSolve.h"
 
 #include <Eigen/SVD>
 #include <gtest/gtest.h>

@@ -7,15 +7,15 @@
 namespace
 {
 
-TEST(LargestEigenpairs, SolveTheEigenvalueEquationInFallingOrder)
+TEST(FindLargestEigenpairs, SolveTheEigenvalueEquationInFallingOrder)
 {
   std::mt19937_64 generator(3);
   const Eigen::MatrixXd half = Eigen::MatrixXd::NullaryExpr(
     40, 40, [&] { return static_cast<double>(generator() >> 11) * 0x1p-53; });
   const Eigen::MatrixXd matrix = half + half.transpose();
-  const shape::Eigenpairs all = shape::LargestEigenpairs(matrix, 40);
+  const shape::Eigenpairs all = shape::FindLargestEigenpairs(matrix, 40);
   EXPECT_NEAR(all.Values.sum(), matrix.trace(), 1e-12 * matrix.norm());
-  const shape::Eigenpairs some = shape::LargestEigenpairs(matrix, 7);
+  const shape::Eigenpairs some = shape::FindLargestEigenpairs(matrix, 7);
   ASSERT_EQ(some.Vectors.cols(), 7);
   EXPECT_LT((some.Values - all.Values.head(7)).norm(), 1e-12 * matrix.norm());
   for (Eigen::Index k = 0; k < 7; ++k)

@@ -19,18 +19,18 @@ namespace
 bool IsDisk(const shape::Mesh& surface, std::vector<int> rows)
 {
   const shape::Topology found =
-    shape::SurfaceTopology({ surface.Points, surface.Triangles(rows, Eigen::all) });
-  return found.EulerNumber == 1 && found.OpenLoops == 1 && found.Components == 1 &&
+    shape::ComputeTopology({ surface.Points, surface.Triangles(rows, Eigen::all) });
+  return found.EulerNumber == 1 && found.BoundaryLoops == 1 && found.Components == 1 &&
     found.NonManifoldEdges + found.NonManifoldPoints == 0;
 }
 
 TEST(DiskGrowth, ADiskIsFoundWhole)
 {
   const shape::Mesh disk = shapetest::FlatDisk(8);
-  const std::vector<int> rows = shape::GrownDisk(disk.Triangles, disk.Points.rows());
+  const std::vector<int> rows = shape::GrowDisk(disk.Triangles, disk.Points.rows());
   ASSERT_EQ(rows.size(), static_cast<std::size_t>(disk.Triangles.rows()));
   EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
-  EXPECT_TRUE(shape::GrownDisk(Eigen::MatrixXi(0, 3), 5).empty());
+  EXPECT_TRUE(shape::GrowDisk(Eigen::MatrixXi(0, 3), 5).empty());
 }
 
 TEST(DiskGrowth, OthersAreCoveredAsFarAsADiskGoes)
@@ -44,7 +44,7 @@ TEST(DiskGrowth, OthersAreCoveredAsFarAsADiskGoes)
   for (const shape::Mesh& surface :
     { shapetest::Icosphere(3), shapetest::Torus(1.0, 0.4, 30, 16), tube })
   {
-    const std::vector<int> rows = shape::GrownDisk(surface.Triangles, surface.Points.rows());
+    const std::vector<int> rows = shape::GrowDisk(surface.Triangles, surface.Points.rows());
     ASSERT_TRUE(IsDisk(surface, rows));
     EXPECT_EQ(rows.front(), 0);
     std::vector<bool> isIn(surface.Triangles.rows(), false);
@@ -94,7 +94,7 @@ TEST(DiskGrowth, EachTimeTheFirstThatJoins)
 {
   const shape::Mesh sphere = shapetest::Icosphere(1), torus = shapetest::Torus(1.0, 0.4, 9, 6);
   const shape::Mesh ring = shapetest::Without(shapetest::FlatSquare(9, 0.0),
-    [](const Eigen::RowVector3d& place) { return place.cwiseAbs().maxCoeff() < 0.4; });
+    [](const Eigen::RowVector3d& position) { return position.cwiseAbs().maxCoeff() < 0.4; });
   std::mt19937 random(6);
   for (shape::Mesh surface : { sphere, torus, ring })
   {
@@ -102,7 +102,7 @@ TEST(DiskGrowth, EachTimeTheFirstThatJoins)
     std::iota(order.begin(), order.end(), 0);
     for (int round = 0; round < 3; ++round)
     {
-      const std::vector<int> rows = shape::GrownDisk(surface.Triangles, surface.Points.rows());
+      const std::vector<int> rows = shape::GrowDisk(surface.Triangles, surface.Points.rows());
       EXPECT_TRUE(IsDisk(surface, rows));
       EXPECT_EQ(rows, GrownByTrial(surface)) << round;
       std::shuffle(order.begin(), order.end(), random);

@@ -37,7 +37,7 @@ std::string Refusal(const shape::Mesh& mesh)
 TEST(Topology, HalfEdgesOfOneEdgeLieSideBySide)
 {
   const shape::Mesh mesh = WithoutTriangles(shapetest::Icosphere(2), 3);
-  const auto sides = shape::SortedHalfEdges(mesh.Triangles, mesh.Points.rows());
+  const auto sides = shape::SortHalfEdges(mesh.Triangles, mesh.Points.rows());
   ASSERT_EQ(sides.size(), 3 * mesh.Triangles.rows());
   std::set<std::array<int, 2>> seen;
   std::array<int, 3> before{ -1, -1, -1 };
@@ -55,8 +55,8 @@ TEST(Topology, HalfEdgesOfOneEdgeLieSideBySide)
 
 TEST(Topology, EulerNumberIsTwoMinusTwiceTheGenus)
 {
-  EXPECT_EQ(shape::SurfaceTopology(shapetest::Icosphere(2)).EulerNumber, 2);
-  EXPECT_EQ(shape::SurfaceTopology(shapetest::Torus(1.0, 0.3, 20, 10)).EulerNumber, 0);
+  EXPECT_EQ(shape::ComputeTopology(shapetest::Icosphere(2)).EulerNumber, 2);
+  EXPECT_EQ(shape::ComputeTopology(shapetest::Torus(1.0, 0.3, 20, 10)).EulerNumber, 0);
 }
 
 TEST(Topology, CountsComponentsAndIgnoresUnusedPoints)
@@ -66,7 +66,7 @@ TEST(Topology, CountsComponentsAndIgnoresUnusedPoints)
   shape::Mesh two{ Eigen::MatrixXd(2 * n + 1, 3), Eigen::MatrixXi(2 * m, 3) };
   two.Points << one.Points, one.Points.array() + 5.0, Eigen::RowVector3d::Zero();
   two.Triangles << one.Triangles, one.Triangles.array() + static_cast<int>(n);
-  const shape::Topology topology = shape::SurfaceTopology(two);
+  const shape::Topology topology = shape::ComputeTopology(two);
   EXPECT_EQ(topology.Components, 2);
   EXPECT_EQ(topology.EulerNumber, 4);
   EXPECT_EQ(topology.ComponentId(0), 0);
@@ -86,20 +86,21 @@ TEST(Topology, WindingNumbersCountTheSurfacesAroundAPlace)
   shape::Mesh sphere = shapetest::Icosphere(2);
   for (const double radius : { 0.0, 0.9, 1.1, 3.0 })
   {
-    EXPECT_NEAR(shape::WindingNumber(
+    EXPECT_NEAR(shape::ComputeWindingNumber(
                   sphere.Points, sphere.Triangles, Eigen::RowVector3d(0.0, 0.6, 0.8) * radius),
       radius < 1.0 ? 1.0 : 0.0, 1e-13);
   }
   sphere.Triangles.col(0).swap(sphere.Triangles.col(1));
   EXPECT_NEAR(
-    shape::WindingNumber(sphere.Points, sphere.Triangles, Eigen::RowVector3d::Zero()), -1.0, 1e-13);
+    shape::ComputeWindingNumber(sphere.Points, sphere.Triangles, Eigen::RowVector3d::Zero()), -1.0,
+    1e-13);
 }
 
 TEST(Topology, AnOpenLoopIsRefusedWithItsFirstPoint)
 {
   const shape::Mesh open = WithoutTriangles(shapetest::Icosphere(1), 1);
-  const shape::Topology topology = shape::SurfaceTopology(open);
-  EXPECT_EQ(topology.OpenLoops, 1);
+  const shape::Topology topology = shape::ComputeTopology(open);
+  EXPECT_EQ(topology.BoundaryLoops, 1);
   EXPECT_EQ(topology.EulerNumber, 1);
   EXPECT_NE(Refusal(open).find(
               "1 open loop (first at point " + std::to_string(topology.FirstOpenPoint) + ")"),
@@ -127,7 +128,7 @@ TEST(Topology, AFlippedTriangleIsRefused)
 {
   shape::Mesh mesh = shapetest::Icosphere(1);
   std::swap(mesh.Triangles(7, 0), mesh.Triangles(7, 1));
-  EXPECT_EQ(shape::SurfaceTopology(mesh).MisorientedEdges, 3);
+  EXPECT_EQ(shape::ComputeTopology(mesh).MisorientedEdges, 3);
   EXPECT_NE(Refusal(mesh).find("opposite orientation"), std::string::npos) << Refusal(mesh);
 }
 
@@ -174,7 +175,7 @@ TEST(Topology, AnEdgeOfThreeTrianglesIsRefused)
   mesh.Triangles.conservativeResize(22, 3);
   mesh.Triangles.row(20) << 0, 11, 3;
   mesh.Triangles.row(21) << 11, 0, 3;
-  EXPECT_EQ(shape::SurfaceTopology(mesh).NonManifoldEdges, 1);
+  EXPECT_EQ(shape::ComputeTopology(mesh).NonManifoldEdges, 1);
 }
 
 TEST(Topology, TwoSheetsThatTouchAtAPointAreRefused)
@@ -184,7 +185,7 @@ TEST(Topology, TwoSheetsThatTouchAtAPointAreRefused)
   pinched.Points << one.Points, one.Points.array() + 5.0;
   pinched.Triangles << one.Triangles, one.Triangles.array() + 12;
   pinched.Triangles = (pinched.Triangles.array() == 12).select(3, pinched.Triangles);
-  const shape::Topology topology = shape::SurfaceTopology(pinched);
+  const shape::Topology topology = shape::ComputeTopology(pinched);
   EXPECT_EQ(topology.NonManifoldPoints, 1);
   EXPECT_EQ(topology.FirstPinchedPoint, 3);
   EXPECT_NE(Refusal(pinched).find("touch"), std::string::npos) << Refusal(pinched);
@@ -200,17 +201,18 @@ TEST(Topology, NotANumberIsRefusedWithItsPoint)
 TEST(Topology, AClosedSurfaceHasDirectedAreaZeroAndItsVolume)
 {
   const shape::Mesh sphere = shapetest::Icosphere(4);
-  EXPECT_LT(shape::AreaVectors(sphere).colwise().sum().norm(), 1e-12);
-  EXPECT_NEAR(shape::EnclosedVolume(sphere), 4.0 / 3.0 * M_PI, 0.01);
-  EXPECT_NEAR(shape::PointAreas(sphere).sum(), 4.0 * M_PI, 0.03);
+  EXPECT_LT(shape::ComputeAreaVectors(sphere).colwise().sum().norm(), 1e-12);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(sphere), 4.0 / 3.0 * M_PI, 0.01);
+  EXPECT_NEAR(shape::ComputePointAreas(sphere).sum(), 4.0 * M_PI, 0.03);
 }
 
 TEST(Topology, ASurfaceThatFacesInwardsIsTurned)
 {
   shape::Mesh mesh = shapetest::Icosphere(1);
-  const double volume = shape::EnclosedVolume(mesh);
+  const double volume = shape::ComputeEnclosedVolume(mesh);
   mesh.Triangles.col(0).swap(mesh.Triangles.col(1));
-  EXPECT_LT(shape::EnclosedVolume(mesh), 0.0);
-  EXPECT_DOUBLE_EQ(shape::EnclosedVolume(shape::FacingOutwards(mesh)), volume);
-  EXPECT_DOUBLE_EQ(shape::EnclosedVolume(shape::FacingOutwards(shapetest::Icosphere(1))), volume);
+  EXPECT_LT(shape::ComputeEnclosedVolume(mesh), 0.0);
+  EXPECT_DOUBLE_EQ(shape::ComputeEnclosedVolume(shape::OrientOutwards(mesh)), volume);
+  EXPECT_DOUBLE_EQ(
+    shape::ComputeEnclosedVolume(shape::OrientOutwards(shapetest::Icosphere(1))), volume);
 }

@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
-#include "Quality/ConformalDistortion.h"
 #include "Parameterize/DiskMap.h"
+#include "Quality/ConformalDistortion.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -58,7 +58,7 @@ void ExpectNoFlip(const shape::Mesh& mesh, const DiskMapResult& map, const std::
 {
   for (const auto& corners : mesh.Triangles.rowwise())
   {
-    EXPECT_EQ(shape::Orientation(map.Points.row(corners(0)).head<2>(),
+    EXPECT_EQ(shape::EvaluateOrientation(map.Points.row(corners(0)).head<2>(),
                 map.Points.row(corners(1)).head<2>(), map.Points.row(corners(2)).head<2>()),
       1)
       << what;
@@ -67,7 +67,7 @@ void ExpectNoFlip(const shape::Mesh& mesh, const DiskMapResult& map, const std::
   EXPECT_EQ(map.Points.col(2).cwiseAbs().maxCoeff(), 0.0);
   // All triangles counter-clockwise and the polygon of the loop around them: the areas add up.
   const double areas =
-    0.5 * shape::AreaVectors({ map.Points, mesh.Triangles }).col(2).array().sum();
+    0.5 * shape::ComputeAreaVectors({ map.Points, mesh.Triangles }).col(2).array().sum();
   double polygon = 0.0;
   for (std::size_t i = 0; i < map.Loop.size(); ++i)
   {
@@ -80,15 +80,15 @@ void ExpectNoFlip(const shape::Mesh& mesh, const DiskMapResult& map, const std::
 
 double MeanDistortion(const shape::Mesh& mesh, const DiskMapResult& map)
 {
-  const Eigen::VectorXd areas = shape::AreaVectors(mesh).rowwise().norm();
-  return areas.dot(shape::ConformalDistortion(mesh, map.Points)) / areas.sum();
+  const Eigen::VectorXd areas = shape::ComputeAreaVectors(mesh).rowwise().norm();
+  return areas.dot(shape::ComputeConformalDistortion(mesh, map.Points)) / areas.sum();
 }
 
 std::string Refusal(const shape::Mesh& mesh, const DiskMapOptions& options = {})
 {
   try
   {
-    shape::DiskMap(mesh, options);
+    shape::MapToDisk(mesh, options);
   }
   catch (const shape::InvalidInput& error)
   {
@@ -130,7 +130,7 @@ TEST(DiskMap, UniformPutsEachPointAtTheMeanOfItsNeighbours)
   const shape::Mesh mesh = Bumps(4);
   DiskMapOptions options;
   options.Weights = CombinationWeights::Uniform;
-  const Eigen::MatrixXd image = shape::DiskMap(mesh, options).Points;
+  const Eigen::MatrixXd image = shape::MapToDisk(mesh, options).Points;
   // Around the middle are the six points of the first ring.
   EXPECT_LT((image.middleRows(1, 6).colwise().mean() - image.row(0)).norm(), 1e-14);
 }
@@ -141,11 +141,11 @@ TEST(DiskMap, AFlatDiskAndAFlatSquareStayWhereTheyAre)
     { CombinationWeights::Cotangent, CombinationWeights::MeanValue })
   {
     const shape::Mesh disk = FlatDisk(9);
-    const DiskMapResult round = shape::DiskMap(disk, { weights, DiskOutline::Circle });
+    const DiskMapResult round = shape::MapToDisk(disk, { weights, DiskOutline::Circle });
     EXPECT_LT((round.Points - disk.Points).cwiseAbs().maxCoeff(), 1e-13);
     EXPECT_NEAR(round.LoopLength, 2.0 * 54 * std::sin(M_PI / 54), 1e-12);
     const shape::Mesh square = FlatSquare(10, 0.3);
-    const DiskMapResult straight = shape::DiskMap(square, { weights, DiskOutline::Square });
+    const DiskMapResult straight = shape::MapToDisk(square, { weights, DiskOutline::Square });
     EXPECT_LT((straight.Points - square.Points).cwiseAbs().maxCoeff(), 1e-13);
     EXPECT_NEAR(straight.LoopLength, 8.0, 1e-13);
   }
@@ -154,7 +154,7 @@ TEST(DiskMap, AFlatDiskAndAFlatSquareStayWhereTheyAre)
 TEST(DiskMap, TheLoopGoesRoundTheCircleByArcLengthFromTheGreatestPoint)
 {
   const shape::Mesh mesh = Bumps(7);
-  const DiskMapResult map = shape::DiskMap(mesh);
+  const DiskMapResult map = shape::MapToDisk(mesh);
   ASSERT_EQ(map.Loop.size(), 42u);
   EXPECT_EQ(map.Points.row(map.Loop[0]), Eigen::RowVector3d(1.0, 0.0, 0.0));
   double along = 0.0;
@@ -175,7 +175,7 @@ TEST(DiskMap, TheSquareHasItsFourCornersAndEachSideByArcLength)
 {
   const shape::Mesh mesh = Bumps(7);
   const DiskMapResult map =
-    shape::DiskMap(mesh, { CombinationWeights::MeanValue, DiskOutline::Square });
+    shape::MapToDisk(mesh, { CombinationWeights::MeanValue, DiskOutline::Square });
   ExpectNoFlip(mesh, map, "square");
   EXPECT_EQ(map.Points.row(map.Loop[0]), Eigen::RowVector3d(1.0, 1.0, 0.0));
   int corners = 0;
@@ -215,7 +215,7 @@ TEST(DiskMap, ASquareOfFourPointsKeepsItsFourCornersWhateverTheirPlaces)
     (Eigen::MatrixXi(2, 3) << 0, 1, 3, 1, 2, 3).finished()
   };
   const DiskMapResult map =
-    shape::DiskMap(kite, { CombinationWeights::MeanValue, DiskOutline::Square });
+    shape::MapToDisk(kite, { CombinationWeights::MeanValue, DiskOutline::Square });
   ExpectNoFlip(kite, map, "kite");
   EXPECT_EQ(map.Points.leftCols(2).cwiseAbs().minCoeff(), 1.0);
 }
@@ -228,7 +228,7 @@ TEST(DiskMap, HemispheresBecomeMoreConformalWithTheMesh)
   {
     const shape::Mesh mesh = Hemisphere(rings);
     const DiskMapResult map =
-      shape::DiskMap(mesh, { CombinationWeights::Cotangent, DiskOutline::Circle });
+      shape::MapToDisk(mesh, { CombinationWeights::Cotangent, DiskOutline::Circle });
     const shape::Mesh flat = FlatDisk(rings);
     const double error = (map.Points - flat.Points).cwiseAbs().maxCoeff();
     EXPECT_LT(error, 0.35 * before) << rings;
@@ -248,7 +248,7 @@ TEST(DiskMap, PositiveWeightsNeverFlipHoweverBadTheTriangles)
     {
       for (const DiskOutline outline : { DiskOutline::Circle, DiskOutline::Square })
       {
-        ExpectNoFlip(mesh, shape::DiskMap(mesh, { weights, outline }), std::to_string(squeeze));
+        ExpectNoFlip(mesh, shape::MapToDisk(mesh, { weights, outline }), std::to_string(squeeze));
       }
     }
   }
@@ -257,7 +257,7 @@ TEST(DiskMap, PositiveWeightsNeverFlipHoweverBadTheTriangles)
   flat.Points.row(0) = flat.Points.row(1);
   flat.Points.row(20) = 0.5 * (flat.Points.row(21) + flat.Points.row(19));
   flat.Points.row(2) = flat.Points.row(3) = flat.Points.row(1);
-  ExpectNoFlip(flat, shape::DiskMap(flat), "degenerate");
+  ExpectNoFlip(flat, shape::MapToDisk(flat), "degenerate");
 }
 
 TEST(DiskMap, FlipsOfCotangentWeightsAreAnErrorWithTheirNumberAndTheRemedy)
@@ -267,7 +267,7 @@ TEST(DiskMap, FlipsOfCotangentWeightsAreAnErrorWithTheirNumberAndTheRemedy)
   mesh.Points.col(1) *= 0.02;
   try
   {
-    shape::DiskMap(mesh, { CombinationWeights::Cotangent, DiskOutline::Circle });
+    shape::MapToDisk(mesh, { CombinationWeights::Cotangent, DiskOutline::Circle });
     FAIL() << "no flip";
   }
   catch (const shape::SolveFailure& error)
@@ -312,7 +312,7 @@ TEST(DiskMap, ALimbThatShrinksBelowDoublePrecisionIsAnError)
   {
     try
     {
-      shape::DiskMap(tube, { weights, DiskOutline::Circle });
+      shape::MapToDisk(tube, { weights, DiskOutline::Circle });
       FAIL() << "triangles below double precision were called sound";
     }
     catch (const shape::SolveFailure& error)
@@ -332,14 +332,14 @@ TEST(DiskMap, AnEdgeAcrossOneSideOfTheSquareIsRefusedAndTakenByTheCircle)
   mesh.Points.row(n) << -1.0 - 1e-3, 0.125, 0.0;
   mesh.Triangles.conservativeResize(m + 1, 3);
   mesh.Triangles.row(m) << 4, 5, static_cast<int>(n);
-  if (shape::AreaVectors(mesh)(m, 2) < 0.0)
+  if (shape::ComputeAreaVectors(mesh)(m, 2) < 0.0)
   {
     mesh.Triangles.row(m) << 5, 4, static_cast<int>(n);
   }
   ExpectRefused(mesh,
     "1 inner edge that joins two points of one side of the square (first from point 4 to 5)",
     { CombinationWeights::MeanValue, DiskOutline::Square });
-  ExpectNoFlip(mesh, shape::DiskMap(mesh), "ear");
+  ExpectNoFlip(mesh, shape::MapToDisk(mesh), "ear");
 }
 
 TEST(DiskMap, DoesNotDependOnTheNumberingNorOnPlaceAndScale)
@@ -367,9 +367,9 @@ TEST(DiskMap, DoesNotDependOnTheNumberingNorOnPlaceAndScale)
     for (const DiskOutline outline : { DiskOutline::Circle, DiskOutline::Square })
     {
       const DiskMapOptions options{ weights, outline };
-      const Eigen::MatrixXd image = shape::DiskMap(mesh, options).Points;
-      EXPECT_EQ(image, shape::DiskMap(mesh, options).Points);
-      const Eigen::MatrixXd other = shape::DiskMap(shuffled, options).Points;
+      const Eigen::MatrixXd image = shape::MapToDisk(mesh, options).Points;
+      EXPECT_EQ(image, shape::MapToDisk(mesh, options).Points);
+      const Eigen::MatrixXd other = shape::MapToDisk(shuffled, options).Points;
       for (int i = 0; i < n; ++i)
       {
         EXPECT_LT((image.row(i) - other.row(order[i])).norm(), 1e-12);
@@ -378,7 +378,7 @@ TEST(DiskMap, DoesNotDependOnTheNumberingNorOnPlaceAndScale)
       {
         shape::Mesh moved = mesh;
         moved.Points = scale * (mesh.Points.rowwise() + Eigen::RowVector3d(10.0, -20.0, 30.0));
-        EXPECT_LT((shape::DiskMap(moved, options).Points - image).cwiseAbs().maxCoeff(), 1e-10);
+        EXPECT_LT((shape::MapToDisk(moved, options).Points - image).cwiseAbs().maxCoeff(), 1e-10);
       }
     }
   }
@@ -423,7 +423,7 @@ TEST(DiskMap, ProgressRisesAndCanStop)
   const shape::Mesh mesh = Bumps(6);
   double last = 0.0;
   int calls = 0;
-  shape::DiskMap(mesh, {},
+  shape::MapToDisk(mesh, {},
     shape::Progress(
       [&](double fraction)
       {
@@ -434,8 +434,8 @@ TEST(DiskMap, ProgressRisesAndCanStop)
   EXPECT_EQ(last, 1.0);
   EXPECT_GT(calls, 4);
   int left = 3;
-  EXPECT_THROW(
-    shape::DiskMap(mesh, {}, shape::Progress([&](double) { return --left > 0; })), shape::Aborted);
+  EXPECT_THROW(shape::MapToDisk(mesh, {}, shape::Progress([&](double) { return --left > 0; })),
+    shape::Aborted);
 }
 
 TEST(DiskMap, ModelsWithOneLoopMapOneToOne)
@@ -453,10 +453,10 @@ TEST(DiskMap, ModelsWithOneLoopMapOneToOne)
     for (const CombinationWeights weights :
       { CombinationWeights::Uniform, CombinationWeights::MeanValue })
     {
-      ExpectNoFlip(mesh, shape::DiskMap(mesh, { weights, DiskOutline::Circle }), name);
+      ExpectNoFlip(mesh, shape::MapToDisk(mesh, { weights, DiskOutline::Circle }), name);
     }
   }
   // A closed head with a hole cut into it.
   const shape::Mesh bear = WithoutTriangleAt(shapetest::ReadOff(folder + "/bear.off"), 0);
-  ExpectNoFlip(bear, shape::DiskMap(bear), "bear");
+  ExpectNoFlip(bear, shape::MapToDisk(bear), "bear");
 }

@@ -1,9 +1,9 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
-#include "Quality/ConformalDistortion.h"
 #include "Parameterize/ConformalFlattening.h"
 #include "Parameterize/FreeBoundaryMap.h"
 #include "Parameterize/Private/PlanarElements.h"
+#include "Quality/ConformalDistortion.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -47,21 +47,21 @@ int Flips(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
   int flips = 0;
   for (const auto& corners : mesh.Triangles.rowwise())
   {
-    flips += shape::Orientation(image.row(corners(0)).head<2>(), image.row(corners(1)).head<2>(),
-               image.row(corners(2)).head<2>()) <= 0;
+    flips += shape::EvaluateOrientation(image.row(corners(0)).head<2>(),
+               image.row(corners(1)).head<2>(), image.row(corners(2)).head<2>()) <= 0;
   }
   return flips;
 }
 
 double MeanDistortion(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
 {
-  const Eigen::VectorXd areas = shape::AreaVectors(mesh).rowwise().norm();
-  return areas.dot(shape::ConformalDistortion(mesh, image)) / areas.sum();
+  const Eigen::VectorXd areas = shape::ComputeAreaVectors(mesh).rowwise().norm();
+  return areas.dot(shape::ComputeConformalDistortion(mesh, image)) / areas.sum();
 }
 
 double Area(const shape::Mesh& mesh)
 {
-  return 0.5 * shape::AreaVectors(mesh).rowwise().norm().sum();
+  return 0.5 * shape::ComputeAreaVectors(mesh).rowwise().norm().sum();
 }
 
 /// The mesh without the triangles at a point.
@@ -95,7 +95,7 @@ TEST(ConformalFlattening, OfASphericalCapIsTheStereographicProjection)
   for (const int rings : { 6, 12, 24 })
   {
     const shape::Mesh cap = Cap(rings, angle);
-    const Eigen::MatrixXd image = shape::ConformalFlattening(cap);
+    const Eigen::MatrixXd image = shape::FlattenConformally(cap);
     const Eigen::RowVector2d middle = image.row(0);
     double worst = 0.0;
     for (Eigen::Index i = 0; i < cap.Points.rows(); ++i)
@@ -121,7 +121,7 @@ TEST(ConformalFlattening, DevelopableSurfacesAreUnrolled)
     roll.Points(i, 2) = std::sin(2.3 * x) / 2.3;
   }
   roll.Triangles = roll.Triangles.rowwise().reverse().eval();
-  const Eigen::MatrixXd image = shape::ConformalFlattening(roll);
+  const Eigen::MatrixXd image = shape::FlattenConformally(roll);
   for (const auto& corners : roll.Triangles.rowwise())
   {
     for (int k = 0; k < 3; ++k)
@@ -136,14 +136,14 @@ TEST(ConformalFlattening, DevelopableSurfacesAreUnrolled)
 TEST(FreeBoundaryMap, KeepsAnglesBetterThanTheDiskAndAreaExactly)
 {
   const shape::Mesh mesh = Bumps(20);
-  const shape::FreeBoundaryMapResult map = shape::FreeBoundaryMap(mesh);
+  const shape::FreeBoundaryMapResult map = shape::MapWithFreeBoundary(mesh);
   EXPECT_TRUE(map.IsConformal);
   EXPECT_EQ(map.Iterations, 0);
   EXPECT_EQ(Flips(mesh, map.Points), 0);
   EXPECT_LT(MeanDistortion(mesh, map.Points), 1.02);
   EXPECT_NEAR(Area({ map.Points, mesh.Triangles }) / Area(mesh), 1.0, 1e-12);
   EXPECT_EQ(map.Points.col(2).cwiseAbs().maxCoeff(), 0.0);
-  const Eigen::VectorXd weights = shape::PointAreas({ map.Points, mesh.Triangles });
+  const Eigen::VectorXd weights = shape::ComputePointAreas({ map.Points, mesh.Triangles });
   EXPECT_LT((weights.transpose() * map.Points).norm(), 1e-12);
   // x is the longer principal axis.
   const Eigen::Matrix2d moments =
@@ -164,8 +164,8 @@ TEST(FreeBoundaryMap, DoesNotDependOnWhereTheSurfaceLies)
   {
     shape::FreeBoundaryMapOptions options;
     options.Refine = refine;
-    const Eigen::MatrixXd one = shape::FreeBoundaryMap(mesh, options).Points;
-    const Eigen::MatrixXd other = shape::FreeBoundaryMap(moved, options).Points;
+    const Eigen::MatrixXd one = shape::MapWithFreeBoundary(mesh, options).Points;
+    const Eigen::MatrixXd other = shape::MapWithFreeBoundary(moved, options).Points;
     EXPECT_LT((other - 3.0 * one).cwiseAbs().maxCoeff(), 1e-6) << refine;
   }
 }
@@ -176,7 +176,7 @@ TEST(FreeBoundaryMap, RefineLowersTheDistortionAndFlipsNothingWhereTheConformalM
   const shape::Mesh cap = Cap(8, 2.9);
   shape::FreeBoundaryMapOptions options;
   options.Refine = true;
-  const shape::FreeBoundaryMapResult map = shape::FreeBoundaryMap(cap, options);
+  const shape::FreeBoundaryMapResult map = shape::MapWithFreeBoundary(cap, options);
   EXPECT_EQ(Flips(cap, map.Points), 0);
   EXPECT_GT(map.Iterations, 0);
   // At its own size: larger or smaller is worse.
@@ -195,7 +195,7 @@ TEST(FreeBoundaryMap, FlipsAreAnErrorThatNamesTheRemedyAndRefineMendsThem)
   mesh.Points.col(2) *= 12.0;
   try
   {
-    shape::FreeBoundaryMap(mesh);
+    shape::MapWithFreeBoundary(mesh);
     FAIL() << "no flip";
   }
   catch (const shape::SolveFailure& error)
@@ -206,7 +206,7 @@ TEST(FreeBoundaryMap, FlipsAreAnErrorThatNamesTheRemedyAndRefineMendsThem)
   }
   shape::FreeBoundaryMapOptions options;
   options.Refine = true;
-  const shape::FreeBoundaryMapResult map = shape::FreeBoundaryMap(mesh, options);
+  const shape::FreeBoundaryMapResult map = shape::MapWithFreeBoundary(mesh, options);
   EXPECT_FALSE(map.IsConformal);
   EXPECT_EQ(Flips(mesh, map.Points), 0);
 }
@@ -219,7 +219,7 @@ TEST(FreeBoundaryMap, HolesStayHolesAndOtherTopologiesAreRefused)
   {
     shape::FreeBoundaryMapOptions options;
     options.Refine = refine;
-    const shape::FreeBoundaryMapResult map = shape::FreeBoundaryMap(holed, options);
+    const shape::FreeBoundaryMapResult map = shape::MapWithFreeBoundary(holed, options);
     EXPECT_EQ(Flips(holed, map.Points), 0);
     EXPECT_LT(MeanDistortion(holed, map.Points), 1.1);
   }
@@ -227,7 +227,7 @@ TEST(FreeBoundaryMap, HolesStayHolesAndOtherTopologiesAreRefused)
   {
     try
     {
-      shape::FreeBoundaryMap(bad);
+      shape::MapWithFreeBoundary(bad);
     }
     catch (const shape::InvalidInput& error)
     {

@@ -1,8 +1,8 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/OpenSurface.h"
 #include "Parameterize/ConvexCombination.h"
 #include "Parameterize/InjectiveRefinement.h"
-#include "Mesh/OpenLoops.h"
 #include "Parameterize/Private/PlanarElements.h"
 #include "Support/TestShapes.h"
 
@@ -36,14 +36,15 @@ shape::Mesh Bumps(int rings)
 /// Tutte's map onto the unit circle.
 Eigen::MatrixXd Tutte(const shape::Mesh& mesh)
 {
-  const std::vector<int> loop = shape::OpenLoops(mesh).front();
-  Eigen::MatrixXd places(loop.size(), 2);
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  const std::vector<int> loop = shape::FindManifoldBoundaryLoops(mesh).front();
+  Eigen::MatrixXd positions(loop.size(), 2);
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(places.rows());
-    places.row(i) << std::cos(angle), std::sin(angle);
+    const double angle =
+      2.0 * M_PI * static_cast<double>(i) / static_cast<double>(positions.rows());
+    positions.row(i) << std::cos(angle), std::sin(angle);
   }
-  return shape::ConvexCombination(mesh, shape::CombinationWeights::Uniform, loop, places);
+  return shape::SolveConvexCombination(mesh, shape::CombinationWeights::Uniform, loop, positions);
 }
 
 int Flips(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
@@ -51,8 +52,8 @@ int Flips(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
   int flips = 0;
   for (const auto& corners : mesh.Triangles.rowwise())
   {
-    flips +=
-      shape::Orientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <= 0;
+    flips += shape::EvaluateOrientation(
+               image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <= 0;
   }
   return flips;
 }
@@ -139,7 +140,7 @@ TEST(InjectiveRefinement, FixedPointsStayToTheBitAndScaleCounts)
 {
   const shape::Mesh mesh = Bumps(6);
   const Eigen::MatrixXd start = Tutte(mesh);
-  const std::vector<int> loop = shape::OpenLoops(mesh).front();
+  const std::vector<int> loop = shape::FindManifoldBoundaryLoops(mesh).front();
   const auto map = shape::RefineInjectively(mesh, start, loop);
   EXPECT_EQ(map.Points(loop, Eigen::all), start(loop, Eigen::all));
   EXPECT_LT(map.Energy, map.StartEnergy);

@@ -28,7 +28,7 @@ TEST(MoebiusCentering, RecoversAShiftedSphereUpToRotation)
   const Eigen::MatrixXd shifted = Inverted(
     Inverted(points, Eigen::RowVector3d(0.5, 0.2, -0.3)), Eigen::RowVector3d(0.1, 0.9, 0.2));
   ASSERT_GT((weights.transpose() * shifted).norm() / points.rows(), 0.8);
-  const shape::MoebiusCenteringResult result = shape::MoebiusCentering(shifted, weights);
+  const shape::MoebiusCenteringResult result = shape::CenterOnSphere(shifted, weights);
   EXPECT_LT(result.MeanLength, 1e-12);
   // Up to rotation: all angles between points are those before.
   EXPECT_LT(
@@ -41,7 +41,7 @@ TEST(MoebiusCentering, IsAMoebiusTransformItKeepsCrossRatios)
   const Eigen::MatrixXd points = shapetest::Icosphere(2).Points;
   const Eigen::VectorXd weights =
     (points.col(0).array() + 1.3).square() + (points.col(1).array() > 0.5).cast<double>();
-  const shape::MoebiusCenteringResult result = shape::MoebiusCentering(points, weights);
+  const shape::MoebiusCenteringResult result = shape::CenterOnSphere(points, weights);
   EXPECT_LT((weights.transpose() * result.Points).norm() / weights.sum(), 1e-12);
   const auto crossRatio = [](const Eigen::MatrixXd& p, int i)
   {
@@ -65,13 +65,13 @@ TEST(MoebiusCentering, RefusesWhatCannotBeCentred)
   const Eigen::MatrixXd points = shapetest::Icosphere(0).Points;
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(12);
   weights(3) = 11.0;
-  EXPECT_THROW(shape::MoebiusCentering(points, weights), shape::InvalidInput);
+  EXPECT_THROW(shape::CenterOnSphere(points, weights), shape::InvalidInput);
   weights(3) = 10.9;
-  EXPECT_LT(shape::MoebiusCentering(points, weights).MeanLength, 1e-10);
+  EXPECT_LT(shape::CenterOnSphere(points, weights).MeanLength, 1e-10);
   weights(3) = -1.0;
-  EXPECT_THROW(shape::MoebiusCentering(points, weights), shape::InvalidInput);
-  EXPECT_THROW(shape::MoebiusCentering(points, Eigen::VectorXd::Ones(11)), shape::InvalidInput);
+  EXPECT_THROW(shape::CenterOnSphere(points, weights), shape::InvalidInput);
+  EXPECT_THROW(shape::CenterOnSphere(points, Eigen::VectorXd::Ones(11)), shape::InvalidInput);
   Eigen::MatrixXd origin = points;
   origin.row(5).setZero();
-  EXPECT_THROW(shape::MoebiusCentering(origin, Eigen::VectorXd::Ones(12)), shape::InvalidInput);
+  EXPECT_THROW(shape::CenterOnSphere(origin, Eigen::VectorXd::Ones(12)), shape::InvalidInput);
 }

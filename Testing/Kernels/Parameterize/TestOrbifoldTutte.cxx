@@ -1,8 +1,8 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
-#include "Support/MatchingShapes.h"
-#include "Quality/ConformalDistortion.h"
 #include "Parameterize/OrbifoldTutte.h"
+#include "Quality/ConformalDistortion.h"
+#include "Support/MatchingShapes.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ constexpr OrbifoldType AllTypes[] = { OrbifoldType::Square, OrbifoldType::Rhombu
 std::vector<int> Cones(OrbifoldType type)
 {
   // Corners of the icosahedron, none beside another but the last.
-  return shape::ConeCount(type) == 3 ? std::vector<int>{ 0, 4, 8 } : std::vector<int>{ 0, 4, 8, 2 };
+  return shape::GetConeCount(type) == 3 ? std::vector<int>{ 0, 4, 8 }
+                                        : std::vector<int>{ 0, 4, 8, 2 };
 }
 
 int Flips(const shape::OrbifoldImage& image)
@@ -31,7 +32,7 @@ int Flips(const shape::OrbifoldImage& image)
   int flips = 0;
   for (const auto& corners : image.Cut.Surface.Triangles.rowwise())
   {
-    flips += shape::Orientation(image.Points.row(corners(0)), image.Points.row(corners(1)),
+    flips += shape::EvaluateOrientation(image.Points.row(corners(0)), image.Points.row(corners(1)),
                image.Points.row(corners(2))) <= 0;
   }
   return flips;
@@ -54,8 +55,8 @@ double MeanDistortion(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
 {
   Eigen::MatrixXd flat = Eigen::MatrixXd::Zero(image.rows(), 3);
   flat.leftCols(2) = image;
-  const Eigen::VectorXd areas = shape::AreaVectors(mesh).rowwise().norm();
-  return areas.dot(shape::ConformalDistortion(mesh, flat)) / areas.sum();
+  const Eigen::VectorXd areas = shape::ComputeAreaVectors(mesh).rowwise().norm();
+  return areas.dot(shape::ComputeConformalDistortion(mesh, flat)) / areas.sum();
 }
 
 } // namespace
@@ -66,7 +67,7 @@ TEST(OrbifoldTutte, CoversTheTileOnceWithoutAFlip)
   for (const OrbifoldType type : AllTypes)
   {
     const shape::Mesh mesh = shapetest::Pebble(shapetest::Icosphere(3));
-    const auto image = shape::OrbifoldTutte(mesh, Cones(type), type);
+    const auto image = shape::MapToOrbifold(mesh, Cones(type), type);
     EXPECT_EQ(Flips(image), 0);
     // The cut is curved, but what it takes on one side it gives on the other.
     EXPECT_NEAR(ImageArea(image.Cut.Surface, image.Points), areas[static_cast<int>(type)], 1e-12);
@@ -82,7 +83,7 @@ TEST(OrbifoldTutte, TheAnglesAroundConesAddUpToTheirOrders)
   for (const OrbifoldType type : AllTypes)
   {
     const auto image =
-      shape::OrbifoldTutte(shapetest::Pebble(shapetest::Icosphere(3)), Cones(type), type);
+      shape::MapToOrbifold(shapetest::Pebble(shapetest::Icosphere(3)), Cones(type), type);
     Eigen::VectorXd angles = Eigen::VectorXd::Zero(642);
     for (const auto& corners : image.Cut.Surface.Triangles.rowwise())
     {
@@ -108,14 +109,14 @@ TEST(OrbifoldTutte, TheMotionsOfTheTileFormItsGroup)
 {
   for (const OrbifoldType type : AllTypes)
   {
-    const shape::OrbifoldTile tile = shape::MakeOrbifoldTile(type);
+    const shape::OrbifoldTile tile = shape::BuildOrbifoldTile(type);
     for (std::size_t leg = 0; leg < tile.Legs.size(); ++leg)
     {
       EXPECT_LT(std::abs(tile.Legs[leg](tile.There[leg]) - tile.Back[leg]), 1e-15);
       EXPECT_LT(std::abs(tile.Legs[leg](tile.There[leg + 1]) - tile.Back[leg + 1]), 1e-15);
     }
     // As many images of the tile as fit into a disk: its area over the tile's.
-    const auto motions = shape::OrbifoldMotions(tile, { 0.37, 0.21 }, 12.0);
+    const auto motions = shape::ComputeOrbifoldMotions(tile, { 0.37, 0.21 }, 12.0);
     const double areas[] = { 1.0, std::sqrt(0.75), std::sqrt(3.0) / 4.0, 1.0 };
     const double expected = M_PI * 144.0 / areas[static_cast<int>(type)];
     EXPECT_NEAR(static_cast<double>(motions.size()) / expected, 1.0, 0.06);
@@ -133,10 +134,10 @@ TEST(OrbifoldTutte, BecomesConformalWithTheMeshAwayFromTheCones)
     for (const int level : { 2, 3, 4 })
     {
       const auto image =
-        shape::OrbifoldTutte(shapetest::Pebble(shapetest::Icosphere(level)), Cones(type), type);
-      const Eigen::MatrixXd places =
-        type == OrbifoldType::Rectangle ? shape::OnBestParallelogram(image) : image.Points;
-      const double above = MeanDistortion(image.Cut.Surface, places) - 1.0;
+        shape::MapToOrbifold(shapetest::Pebble(shapetest::Icosphere(level)), Cones(type), type);
+      const Eigen::MatrixXd positions =
+        type == OrbifoldType::Rectangle ? shape::FitToBestParallelogram(image) : image.Points;
+      const double above = MeanDistortion(image.Cut.Surface, positions) - 1.0;
       EXPECT_LT(above, 0.8 * before) << static_cast<int>(type) << " level " << level;
       before = above;
     }
@@ -146,9 +147,9 @@ TEST(OrbifoldTutte, BecomesConformalWithTheMeshAwayFromTheCones)
 
 TEST(OrbifoldTutte, TheBestParallelogramKeepsTheAreaAndLowersTheDistortion)
 {
-  const auto image = shape::OrbifoldTutte(
+  const auto image = shape::MapToOrbifold(
     shapetest::Pebble(shapetest::Icosphere(3)), { 0, 4, 8, 2 }, OrbifoldType::Rectangle);
-  const Eigen::MatrixXd best = shape::OnBestParallelogram(image);
+  const Eigen::MatrixXd best = shape::FitToBestParallelogram(image);
   EXPECT_NEAR(ImageArea(image.Cut.Surface, best), 1.0, 1e-12);
   EXPECT_LT(
     MeanDistortion(image.Cut.Surface, best), MeanDistortion(image.Cut.Surface, image.Points));
@@ -163,8 +164,8 @@ TEST(OrbifoldTutte, CanBeCutBetweenNeighbours)
       5)
       .finished()
   };
-  EXPECT_EQ(Flips(shape::OrbifoldTutte(octahedron, { 0, 2, 4 }, OrbifoldType::Rhombus)), 0);
-  EXPECT_EQ(Flips(shape::OrbifoldTutte(octahedron, { 0, 2, 1, 5 }, OrbifoldType::Rectangle)), 0);
+  EXPECT_EQ(Flips(shape::MapToOrbifold(octahedron, { 0, 2, 4 }, OrbifoldType::Rhombus)), 0);
+  EXPECT_EQ(Flips(shape::MapToOrbifold(octahedron, { 0, 2, 1, 5 }, OrbifoldType::Rectangle)), 0);
 }
 
 TEST(OrbifoldTutte, ATetrahedronOfConesHasNothingLeftToFind)
@@ -174,7 +175,7 @@ TEST(OrbifoldTutte, ATetrahedronOfConesHasNothingLeftToFind)
     (Eigen::MatrixXi(4, 3) << 0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2).finished()
   };
   const shape::OrbifoldImage image =
-    shape::OrbifoldTutte(tetrahedron, { 0, 1, 2, 3 }, OrbifoldType::Rectangle);
+    shape::MapToOrbifold(tetrahedron, { 0, 1, 2, 3 }, OrbifoldType::Rectangle);
   EXPECT_EQ(Flips(image), 0);
   EXPECT_NEAR(ImageArea(image.Cut.Surface, image.Points), 1.0, 1e-12);
 }
@@ -189,7 +190,7 @@ TEST(OrbifoldTutte, FindsAPathWhereTheShortestWouldWallAConeIn)
     const std::vector<int> stops = { 0, code % 12, code / 12 % 12, code / 144 };
     if (std::set<int>(stops.begin(), stops.end()).size() == 4)
     {
-      EXPECT_EQ(shape::PathThrough(mesh, stops).Stops.size(), 4u);
+      EXPECT_EQ(shape::FindEdgePathThrough(mesh, stops).Stops.size(), 4u);
       ++paths;
     }
   }
@@ -202,7 +203,7 @@ TEST(OrbifoldTutte, WhatItCannotMapIsRefusedWithTheFact)
   {
     try
     {
-      shape::OrbifoldTutte(mesh, cones, type);
+      shape::MapToOrbifold(mesh, cones, type);
     }
     catch (const shape::InvalidInput& error)
     {

@@ -29,12 +29,12 @@ TEST(Parameterize, MirrorsNoSurfaceThatFacesInwards)
   shape::Mesh mesh = shapetest::Icosphere(3);
   mesh.Points.col(0) *= 2.0;
   mesh.Triangles = mesh.Triangles.rowwise().reverse().eval();
-  ASSERT_LT(shape::EnclosedVolume(mesh), 0.0);
+  ASSERT_LT(shape::ComputeEnclosedVolume(mesh), 0.0);
   const shape::ParameterizeResult map = shape::Parameterize(mesh);
   const shape::Mesh image{ map.Positions, mesh.Triangles };
   for (Eigen::Index t = 0; t < image.Triangles.rows(); ++t)
   {
-    EXPECT_LT(shape::Corners(image, t).determinant(), 0.0);
+    EXPECT_LT(shape::GetCorners(image, t).determinant(), 0.0);
   }
   EXPECT_LT((map.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
 }
@@ -73,7 +73,7 @@ TEST(Parameterize, AreaWeightKeepsTheTriangleOfALimbLarger)
     shape::ParameterizeOptions options;
     options.AreaWeight = areaWeight;
     const shape::Mesh image{ shape::Parameterize(mesh, options).Positions, mesh.Triangles };
-    return shape::AreaVectors(image).rowwise().norm().minCoeff();
+    return shape::ComputeAreaVectors(image).rowwise().norm().minCoeff();
   };
   EXPECT_GT(smallest(1.0), 10.0 * smallest(0.0));
   EXPECT_THROW(smallest(-1.0), shape::InvalidInput);
@@ -115,14 +115,14 @@ TEST(Parameterize, OntoTheDiskHandsItsOptionsOnAndSaysHow)
   EXPECT_EQ(map.Iterations, 0);
   EXPECT_GT(map.LoopLength, 6.0);
   EXPECT_LT(map.ConformalDistortion, 1.05);
-  EXPECT_EQ(map.Positions, shape::DiskMap(cap).Points);
+  EXPECT_EQ(map.Positions, shape::MapToDisk(cap).Points);
   options.Weights = shape::CombinationWeights::Cotangent;
   options.Outline = shape::DiskOutline::Square;
   const shape::ParameterizeResult square = shape::Parameterize(cap, options);
   EXPECT_EQ(square.Method, "Cotangent");
   EXPECT_EQ(square.Positions.leftCols(2).cwiseAbs().maxCoeff(), 1.0);
   EXPECT_EQ(square.Positions,
-    shape::DiskMap(cap, { shape::CombinationWeights::Cotangent, shape::DiskOutline::Square })
+    shape::MapToDisk(cap, { shape::CombinationWeights::Cotangent, shape::DiskOutline::Square })
       .Points);
 }
 

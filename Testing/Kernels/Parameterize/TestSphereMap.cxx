@@ -104,14 +104,14 @@ double DistanceUpToRotation(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 
 Eigen::RowVector3d MeanOf(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
 {
-  const Eigen::VectorXd areas = shape::PointAreas(mesh);
+  const Eigen::VectorXd areas = shape::ComputePointAreas(mesh);
   return areas.transpose() * image / areas.sum();
 }
 
 void ExpectOneToOneAndCentred(const shape::Mesh& mesh, const shape::SphereMapResult& map)
 {
-  EXPECT_TRUE(shape::FlippedTriangles(mesh.Triangles, map.Points).empty());
-  EXPECT_NEAR(shape::SolidAngles(mesh.Triangles, map.Points).sum(), 4.0 * M_PI, 1e-9);
+  EXPECT_TRUE(shape::FindFlippedTriangles(mesh.Triangles, map.Points).empty());
+  EXPECT_NEAR(shape::ComputeSolidAngles(mesh.Triangles, map.Points).sum(), 4.0 * M_PI, 1e-9);
   EXPECT_LT((map.Points.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
   EXPECT_LT(MeanOf(mesh, map.Points).norm(), 1e-9);
   EXPECT_GT(map.SmallestArea, 0.0);
@@ -121,7 +121,7 @@ std::string Refusal(const shape::Mesh& mesh)
 {
   try
   {
-    shape::SphereMap(mesh);
+    shape::MapToSphere(mesh);
   }
   catch (const shape::InvalidInput& error)
   {
@@ -137,7 +137,7 @@ TEST(SphereMap, GeneratedShapesMapOneToOneToTheUnitSphere)
   for (const shape::Mesh& mesh : { Ellipsoid(4, 4.0, 1.0, 0.5), Bumpy(4), Box(4), Needles(300, 4),
          Ellipsoid(3, 1.0, 1.0, 0.01), shapetest::Icosphere(0) })
   {
-    ExpectOneToOneAndCentred(mesh, shape::SphereMap(mesh));
+    ExpectOneToOneAndCentred(mesh, shape::MapToSphere(mesh));
   }
 }
 
@@ -149,7 +149,7 @@ TEST(SphereMap, EachMethodMapsOneToOne)
   {
     shape::SphereMapOptions options;
     options.First = method;
-    const shape::SphereMapResult map = shape::SphereMap(mesh, options);
+    const shape::SphereMapResult map = shape::MapToSphere(mesh, options);
     EXPECT_EQ(map.Method, method);
     ExpectOneToOneAndCentred(mesh, map);
   }
@@ -160,7 +160,7 @@ TEST(SphereMap, GlobalReinsertionBalancesTheAreasOfALongTube)
   // The conformal image of a tube shrinks from its middle to its ends like exp(-z / radius).
   shape::Mesh tube = Needles(12, 40);
   tube.Points.col(2) *= 4.0;
-  const shape::SphereMapResult conformal = shape::SphereMap(tube);
+  const shape::SphereMapResult conformal = shape::MapToSphere(tube);
   ASSERT_EQ(conformal.Method, shape::SphereMapMethod::ConformalFlow);
   EXPECT_LT(conformal.SmallestArea, 1e-5);
   shape::SphereMapOptions options;
@@ -169,7 +169,7 @@ TEST(SphereMap, GlobalReinsertionBalancesTheAreasOfALongTube)
   for (const double weight : { 1.0, 10.0 })
   {
     options.AreaWeight = weight;
-    const shape::SphereMapResult map = shape::SphereMap(tube, options);
+    const shape::SphereMapResult map = shape::MapToSphere(tube, options);
     ExpectOneToOneAndCentred(tube, map);
     EXPECT_GT(map.SmallestArea, 5.0 * smallest) << weight;
     smallest = map.SmallestArea;
@@ -180,8 +180,8 @@ TEST(SphereMap, GlobalReinsertionBalancesTheAreasOfALongTube)
 TEST(SphereMap, ASphereMapsToItselfUpToRotationAndTheErrorFallsWithTheMesh)
 {
   const shape::Mesh coarse = MoebiusSphere(3), fine = MoebiusSphere(4);
-  const double coarseError = DistanceUpToRotation(coarse.Points, shape::SphereMap(coarse).Points);
-  const double fineError = DistanceUpToRotation(fine.Points, shape::SphereMap(fine).Points);
+  const double coarseError = DistanceUpToRotation(coarse.Points, shape::MapToSphere(coarse).Points);
+  const double fineError = DistanceUpToRotation(fine.Points, shape::MapToSphere(fine).Points);
   EXPECT_LT(fineError, 0.02);
   EXPECT_LT(fineError, 0.5 * coarseError);
 }
@@ -192,7 +192,7 @@ TEST(SphereMap, AnglesAreKeptBetterOnFinerMeshes)
   for (int i = 0; i < 2; ++i)
   {
     const shape::Mesh mesh = Bumpy(3 + i);
-    const shape::Mesh image{ shape::SphereMap(mesh).Points, mesh.Triangles };
+    const shape::Mesh image{ shape::MapToSphere(mesh).Points, mesh.Triangles };
     double sum = 0.0;
     for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
     {
@@ -217,28 +217,28 @@ TEST(SphereMap, AnglesAreKeptBetterOnFinerMeshes)
 TEST(SphereMap, MovesAndTurnsWithTheInputAtAnyScale)
 {
   const shape::Mesh mesh = Bumpy(3);
-  const Eigen::MatrixXd image = shape::SphereMap(mesh).Points;
+  const Eigen::MatrixXd image = shape::MapToSphere(mesh).Points;
   const Eigen::Matrix3d rotation = SomeRotation();
   shape::Mesh turned = mesh;
   turned.Points *= rotation;
-  EXPECT_LT((shape::SphereMap(turned).Points - image * rotation).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((shape::MapToSphere(turned).Points - image * rotation).cwiseAbs().maxCoeff(), 1e-9);
   for (const double scale : { 1e-6, 1e6 })
   {
     shape::Mesh scaled = mesh;
     scaled.Points *= scale;
-    EXPECT_LT((shape::SphereMap(scaled).Points - image).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((shape::MapToSphere(scaled).Points - image).cwiseAbs().maxCoeff(), 1e-9);
   }
   shape::Mesh far = mesh;
   far.Points.rowwise() += Eigen::RowVector3d(1e6, -2e6, 3e6);
-  EXPECT_LT((shape::SphereMap(far).Points - image).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((shape::MapToSphere(far).Points - image).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(SphereMap, ASurfaceThatFacesInwardsIsMirrored)
 {
   shape::Mesh mesh = Bumpy(3);
   mesh.Triangles.col(0).swap(mesh.Triangles.col(1));
-  ASSERT_LT(shape::EnclosedVolume(mesh), 0.0);
-  ExpectOneToOneAndCentred(mesh, shape::SphereMap(mesh));
+  ASSERT_LT(shape::ComputeEnclosedVolume(mesh), 0.0);
+  ExpectOneToOneAndCentred(mesh, shape::MapToSphere(mesh));
 }
 
 TEST(SphereMap, PointsAtOnePlaceAndTrianglesWithoutAreaGetAreaOnTheSphere)
@@ -250,7 +250,7 @@ TEST(SphereMap, PointsAtOnePlaceAndTrianglesWithoutAreaGetAreaOnTheSphere)
   }
   const Eigen::RowVector3i flat = mesh.Triangles.row(900);
   mesh.Points.row(flat(2)) = 0.5 * (mesh.Points.row(flat(0)) + mesh.Points.row(flat(1)));
-  ExpectOneToOneAndCentred(mesh, shape::SphereMap(mesh));
+  ExpectOneToOneAndCentred(mesh, shape::MapToSphere(mesh));
 }
 
 TEST(SphereMap, FoldedTrianglesThatFlipAreMendedWhereTheyAre)
@@ -262,7 +262,7 @@ TEST(SphereMap, FoldedTrianglesThatFlipAreMendedWhereTheyAre)
     const Eigen::RowVector3d own = mesh.Points.row(mesh.Triangles(t, 0));
     mesh.Points.row(mesh.Triangles(t, 0)) = own + 1.6 * (other - own);
   }
-  const shape::SphereMapResult map = shape::SphereMap(mesh);
+  const shape::SphereMapResult map = shape::MapToSphere(mesh);
   ExpectOneToOneAndCentred(mesh, map);
   EXPECT_EQ(map.Method, shape::SphereMapMethod::ConformalFlow);
   EXPECT_GT(map.FlipsBeforeRelaxation, 0);
@@ -273,7 +273,7 @@ TEST(SphereMap, FoldedTrianglesThatFlipAreMendedWhereTheyAre)
 TEST(SphereMap, GivesTheSameBitsTwice)
 {
   const shape::Mesh mesh = Ellipsoid(4, 3.0, 1.0, 0.2);
-  EXPECT_EQ(shape::SphereMap(mesh).Points, shape::SphereMap(mesh).Points);
+  EXPECT_EQ(shape::MapToSphere(mesh).Points, shape::MapToSphere(mesh).Points);
 }
 
 TEST(SphereMap, RefusesWhatIsNoSphereAndSaysWhy)
@@ -298,7 +298,7 @@ TEST(SphereMap, RefusesWhatIsNoSphereAndSaysWhy)
 
   shape::SphereMapOptions options;
   options.MaximumIterations = 0;
-  EXPECT_THROW(shape::SphereMap(one, options), shape::InvalidInput);
+  EXPECT_THROW(shape::MapToSphere(one, options), shape::InvalidInput);
 
   shape::Mesh point = one;
   point.Points.setConstant(7.0);
@@ -310,7 +310,7 @@ TEST(SphereMap, ProgressRisesAndCanStop)
   const shape::Mesh mesh = Bumpy(3);
   double last = 0.0;
   int calls = 0;
-  shape::SphereMap(mesh, {},
+  shape::MapToSphere(mesh, {},
     shape::Progress(
       [&](double fraction)
       {
@@ -321,7 +321,7 @@ TEST(SphereMap, ProgressRisesAndCanStop)
   EXPECT_EQ(last, 1.0);
   EXPECT_GT(calls, 5);
   int left = 4;
-  EXPECT_THROW(shape::SphereMap(mesh, {}, shape::Progress([&](double) { return --left > 0; })),
+  EXPECT_THROW(shape::MapToSphere(mesh, {}, shape::Progress([&](double) { return --left > 0; })),
     shape::Aborted);
 }
 
@@ -335,7 +335,7 @@ TEST(SphereMap, ScannedModelsMapOneToOne)
   for (const char* name : { "bear", "bear_bis", "bunny00", "armadillo", "man" })
   {
     const shape::Mesh mesh = shapetest::ReadOff(folder + "/" + name + ".off");
-    const shape::SphereMapResult map = shape::SphereMap(mesh);
+    const shape::SphereMapResult map = shape::MapToSphere(mesh);
     ExpectOneToOneAndCentred(mesh, map);
     EXPECT_EQ(map.Method, shape::SphereMapMethod::ConformalFlow) << name;
   }

@@ -1,5 +1,5 @@
-#include "Parameterize/Private/PointRings.h"
 #include "Parameterize/Private/SphericalReinsertion.h"
+#include "Parameterize/Private/VertexRings.h"
 #include "Parameterize/SphericalRelaxation.h"
 #include "Parameterize/SphericalTriangles.h"
 #include "Support/TestShapes.h"
@@ -14,8 +14,8 @@ namespace
 
 bool OneToOne(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
 {
-  return shape::FlippedTriangles(triangles, points).empty() &&
-    shape::CoveringDegree(triangles, points) == 1;
+  return shape::FindFlippedTriangles(triangles, points).empty() &&
+    shape::ComputeCoveringDegree(triangles, points) == 1;
 }
 
 double LargestAngleError(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
@@ -41,30 +41,30 @@ TEST(SphericalTriangles, OnlyCertainlyPositiveTrianglesFaceOutwards)
   const Eigen::RowVector3d x(1.0, 0.0, 0.0);
   const Eigen::RowVector3d y(0.0, 1.0, 0.0);
   const Eigen::RowVector3d between = (x + y).normalized();
-  EXPECT_FALSE(shape::FacesOutwards(x, between, y));
-  EXPECT_FALSE(shape::FacesOutwards(y, between, x));
-  EXPECT_FALSE(shape::FacesOutwards(x, x, y));
+  EXPECT_FALSE(shape::IsFacingOutwards(x, between, y));
+  EXPECT_FALSE(shape::IsFacingOutwards(y, between, x));
+  EXPECT_FALSE(shape::IsFacingOutwards(x, x, y));
   // Edges of 1e-12 are far above the rounding of their differences.
   const Eigen::RowVector3d a = Eigen::RowVector3d(0.3, 0.5, 0.8).normalized();
   const Eigen::RowVector3d b = a + 1e-12 * Eigen::RowVector3d(1.0, -0.6, 0.0);
   const Eigen::RowVector3d c = a + 1e-12 * Eigen::RowVector3d(0.0, 1.6, -1.0);
-  EXPECT_NE(shape::FacesOutwards(a, b, c), shape::FacesOutwards(a, c, b));
+  EXPECT_NE(shape::IsFacingOutwards(a, b, c), shape::IsFacingOutwards(a, c, b));
 }
 
 TEST(SphericalTriangles, TheIcospheresSolidAnglesCoverTheSphereOnce)
 {
   const shape::Mesh sphere = shapetest::Icosphere(0);
-  const Eigen::VectorXd angles = shape::SolidAngles(sphere.Triangles, sphere.Points);
+  const Eigen::VectorXd angles = shape::ComputeSolidAngles(sphere.Triangles, sphere.Points);
   EXPECT_LT((angles.array() - M_PI / 5.0).abs().maxCoeff(), 1e-14);
-  EXPECT_EQ(shape::CoveringDegree(sphere.Triangles, sphere.Points), 1);
-  EXPECT_EQ(shape::CoveringDegree(sphere.Triangles, -sphere.Points), -1);
+  EXPECT_EQ(shape::ComputeCoveringDegree(sphere.Triangles, sphere.Points), 1);
+  EXPECT_EQ(shape::ComputeCoveringDegree(sphere.Triangles, -sphere.Points), -1);
 }
 
-TEST(PointRings, RestoreUndoesMerge)
+TEST(VertexRings, RestoreUndoesMerge)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  shape::PointRings rings(sphere.Triangles, 162);
-  const shape::PointRings before = rings;
+  shape::VertexRings rings(sphere.Triangles, 162);
+  const shape::VertexRings before = rings;
   std::vector<int> order;
   std::vector<std::vector<int>> kept;
   for (int point = 0; point < 162 && rings.Remaining() > 4; ++point)
@@ -105,7 +105,7 @@ TEST(SphericalReinsertion, EndsFlipsAndLeavesTheRestAlone)
   {
     tangled.row(sphere.Triangles(t, 0)).swap(tangled.row(sphere.Triangles(t, 1)));
   }
-  ASSERT_GT(shape::FlippedTriangles(sphere.Triangles, tangled).size(), 5u);
+  ASSERT_GT(shape::FindFlippedTriangles(sphere.Triangles, tangled).size(), 5u);
   const shape::SphericalReinsertionResult result =
     shape::ReinsertFlipped(sphere.Triangles, tangled, 100);
   ASSERT_TRUE(result.Reached);

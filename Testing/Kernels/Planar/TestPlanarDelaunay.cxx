@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
-#include "Mesh/HalfEdges.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/HalfEdges.h"
 #include "Planar/PlanarDelaunay.h"
 
 #include <gtest/gtest.h>
@@ -91,14 +91,14 @@ struct Facts
   std::set<Edge> Edges;
 };
 
-Facts FactsOf(const shape::PlanarTriangulation& plane)
+Facts ComputeExponentialFacts(const shape::PlanarTriangulation& plane)
 {
   Facts facts;
   std::set<Edge> sides;
   std::set<int> used;
   for (const auto& t : plane.Triangles.rowwise())
   {
-    facts.Misturned += static_cast<int>(shape::Orientation(plane.Points.row(t(0)),
+    facts.Misturned += static_cast<int>(shape::EvaluateOrientation(plane.Points.row(t(0)),
                                           plane.Points.row(t(1)), plane.Points.row(t(2))) <= 0);
     for (int k = 0; k < 3; ++k)
     {
@@ -114,17 +114,19 @@ Facts FactsOf(const shape::PlanarTriangulation& plane)
   }
   if (plane.Triangles.rows() > 0)
   {
-    const std::vector<int> twins = shape::SideTwins(plane.Triangles, plane.Points.rows());
+    const std::vector<int> twins = shape::FindTwins(plane.Triangles, plane.Points.rows());
     for (int side = 0; side < static_cast<int>(twins.size()); ++side)
     {
       const auto corner = [&](int at) { return plane.Triangles(at / 3, at % 3); };
-      const auto place = [&](int at) -> Eigen::RowVector2d { return plane.Points.row(corner(at)); };
-      const int begin = corner(side), end = corner(shape::NextSide(side));
+      const auto position = [&](int at) -> Eigen::RowVector2d
+      { return plane.Points.row(corner(at)); };
+      const int begin = corner(side), end = corner(shape::NextHalfEdge(side));
       if (twins[side] >= 0 && fixed.count(std::minmax(begin, end)) == 0)
       {
         facts.NotDelaunay += static_cast<int>(
-          shape::InCircle(place(side), place(shape::NextSide(side)),
-            place(shape::PreviousSide(side)), place(shape::PreviousSide(twins[side]))) > 0);
+          shape::EvaluateInCircle(position(side), position(shape::NextHalfEdge(side)),
+            position(shape::PreviousHalfEdge(side)),
+            position(shape::PreviousHalfEdge(twins[side]))) > 0);
       }
     }
   }
@@ -136,7 +138,7 @@ Facts FactsOf(const shape::PlanarTriangulation& plane)
 /// That it is a constrained Delaunay triangulation which has every segment as edges.
 Facts ExpectDelaunay(const shape::PlanarTriangulation& plane)
 {
-  Facts facts = FactsOf(plane);
+  Facts facts = ComputeExponentialFacts(plane);
   EXPECT_EQ(facts.Misturned, 0);
   EXPECT_EQ(facts.NotDelaunay, 0);
   EXPECT_EQ(facts.Manifold, 0);
@@ -171,7 +173,7 @@ Eigen::MatrixXi RandomSegments(const Eigen::MatrixXd& points, int tries, unsigne
     const int b = static_cast<int>(random() % points.rows());
     const auto side = [&](int p, int q, int r)
     {
-      return shape::Orientation(Eigen::RowVector2d(points.row(p)),
+      return shape::EvaluateOrientation(Eigen::RowVector2d(points.row(p)),
         Eigen::RowVector2d(points.row(q)), Eigen::RowVector2d(points.row(r)));
     };
     const bool crosses = std::any_of(kept.begin(), kept.end(),
@@ -199,19 +201,19 @@ Eigen::MatrixXi RandomSegments(const Eigen::MatrixXd& points, int tries, unsigne
 TEST(PlanarDelaunay, CirclesAreEmpty)
 {
   const Eigen::MatrixXd points = RandomPoints(300, 1);
-  const shape::PlanarTriangulation plane = shape::PlanarDelaunay(points);
+  const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points);
   EXPECT_EQ(ExpectDelaunay(plane).Euler, 1);
   for (const auto& t : plane.Triangles.rowwise())
   {
     for (int i = 0; i < 300; ++i)
     {
-      ASSERT_LE(
-        shape::InCircle(Eigen::RowVector2d(points.row(t(0))), Eigen::RowVector2d(points.row(t(1))),
-          Eigen::RowVector2d(points.row(t(2))), Eigen::RowVector2d(points.row(i))),
+      ASSERT_LE(shape::EvaluateInCircle(Eigen::RowVector2d(points.row(t(0))),
+                  Eigen::RowVector2d(points.row(t(1))), Eigen::RowVector2d(points.row(t(2))),
+                  Eigen::RowVector2d(points.row(i))),
         0);
     }
   }
-  const shape::PlanarTriangulation again = shape::PlanarDelaunay(points);
+  const shape::PlanarTriangulation again = shape::TriangulateInPlane(points);
   EXPECT_EQ(plane.Triangles, again.Triangles);
 }
 
@@ -220,7 +222,7 @@ TEST(PlanarDelaunay, AGridIsAllOnCircles)
   const int side = 40;
   for (const double scale : { 1.0, 0.1, 1e-30 })
   {
-    const shape::PlanarTriangulation plane = shape::PlanarDelaunay(scale * Grid(side));
+    const shape::PlanarTriangulation plane = shape::TriangulateInPlane(scale * Grid(side));
     EXPECT_EQ(plane.Triangles.rows(), 2 * (side - 1) * (side - 1));
     EXPECT_EQ(ExpectDelaunay(plane).Euler, 1);
     EXPECT_NEAR(Area(plane), scale * scale * (side - 1) * (side - 1), 1e-9 * scale * scale);
@@ -237,7 +239,7 @@ TEST(PlanarDelaunay, PointsOfACircleAndItsMiddle)
   }
   points.row(count) << 0.0, 0.0;
   const Eigen::MatrixXi outline = ClosedOutline(0, count);
-  const shape::PlanarTriangulation plane = shape::PlanarDelaunay(points, outline);
+  const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points, outline);
   EXPECT_EQ(plane.Triangles.rows(), count);
   EXPECT_EQ(ExpectDelaunay(plane).Euler, 1);
   EXPECT_NEAR(Area(plane), OutlineArea(points, outline), 1e-12);
@@ -247,12 +249,12 @@ TEST(PlanarDelaunay, PointsOnOneLineHaveNoTriangle)
 {
   Eigen::MatrixXd points(5, 2);
   points << 0, 0, 1, 1, 0.25, 0.25, 3, 3, 2, 2;
-  EXPECT_EQ(shape::PlanarDelaunay(points, ClosedOutline(0, 2)).Triangles.rows(), 0);
-  EXPECT_EQ(shape::PlanarDelaunay(points.topRows(0)).Triangles.rows(), 0);
+  EXPECT_EQ(shape::TriangulateInPlane(points, ClosedOutline(0, 2)).Triangles.rows(), 0);
+  EXPECT_EQ(shape::TriangulateInPlane(points.topRows(0)).Triangles.rows(), 0);
   // One beside it makes a fan.
   points.conservativeResize(6, 2);
   points.row(5) << 1, 0;
-  const shape::PlanarTriangulation plane = shape::PlanarDelaunay(points);
+  const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points);
   EXPECT_EQ(plane.Triangles.rows(), 4);
   EXPECT_EQ(ExpectDelaunay(plane).Euler, 1);
 }
@@ -262,9 +264,9 @@ TEST(PlanarDelaunay, DuplicatesAreMergedIntoTheFirst)
   const Eigen::MatrixXd once = RandomPoints(200, 2);
   Eigen::MatrixXd points(600, 2);
   points << once, once.colwise().reverse(), once;
-  const shape::PlanarTriangulation plane = shape::PlanarDelaunay(points);
+  const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points);
   EXPECT_EQ(ExpectDelaunay(plane).Euler, 1);
-  EXPECT_EQ(plane.Triangles.rows(), shape::PlanarDelaunay(once).Triangles.rows());
+  EXPECT_EQ(plane.Triangles.rows(), shape::TriangulateInPlane(once).Triangles.rows());
   for (int i = 0; i < 200; ++i)
   {
     EXPECT_EQ(plane.SamePoint(i), i);
@@ -288,7 +290,7 @@ TEST(PlanarDelaunay, SegmentsBecomeEdges)
       points.col(1) *= 1e-9;
     }
     const Eigen::MatrixXi segments = RandomSegments(points, 400, seed);
-    const shape::PlanarTriangulation plane = shape::PlanarDelaunay(points, segments);
+    const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points, segments);
     const Facts facts = ExpectDelaunay(plane);
     EXPECT_EQ(facts.Euler, 1);
     const Eigen::VectorXd shares = SharesOfSegments(plane, segments, facts.Edges);
@@ -309,7 +311,7 @@ TEST(PlanarDelaunay, ALongSegmentCrossesEverything)
   points.row(4001) << 2.0, 0.5;
   Eigen::MatrixXi segments(1, 2);
   segments << 4000, 4001;
-  const shape::PlanarTriangulation plane = shape::PlanarDelaunay(points, segments);
+  const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points, segments);
   const Facts facts = ExpectDelaunay(plane);
   EXPECT_EQ(facts.Euler, 1);
   EXPECT_EQ(plane.Edges.rows(), 1);
@@ -334,16 +336,16 @@ TEST(PlanarDelaunay, AnOutlineWithAHole)
   const double inner = OutlineArea(points, segments.bottomRows(count));
 
   const shape::PlanarTriangulation ring =
-    shape::PlanarDelaunay(points, segments, Kept(Keep::Oddly));
+    shape::TriangulateInPlane(points, segments, Kept(Keep::Oddly));
   EXPECT_EQ(ExpectDelaunay(ring).Euler, 0);
   EXPECT_NEAR(Area(ring), outer - inner, 1e-12);
   const shape::PlanarTriangulation whole =
-    shape::PlanarDelaunay(points, segments, Kept(Keep::Wound));
+    shape::TriangulateInPlane(points, segments, Kept(Keep::Wound));
   EXPECT_EQ(ExpectDelaunay(whole).Euler, 1);
   EXPECT_NEAR(Area(whole), outer, 1e-12);
   segments.bottomRows(count) = segments.bottomRows(count).rowwise().reverse().eval();
   const shape::PlanarTriangulation turned =
-    shape::PlanarDelaunay(points, segments, Kept(Keep::Wound));
+    shape::TriangulateInPlane(points, segments, Kept(Keep::Wound));
   EXPECT_NEAR(Area(turned), outer - inner, 1e-12);
 }
 
@@ -356,7 +358,7 @@ TEST(PlanarDelaunay, SegmentsInsideAnOutlineBoundNothing)
   segments << ClosedOutline(0, 4), 0, 2, 1, 3, 4, 5;
   shape::PlanarDelaunayOptions options = Kept(Keep::Oddly, true);
   options.Outlines = 4;
-  const shape::PlanarTriangulation plane = shape::PlanarDelaunay(points, segments, options);
+  const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points, segments, options);
   EXPECT_EQ(ExpectDelaunay(plane).Euler, 1);
   EXPECT_EQ(Area(plane), 9.0);
   EXPECT_EQ(plane.Points.rows(), 7);
@@ -371,11 +373,11 @@ TEST(PlanarDelaunay, AnOutlineThatTouchesItself)
   points << 0, 0, 1, 0, 1, 1, 0, 1, 1, 1, 2, 1, 2, 2, 1, 2;
   Eigen::MatrixXi segments(8, 2);
   segments << ClosedOutline(0, 4), ClosedOutline(4, 4);
-  EXPECT_EQ(Area(shape::PlanarDelaunay(points, segments, Kept(Keep::Oddly))), 2.0);
+  EXPECT_EQ(Area(shape::TriangulateInPlane(points, segments, Kept(Keep::Oddly))), 2.0);
   points.bottomRows(4) << 1, 0, 2, 0, 2, 1, 1, 1;
-  EXPECT_EQ(Area(shape::PlanarDelaunay(points, segments, Kept(Keep::Oddly))), 2.0);
+  EXPECT_EQ(Area(shape::TriangulateInPlane(points, segments, Kept(Keep::Oddly))), 2.0);
   const shape::PlanarTriangulation beside =
-    shape::PlanarDelaunay(points, segments, Kept(Keep::Wound));
+    shape::TriangulateInPlane(points, segments, Kept(Keep::Wound));
   EXPECT_EQ(Area(beside), 2.0);
   EXPECT_EQ(beside.EdgeSegments, Eigen::VectorXi::LinSpaced(8, 0, 7));
 }
@@ -388,7 +390,7 @@ TEST(PlanarDelaunay, CrossingsAreNamedOrAdded)
   segments << 0, 2, 0, 1, 2, 3;
   try
   {
-    shape::PlanarDelaunay(points, segments);
+    shape::TriangulateInPlane(points, segments);
     FAIL();
   }
   catch (const shape::InvalidInput& error)
@@ -397,7 +399,7 @@ TEST(PlanarDelaunay, CrossingsAreNamedOrAdded)
       << error.what();
   }
   const shape::PlanarTriangulation plane =
-    shape::PlanarDelaunay(points, segments, Kept(Keep::All, true));
+    shape::TriangulateInPlane(points, segments, Kept(Keep::All, true));
   EXPECT_EQ(plane.Points.row(4), Eigen::RowVector2d(2, 2));
   EXPECT_EQ(plane.Triangles.rows(), 4);
   EXPECT_EQ(plane.Edges.rows(), 5);
@@ -405,10 +407,10 @@ TEST(PlanarDelaunay, CrossingsAreNamedOrAdded)
   // Many of them, also where three meet.
   for (unsigned int seed = 0; seed < 10; ++seed)
   {
-    const Eigen::MatrixXd places =
+    const Eigen::MatrixXd positions =
       seed % 2 == 0 ? RandomPoints(60, seed) : (8.0 * RandomPoints(60, seed)).array().round();
     const shape::PlanarTriangulation star =
-      shape::PlanarDelaunay(places, ClosedOutline(0, 60), Kept(Keep::Oddly, true));
+      shape::TriangulateInPlane(positions, ClosedOutline(0, 60), Kept(Keep::Oddly, true));
     ExpectDelaunay(star);
     EXPECT_GT(Area(star), 0.0);
   }
@@ -425,9 +427,9 @@ TEST(PlanarDelaunay, APentagramIsWoundTwiceInside)
   const double signedArea = OutlineArea(points, star); // counts the pentagon inside twice
   const double pentagon =
     2.5 * std::sin(0.4 * M_PI) * std::pow(std::sin(0.1 * M_PI) / std::cos(0.2 * M_PI), 2);
-  EXPECT_NEAR(Area(shape::PlanarDelaunay(points, star, Kept(Keep::Wound, true))),
+  EXPECT_NEAR(Area(shape::TriangulateInPlane(points, star, Kept(Keep::Wound, true))),
     signedArea - pentagon, 1e-14);
-  EXPECT_NEAR(Area(shape::PlanarDelaunay(points, star, Kept(Keep::Oddly, true))),
+  EXPECT_NEAR(Area(shape::TriangulateInPlane(points, star, Kept(Keep::Oddly, true))),
     signedArea - 2.0 * pentagon, 1e-14);
 }
 
@@ -437,25 +439,25 @@ TEST(PlanarDelaunay, CirclesOfAnotherMetric)
   const Eigen::MatrixXd points = RandomPoints(300, 6);
   shape::PlanarDelaunayOptions options;
   options.Metric << 5.0, 2.0, -1.0, 0.25;
-  const shape::PlanarTriangulation sheared = shape::PlanarDelaunay(points, {}, options);
+  const shape::PlanarTriangulation sheared = shape::TriangulateInPlane(points, {}, options);
   shape::PlanarTriangulation images = sheared;
   images.Points *= options.Metric;
   EXPECT_EQ(ExpectDelaunay(images).Euler, 1);
-  EXPECT_GT(FactsOf(sheared).NotDelaunay, 0);
+  EXPECT_GT(ComputeExponentialFacts(sheared).NotDelaunay, 0);
   // Without area there is no circle, but triangles all the same.
   options.Metric.col(1).setZero();
-  const shape::PlanarTriangulation flat = shape::PlanarDelaunay(Grid(5), {}, options);
+  const shape::PlanarTriangulation flat = shape::TriangulateInPlane(Grid(5), {}, options);
   EXPECT_EQ(flat.Triangles.rows(), 32);
-  EXPECT_EQ(FactsOf(flat).Misturned, 0);
+  EXPECT_EQ(ComputeExponentialFacts(flat).Misturned, 0);
 }
 
 TEST(PlanarDelaunay, NamesWhatIsWrong)
 {
   Eigen::MatrixXd points = RandomPoints(10, 5);
-  EXPECT_THROW(shape::PlanarDelaunay(points, ClosedOutline(0, 11)), shape::InvalidInput);
-  EXPECT_THROW(shape::PlanarDelaunay(points, ClosedOutline(0, 3).topRows(2), Kept(Keep::Oddly)),
+  EXPECT_THROW(shape::TriangulateInPlane(points, ClosedOutline(0, 11)), shape::InvalidInput);
+  EXPECT_THROW(shape::TriangulateInPlane(points, ClosedOutline(0, 3).topRows(2), Kept(Keep::Oddly)),
     shape::InvalidInput);
-  EXPECT_THROW(shape::PlanarDelaunay(1e60 * points), shape::InvalidInput);
+  EXPECT_THROW(shape::TriangulateInPlane(1e60 * points), shape::InvalidInput);
   points(3, 1) = NAN;
-  EXPECT_THROW(shape::PlanarDelaunay(points), shape::InvalidInput);
+  EXPECT_THROW(shape::TriangulateInPlane(points), shape::InvalidInput);
 }

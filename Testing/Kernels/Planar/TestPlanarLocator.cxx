@@ -14,14 +14,16 @@ using Eigen::RowVector2d;
 
 /// The lowest counter-clockwise triangle that contains a place, found by looking at all.
 int Lowest(
-  const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles, const RowVector2d& place)
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles, const RowVector2d& position)
 {
   for (int t = 0; t < triangles.rows(); ++t)
   {
     const RowVector2d a = points.row(triangles(t, 0)), b = points.row(triangles(t, 1)),
                       c = points.row(triangles(t, 2));
-    if (shape::Orientation(a, b, c) > 0 && shape::Orientation(a, b, place) >= 0 &&
-      shape::Orientation(b, c, place) >= 0 && shape::Orientation(c, a, place) >= 0)
+    if (shape::EvaluateOrientation(a, b, c) > 0 &&
+      shape::EvaluateOrientation(a, b, position) >= 0 &&
+      shape::EvaluateOrientation(b, c, position) >= 0 &&
+      shape::EvaluateOrientation(c, a, position) >= 0)
     {
       return t;
     }
@@ -42,10 +44,10 @@ TEST(PlanarLocator, FindsTheTriangleOfAPlace)
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(-1.2, 1.2);
     int inside = 0;
-    const auto check = [&](const RowVector2d& place)
+    const auto check = [&](const RowVector2d& position)
     {
-      const shape::PlanarPlace found = locator.Find(place);
-      ASSERT_EQ(found.Triangle, Lowest(points, mesh.Triangles, place));
+      const shape::PlanarPoint found = locator.Find(position);
+      ASSERT_EQ(found.Triangle, Lowest(points, mesh.Triangles, position));
       if (found.Triangle >= 0)
       {
         ++inside;
@@ -54,7 +56,7 @@ TEST(PlanarLocator, FindsTheTriangleOfAPlace)
         {
           back += found.Barycentric(k) * points.row(mesh.Triangles(found.Triangle, k));
         }
-        EXPECT_LT((back - place).norm(), 1e-13);
+        EXPECT_LT((back - position).norm(), 1e-13);
         EXPECT_GE(found.Barycentric.minCoeff(), 0.0);
       }
     };
@@ -74,10 +76,10 @@ TEST(PlanarLocator, LeavesOutWhatItIsTold)
 {
   const shape::Mesh mesh = shapetest::FlatSquare(4, 0.0);
   const Eigen::MatrixXd points = mesh.Points.leftCols(2);
-  const RowVector2d place(0.3, -0.4);
-  const int first = shape::PlanarLocator(points, mesh.Triangles).Find(place).Triangle;
+  const RowVector2d position(0.3, -0.4);
+  const int first = shape::PlanarLocator(points, mesh.Triangles).Find(position).Triangle;
   ASSERT_GE(first, 0);
-  EXPECT_EQ(shape::PlanarLocator(points, mesh.Triangles, { first }).Find(place).Triangle, -1);
+  EXPECT_EQ(shape::PlanarLocator(points, mesh.Triangles, { first }).Find(position).Triangle, -1);
 }
 
 TEST(PlanarLocator, IsDefinedWithoutAnythingToFind)

@@ -81,8 +81,9 @@ void ExpectDelaunay(const PlanarTriangles& plane)
       wrong += plane.Begin(side) != plane.End(plane.Twin(side));
       if (beyond != PlanarTriangles::Far && plane.Mark(side).Group < 0)
       {
-        wrong += shape::InCircle(plane.Place(plane.Begin(side)), plane.Place(plane.End(side)),
-                   plane.Place(plane.Apex(side)), plane.Place(beyond)) > 0;
+        wrong += shape::EvaluateInCircle(plane.Position(plane.Begin(side)),
+                   plane.Position(plane.End(side)), plane.Position(plane.Apex(side)),
+                   plane.Position(beyond)) > 0;
       }
     }
   }
@@ -125,9 +126,9 @@ TEST(SegmentRecovery, OneTriangulationWhateverTheOrder)
   }
   Eigen::MatrixXd turned(points.rows(), 2); // by a right angle: exactly
   turned << -points.col(1), points.col(0);
-  const auto recovered = [&](const Eigen::MatrixXd& places, bool isTurnedAround)
+  const auto recovered = [&](const Eigen::MatrixXd& positions, bool isTurnedAround)
   {
-    PlanarTriangles plane = Triangulated(places);
+    PlanarTriangles plane = Triangulated(positions);
     const int sides = plane.Sides();
     shape::SegmentRecovery recovery(plane, false, static_cast<Eigen::Index>(segments.size()));
     for (std::size_t i = 0; i < segments.size(); ++i)
@@ -139,7 +140,7 @@ TEST(SegmentRecovery, OneTriangulationWhateverTheOrder)
     }
     ExpectDelaunay(plane);
     EXPECT_EQ(plane.Sides(), sides);
-    EXPECT_EQ(plane.Points(), static_cast<int>(places.rows()));
+    EXPECT_EQ(plane.Points(), static_cast<int>(positions.rows()));
     return EdgesOf(plane);
   };
   const std::set<Edge> edges = recovered(points, false), before = EdgesOf(Triangulated(points));
@@ -182,7 +183,7 @@ TEST(SegmentRecovery, ThroughPointsOfAGrid)
   for (int at = 0; at < plane.Sides(); ++at)
   {
     const int end = plane.End(at), begin = plane.Begin(at);
-    if (plane.Mark(at).Group < 0 || plane.Place(begin).sum() > plane.Place(end).sum())
+    if (plane.Mark(at).Group < 0 || plane.Position(begin).sum() > plane.Position(end).sum())
     {
       continue;
     }
@@ -230,15 +231,15 @@ TEST(SegmentRecovery, ChordsCrossPairByPair)
   EXPECT_EQ(plane.Points(), 2 * count + count * (count - 1) / 2);
   for (int i = 0; i < count; ++i)
   {
-    const Eigen::RowVector2d begin = plane.Place(i), end = plane.Place(i + count);
+    const Eigen::RowVector2d begin = plane.Position(i), end = plane.Position(i + count);
     const Eigen::RowVector2d way = (end - begin).normalized();
     double length = 0.0;
     const std::vector<int> sides = SidesOf(plane, recovery, i);
     EXPECT_EQ(sides.size(), static_cast<std::size_t>(count));
     for (const int side : sides)
     {
-      const Eigen::RowVector2d from = plane.Place(plane.Begin(side));
-      const Eigen::RowVector2d step = plane.Place(plane.End(side)) - from;
+      const Eigen::RowVector2d from = plane.Position(plane.Begin(side));
+      const Eigen::RowVector2d step = plane.Position(plane.End(side)) - from;
       EXPECT_LT(std::abs(way(0) * (from - begin)(1) - way(1) * (from - begin)(0)), 1e-14);
       EXPECT_EQ(plane.Mark(side).Winding, step.dot(way) > 0.0 ? 1 : -1);
       length += step.norm();
@@ -256,7 +257,7 @@ TEST(SegmentRecovery, ChordsCrossPairByPair)
     EXPECT_EQ(SidesOf(through, all, i).size(), i == 0 ? 1U : 2U);
   }
   EXPECT_EQ(through.Points(), 11);
-  EXPECT_TRUE(through.Place(10).isZero(0.0));
+  EXPECT_TRUE(through.Position(10).isZero(0.0));
   ExpectDelaunay(through);
 }
 

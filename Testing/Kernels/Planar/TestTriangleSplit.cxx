@@ -49,11 +49,11 @@ Eigen::MatrixXd RandomPoints(int bySide, int inside, unsigned int seed)
   return points;
 }
 
-Eigen::MatrixXd Places(const Eigen::MatrixXd& points, const shape::TriangleSplit& split)
+Eigen::MatrixXd Positions(const Eigen::MatrixXd& points, const shape::TriangleSplit& split)
 {
-  Eigen::MatrixXd places(points.rows() + split.Added.rows(), 3);
-  places << points, split.Added;
-  return places;
+  Eigen::MatrixXd positions(points.rows() + split.Added.rows(), 3);
+  positions << points, split.Added;
+  return positions;
 }
 
 /// Of each directed side the corner that it does not touch.
@@ -74,14 +74,14 @@ std::map<Edge, int> SidesOf(const Eigen::MatrixXi& triangles)
 void ExpectChains(int outline, const Chords& chords, const shape::TriangleSplit& split)
 {
   const std::map<Edge, int> sides = SidesOf(split.Triangles);
-  int border = 0;
+  int boundary = 0;
   for (const auto& [side, apex] : sides)
   {
     const bool isAlone = sides.count({ side.second, side.first }) == 0;
     EXPECT_EQ(isAlone, side.first < outline && side.second == (side.first + 1) % outline);
-    border += isAlone ? 1 : 0;
+    boundary += isAlone ? 1 : 0;
   }
-  EXPECT_EQ(border, outline);
+  EXPECT_EQ(boundary, outline);
   ASSERT_EQ(split.Chords.size(), chords.size());
   for (std::size_t i = 0; i < chords.size(); ++i)
   {
@@ -101,14 +101,14 @@ void ExpectSplit(const Eigen::MatrixXd& points, int outline, const Chords& chord
   const shape::TriangleSplit& split)
 {
   ExpectChains(outline, chords, split);
-  const Eigen::MatrixXd places = Places(points, split);
-  EXPECT_LT((places.rowwise().sum().array() - 1.0).abs().maxCoeff(), 1e-15);
+  const Eigen::MatrixXd positions = Positions(points, split);
+  EXPECT_LT((positions.rowwise().sum().array() - 1.0).abs().maxCoeff(), 1e-15);
   EXPECT_TRUE(split.Added.size() == 0 || split.Added.minCoeff() > 0.0);
   double area = 0.0;
   for (const auto& t : split.Triangles.rowwise())
   {
     Eigen::Matrix3d corners;
-    corners << places.row(t(0)), places.row(t(1)), places.row(t(2));
+    corners << positions.row(t(0)), positions.row(t(1)), positions.row(t(2));
     EXPECT_GT(corners.determinant(), 0.0);
     area += corners.determinant();
   }
@@ -118,9 +118,9 @@ void ExpectSplit(const Eigen::MatrixXd& points, int outline, const Chords& chord
     double length = 0.0;
     for (std::size_t at = 0; at + 1 < chain.size(); ++at)
     {
-      length += (places.row(chain[at + 1]) - places.row(chain[at])).norm();
+      length += (positions.row(chain[at + 1]) - positions.row(chain[at])).norm();
     }
-    EXPECT_NEAR(length, (places.row(chain.back()) - places.row(chain.front())).norm(), 1e-14);
+    EXPECT_NEAR(length, (positions.row(chain.back()) - positions.row(chain.front())).norm(), 1e-14);
   }
 }
 
@@ -195,11 +195,11 @@ int NotDelaunay(
       fixed.insert(std::minmax(chain[i], chain[i + 1]));
     }
   }
-  const Eigen::MatrixXd places = Places(points, split) * corners;
+  const Eigen::MatrixXd positions = Positions(points, split) * corners;
   const auto angle = [&](const Edge& side, int apex)
   {
-    const Eigen::RowVector3d a = places.row(side.first) - places.row(apex);
-    const Eigen::RowVector3d b = places.row(side.second) - places.row(apex);
+    const Eigen::RowVector3d a = positions.row(side.first) - positions.row(apex);
+    const Eigen::RowVector3d b = positions.row(side.second) - positions.row(apex);
     return std::atan2(a.cross(b).norm(), a.dot(b));
   };
   const std::map<Edge, int> sides = SidesOf(split.Triangles);
@@ -254,7 +254,7 @@ TEST(TriangleSplit, DelaunayInItsOwnPlane)
     Eigen::Matrix3d turned;
     turned << corners.bottomRows(2), corners.row(0);
     std::rotate(numbers.begin(), numbers.begin() + bySide, numbers.begin() + outline);
-    Eigen::MatrixXd places =
+    Eigen::MatrixXd positions =
       points(std::vector<int>(numbers.begin(), numbers.begin() + points.rows()), { 1, 2, 0 });
     const auto renumbered = [](int i)
     { return i < outline ? (i + outline - bySide) % outline : i; };
@@ -263,7 +263,7 @@ TEST(TriangleSplit, DelaunayInItsOwnPlane)
     {
       same.push_back({ renumbered(begin), renumbered(end) });
     }
-    EXPECT_EQ(Sets(shape::SplitTriangle(turned, places, outline, same).Triangles, numbers), own);
+    EXPECT_EQ(Sets(shape::SplitTriangle(turned, positions, outline, same).Triangles, numbers), own);
   }
   EXPECT_EQ(different.size(), 3U);
 }

@@ -12,7 +12,7 @@ TEST(ConformalDistortion, IsOneForASimilarity)
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
   const Eigen::MatrixXd images = 3.0 * mesh.Points * turn.transpose();
-  EXPECT_LT((shape::ConformalDistortion(mesh, images).array() - 1.0).maxCoeff(), 1e-10);
+  EXPECT_LT((shape::ComputeConformalDistortion(mesh, images).array() - 1.0).maxCoeff(), 1e-10);
 }
 
 TEST(ConformalDistortion, OfAStretchIsTheMeanOfItsRatioAndTheInverse)
@@ -23,7 +23,7 @@ TEST(ConformalDistortion, OfAStretchIsTheMeanOfItsRatioAndTheInverse)
   };
   Eigen::MatrixXd images = square.Points;
   images.col(0) *= 3.0;
-  const Eigen::VectorXd distortion = shape::ConformalDistortion(square, images);
+  const Eigen::VectorXd distortion = shape::ComputeConformalDistortion(square, images);
   EXPECT_NEAR(distortion(0), (3.0 + 1.0 / 3.0) / 2.0, 1e-14);
   EXPECT_NEAR(distortion(1), (3.0 + 1.0 / 3.0) / 2.0, 1e-14);
 }
@@ -31,6 +31,7 @@ TEST(ConformalDistortion, OfAStretchIsTheMeanOfItsRatioAndTheInverse)
 TEST(ConformalDistortion, AFlattenedImageIsInfinitelyDistorted)
 {
   const shape::Mesh mesh = shapetest::Icosphere(0);
-  EXPECT_TRUE(std::isinf(
-    shape::ConformalDistortion(mesh, Eigen::MatrixXd::Zero(mesh.Points.rows(), 3)).minCoeff()));
+  EXPECT_TRUE(
+    std::isinf(shape::ComputeConformalDistortion(mesh, Eigen::MatrixXd::Zero(mesh.Points.rows(), 3))
+                 .minCoeff()));
 }

@@ -72,7 +72,8 @@ CellSimplices CellsOf(const shape::Mesh& mesh)
 MapQualityResult Quality(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const CellSimplices& cells)
 {
-  return shape::MapQuality(points, images, cells, shape::ExtentOf(points, images, cells));
+  return shape::EvaluateMapQuality(
+    points, images, cells, shape::ComputeMapExtent(points, images, cells));
 }
 
 MapQualitySums SumsOf(const MapQualityResult& result)
@@ -159,7 +160,8 @@ TEST(MapQuality, OfIsometriesIsFourForSurfacesAndSixForSolids)
     Quality(torus.Points, torus.Points * Rotation(2.0).transpose(), CellsOf(torus));
   ExpectMeasures(surface, (Eigen::RowVectorXd(5) << 1, 1, 4, 1, 0).finished(), 100.0);
   EXPECT_EQ(surface.Flipped.sum(), 0);
-  EXPECT_NEAR(surface.Sizes.sum(), shape::AreaVectors(torus).rowwise().norm().sum() / 2.0, 1e-12);
+  EXPECT_NEAR(
+    surface.Sizes.sum(), shape::ComputeAreaVectors(torus).rowwise().norm().sum() / 2.0, 1e-12);
   const Solid cube = RegularSolids().back();
   const MapQualityResult solid =
     Quality(cube.Points, cube.Points * Rotation(2.0).transpose(), OneCell(cube.Shape, 8));
@@ -179,7 +181,7 @@ TEST(MapQuality, OfAShearHasTheSingularValuesOfTheGoldenRatio)
   const Eigen::MatrixXd a = mesh.Points * Rotation(0.7), b = images * Rotation(1.3);
   const MapQualityResult turned = Quality(a, b, CellsOf(mesh));
   EXPECT_LT((turned.Measures - flat.Measures).cwiseAbs().maxCoeff(), 1e-12);
-  const Eigen::VectorXd conformal = shape::ConformalDistortion(mesh, images);
+  const Eigen::VectorXd conformal = shape::ComputeConformalDistortion(mesh, images);
   EXPECT_LT((conformal - flat.Measures.col(static_cast<int>(MapMeasure::ConformalDistortion)))
               .cwiseAbs()
               .maxCoeff(),
@@ -396,7 +398,7 @@ TEST(MapQuality, GivesTheSameBitsTwiceAndCanStop)
   EXPECT_EQ(
     Quality(mesh.Points, images, cells).Measures, Quality(mesh.Points, images, cells).Measures);
   int left = 3;
-  EXPECT_THROW(shape::MapQuality(mesh.Points, images, cells, {},
+  EXPECT_THROW(shape::EvaluateMapQuality(mesh.Points, images, cells, {},
                  shape::Progress([&](double) { return --left > 0; })),
     shape::Aborted);
 }

@@ -89,15 +89,15 @@ TEST(SurfaceFeatures, SmallPatchesJoinTheirNeighbours)
   const shape::SurfaceFeatures none = shape::FindFeatures(plate, 40.0, 1000.0);
   EXPECT_EQ(none.Patches, 1);
   EXPECT_TRUE(none.Curves.empty());
-  EXPECT_EQ(shape::WithoutCurves(united).Patches, 1);
+  EXPECT_EQ(shape::RemoveCurves(united).Patches, 1);
   const std::vector<shape::Mesh> patches =
-    shape::PatchMeshes(plate, shape::FindFeatures(plate, 40.0, 0.0));
+    shape::SplitIntoPatches(plate, shape::FindFeatures(plate, 40.0, 0.0));
   ASSERT_EQ(patches.size(), 6U);
   double area = 0.0;
   for (const shape::Mesh& patch : patches)
   {
     EXPECT_EQ(patch.Points.rows(), 4);
-    area += 0.5 * shape::AreaVectors(patch).rowwise().norm().sum();
+    area += 0.5 * shape::ComputeAreaVectors(patch).rowwise().norm().sum();
   }
   EXPECT_DOUBLE_EQ(area, 2.0 * 16.0 + 4.0 * 4.0);
 }
@@ -117,15 +117,15 @@ TEST(SurfaceFeatures, WhatIsSharpAroundSpikesAloneIsNoise)
   // A rim that is longer than all of these together is none.
   shape::Mesh half = shapetest::Icosphere(4);
   half.Points.col(2) = half.Points.col(2).cwiseMax(0.0);
-  const shape::SurfaceFeatures rim = shape::FindFeatures(half, 40.0, 1.0);
-  EXPECT_EQ(rim.Patches, 2);
-  EXPECT_EQ(rim.Curves.size(), 1U);
+  const shape::SurfaceFeatures loop = shape::FindFeatures(half, 40.0, 1.0);
+  EXPECT_EQ(loop.Patches, 2);
+  EXPECT_EQ(loop.Curves.size(), 1U);
 }
 
 TEST(SurfaceFeatures, ACreaseThatFadesOutGoesOnToTheNextOne)
 {
   const shape::Mesh fading = MakeRoof(30.0, 15.0);
-  ASSERT_GT(shape::EnclosedVolume(fading), 0.0);
+  ASSERT_GT(shape::ComputeEnclosedVolume(fading), 0.0);
   const shape::SurfaceFeatures features = shape::FindFeatures(fading, 40.0, 0.0);
   EXPECT_EQ(features.Patches, 5); // two sides, the floor, two gables
   EXPECT_EQ(features.Corners.size(), 6U);

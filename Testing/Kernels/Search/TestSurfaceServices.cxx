@@ -1,8 +1,8 @@
 #include "Base/Errors.h"
+#include "Distance/SignedDistance.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/IsoSurface.h"
-#include "Distance/SignedDistance.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(ClosestPoint, AgreesWithTheSearchOfEveryTriangle)
   const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 24, 12);
   const Eigen::MatrixXd points = RandomPoints(500, 2.0);
   const shape::ClosestPoints found = shape::SurfaceLocator(torus).Find(points);
-  const Eigen::MatrixXd positions = shape::Pulled(found, torus.Triangles, torus.Points);
+  const Eigen::MatrixXd positions = shape::PullBack(found, torus.Triangles, torus.Points);
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
     EXPECT_NEAR(found.Distances(i), BruteForceDistance(torus, points.row(i)), 1e-12);
@@ -77,7 +77,7 @@ TEST(ClosestPoint, AgreesWithTheSearchOfEveryTriangle)
 TEST(ClosestPoint, PlacesOnTheSurfaceFindThemselvesHoweverOftenTheyAreGiven)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 24, 12);
-  const Eigen::MatrixXd places = shape::OffCentres(torus);
+  const Eigen::MatrixXd places = shape::ComputeOffCentres(torus);
   Eigen::MatrixXd points(3 * places.rows(), 3);
   for (Eigen::Index t = 0; t < places.rows(); ++t)
   {
@@ -104,11 +104,12 @@ TEST(ClosestPoint, AGuessChangesNoDistance)
     const int guess = (37 * i) % static_cast<int>(torus.Triangles.rows());
     for (const int triangle : { -1, guess, int(found.Triangles(i)) })
     {
-      const shape::ClosestPlace place = locator.FindOne(points.row(i), triangle);
-      EXPECT_NEAR(place.Distance, found.Distances(i), 1e-14);
-      EXPECT_NEAR((place.Position - points.row(i)).norm(), place.Distance, 1e-15);
-      const Eigen::RowVector3d again = place.Barycentric * shape::Corners(torus, place.Triangle);
-      EXPECT_LT((again - place.Position).norm(), 1e-15);
+      const shape::ClosestPoint position = locator.FindOne(points.row(i), triangle);
+      EXPECT_NEAR(position.Distance, found.Distances(i), 1e-14);
+      EXPECT_NEAR((position.Position - points.row(i)).norm(), position.Distance, 1e-15);
+      const Eigen::RowVector3d again =
+        position.Barycentric * shape::GetCorners(torus, position.Triangle);
+      EXPECT_LT((again - position.Position).norm(), 1e-15);
     }
   }
 }
@@ -149,7 +150,7 @@ TEST(SignedDistance, HasTheRightSignWhereTheClosestPointIsAnEdgeOrACorner)
   shape::Mesh wedge{ Eigen::MatrixXd(4, 3), Eigen::MatrixXi(4, 3) };
   wedge.Points << 0, 0, -1, 0, 0, 1, 4, 0.1, 0, 4, -0.1, 0;
   wedge.Triangles << 0, 1, 2, 1, 0, 3, 0, 2, 3, 1, 3, 2;
-  if (shape::EnclosedVolume(wedge) < 0.0)
+  if (shape::ComputeEnclosedVolume(wedge) < 0.0)
   {
     wedge.Triangles.col(1).swap(wedge.Triangles.col(2));
   }
@@ -167,7 +168,7 @@ TEST(SignedDistance, HasTheRightSignBesideFlatTriangles)
   shape::Mesh wedge{ Eigen::MatrixXd(5, 3), Eigen::MatrixXi(6, 3) };
   wedge.Points << 0, 0, -1, 0, 0, 1, 4, 0.1, 0, 4, -0.1, 0, 0, 0, 0;
   wedge.Triangles << 0, 1, 2, 1, 4, 3, 4, 0, 3, 0, 2, 3, 1, 3, 2, 1, 0, 4;
-  if (shape::EnclosedVolume(wedge) < 0.0)
+  if (shape::ComputeEnclosedVolume(wedge) < 0.0)
   {
     wedge.Triangles.col(1).swap(wedge.Triangles.col(2));
   }
@@ -202,8 +203,8 @@ TEST(IsoSurface, OfASphereIsClosedFacesOutwardsAndHasItsVolume)
       }
     }
   }
-  const shape::Mesh surface = shape::IsoSurface(grid, 1.0);
+  const shape::Mesh surface = shape::ExtractIsoSurface(grid, 1.0);
   EXPECT_EQ(shape::RequireClosedSurface(surface, "the iso-surface").EulerNumber, 2);
-  EXPECT_NEAR(shape::EnclosedVolume(surface), 4.0 / 3.0 * M_PI, 0.03);
-  EXPECT_EQ(shape::IsoSurface(grid, 9.0).Triangles.rows(), 0);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(surface), 4.0 / 3.0 * M_PI, 0.03);
+  EXPECT_EQ(shape::ExtractIsoSurface(grid, 9.0).Triangles.rows(), 0);
 }

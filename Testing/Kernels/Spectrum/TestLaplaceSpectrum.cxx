@@ -17,9 +17,9 @@ namespace
 /// How far the pairs are from solving L f = lambda M f, relative to (lambda + 1 / area) M f.
 double Residual(const shape::Mesh& mesh, const shape::LaplaceSpectrum& spectrum)
 {
-  const shape::IntrinsicTriangles flat = shape::IntrinsicDelaunay(mesh);
-  const Eigen::SparseMatrix<double> stiffness = shape::CotangentStiffness(
-    flat.Triangles, shape::AnglesOfSides(flat.Sides).Cotangents, mesh.Points.rows());
+  const shape::IntrinsicTriangles flat = shape::BuildIntrinsicDelaunay(mesh);
+  const Eigen::SparseMatrix<double> stiffness = shape::BuildCotangentStiffness(
+    flat.Triangles, shape::ComputeAnglesFromLengths(flat.Sides).Cotangents, mesh.Points.rows());
   double worst = 0.0;
   for (Eigen::Index k = 0; k < spectrum.Eigenvalues.size(); ++k)
   {
@@ -47,7 +47,7 @@ TEST(LaplaceSpectrum, OfASphereIsThatOfSphericalHarmonics)
   for (const int level : { 3, 4, 5 })
   {
     sphere = shapetest::Icosphere(level);
-    spectrum = shape::FindLaplaceSpectrum(sphere, 49);
+    spectrum = shape::SolveLaplaceEigenproblem(sphere, 49);
     EXPECT_EQ(spectrum.Eigenvalues(0), 0.0);
     const Eigen::ArrayXd errors = (spectrum.Eigenvalues - exact).tail(48).array().abs();
     const double next = (errors / exact.tail(48).array()).maxCoeff();
@@ -74,7 +74,7 @@ TEST(LaplaceSpectrum, OfAPlateIsThatOfCosines)
     }
   }
   std::sort(exact.begin(), exact.end());
-  const shape::LaplaceSpectrum spectrum = shape::FindLaplaceSpectrum(plate, 20);
+  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(plate, 20);
   for (int k = 0; k < 20; ++k)
   {
     EXPECT_NEAR(spectrum.Eigenvalues(k), exact[k], 0.01 * exact[k] + 1e-9);
@@ -93,7 +93,7 @@ TEST(LaplaceSpectrum, EachComponentHasAConstant)
     many.Points.middleRows(c * n, n) = sphere.Points.rowwise() + Eigen::RowVector3d(3.0 * c, 0, 0);
     many.Triangles.middleRows(c * m, m) = sphere.Triangles.array() + static_cast<int>(c * n);
   }
-  const shape::LaplaceSpectrum spectrum = shape::FindLaplaceSpectrum(many, 4 * copies);
+  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(many, 4 * copies);
   EXPECT_EQ(spectrum.Eigenvalues.head(copies), Eigen::VectorXd::Zero(copies));
   // Three of each sphere follow: more equal ones than a block has columns.
   EXPECT_GT(spectrum.Eigenvalues(copies), 1.9);
@@ -112,7 +112,7 @@ TEST(LaplaceSpectrum, ComponentsMixTheirEigenvaluesInOrder)
   both.Triangles << small.Triangles, small.Triangles.array() + static_cast<int>(n), first,
     first + 2, first + 1, first, first + 1, first + 3, first, first + 3, first + 2, first + 1,
     first + 2, first + 3;
-  const shape::LaplaceSpectrum spectrum = shape::FindLaplaceSpectrum(both, 3 + 24 + 3);
+  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(both, 3 + 24 + 3);
   EXPECT_EQ(spectrum.Eigenvalues.head(3), Eigen::Vector3d::Zero());
   std::vector<double> exact = { 2, 2, 2 };
   for (int degree = 1; degree < 5; ++degree)
@@ -132,9 +132,9 @@ TEST(LaplaceSpectrum, ComponentsMixTheirEigenvaluesInOrder)
 TEST(LaplaceSpectrum, NamesWhatIsWrong)
 {
   shape::Mesh mesh = shapetest::Icosphere(1); // 42 points
-  EXPECT_EQ(shape::FindLaplaceSpectrum(mesh, 42).Eigenvalues.size(), 42);
-  EXPECT_THROW(shape::FindLaplaceSpectrum(mesh, 43), shape::InvalidInput);
-  EXPECT_THROW(shape::FindLaplaceSpectrum(mesh, 0), shape::InvalidInput);
+  EXPECT_EQ(shape::SolveLaplaceEigenproblem(mesh, 42).Eigenvalues.size(), 42);
+  EXPECT_THROW(shape::SolveLaplaceEigenproblem(mesh, 43), shape::InvalidInput);
+  EXPECT_THROW(shape::SolveLaplaceEigenproblem(mesh, 0), shape::InvalidInput);
   mesh.Triangles(0, 0) = mesh.Triangles(0, 1);
-  EXPECT_THROW(shape::FindLaplaceSpectrum(mesh, 10), shape::InvalidInput);
+  EXPECT_THROW(shape::SolveLaplaceEigenproblem(mesh, 10), shape::InvalidInput);
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Deform/BoundaryHandle.h"
-#include "Mesh/OpenLoops.h"
 #include "Geometry/PointGraph.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/OpenSurface.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -86,10 +86,10 @@ inline shape::ShapeElements Block(int cells, int layers, double height)
 }
 
 /// The longest border as a handle.
-inline shape::BoundaryHandle RimOf(const shape::Mesh& surface)
+inline shape::BoundaryHandle LoopOf(const shape::Mesh& surface)
 {
-  const std::vector<int> loop = shape::OpenLoops(surface).front();
-  return shape::CurveHandle(surface.Points(loop, Eigen::all), true);
+  const std::vector<int> loop = shape::FindManifoldBoundaryLoops(surface).front();
+  return shape::BuildCurveHandle(surface.Points(loop, Eigen::all), true);
 }
 
 inline Eigen::Matrix3d SomeRotation()
@@ -104,15 +104,15 @@ inline Eigen::MatrixXd Moved(const Eigen::MatrixXd& points, const Eigen::Matrix3
 }
 
 /// The places bent about the y axis as a strip on a cylinder of this radius: x becomes an angle.
-inline Eigen::MatrixXd Bent(Eigen::MatrixXd places, double radius)
+inline Eigen::MatrixXd Bent(Eigen::MatrixXd positions, double radius)
 {
-  for (auto row : places.rowwise())
+  for (auto row : positions.rowwise())
   {
     const double angle = row(0) / radius, distance = radius + row(2);
     row(0) = distance * std::sin(angle);
     row(2) = distance * std::cos(angle) - radius;
   }
-  return places;
+  return positions;
 }
 
 inline double Largest(const Eigen::MatrixXd& difference)

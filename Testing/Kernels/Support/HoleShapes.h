@@ -1,9 +1,9 @@
 #pragma once
 
+#include "Fill/FillHoles.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Fill/FillHoles.h"
-#include "Mesh/BorderLoops.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ inline shape::Mesh Without(
   shape::Mesh mesh, const std::function<bool(const Eigen::RowVector3d&)>& isRemoved)
 {
   int kept = 0;
-  const Eigen::MatrixXd centres = shape::Centroids(mesh);
+  const Eigen::MatrixXd centres = shape::ComputeCentroids(mesh);
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
   {
     if (!isRemoved(centres.row(t)))
@@ -42,8 +42,8 @@ inline Eigen::RowVector3d CapAxis()
 inline shape::Mesh SphereWithoutCap(int level, double degrees)
 {
   return Without(shapetest::Icosphere(level),
-    [degrees](const Eigen::RowVector3d& place)
-    { return place.normalized().dot(CapAxis()) > std::cos(degrees * M_PI / 180.0); });
+    [degrees](const Eigen::RowVector3d& position)
+    { return position.normalized().dot(CapAxis()) > std::cos(degrees * M_PI / 180.0); });
 }
 
 /// Two rows of quads beside a closed curve, the curve moved by away(i) and twice that: the curve is
@@ -69,7 +69,7 @@ inline shape::Mesh Ribbon(const Eigen::MatrixXd& curve, const Eigen::MatrixXd& a
 /// The loop of a surface that begins at point 0.
 inline std::vector<std::vector<int>> LoopOfPointZero(const shape::Mesh& mesh)
 {
-  for (const std::vector<int>& loop : shape::BorderLoops(mesh).Loops)
+  for (const std::vector<int>& loop : shape::FindBoundaryLoops(mesh).Loops)
   {
     if (loop.front() == 0)
     {
@@ -87,7 +87,7 @@ inline void ExpectSound(
   EXPECT_EQ(filled.Surface.Triangles.topRows(before.Triangles.rows()), before.Triangles);
   EXPECT_TRUE(filled.Surface.Points.allFinite());
   const shape::Topology topology = shape::RequireManifold(filled.Surface, "the filled surface");
-  EXPECT_EQ(topology.OpenLoops, openLoops);
+  EXPECT_EQ(topology.BoundaryLoops, openLoops);
   EXPECT_EQ(topology.EulerNumber, euler);
 }
 

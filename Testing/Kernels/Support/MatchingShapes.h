@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
+#include "Mesh/SurfacePoints.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -94,10 +94,10 @@ inline shape::Mesh Mirrored(shape::Mesh mesh)
 
 /// How far in space points are taken from `wanted` (n x 3), over the longest side of `other`.
 inline Eigen::VectorXd MapErrors(
-  const shape::PreciseMap& map, const shape::Mesh& other, const Eigen::MatrixXd& wanted)
+  const shape::SurfacePoints& map, const shape::Mesh& other, const Eigen::MatrixXd& wanted)
 {
-  return (shape::Pulled(map, other.Triangles, other.Points) - wanted).rowwise().norm() /
-    shape::LongestSide(other.Points);
+  return (shape::PullBack(map, other.Triangles, other.Points) - wanted).rowwise().norm() /
+    shape::ComputeLongestBoxEdge(other.Points);
 }
 
 /// What lies above a height, and where its points are in the mesh given.
@@ -110,10 +110,10 @@ struct Cut
 inline Cut Above(const shape::Mesh& mesh, double height)
 {
   Cut cut;
-  std::vector<int> kept, place(mesh.Points.rows(), -1);
+  std::vector<int> kept, position(mesh.Points.rows(), -1);
   for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
   {
-    if (shape::Corners(mesh, t).col(2).mean() > height)
+    if (shape::GetCorners(mesh, t).col(2).mean() > height)
     {
       kept.push_back(t);
     }
@@ -121,12 +121,12 @@ inline Cut Above(const shape::Mesh& mesh, double height)
   cut.Surface.Triangles = mesh.Triangles(kept, Eigen::all);
   for (int& point : cut.Surface.Triangles.reshaped())
   {
-    if (place[point] < 0)
+    if (position[point] < 0)
     {
-      place[point] = static_cast<int>(cut.Points.size());
+      position[point] = static_cast<int>(cut.Points.size());
       cut.Points.push_back(point);
     }
-    point = place[point];
+    point = position[point];
   }
   cut.Surface.Points = mesh.Points(cut.Points, Eigen::all);
   return cut;

@@ -25,16 +25,16 @@ shape::Mesh Icosphere(int level)
     { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 }, { 9, 8, 1 } };
   for (int round = 0; round < level; ++round)
   {
-    std::map<std::pair<int, int>, int> middles;
+    std::map<std::pair<int, int>, int> midpoints;
     const auto middle = [&](int a, int b)
     {
-      const auto [place, isNew] =
-        middles.try_emplace(std::minmax(a, b), static_cast<int>(points.size()));
+      const auto [position, isNew] =
+        midpoints.try_emplace(std::minmax(a, b), static_cast<int>(points.size()));
       if (isNew)
       {
         points.push_back(points[a] + points[b]);
       }
-      return place->second;
+      return position->second;
     };
     std::vector<Eigen::RowVector3i> finer;
     for (auto& point : points)

@@ -160,7 +160,7 @@ TEST(Tetrahedralize, TheBoundaryIsTheSurfaceAndTheVolumeItsVolume)
          shapetest::Torus(1.0, 0.3, 24, 12), Sphere(2, 1e-7, { 3e-6, 0, 0 }), Sphere(2, 1e9) })
   {
     const shape::TetrahedralizeResult solid = shape::Tetrahedralize(mesh);
-    const double volume = shape::EnclosedVolume(mesh);
+    const double volume = shape::ComputeEnclosedVolume(mesh);
     EXPECT_NEAR(RegionVolume(solid, 0), volume, 1e-12 * volume);
     EXPECT_NEAR(solid.Volume, volume, 1e-12 * volume);
     // The input's points come first, as they were, and its triangles are the boundary, facing out.
@@ -192,7 +192,7 @@ TEST(Tetrahedralize, ASurfaceThatFacesInwardsIsTheSameSolid)
 {
   shape::Mesh mesh = Icosphere(2);
   mesh.Triangles.col(0).swap(mesh.Triangles.col(1));
-  EXPECT_NEAR(shape::Tetrahedralize(mesh).Volume, -shape::EnclosedVolume(mesh), 1e-12);
+  EXPECT_NEAR(shape::Tetrahedralize(mesh).Volume, -shape::ComputeEnclosedVolume(mesh), 1e-12);
 }
 
 TEST(Tetrahedralize, MaximumVolumeAndRadiusEdgeRatioBoundEveryTetrahedron)
@@ -232,7 +232,7 @@ TEST(Tetrahedralize, MaximumVolumeAndRadiusEdgeRatioBoundEveryTetrahedron)
   const shape::Mesh boundary = BoundaryOf(solid);
   EXPECT_GT(boundary.Triangles.rows(), 12);
   EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber, 2);
-  EXPECT_NEAR(shape::EnclosedVolume(boundary), 1.0, 1e-12);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(boundary), 1.0, 1e-12);
   EXPECT_EQ(solid.Points.topRows(8), box.Points);
 }
 
@@ -250,10 +250,10 @@ TEST(Tetrahedralize, InnerSurfacesAreRegionsAlsoInsideOneAnother)
     double v[3];
     for (int i = 0; i < 3; ++i)
     {
-      v[i] = shape::EnclosedVolume(inner[i]);
+      v[i] = shape::ComputeEnclosedVolume(inner[i]);
     }
     EXPECT_EQ(solid.Regions, 4);
-    EXPECT_NEAR(RegionVolume(solid, 0), shape::EnclosedVolume(outer) - v[1] - v[2], 1e-12);
+    EXPECT_NEAR(RegionVolume(solid, 0), shape::ComputeEnclosedVolume(outer) - v[1] - v[2], 1e-12);
     EXPECT_NEAR(RegionVolume(solid, 1), v[0], 1e-12);
     EXPECT_NEAR(RegionVolume(solid, 2), v[1] - v[0], 1e-12);
     EXPECT_NEAR(RegionVolume(solid, 3), v[2], 1e-12);
@@ -272,30 +272,31 @@ TEST(Tetrahedralize, AComponentInsideAnotherIsAVoidAndTheNextOneSolidAgain)
   const double signs[] = { -1, 1, 1, -1, 1 };
   for (int i = 0; i < 5; ++i)
   {
-    volume += signs[i] * shape::EnclosedVolume(parts[i]);
+    volume += signs[i] * shape::ComputeEnclosedVolume(parts[i]);
   }
   EXPECT_NEAR(RegionVolume(solid, 0), volume, 1e-12);
   const shape::Mesh boundary = BoundaryOf(solid);
   const shape::Topology topology = shape::RequireClosedSurface(boundary, "the boundary");
   EXPECT_EQ(topology.Components, 5);
   EXPECT_EQ(topology.EulerNumber, 10);
-  EXPECT_NEAR(shape::EnclosedVolume(boundary), volume, 1e-12);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(boundary), volume, 1e-12);
 }
 
 TEST(Tetrahedralize, AVoidInsideAnInnerSurfaceAndAHollowInnerSurface)
 {
   // The boundary's own void lies inside inner surface 0; inner surface 1 is a shell.
   const shape::Mesh boundary = Together({ Sphere(3, 2.0), Sphere(1, 0.2, { -1, 0, 0 }) });
-  const shape::Mesh solidBorder = Sphere(2, 0.5, { -1, 0, 0 });
+  const shape::Mesh solidBoundary = Sphere(2, 0.5, { -1, 0, 0 });
   const shape::Mesh shell = Together({ Sphere(2, 0.5, { 1, 0, 0 }), Sphere(2, 0.3, { 1, 0, 0 }) });
-  const shape::TetrahedralizeResult solid = shape::Tetrahedralize(boundary, { solidBorder, shell });
-  const double small = shape::EnclosedVolume(Sphere(1, 0.2));
-  const double half = shape::EnclosedVolume(Sphere(2, 0.5));
-  const double hollow = shape::EnclosedVolume(Sphere(2, 0.3));
+  const shape::TetrahedralizeResult solid =
+    shape::Tetrahedralize(boundary, { solidBoundary, shell });
+  const double small = shape::ComputeEnclosedVolume(Sphere(1, 0.2));
+  const double half = shape::ComputeEnclosedVolume(Sphere(2, 0.5));
+  const double hollow = shape::ComputeEnclosedVolume(Sphere(2, 0.3));
   EXPECT_NEAR(RegionVolume(solid, 1), half - small, 1e-12);
   EXPECT_NEAR(RegionVolume(solid, 2), half - hollow, 1e-12);
-  EXPECT_NEAR(
-    RegionVolume(solid, 0), shape::EnclosedVolume(Sphere(3, 2.0)) - 2.0 * half + hollow, 1e-11);
+  EXPECT_NEAR(RegionVolume(solid, 0),
+    shape::ComputeEnclosedVolume(Sphere(3, 2.0)) - 2.0 * half + hollow, 1e-11);
 }
 
 TEST(Tetrahedralize, UnusedAndCoincidentPointsAreLeftOut)
@@ -449,7 +450,7 @@ TEST(Tetrahedralize, VeryThinSolidsAreFilled)
 {
   shape::Mesh lens = Icosphere(1);
   lens.Points.col(2) *= 1e-9;
-  EXPECT_NEAR(shape::Tetrahedralize(lens).Volume / shape::EnclosedVolume(lens), 1.0, 1e-9);
+  EXPECT_NEAR(shape::Tetrahedralize(lens).Volume / shape::ComputeEnclosedVolume(lens), 1.0, 1e-9);
 }
 
 TEST(Tetrahedralize, WhatTetGenGivesUpOnIsAnError)
@@ -485,10 +486,10 @@ TEST(Tetrahedralize, ScannedModelsAreFilledOrRefusedWithThePlace)
   {
     const shape::Mesh mesh = shapetest::ReadOff(folder + "/" + name + ".off");
     const shape::TetrahedralizeResult solid = shape::Tetrahedralize(mesh);
-    const double volume = std::abs(shape::EnclosedVolume(mesh));
+    const double volume = std::abs(shape::ComputeEnclosedVolume(mesh));
     EXPECT_NEAR(solid.Volume, volume, 1e-10 * volume) << name;
-    EXPECT_EQ(shape::SurfaceTopology(BoundaryOf(solid)).EulerNumber,
-      shape::SurfaceTopology(mesh).EulerNumber)
+    EXPECT_EQ(shape::ComputeTopology(BoundaryOf(solid)).EulerNumber,
+      shape::ComputeTopology(mesh).EulerNumber)
       << name;
   }
   ExpectContains(Refusal(shapetest::ReadOff(folder + "/bull.off")),

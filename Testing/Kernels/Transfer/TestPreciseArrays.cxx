@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
-#include "Transfer/PreciseArrays.h"
 #include "Support/TestShapes.h"
+#include "Transfer/PreciseArrays.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ shape::NumberedSurface Target()
 }
 
 /// One place in each triangle, corner `t % 3` nearest.
-shape::PreciseArrays PlacesOn(const shape::NumberedSurface& target)
+shape::PreciseArrays PositionsOn(const shape::NumberedSurface& target)
 {
   const auto m = static_cast<int>(target.Surface.Triangles.rows());
   shape::PreciseArrays arrays{ Eigen::VectorXd::LinSpaced(m, 3.0, m + 2.0),
@@ -31,7 +31,7 @@ shape::PreciseArrays PlacesOn(const shape::NumberedSurface& target)
     arrays.TargetBarycentric(t, t % 3) = 0.6;
   }
   const Eigen::VectorXi triangles = Eigen::VectorXi::LinSpaced(m, 0, m - 1);
-  arrays.TargetPosition = shape::Pulled(
+  arrays.TargetPosition = shape::PullBack(
     { triangles, arrays.TargetBarycentric }, target.Surface.Triangles, target.Surface.Points);
   return arrays;
 }
@@ -54,24 +54,25 @@ std::string ErrorOf(const shape::PreciseArrays& arrays, double tolerance = 0.01)
 TEST(PreciseArrays, SayWhichTriangleWhichCellAndWhichCorner)
 {
   const shape::NumberedSurface target = Target();
-  const shape::PreciseArrays arrays = PlacesOn(target);
-  const shape::PreciseMap map =
+  const shape::PreciseArrays arrays = PositionsOn(target);
+  const shape::SurfacePoints map =
     shape::RequirePreciseMap(arrays, target, 0.0, "the Input", "the Source");
-  const shape::TransferredPlaces places = shape::PlacesOnTriangles(map, target);
+  const shape::TransferWeights positions = shape::LocateOnTriangles(map, target);
   EXPECT_LT(
-    (places.Weights * target.Surface.Points - arrays.TargetPosition).cwiseAbs().maxCoeff(), 1e-15);
+    (positions.Weights * target.Surface.Points - arrays.TargetPosition).cwiseAbs().maxCoeff(),
+    1e-15);
   for (int t = 0; t < static_cast<int>(map.Triangles.size()); ++t)
   {
     EXPECT_EQ(map.Triangles(t), t);
-    EXPECT_EQ(places.Cells(t), 3 + t / 2);
-    EXPECT_EQ(places.Nearest(t), target.Surface.Triangles(t, t % 3));
+    EXPECT_EQ(positions.Cells(t), 3 + t / 2);
+    EXPECT_EQ(positions.Nearest(t), target.Surface.Triangles(t, t % 3));
   }
-  EXPECT_EQ(places.Outside.sum(), 0);
+  EXPECT_EQ(positions.Outside.sum(), 0);
 }
 
 TEST(PreciseArrays, SinglePrecisionDoesNotSpoilThem)
 {
-  shape::PreciseArrays arrays = PlacesOn(Target());
+  shape::PreciseArrays arrays = PositionsOn(Target());
   arrays.TargetBarycentric = arrays.TargetBarycentric.cast<float>().cast<double>().eval();
   arrays.TargetPosition = arrays.TargetPosition.cast<float>().cast<double>().eval();
   EXPECT_EQ(ErrorOf(arrays, 0.0), "");
@@ -79,7 +80,7 @@ TEST(PreciseArrays, SinglePrecisionDoesNotSpoilThem)
 
 TEST(PreciseArrays, WhatDoesNotFitTheTargetIsRefused)
 {
-  const shape::PreciseArrays good = PlacesOn(Target());
+  const shape::PreciseArrays good = PositionsOn(Target());
   ASSERT_EQ(ErrorOf(good), "");
   const auto refused = [&](auto spoil, const std::string& words)
   {

@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
 #include "Search/CellLocator.h"
-#include "Transfer/TransferFields.h"
 #include "Support/TestShapes.h"
+#include "Transfer/TransferFields.h"
 
 #include <gtest/gtest.h>
 
@@ -154,22 +154,22 @@ TEST(TransferFields, CarriesALinearFieldExactlyBothWays)
 {
   // Receivers in the preimage of the giver; a field that is linear in the giver's place.
   const Affine map = SomeMap();
-  const Eigen::MatrixXd places = RandomPoints(2000, 0.0, 1.0);
-  const Eigen::MatrixXd receivers = map.Inverse()(places);
+  const Eigen::MatrixXd positions = RandomPoints(2000, 0.0, 1.0);
+  const Eigen::MatrixXd receivers = map.Inverse()(positions);
   for (const int kind : { Tetra, Hexahedron, Wedge })
   {
     const shape::Cells giver = Block(4, kind);
-    const shape::TransferredPlaces pulled = shape::TransferFields(giver).Find(map(receivers));
-    const shape::TransferredPlaces pushed =
+    const shape::TransferWeights pulled = shape::TransferFields(giver).Find(map(receivers));
+    const shape::TransferWeights pushed =
       shape::TransferFields(giver, map.Inverse()(giver.Points), Push()).Find(receivers);
-    for (const shape::TransferredPlaces& found : { pulled, pushed })
+    for (const shape::TransferWeights& found : { pulled, pushed })
     {
-      EXPECT_LT((found.Weights * giver.Points - places).cwiseAbs().maxCoeff(), 1e-12) << kind;
+      EXPECT_LT((found.Weights * giver.Points - positions).cwiseAbs().maxCoeff(), 1e-12) << kind;
       EXPECT_EQ(found.Outside.sum(), 0);
       // The corner of most weight is the closest one in a box of equal sides.
-      for (Eigen::Index i = 0; kind == Hexahedron && i < places.rows(); ++i)
+      for (Eigen::Index i = 0; kind == Hexahedron && i < positions.rows(); ++i)
       {
-        EXPECT_LE((giver.Points.row(found.Nearest(i)) - places.row(i)).cwiseAbs().maxCoeff(),
+        EXPECT_LE((giver.Points.row(found.Nearest(i)) - positions.row(i)).cwiseAbs().maxCoeff(),
           0.125 + 1e-12);
       }
     }
@@ -178,13 +178,13 @@ TEST(TransferFields, CarriesALinearFieldExactlyBothWays)
 
 TEST(TransferFields, FindsTheCellThatContainsThePlace)
 {
-  const Eigen::MatrixXd places = RandomPoints(1000, 0.0, 1.0);
-  const shape::TransferredPlaces hexahedra =
-    shape::TransferFields(Block(5, Hexahedron)).Find(places);
-  const shape::TransferredPlaces wedges = shape::TransferFields(Block(5, Wedge)).Find(places);
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  const Eigen::MatrixXd positions = RandomPoints(1000, 0.0, 1.0);
+  const shape::TransferWeights hexahedra =
+    shape::TransferFields(Block(5, Hexahedron)).Find(positions);
+  const shape::TransferWeights wedges = shape::TransferFields(Block(5, Wedge)).Find(positions);
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    const Eigen::Array3d scaled = 5.0 * places.row(i).transpose().array();
+    const Eigen::Array3d scaled = 5.0 * positions.row(i).transpose().array();
     const Eigen::Array3i box = scaled.floor().cast<int>();
     const int number = box(0) + 5 * (box(1) + 5 * box(2));
     const Eigen::Array3d within = scaled - box.cast<double>();
@@ -199,7 +199,7 @@ TEST(TransferFields, InvertsATrilinearCell)
   shape::Cells cell = Block(1, Hexahedron);
   cell.Points += 0.2 * RandomPoints(8, -1.0, 1.0);
   const Eigen::MatrixXd parameters = RandomPoints(500, 0.02, 0.98);
-  Eigen::MatrixXd weights(500, 8), places(500, 3);
+  Eigen::MatrixXd weights(500, 8), positions(500, 3);
   for (Eigen::Index i = 0; i < 500; ++i)
   {
     for (int k = 0; k < 8; ++k)
@@ -208,11 +208,11 @@ TEST(TransferFields, InvertsATrilinearCell)
         (k & 2 ? parameters(i, 1) : 1.0 - parameters(i, 1)) *
         (k & 4 ? parameters(i, 2) : 1.0 - parameters(i, 2));
     }
-    places.row(i) = weights.row(i) * cell.Points;
+    positions.row(i) = weights.row(i) * cell.Points;
   }
-  const shape::TransferredPlaces found = shape::TransferFields(cell).Find(places);
+  const shape::TransferWeights found = shape::TransferFields(cell).Find(positions);
   EXPECT_LT((Eigen::MatrixXd(found.Weights) - weights).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_LT((found.Weights * cell.Points - places).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((found.Weights * cell.Points - positions).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(TransferFields, TheOriginIsAPlaceLikeAnyOther)
@@ -226,20 +226,20 @@ TEST(TransferFields, TheOriginIsAPlaceLikeAnyOther)
   }
   Append(voxels, 11, { 0, 1, 3, 4, 6, 7, 9, 10 });
   Append(voxels, 11, { 1, 2, 4, 5, 7, 8, 10, 11 });
-  Eigen::MatrixXd places(2, 3);
-  places << 0, 0, 0, 0.5 + 1e-12, 0.1, 0.2;
-  const shape::TransferredPlaces found = shape::TransferFields(voxels).Find(places);
+  Eigen::MatrixXd positions(2, 3);
+  positions << 0, 0, 0, 0.5 + 1e-12, 0.1, 0.2;
+  const shape::TransferWeights found = shape::TransferFields(voxels).Find(positions);
   EXPECT_EQ(found.Cells(0), 1);
   EXPECT_NEAR(found.Weights.row(0).sum(), 1.0, 1e-14);
   EXPECT_EQ(found.Weights.row(1).nonZeros(), 8) << "beyond the side by rounding alone";
-  EXPECT_LT((found.Weights * voxels.Points - places).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((found.Weights * voxels.Points - positions).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 TEST(TransferFields, OnASurfaceTakesTheClosestPlace)
 {
   const shape::Mesh sphere = shapetest::Icosphere(3);
   const Eigen::MatrixXd directions = RandomPoints(1000, -1.0, 1.0).rowwise().normalized();
-  const shape::TransferredPlaces found = shape::TransferFields(Surface(sphere)).Find(directions);
+  const shape::TransferWeights found = shape::TransferFields(Surface(sphere)).Find(directions);
   EXPECT_EQ(found.Outside.sum(), 0);
   const Eigen::MatrixXd at = found.Weights * sphere.Points;
   EXPECT_LT((at - directions).rowwise().norm().maxCoeff(), 7e-3) << "the facets' sagitta";
@@ -249,10 +249,10 @@ TEST(TransferFields, OnASurfaceTakesTheClosestPlace)
   flat.Points << 0, 0, 0, 2, 0, 0, 3, 1, 0, 1, 2, 0, 0, 1, 0, 3, 0, 0, 4, 1, 0;
   Append(flat, Polygon, { 0, 1, 2, 3, 4 });
   Append(flat, Quad, { 1, 5, 6, 2 });
-  Eigen::MatrixXd places(2, 3);
-  places << 1.0, 1.0, 0.0, 2.9, 0.3, 0.0;
-  const shape::TransferredPlaces on = shape::TransferFields(flat).Find(places);
-  EXPECT_LT((on.Weights * flat.Points - places).cwiseAbs().maxCoeff(), 1e-14);
+  Eigen::MatrixXd positions(2, 3);
+  positions << 1.0, 1.0, 0.0, 2.9, 0.3, 0.0;
+  const shape::TransferWeights on = shape::TransferFields(flat).Find(positions);
+  EXPECT_LT((on.Weights * flat.Points - positions).cwiseAbs().maxCoeff(), 1e-14);
   EXPECT_EQ(on.Cells(0), 0);
   EXPECT_EQ(on.Cells(1), 1);
 }
@@ -262,12 +262,12 @@ TEST(TransferFields, OutsideTakesTheClosestPlaceAndSaysSo)
   for (const int kind : { Tetra, Hexahedron, Wedge })
   {
     const shape::Cells giver = Block(3, kind);
-    const Eigen::MatrixXd places = RandomPoints(1000, -1.0, 2.0);
-    const shape::TransferredPlaces found = shape::TransferFields(giver).Find(places);
-    const Eigen::MatrixXd closest = places.cwiseMax(0.0).cwiseMin(1.0);
+    const Eigen::MatrixXd positions = RandomPoints(1000, -1.0, 2.0);
+    const shape::TransferWeights found = shape::TransferFields(giver).Find(positions);
+    const Eigen::MatrixXd closest = positions.cwiseMax(0.0).cwiseMin(1.0);
     const Eigen::MatrixXd at = found.Weights * giver.Points;
     EXPECT_LT((at - closest).cwiseAbs().maxCoeff(), 1e-12) << kind;
-    const Eigen::VectorXd beyond = (places - closest).rowwise().norm();
+    const Eigen::VectorXd beyond = (positions - closest).rowwise().norm();
     EXPECT_EQ((beyond.array() > 0.01).count(), found.Outside.sum());
     EXPECT_GT(found.Outside.sum(), 900);
   }
@@ -300,8 +300,8 @@ TEST(TransferFields, ACellWithoutVolumeLeavesNothingUndefined)
 {
   shape::Cells flat = Block(1, Tetra);
   flat.Points.col(2).setZero();
-  const Eigen::MatrixXd places = RandomPoints(100, 0.0, 1.0);
-  const shape::TransferredPlaces found = shape::TransferFields(flat).Find(places);
+  const Eigen::MatrixXd positions = RandomPoints(100, 0.0, 1.0);
+  const shape::TransferWeights found = shape::TransferFields(flat).Find(positions);
   EXPECT_TRUE((found.Weights * flat.Points).allFinite());
   EXPECT_NEAR((found.Weights * Eigen::VectorXd::Ones(8)).minCoeff(), 1.0, 1e-6);
 }

@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
 #include "Untangle/EllipticEnergy.h"
-#include "Untangle/Private/MeanPositions.h"
+#include "Untangle/Private/TutteEmbedding.h"
 #include "Untangle/Untangle.h"
 
 #include <gtest/gtest.h>
@@ -125,7 +125,7 @@ int CountNegative(const shape::Cells& solid)
   for (int cell = 0; cell < solid.Kinds.size(); ++cell)
   {
     const auto* c = solid.Corners.data() + solid.Offsets(cell);
-    count += shape::Orientation(solid.Points.row(c[0]), solid.Points.row(c[1]),
+    count += shape::EvaluateOrientation(solid.Points.row(c[0]), solid.Points.row(c[1]),
                solid.Points.row(c[2]), solid.Points.row(c[3])) <= 0;
   }
   return count;
@@ -184,7 +184,8 @@ TEST(MeanPositions, PointsInsideAreTheMeansOfTheirNeighbours)
     }
   }
   // Wherever they were: in a cube of hexahedra, neighbours lie evenly around.
-  const Eigen::MatrixXd means = shape::MeanPositions(shape::SolidCells(cells, {}, "the cube"));
+  const Eigen::MatrixXd means =
+    shape::SolveTutteEmbedding(shape::SolidCells(cells, {}, "the cube"));
   EXPECT_LT((means - regular.Points).cwiseAbs().maxCoeff(), 1e-12);
 }
 

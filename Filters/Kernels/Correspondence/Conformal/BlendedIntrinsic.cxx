@@ -1,16 +1,16 @@
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Conformal/Private/MoebiusMap.h"
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
 #include "Correspondence/Pair/MatchingInput.h"
-#include "Correspondence/Conformal/Private/MoebiusMap.h"
-#include "Search/NearestPlaces.h"
-#include "Search/ClosestPoint.h"
 #include "Geodesics/FarthestPoints.h"
-#include "Mesh/OpenLoops.h"
+#include "Mesh/OpenSurface.h"
 #include "Parameterize/SphereMap.h"
 #include "Parameterize/SphericalTriangles.h"
-#include "Spectrum/StressScaling.h"
+#include "Search/ClosestPoint.h"
+#include "Search/NearestSurfacePoints.h"
+#include "Spectrum/Smacof.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -42,14 +42,14 @@ struct RoundSurface
 bool RequireGenusZero(const Mesh& mesh, const std::string& name)
 {
   const Topology topology = RequireConnected(mesh, name);
-  const int genus = (2 - topology.EulerNumber - topology.OpenLoops) / 2;
+  const int genus = (2 - topology.EulerNumber - topology.BoundaryLoops) / 2;
   if (genus != 0)
   {
     throw InvalidInput(name + " has genus " + std::to_string(genus) +
       "; maps through the sphere need genus 0: cut the handles and fill the holes, or take another "
       "method");
   }
-  return topology.OpenLoops > 0;
+  return topology.BoundaryLoops > 0;
 }
 
 /// first: the method that is tried first.
@@ -57,18 +57,18 @@ RoundSurface MakeRound(const Mesh& mesh, SphereMapMethod first, const Progress& 
 {
   RoundSurface round;
   Mesh unit = mesh;
-  const Eigen::VectorXd areas = PointAreas(mesh);
+  const Eigen::VectorXd areas = ComputePointAreas(mesh);
   unit.Points /= std::sqrt(areas.sum());
   round.Areas = areas / areas.sum();
-  const std::vector<std::vector<int>> loops = OpenLoops(unit);
-  const Mesh closed = FilledWithFans(unit, loops);
+  const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(unit);
+  const Mesh closed = FillWithFans(unit, loops);
   SphereMapOptions options;
   options.First = first;
-  const SphereMapResult map = SphereMap(closed, options, progress.Part(0.0, 0.6));
+  const SphereMapResult map = MapToSphere(closed, options, progress.Part(0.0, 0.6));
   round.Sphere = { map.Points, closed.Triangles };
   round.Method = map.Method;
   round.Points = ToComplexPoints(round.Sphere.Points);
-  const Eigen::VectorXd angles = SolidAngles(closed.Triangles, round.Sphere.Points);
+  const Eigen::VectorXd angles = ComputeSolidAngles(closed.Triangles, round.Sphere.Points);
   Eigen::VectorXd onSphere = Eigen::VectorXd::Zero(closed.Points.rows());
   for (Eigen::Index t = 0; t < angles.size(); ++t)
   {
@@ -78,12 +78,13 @@ RoundSurface MakeRound(const Mesh& mesh, SphereMapMethod first, const Progress& 
     }
   }
   constexpr double tiny = 1e-300;
-  round.LogScales = PointAreas(closed).array().max(tiny).log() - onSphere.array().max(tiny).log();
-  StressScalingOptions scaling;
+  round.LogScales =
+    ComputePointAreas(closed).array().max(tiny).log() - onSphere.array().max(tiny).log();
+  SmacofOptions scaling;
   scaling.Samples = 300;
   round.Embedding.setZero(closed.Points.rows(), scaling.Dimensions);
   round.Embedding.topRows(mesh.Points.rows()) =
-    StressScaling(unit, scaling, progress.Part(0.6, 1.0));
+    EmbedBySmacof(unit, scaling, progress.Part(0.6, 1.0));
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
     round.Embedding.row(mesh.Points.rows() + static_cast<Eigen::Index>(k)) =
@@ -103,16 +104,17 @@ Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const 
   const SurfaceLocator& locator, const Eigen::Matrix2cd& moebius)
 {
   const ComplexPoints own = from.Points(points, Eigen::all);
-  const ClosestPoints places = locator.Find(ToSphere(Transformed(own, moebius)));
-  const Eigen::VectorXd scales = LogAreaScales(own, moebius) - from.LogScales(points) +
-    Pulled(places, to.Sphere.Triangles, to.LogScales);
-  return { Pulled(places, to.Sphere.Triangles, to.Embedding), scales.array().cosh().inverse() };
+  const ClosestPoints positions = locator.Find(ToSphere(ApplyMoebiusTransform(own, moebius)));
+  const Eigen::VectorXd scales = ComputeLogAreaScales(own, moebius) - from.LogScales(points) +
+    PullBack(positions, to.Sphere.Triangles, to.LogScales);
+  return { PullBack(positions, to.Sphere.Triangles, to.Embedding),
+    scales.array().cosh().inverse() };
 }
 
 /// Every three of so many landmarks, or some that are evenly spread over them.
 std::vector<std::vector<int>> Triples(int count)
 {
-  constexpr std::size_t most = 300;
+  constexpr std::size_t maximum = 300;
   std::vector<std::vector<int>> all, some;
   for (int i = 0; i < count; ++i)
   {
@@ -124,7 +126,7 @@ std::vector<std::vector<int>> Triples(int count)
       }
     }
   }
-  const std::size_t stride = std::max<std::size_t>(1, (all.size() + most - 1) / most);
+  const std::size_t stride = std::max<std::size_t>(1, (all.size() + maximum - 1) / maximum);
   for (std::size_t t = 0; t < all.size(); t += stride)
   {
     some.push_back(all[t]);
@@ -142,7 +144,7 @@ std::vector<Eigen::Matrix2cd> MapsOfTriples(
   for (const std::vector<int>& triple : Triples(static_cast<int>(landmarks.size())))
   {
     const Eigen::Matrix2cd moebius =
-      MoebiusThrough(onA(triple, Eigen::all), onB(triple, Eigen::all));
+      SolveMoebiusTransform(onA(triple, Eigen::all), onB(triple, Eigen::all));
     if (moebius.allFinite())
     {
       maps.push_back(moebius);
@@ -208,7 +210,7 @@ Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator&
 }
 
 /// The places nearest to the mean images of all points.
-PreciseMap Blended(const RoundSurface& from, const RoundSurface& to, const Mesh& target,
+SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Mesh& target,
   const SurfaceLocator& locator, const Blend& blend, const Progress& progress)
 {
   std::vector<int> points(from.Areas.size());
@@ -223,13 +225,13 @@ PreciseMap Blended(const RoundSurface& from, const RoundSurface& to, const Mesh&
     sums += own.asDiagonal() * images.Positions;
     weights += own;
   }
-  return NearestPlaces(weights.cwiseInverse().asDiagonal() * sums, target.Triangles,
+  return FindNearestSurfacePoints(weights.cwiseInverse().asDiagonal() * sums, target.Triangles,
     to.Embedding.topRows(to.Areas.size()), progress.Part(0.7, 1.0));
 }
 
 } // namespace
 
-SurfaceMaps BlendedIntrinsic(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeBlendedIntrinsicMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   const BlendedIntrinsicOptions& options, const Progress& progress)
 {
   RequireOption(options.Candidates >= 1, "Candidates", options.Candidates, "at least 1");
@@ -243,7 +245,7 @@ SurfaceMaps BlendedIntrinsic(const Mesh& a, const Mesh& b, const Landmarks& land
       " landmarks, and three make a map; give three or more, or none to have them found");
   }
   const Landmarks used =
-    landmarks.empty() ? AutomaticLandmarks(a, b, {}, progress.Part(0.0, 0.2)).Pairs : landmarks;
+    landmarks.empty() ? FindLandmarks(a, b, {}, progress.Part(0.0, 0.2)).Pairs : landmarks;
   // One method for both: the more conformal one fails on one of them by rounding alone where a fan
   // lies close to what it closes, as on a sheet, and then the two would not agree.
   const SphereMapMethod first =
@@ -265,8 +267,8 @@ SurfaceMaps BlendedIntrinsic(const Mesh& a, const Mesh& b, const Landmarks& land
     throw InvalidInput("of the " + std::to_string(used.size()) +
       " landmarks no three are at three points on both surfaces; give some that are apart");
   }
-  Blend blend = Choose(
-    onA, onB, locatorB, maps, FarthestPoints(a, options.Samples), options, progress.Part(0.7, 0.8));
+  Blend blend = Choose(onA, onB, locatorB, maps, SampleFarthestPoints(a, options.Samples), options,
+    progress.Part(0.7, 0.8));
   SurfaceMaps result;
   result.AToB = Blended(onA, onB, b, locatorB, blend, progress.Part(0.8, 0.9));
   for (Eigen::Matrix2cd& moebius : blend.Maps)

@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-constexpr int LocatorGrain = 512;         // places
+constexpr int LocatorGrain = 512;  // places
 constexpr double Rounding = 1e-12; // tiles have the size 1
 
 using Complex = std::complex<double>;
@@ -38,8 +38,8 @@ double ReachOf(const OrbifoldImage& image)
 /// Weights of corners but for rounding are none.
 Eigen::RowVector3d Snapped(Eigen::RowVector3d barycentric)
 {
-  constexpr double least = 1e-9;
-  barycentric = (barycentric.array() < least).select(0.0, barycentric);
+  constexpr double minimum = 1e-9;
+  barycentric = (barycentric.array() < minimum).select(0.0, barycentric);
   return barycentric / barycentric.sum();
 }
 
@@ -48,7 +48,7 @@ OrbifoldImage ImageOf(const std::string& name, const Mesh& surface, const std::v
 {
   try
   {
-    return OrbifoldTutte(surface, cones, type, progress);
+    return MapToOrbifold(surface, cones, type, progress);
   }
   catch (const InvalidInput& problem)
   {
@@ -65,18 +65,19 @@ OrbifoldImage ImageOf(const std::string& name, const Mesh& surface, const std::v
 OrbifoldLocator::OrbifoldLocator(OrbifoldImage image, double reach)
   : Image(std::move(image))
   , Reach(reach)
-  , Motions(OrbifoldMotions(
+  , Motions(ComputeOrbifoldMotions(
       this->Image.Tile, this->Image.Tile.There.front(), reach + ReachOf(this->Image)))
   , Flat(FlatMesh(this->Image))
 {
 }
 
-PreciseMap OrbifoldLocator::Find(const Eigen::MatrixXd& places, const Progress& progress) const
+SurfacePoints OrbifoldLocator::Find(
+  const Eigen::MatrixXd& positions, const Progress& progress) const
 {
   const Complex first = this->Image.Tile.There.front();
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    if (!(std::abs(Complex(places(i, 0), places(i, 1)) - first) <= this->Reach + Rounding))
+    if (!(std::abs(Complex(positions(i, 0), positions(i, 1)) - first) <= this->Reach + Rounding))
     {
       throw InvalidInput("place " + std::to_string(i) + " is farther from the first cone than " +
         std::to_string(this->Reach) + "; give the locator a larger reach");
@@ -84,27 +85,27 @@ PreciseMap OrbifoldLocator::Find(const Eigen::MatrixXd& places, const Progress& 
   }
   const Eigen::RowVector2d low = this->Image.Points.colwise().minCoeff().array() - Rounding;
   const Eigen::RowVector2d high = this->Image.Points.colwise().maxCoeff().array() + Rounding;
-  PreciseMap map{ Eigen::VectorXi(places.rows()), Eigen::MatrixXd(places.rows(), 3) };
+  SurfacePoints map{ Eigen::VectorXi(positions.rows()), Eigen::MatrixXd(positions.rows(), 3) };
   ParallelFor(
-    static_cast<int>(places.rows()), LocatorGrain,
+    static_cast<int>(positions.rows()), LocatorGrain,
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
       {
-        ClosestPlace best;
+        ClosestPoint best;
         best.Barycentric.setZero();
         best.Position.setZero();
         best.Distance = std::numeric_limits<double>::infinity();
-        for (const PlaneMotion& motion : this->Motions)
+        for (const PlaneIsometry& motion : this->Motions)
         {
-          const Complex moved = motion(Complex(places(i, 0), places(i, 1)));
-          const Eigen::RowVector3d place(moved.real(), moved.imag(), 0.0);
-          if ((place.head<2>().array() < low.array()).any() ||
-            (place.head<2>().array() > high.array()).any())
+          const Complex moved = motion(Complex(positions(i, 0), positions(i, 1)));
+          const Eigen::RowVector3d position(moved.real(), moved.imag(), 0.0);
+          if ((position.head<2>().array() < low.array()).any() ||
+            (position.head<2>().array() > high.array()).any())
           {
             continue;
           }
-          const ClosestPlace closest = this->Flat.FindOne(place, best.Triangle);
+          const ClosestPoint closest = this->Flat.FindOne(position, best.Triangle);
           best = closest.Distance < best.Distance ? closest : best;
           if (best.Distance <= Rounding)
           {
@@ -119,7 +120,7 @@ PreciseMap OrbifoldLocator::Find(const Eigen::MatrixXd& places, const Progress& 
   return map;
 }
 
-Eigen::MatrixXd UncutPlaces(const OrbifoldImage& image, Eigen::Index points)
+Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index points)
 {
   // Copies come after all points.
   return image.Points.topRows(points);
@@ -130,11 +131,11 @@ OrbifoldMap MapThroughOrbifold(const Mesh& a, const std::vector<int>& conesA, co
 {
   const OrbifoldImage imageA = ImageOf("A", a, conesA, type, progress.Part(0.0, 0.3));
   const OrbifoldImage imageB = ImageOf("B", b, conesB, type, progress.Part(0.3, 0.6));
-  const Eigen::MatrixXd placesA = UncutPlaces(imageA, a.Points.rows());
-  const Eigen::MatrixXd placesB = UncutPlaces(imageB, b.Points.rows());
+  const Eigen::MatrixXd positionsA = CollectUncutPositions(imageA, a.Points.rows());
+  const Eigen::MatrixXd positionsB = CollectUncutPositions(imageB, b.Points.rows());
   OrbifoldMap map;
-  map.AToB = OrbifoldLocator(imageB, ReachOf(imageA)).Find(placesA, progress.Part(0.6, 0.8));
-  map.BToA = OrbifoldLocator(imageA, ReachOf(imageB)).Find(placesB, progress.Part(0.8, 1.0));
+  map.AToB = OrbifoldLocator(imageB, ReachOf(imageA)).Find(positionsA, progress.Part(0.6, 0.8));
+  map.BToA = OrbifoldLocator(imageA, ReachOf(imageB)).Find(positionsB, progress.Part(0.8, 1.0));
   return map;
 }
 

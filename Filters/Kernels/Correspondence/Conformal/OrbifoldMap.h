@@ -1,10 +1,10 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
 #include "Base/Progress.h"
-#include "Search/ClosestPoint.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/SurfacePoints.h"
 #include "Parameterize/OrbifoldTutte.h"
+#include "Search/ClosestPoint.h"
 
 #include <vector>
 
@@ -21,19 +21,19 @@ public:
 
   /// places: n x 2. Corners that a place coincides with but for rounding get all its weight; so
   /// cones do. Throws InvalidInput where a place is out of reach, Aborted.
-  PreciseMap Find(const Eigen::MatrixXd& places, const Progress& progress = {}) const;
+  SurfacePoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:
   OrbifoldImage Image;
   double Reach;
-  std::vector<PlaneMotion> Motions; ///< all that bring a place within reach to the image
+  std::vector<PlaneIsometry> Motions; ///< all that bring a place within reach to the image
   SurfaceLocator Flat;
 };
 
 struct OrbifoldMap
 {
-  PreciseMap AToB; ///< of the points of A, on triangles of B
-  PreciseMap BToA;
+  SurfacePoints AToB; ///< of the points of A, on triangles of B
+  SurfacePoints BToA;
 };
 
 /**
@@ -44,12 +44,12 @@ struct OrbifoldMap
  * two meshes of one shape agree in the limit: at a cone of order k they differ by h^(2 / k), so
  * that Rhombus and Rectangle depend least on the mesh.
  *
- * Throws as OrbifoldTutte, with the surface's letter; Aborted.
+ * Throws as MapToOrbifold, with the surface's letter; Aborted.
  */
 OrbifoldMap MapThroughOrbifold(const Mesh& a, const std::vector<int>& conesA, const Mesh& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress = {});
 
 /// The places of the uncut surface's points in the image (n x 2), one of each point's.
-Eigen::MatrixXd UncutPlaces(const OrbifoldImage& image, Eigen::Index points);
+Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index points);
 
 } // namespace shape

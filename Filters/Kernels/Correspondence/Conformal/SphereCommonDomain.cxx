@@ -1,13 +1,13 @@
 #include "Correspondence/Conformal/SphereCommonDomain.h"
 
 #include "Base/Errors.h"
-#include "Mesh/HalfEdges.h"
 #include "Base/Parallel.h"
-#include "Search/ClosestPoint.h"
 #include "Laplacian/CotangentWeights.h"
+#include "Mesh/HalfEdges.h"
 #include "Parameterize/SphereMap.h"
 #include "Parameterize/SphericalRelaxation.h"
 #include "Parameterize/SphericalTriangles.h"
+#include "Search/ClosestPoint.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -50,7 +50,7 @@ Eigen::MatrixXd OnSphere(const Mesh& surface, const std::string& name, const Pro
 {
   try
   {
-    return SphereMap(surface, {}, progress).Points;
+    return MapToSphere(surface, {}, progress).Points;
   }
   catch (const InvalidInput& problem)
   {
@@ -72,17 +72,17 @@ Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd&
 }
 
 /// The least distance between two of them; 2 for one.
-double Separation(const Eigen::MatrixXd& places)
+double Separation(const Eigen::MatrixXd& positions)
 {
-  double least = 2.0;
-  for (Eigen::Index i = 0; i < places.rows(); ++i)
+  double minimum = 2.0;
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
     for (Eigen::Index j = 0; j < i; ++j)
     {
-      least = std::min(least, (places.row(i) - places.row(j)).norm());
+      minimum = std::min(minimum, (positions.row(i) - positions.row(j)).norm());
     }
   }
-  return least;
+  return minimum;
 }
 
 /// exp(-|p - q|^2 / (2 width^2)) between all p and q.
@@ -99,7 +99,7 @@ Eigen::MatrixXd Gaussians(const Eigen::MatrixXd& p, const Eigen::MatrixXd& q, do
 
 bool AllFaceOutwards(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points)
 {
-  return FlippedTriangles(triangles, points).empty();
+  return FindFlippedTriangles(triangles, points).empty();
 }
 
 /// Takes the landmarks to their goals, all other points with them, and flips no triangle.
@@ -119,10 +119,10 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
       movable.push_back(i);
     }
   }
-  const Eigen::MatrixXd cotangents = AnglesOfTriangles(surface).Cotangents;
+  const Eigen::MatrixXd cotangents = ComputeTriangleAngles(surface).Cotangents;
   double rest = 1.0; // of the way
   double step = 1.0 / options.Steps;
-  constexpr double leastStep = 1e-4;
+  constexpr double minimumStep = 1e-4;
   while (rest > 0.0)
   {
     progress(0.7 * (1.0 - rest));
@@ -145,7 +145,7 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
       continue;
     }
     step *= 0.5;
-    if (step < leastStep)
+    if (step < minimumStep)
     {
       throw SolveFailure("the landmarks of surface A come no nearer to those of surface B than " +
         std::to_string((goals - at).rowwise().norm().maxCoeff()) +
@@ -165,19 +165,19 @@ Eigen::RowVector3d WeightsOf(const Eigen::Matrix3d& corners, const Eigen::RowVec
   for (int k = 0; k < 3; ++k)
   {
     weights(k) =
-      SphericalDeterminant(direction, corners.row((k + 1) % 3), corners.row((k + 2) % 3));
+      ComputeSphericalDeterminant(direction, corners.row((k + 1) % 3), corners.row((k + 2) % 3));
   }
   return weights / weights.cwiseAbs().sum();
 }
 
 } // namespace
 
-PreciseMap LocateDirections(
+SurfacePoints LocateDirections(
   const Mesh& sphere, const Eigen::MatrixXd& directions, const Progress& progress)
 {
   const SurfaceLocator locator(sphere);
-  const std::vector<int> twins = SideTwins(sphere.Triangles, sphere.Points.rows());
-  PreciseMap map{ Eigen::VectorXi(directions.rows()), Eigen::MatrixXd(directions.rows(), 3) };
+  const std::vector<int> twins = FindTwins(sphere.Triangles, sphere.Points.rows());
+  SurfacePoints map{ Eigen::VectorXi(directions.rows()), Eigen::MatrixXd(directions.rows(), 3) };
   ParallelFor(
     static_cast<int>(directions.rows()), Grain,
     [&](int begin, int end)
@@ -191,17 +191,17 @@ PreciseMap LocateDirections(
         double best = -std::numeric_limits<double>::infinity();
         for (int moves = 0; moves < 200; ++moves)
         {
-          const Eigen::RowVector3d weights = WeightsOf(Corners(sphere, triangle), direction);
+          const Eigen::RowVector3d weights = WeightsOf(GetCorners(sphere, triangle), direction);
           int out = 0;
-          const double least = weights.minCoeff(&out);
-          if (least > best)
+          const double minimum = weights.minCoeff(&out);
+          if (minimum > best)
           {
-            best = least;
+            best = minimum;
             map.Triangles(i) = triangle;
             const Eigen::RowVector3d inside = (weights.array() < Rounding).select(0.0, weights);
             map.Barycentrics.row(i) = inside / inside.sum();
           }
-          if (least >= -Rounding)
+          if (minimum >= -Rounding)
           {
             break;
           }
@@ -226,7 +226,7 @@ SphereCommonDomainResult MapThroughSphere(const Mesh& a, const std::vector<int>&
       " landmarks, surface B " + std::to_string(landmarksB.size()) +
       "; give as many of the one as of the other, at least one");
   }
-  if ((EnclosedVolume(a) < 0.0) != (EnclosedVolume(b) < 0.0))
+  if ((ComputeEnclosedVolume(a) < 0.0) != (ComputeEnclosedVolume(b) < 0.0))
   {
     throw InvalidInput("one of the surfaces faces inwards, the other outwards; turn one with "
                        "Reverse Sense");

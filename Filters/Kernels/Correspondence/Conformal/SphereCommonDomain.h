@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-#include "Mesh/PreciseMap.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <vector>
 
@@ -17,15 +17,15 @@ struct SphereCommonDomainOptions
 
 struct SphereCommonDomainResult
 {
-  PreciseMap AToB; ///< of the points of A, on triangles of B
-  PreciseMap BToA;
+  SurfacePoints AToB; ///< of the points of A, on triangles of B
+  SurfacePoints BToA;
   Eigen::MatrixXd SphereA; ///< n x 3: A on the unit sphere, its landmarks where those of B are
   Eigen::MatrixXd SphereB; ///< k x 3: the map of B as it is
 };
 
 /**
  * The map between two closed surfaces of genus 0 that takes any number of landmarks to landmarks:
- * one to one, orientation kept. Both go to the unit sphere (SphereMap), A is turned so that the
+ * one to one, orientation kept. Both go to the unit sphere (MapToSphere), A is turned so that the
  * squares of what its landmarks are apart from B's are least, and then warped: its points flow
  * along a smooth field that takes the landmarks on, sums of Gaussians around them, as wide as the
  * landmarks are apart; each step is halved until no spherical triangle flips. In the end points
@@ -34,8 +34,8 @@ struct SphereCommonDomainResult
  *
  * a, b: both facing outwards, or both inwards. landmarksA, landmarksB: different points, as many of
  * the one as of the other, at least one.
- * Throws InvalidInput where they are not, and as SphereMap; SolveFailure where the steps become so
- * small that the landmarks do not arrive: then their order around some place differs too much.
+ * Throws InvalidInput where they are not, and as MapToSphere; SolveFailure where the steps become
+ * so small that the landmarks do not arrive: then their order around some place differs too much.
  * Aborted.
  */
 SphereCommonDomainResult MapThroughSphere(const Mesh& a, const std::vector<int>& landmarksA,
@@ -44,7 +44,7 @@ SphereCommonDomainResult MapThroughSphere(const Mesh& a, const std::vector<int>&
 
 /// Where directions (n x 3, not 0) hit a closed surface around the origin whose triangles all face
 /// outwards and cover the sphere once. Throws Aborted.
-PreciseMap LocateDirections(
+SurfacePoints LocateDirections(
   const Mesh& sphere, const Eigen::MatrixXd& directions, const Progress& progress = {});
 
 } // namespace shape

@@ -1,10 +1,10 @@
 #include "Correspondence/Evaluate/MapErrorCurve.h"
 
 #include "Base/Errors.h"
+#include "Geodesics/ExactGeodesics.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
-#include "Geodesics/ExactGeodesics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,13 +35,13 @@ void RequireMap(const Mesh& mesh, const Eigen::MatrixXd& map, const std::string&
   RequireFinite(map, "the map of " + name);
 }
 
-void RequireTruth(const MapTruth& truth)
+void RequireTruth(const GroundTruth& truth)
 {
-  if (truth.Places.rows() == 0)
+  if (truth.Positions.rows() == 0)
   {
     throw InvalidInput("the Truth has no points; give at least one place whose image is known");
   }
-  RequireFinite(truth.Places, "the Truth");
+  RequireFinite(truth.Positions, "the Truth");
   RequireFinite(truth.Targets, "the map of the Truth");
   RequireFinite(truth.Mirrored, "the mirrored map of the Truth");
 }
@@ -53,7 +53,7 @@ double UnitOf(const Mesh& target, NormalisationType normalisation, const Progres
     case NormalisationType::SquareRootOfArea:
       return RootOfArea(target);
     case NormalisationType::GeodesicDiameter:
-      return GeodesicDiameter(target, progress);
+      return ComputeGeodesicDiameter(target, progress);
     case NormalisationType::None:
       break;
   }
@@ -72,27 +72,28 @@ Eigen::VectorXd Ascending(const Eigen::VectorXd& distances, double unit)
 }
 
 /// The least error that at least this share of the errors is not above.
-double Percentile(const Eigen::VectorXd& errors, double share)
+double ComputePercentile(const Eigen::VectorXd& errors, double share)
 {
   const double rank = std::ceil(share * static_cast<double>(errors.size())) - 1.0;
   return errors(std::max<Eigen::Index>(static_cast<Eigen::Index>(rank), 0));
 }
 
-void Summarise(MapErrorCurveResult& result, double places, double largest)
+void Summarise(MapErrorCurveResult& result, double positions, double largest)
 {
   const Eigen::Index count = result.Errors.size();
-  result.Shares = Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count)) / places;
+  result.Shares = Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count)) / positions;
   result.Mean = result.Errors.mean();
-  result.Median = Percentile(result.Errors, 0.5);
-  result.Percentile95 = Percentile(result.Errors, 0.95);
+  result.Median = ComputePercentile(result.Errors, 0.5);
+  result.Percentile95 = ComputePercentile(result.Errors, 0.95);
   result.Maximum = result.Errors(count - 1);
-  result.AreaUnderCurve = (1.0 - result.Errors.array() / largest).max(0.0).sum() / places;
+  result.AreaUnderCurve = (1.0 - result.Errors.array() / largest).max(0.0).sum() / positions;
 }
 
 } // namespace
 
-MapErrorCurveResult MapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map, const Mesh& target,
-  const MapTruth& truth, const MapErrorCurveOptions& options, const Progress& progress)
+MapErrorCurveResult ComputeMapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map,
+  const Mesh& target, const GroundTruth& truth, const MapErrorCurveOptions& options,
+  const Progress& progress)
 {
   RequireManifold(input, "the Input");
   RequireManifold(target, "the Target");
@@ -102,18 +103,19 @@ MapErrorCurveResult MapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map,
 
   MapErrorCurveResult result;
   result.Unit = UnitOf(target, options.Normalisation, progress.Part(0.0, 0.1));
-  const ClosestPoints places = SurfaceLocator(input).Find(truth.Places, progress.Part(0.1, 0.15));
+  const ClosestPoints positions =
+    SurfaceLocator(input).Find(truth.Positions, progress.Part(0.1, 0.15));
   const SurfaceLocator locator(target);
   const ClosestPoints reached =
-    locator.Find(Pulled(places, input.Triangles, map), progress.Part(0.15, 0.2));
-  result.LargestGap = places.Distances.maxCoeff();
+    locator.Find(PullBack(positions, input.Triangles, map), progress.Part(0.15, 0.2));
+  result.LargestGap = positions.Distances.maxCoeff();
 
   const auto measure = [&](const Eigen::MatrixXd& targets, const Progress& part)
   {
     const ClosestPoints wanted = locator.Find(targets, part.Part(0.0, 0.1));
     result.LargestGap = std::max(result.LargestGap, wanted.Distances.maxCoeff());
     return Ascending(
-      ExactGeodesicsBetween(target, wanted, reached, part.Part(0.1, 1.0)), result.Unit);
+      ComputeExactGeodesicsBetween(target, wanted, reached, part.Part(0.1, 1.0)), result.Unit);
   };
   const bool hasMirrored = truth.Mirrored.size() > 0;
   result.Errors = measure(truth.Targets, progress.Part(0.2, hasMirrored ? 0.6 : 1.0));
@@ -126,25 +128,25 @@ MapErrorCurveResult MapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map,
   }
   if (result.Errors.size() == 0)
   {
-    throw InvalidInput("none of the " + std::to_string(truth.Places.rows()) +
+    throw InvalidInput("none of the " + std::to_string(truth.Positions.rows()) +
       " places of the Truth is mapped to the component of the Target where it should go; check "
       "that they belong to these surfaces");
   }
-  result.Unreached = static_cast<int>(truth.Places.rows() - result.Errors.size());
-  Summarise(result, static_cast<double>(truth.Places.rows()), options.LargestError);
+  result.Unreached = static_cast<int>(truth.Positions.rows() - result.Errors.size());
+  Summarise(result, static_cast<double>(truth.Positions.rows()), options.LargestError);
   progress(1.0);
   return result;
 }
 
-Eigen::VectorXd RoundTripErrors(const Mesh& input, const Eigen::MatrixXd& map, const Mesh& target,
-  const Eigen::MatrixXd& back, const Progress& progress)
+Eigen::VectorXd ComputeRoundTripErrors(const Mesh& input, const Eigen::MatrixXd& map,
+  const Mesh& target, const Eigen::MatrixXd& back, const Progress& progress)
 {
   RequireManifold(input, "the Input");
   RequireManifold(target, "the Target");
   RequireMap(input, map, "the Input");
   RequireMap(target, back, "the Target");
   std::vector<int> used;
-  const Eigen::VectorXi component = SurfaceTopology(input).ComponentId;
+  const Eigen::VectorXi component = ComputeTopology(input).ComponentId;
   for (int point = 0; point < component.size(); ++point)
   {
     if (component(point) >= 0)
@@ -155,39 +157,39 @@ Eigen::VectorXd RoundTripErrors(const Mesh& input, const Eigen::MatrixXd& map, c
   const ClosestPoints there =
     SurfaceLocator(target).Find(map(used, Eigen::all), progress.Part(0.0, 0.05));
   const ClosestPoints again =
-    SurfaceLocator(input).Find(Pulled(there, target.Triangles, back), progress.Part(0.05, 0.1));
-  const PreciseMap start = MapToPoints(
+    SurfaceLocator(input).Find(PullBack(there, target.Triangles, back), progress.Part(0.05, 0.1));
+  const SurfacePoints start = MakeSurfacePointsAtVertices(
     Eigen::Map<Eigen::VectorXi>(used.data(), static_cast<Eigen::Index>(used.size())), input);
   return Ascending(
-    ExactGeodesicsBetween(input, start, again, progress.Part(0.1, 1.0)), RootOfArea(input));
+    ComputeExactGeodesicsBetween(input, start, again, progress.Part(0.1, 1.0)), RootOfArea(input));
 }
 
-double Coverage(
+double ComputeCoverage(
   const Mesh& input, const Eigen::MatrixXd& map, const Mesh& target, const Progress& progress)
 {
   RequireMap(input, map, "the Input");
-  const Eigen::VectorXd areas = 0.5 * AreaVectors(target).rowwise().norm();
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(target).rowwise().norm();
   const Eigen::VectorXd distances =
-    SurfaceLocator(Mesh{ map, input.Triangles }).Find(Centroids(target), progress).Distances;
+    SurfaceLocator(Mesh{ map, input.Triangles }).Find(ComputeCentroids(target), progress).Distances;
   const double within = CoveredWithin * std::sqrt(areas.sum());
   return areas.dot((distances.array() <= within).cast<double>().matrix()) / areas.sum();
 }
 
-double GeodesicDiameter(const Mesh& mesh, const Progress& progress)
+double ComputeGeodesicDiameter(const Mesh& mesh, const Progress& progress)
 {
-  constexpr int mostSweeps = 10;
+  constexpr int maximumSweeps = 10;
   double longest = 0.0;
   const std::vector<Mesh> components = SplitComponents(mesh);
   for (const Mesh& component : components)
   {
     double reach = -1.0;
     Eigen::VectorXi from = Eigen::VectorXi::Constant(1, component.Triangles(0, 0));
-    for (int sweep = 0; sweep < mostSweeps; ++sweep)
+    for (int sweep = 0; sweep < maximumSweeps; ++sweep)
     {
       ClosestPoints seed;
-      static_cast<PreciseMap&>(seed) = MapToPoints(from, component);
+      static_cast<SurfacePoints&>(seed) = MakeSurfacePointsAtVertices(from, component);
       Eigen::Index farthest = 0;
-      const double distance = ExactGeodesics(component, seed, progress).maxCoeff(&farthest);
+      const double distance = ComputeExactGeodesics(component, seed, progress).maxCoeff(&farthest);
       if (distance <= reach)
       {
         break;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -23,11 +23,11 @@ struct MapErrorCurveOptions
 };
 
 /// Where places on one surface truly go on another.
-struct MapTruth
+struct GroundTruth
 {
-  Eigen::MatrixXd Places;   ///< k x 3, on the first surface
-  Eigen::MatrixXd Targets;  ///< k x 3, on the second
-  Eigen::MatrixXd Mirrored; ///< k x 3: what is as true, by a symmetry of the shape; or 0 x 0
+  Eigen::MatrixXd Positions; ///< k x 3, on the first surface
+  Eigen::MatrixXd Targets;   ///< k x 3, on the second
+  Eigen::MatrixXd Mirrored;  ///< k x 3: what is as true, by a symmetry of the shape; or 0 x 0
 };
 
 struct MapErrorCurveResult
@@ -48,17 +48,18 @@ struct MapErrorCurveResult
  * Lipman and Funkhouser, "Blended intrinsic maps", 2011, section 6).
  *
  * An error is the length of the shortest path along `target`, exact on the polyhedron
- * (ExactGeodesicsBetween), from where the map takes a place to where it should. A place is taken to
- * the nearest one of `input`, the map interpolated there, and the result taken to the nearest place
- * of `target`. With a mirrored truth the errors are those to the truth that has the lesser mean,
- * one of the two for all places: a map that is mirrored in parts has no merit.
+ * (ComputeExactGeodesicsBetween), from where the map takes a place to where it should. A place is
+ * taken to the nearest one of `input`, the map interpolated there, and the result taken to the
+ * nearest place of `target`. With a mirrored truth the errors are those to the truth that has the
+ * lesser mean, one of the two for all places: a map that is mirrored in parts has no merit.
  *
  * input, target: 2-manifolds, open or closed. map: where the points of `input` go (n x 3). truth:
  * at least one place. Throws InvalidInput where they are not such ones, a value is not finite, an
  * option is out of range or no path leads to any truth; Aborted.
  */
-MapErrorCurveResult MapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map, const Mesh& target,
-  const MapTruth& truth, const MapErrorCurveOptions& options = {}, const Progress& progress = {});
+MapErrorCurveResult ComputeMapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map,
+  const Mesh& target, const GroundTruth& truth, const MapErrorCurveOptions& options = {},
+  const Progress& progress = {});
 
 /**
  * How far each point of `input` that a triangle uses comes back from itself by `map` (n x 3) to
@@ -66,17 +67,17 @@ MapErrorCurveResult MapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map,
  * the root of its area, ascending; those of places on another component left out. 0 where the maps
  * are each other's inverses. Arguments and exceptions as above.
  */
-Eigen::VectorXd RoundTripErrors(const Mesh& input, const Eigen::MatrixXd& map, const Mesh& target,
-  const Eigen::MatrixXd& back, const Progress& progress = {});
+Eigen::VectorXd ComputeRoundTripErrors(const Mesh& input, const Eigen::MatrixXd& map,
+  const Mesh& target, const Eigen::MatrixXd& back, const Progress& progress = {});
 
 /// The share of `target`'s area that the image of `input` lies on: of triangles whose centroid is
 /// at most a hundredth of the root of the area away from the surface of its triangles at `map`.
-double Coverage(
+double ComputeCoverage(
   const Mesh& input, const Eigen::MatrixXd& map, const Mesh& target, const Progress& progress = {});
 
 /// The longest of the distances found by going to the farthest point, and from that on, while it is
 /// farther, by exact distances; of the component where it is longest. At most the diameter, which
 /// it mostly is. mesh: a 2-manifold with a triangle. Throws Aborted.
-double GeodesicDiameter(const Mesh& mesh, const Progress& progress = {});
+double ComputeGeodesicDiameter(const Mesh& mesh, const Progress& progress = {});
 
 } // namespace shape

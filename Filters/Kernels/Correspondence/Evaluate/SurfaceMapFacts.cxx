@@ -14,39 +14,41 @@ namespace
 
 /// How far, straight, each point of a surface (n) is from where it comes back to by two maps.
 Eigen::VectorXd ReturnDistances(
-  const Mesh& mesh, const PreciseMap& there, const Mesh& other, const PreciseMap& back)
+  const Mesh& mesh, const SurfacePoints& there, const Mesh& other, const SurfacePoints& back)
 {
-  return (Pulled(there, other.Triangles, Pulled(back, mesh.Triangles, mesh.Points)) - mesh.Points)
+  return (
+    PullBack(there, other.Triangles, PullBack(back, mesh.Triangles, mesh.Points)) - mesh.Points)
     .rowwise()
     .norm();
 }
 
 /// The share of the masses of points whose distance is short.
-double Coverage(const Eigen::VectorXd& masses, const Eigen::VectorXd& distances)
+double ComputeCoverage(const Eigen::VectorXd& masses, const Eigen::VectorXd& distances)
 {
-  constexpr double most = 0.02; // of the root of the area
+  constexpr double maximum = 0.02; // of the root of the area
   const double area = masses.sum();
-  return (distances.array() <= most * std::sqrt(area)).select(masses, 0.0).sum() / area;
+  return (distances.array() <= maximum * std::sqrt(area)).select(masses, 0.0).sum() / area;
 }
 
 } // namespace
 
-SurfaceMapFacts DescribeMaps(const Mesh& a, const Mesh& b, const SurfaceMaps& maps)
+SurfaceMapFacts EvaluateMaps(const Mesh& a, const Mesh& b, const SurfaceMaps& maps)
 {
-  const Eigen::MatrixXd images = Pulled(maps.AToB, b.Triangles, b.Points);
-  const TriangleAngles angles = AnglesOfTriangles(a);
-  const Eigen::SparseMatrix<double> stiffness =
-    PositiveStiffness(CotangentStiffness(a.Triangles, angles.Cotangents, a.Points.rows()), 0.0);
-  const Eigen::VectorXd masses = LumpedMasses(a.Triangles, angles.Areas, a.Points.rows());
-  const Eigen::VectorXd massesB = PointAreas(b);
+  const Eigen::MatrixXd images = PullBack(maps.AToB, b.Triangles, b.Points);
+  const TriangleAngles angles = ComputeTriangleAngles(a);
+  const Eigen::SparseMatrix<double> stiffness = BuildPositiveStiffness(
+    BuildCotangentStiffness(a.Triangles, angles.Cotangents, a.Points.rows()), 0.0);
+  const Eigen::VectorXd masses = ComputeLumpedMasses(a.Triangles, angles.Areas, a.Points.rows());
+  const Eigen::VectorXd massesB = ComputePointAreas(b);
   const double areaA = masses.sum(), areaB = massesB.sum();
   SurfaceMapFacts facts;
   facts.DirichletEnergy = 0.5 * (images.transpose() * (stiffness * images)).trace() / areaB;
   const Eigen::VectorXd returns = ReturnDistances(a, maps.AToB, b, maps.BToA);
   facts.RoundTrip = masses.dot(returns) / (areaA * std::sqrt(areaA));
-  facts.CoverageOfA = Coverage(masses, returns);
-  facts.CoverageOfB = Coverage(massesB, ReturnDistances(b, maps.BToA, a, maps.AToB));
-  const Eigen::MatrixXd image = AreaVectors({ images, a.Triangles }), normals = AreaVectors(b);
+  facts.CoverageOfA = ComputeCoverage(masses, returns);
+  facts.CoverageOfB = ComputeCoverage(massesB, ReturnDistances(b, maps.BToA, a, maps.AToB));
+  const Eigen::MatrixXd image = ComputeAreaVectors({ images, a.Triangles }),
+                        normals = ComputeAreaVectors(b);
   double reversed = 0.0, all = 0.0;
   for (Eigen::Index t = 0; t < a.Triangles.rows(); ++t)
   {
@@ -60,8 +62,8 @@ SurfaceMapFacts DescribeMaps(const Mesh& a, const Mesh& b, const SurfaceMaps& ma
     all += weight;
   }
   facts.ReversedArea = all > 0.0 ? reversed / all : 0.0;
-  constexpr double most = 0.3;
-  facts.Mirrored = facts.ReversedArea > most;
+  constexpr double maximum = 0.3;
+  facts.Mirrored = facts.ReversedArea > maximum;
   return facts;
 }
 

@@ -1,10 +1,10 @@
 #include "Correspondence/Functional/FunctionalMap.h"
 
 #include "Base/Errors.h"
+#include "Geodesics/FarthestPoints.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Search/NearestPlaces.h"
-#include "Geodesics/FarthestPoints.h"
+#include "Search/NearestSurfacePoints.h"
 #include "Spectrum/SpectralSignatures.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Side
   {
     return { this->Surface.Triangles, this->Spectrum, this->Samples };
   }
-  DescribedSurface Described() const
+  SurfaceDescriptors Described() const
   {
     return { this->Surface, this->Spectrum, this->Descriptors };
   }
@@ -38,22 +38,22 @@ Side Prepare(const Mesh& mesh, int pairs, const Landmarks& landmarks, int which,
   const FunctionalMapOptions& options, const Progress& progress)
 {
   Side side{ mesh, {}, {}, {} };
-  side.Surface.Points /= std::sqrt(PointAreas(mesh).sum());
+  side.Surface.Points /= std::sqrt(ComputePointAreas(mesh).sum());
   constexpr double tolerance = 1e-6; // as good for maps as smaller ones, and found sooner
-  side.Spectrum = FindLaplaceSpectrum(side.Surface, pairs, progress.Part(0.0, 0.7), tolerance);
+  side.Spectrum = SolveLaplaceEigenproblem(side.Surface, pairs, progress.Part(0.0, 0.7), tolerance);
   const int count = options.Descriptors;
   // Curves are many landmarks: a few of them tell as much, by their order.
-  constexpr std::size_t most = 12;
-  const std::size_t each = std::min(landmarks.size(), most);
+  constexpr std::size_t maximum = 12;
+  const std::size_t each = std::min(landmarks.size(), maximum);
   side.Descriptors.resize(mesh.Points.rows(), count * (2 + each));
-  side.Descriptors.leftCols(count) = WaveKernelSignature(side.Spectrum, count);
-  side.Descriptors.middleCols(count, count) = HeatKernelSignature(side.Spectrum, count);
+  side.Descriptors.leftCols(count) = ComputeWaveKernelSignature(side.Spectrum, count);
+  side.Descriptors.middleCols(count, count) = ComputeHeatKernelSignature(side.Spectrum, count);
   for (std::size_t i = 0; i < each; ++i)
   {
     side.Descriptors.middleCols(count * (2 + i), count) =
-      WaveKernelFrom(side.Spectrum, landmarks[i * landmarks.size() / each][which], count);
+      ComputeWaveKernelFrom(side.Spectrum, landmarks[i * landmarks.size() / each][which], count);
   }
-  side.Samples = FarthestPoints(side.Surface, options.Samples, progress.Part(0.8, 1.0));
+  side.Samples = SampleFarthestPoints(side.Surface, options.Samples, progress.Part(0.8, 1.0));
   return side;
 }
 
@@ -65,7 +65,7 @@ int UsedPoints(const Mesh& mesh, const char* name)
 
 } // namespace
 
-SurfaceMaps FunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeFunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options, const Progress& progress)
 {
   const int points = std::min(UsedPoints(a, "SurfaceA"), UsedPoints(b, "SurfaceB"));
@@ -79,13 +79,13 @@ SurfaceMaps FunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& landmar
   const Side two = Prepare(b, pairs, landmarks, 1, options, progress.Part(0.3, 0.6));
   const Eigen::MatrixXd map =
     FitFunctionalMap(one.Described(), two.Described(), fit, progress.Part(0.6, 0.7));
-  const FunctionalMaps maps =
-    ZoomOut(one.Sampled(), two.Sampled(), map, landmarks, refinement, progress.Part(0.7, 0.85));
+  const FunctionalMaps maps = RefineByZoomOut(
+    one.Sampled(), two.Sampled(), map, landmarks, refinement, progress.Part(0.7, 0.85));
   const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
                         &functionsB = two.Spectrum.Eigenfunctions;
-  return { NearestPlaces(functionsA, b.Triangles, functionsB * maps.BToA.transpose(),
+  return { FindNearestSurfacePoints(functionsA, b.Triangles, functionsB * maps.BToA.transpose(),
              progress.Part(0.85, 0.92)),
-    NearestPlaces(
+    FindNearestSurfacePoints(
       functionsB, a.Triangles, functionsA * maps.AToB.transpose(), progress.Part(0.92, 1.0)) };
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Functional/FunctionalMapFit.h"
-#include "Correspondence/Pair/SurfaceMaps.h"
 #include "Correspondence/Functional/ZoomOut.h"
+#include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -20,15 +20,16 @@ struct FunctionalMapOptions
 /**
  * Corresponding points of two surfaces that differ nearly by bending: a functional map fitted to
  * the wave and heat kernel signatures and to the wave kernels from landmarks (FitFunctionalMap),
- * refined by ZoomOut, and the points' places nearest in the images of all eigenfunctions: precise,
- * inside triangles (Ezuz and Ben-Chen, "Deblurring and denoising of maps between shapes", 2017).
+ * refined by RefineByZoomOut, and the points' places nearest in the images of all eigenfunctions:
+ * precise, inside triangles (Ezuz and Ben-Chen, "Deblurring and denoising of maps between shapes",
+ * 2017).
  *
  * Both surfaces may have borders and several components; sizes may differ, each is taken with its
  * area as 1. Without landmarks a surface with a symmetry may be mapped to its mirror image. Throws
  * InvalidInput where an option is out of range or a surface is no consistently oriented 2-manifold,
  * SolveFailure, Aborted.
  */
-SurfaceMaps FunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeFunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -29,18 +29,18 @@ class Gradients
 public:
   explicit Gradients(const Mesh& mesh)
     : Triangles(mesh.Triangles)
-    , Places(mesh.Triangles.rows(), 3)
+    , Positions(mesh.Triangles.rows(), 3)
     , Areas(mesh.Triangles.rows())
   {
-    for (Eigen::Index t = 0; t < this->Places.rows(); ++t)
+    for (Eigen::Index t = 0; t < this->Positions.rows(); ++t)
     {
-      const Eigen::Matrix3d corners = Corners(mesh, t);
+      const Eigen::Matrix3d corners = GetCorners(mesh, t);
       const Eigen::RowVector3d side = corners.row(1) - corners.row(0),
                                other = corners.row(2) - corners.row(0);
       const double length = side.norm(), twice = side.cross(other).norm();
       const bool isFlat = twice <= std::numeric_limits<double>::min();
       // A triangle without area has no gradient and no share of any integral.
-      this->Places.row(t) << (isFlat ? 1.0 : length), (isFlat ? 0.0 : side.dot(other) / length),
+      this->Positions.row(t) << (isFlat ? 1.0 : length), (isFlat ? 0.0 : side.dot(other) / length),
         (isFlat ? 1.0 : twice / length);
       this->Areas(t) = isFlat ? 0.0 : 0.5 * twice;
     }
@@ -54,17 +54,18 @@ public:
   /// functions: n x k, of the points.
   Components Of(const Eigen::MatrixXd& functions) const
   {
-    Components gradients{ Eigen::MatrixXd(this->Places.rows(), functions.cols()), {} };
+    Components gradients{ Eigen::MatrixXd(this->Positions.rows(), functions.cols()), {} };
     gradients.Y.resizeLike(gradients.X);
     for (Eigen::Index k = 0; k < functions.cols(); ++k)
     {
-      for (Eigen::Index t = 0; t < this->Places.rows(); ++t)
+      for (Eigen::Index t = 0; t < this->Positions.rows(); ++t)
       {
         const double first = functions(this->Triangles(t, 0), k);
-        const double x = (functions(this->Triangles(t, 1), k) - first) / this->Places(t, 0);
+        const double x = (functions(this->Triangles(t, 1), k) - first) / this->Positions(t, 0);
         gradients.X(t, k) = x;
-        gradients.Y(t, k) = (functions(this->Triangles(t, 2), k) - first - x * this->Places(t, 1)) /
-          this->Places(t, 2);
+        gradients.Y(t, k) =
+          (functions(this->Triangles(t, 2), k) - first - x * this->Positions(t, 1)) /
+          this->Positions(t, 2);
       }
     }
     return gradients;
@@ -73,17 +74,17 @@ public:
   /// The functions' integrals over the triangles (m x k).
   Eigen::MatrixXd Integrals(const Eigen::MatrixXd& functions) const
   {
-    return this->Areas.asDiagonal() * CornerMeans(this->Triangles, functions);
+    return this->Areas.asDiagonal() * AverageAtCorners(this->Triangles, functions);
   }
 
 private:
   const Eigen::MatrixXi& Triangles;
-  Eigen::MatrixXd Places; ///< m x 3: x of the second corner, x and y of the third
+  Eigen::MatrixXd Positions; ///< m x 3: x of the second corner, x and y of the third
   Eigen::VectorXd Areas;
 };
 
 Operators OperatorsOf(
-  const DescribedSurface& given, const FunctionalMapFitOptions& options, const Progress& progress)
+  const SurfaceDescriptors& given, const FunctionalMapFitOptions& options, const Progress& progress)
 {
   const LaplaceSpectrum& spectrum = given.Spectrum;
   const Eigen::MatrixXd functions = spectrum.Eigenfunctions.leftCols(options.Size);
@@ -173,7 +174,7 @@ private:
 
 } // namespace
 
-Eigen::MatrixXd FitFunctionalMap(const DescribedSurface& a, const DescribedSurface& b,
+Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescriptors& b,
   const FunctionalMapFitOptions& options, const Progress& progress)
 {
   const Operators ofA = OperatorsOf(a, options, progress.Part(0.0, 0.2));
@@ -198,14 +199,14 @@ Eigen::MatrixXd FitFunctionalMap(const DescribedSurface& a, const DescribedSurfa
   };
 
   const BlasThreads one(false);
-  constexpr int most = 200;
-  constexpr double least = 1e-6; // of the right-hand side
+  constexpr int maximum = 200;
+  constexpr double minimum = 1e-6; // of the right-hand side
   Eigen::MatrixXd map = Eigen::MatrixXd::Zero(size, size), residual = wanted, direction = residual;
   double squared = residual.squaredNorm();
-  const double enough = least * least * squared;
-  for (int k = 0; k < most && squared > enough; ++k)
+  const double enough = minimum * minimum * squared;
+  for (int k = 0; k < maximum && squared > enough; ++k)
   {
-    progress(0.4 + 0.6 * k / most);
+    progress(0.4 + 0.6 * k / maximum);
     const Eigen::MatrixXd image = apply(direction);
     const double step = squared / direction.cwiseProduct(image).sum();
     map += step * direction;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@ struct FunctionalMapFitOptions
 };
 
 /// A surface's spectrum and functions of its points that do not change where it is bent.
-struct DescribedSurface
+struct SurfaceDescriptors
 {
   const Mesh& Surface;
   const LaplaceSpectrum& Spectrum;
@@ -45,7 +45,7 @@ struct DescribedSurface
  * Both surfaces' area is 1, both have q descriptors. Returns Size x Size, from coefficients on a to
  * those on b. Throws Aborted.
  */
-Eigen::MatrixXd FitFunctionalMap(const DescribedSurface& a, const DescribedSurface& b,
+Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescriptors& b,
   const FunctionalMapFitOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -1,10 +1,10 @@
 #include "Correspondence/Functional/HeatKernelMap.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
 #include "Correspondence/Pair/MatchingInput.h"
-#include "Search/NearestPlaces.h"
+#include "Mesh/Topology.h"
+#include "Search/NearestSurfacePoints.h"
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include <algorithm>
@@ -41,8 +41,8 @@ void RequireReached(
 LaplaceSpectrum UnitSpectrum(const Mesh& mesh, int pairs, const Progress& progress)
 {
   Mesh scaled = mesh;
-  scaled.Points /= std::sqrt(PointAreas(mesh).sum());
-  return FindLaplaceSpectrum(
+  scaled.Points /= std::sqrt(ComputePointAreas(mesh).sum());
+  return SolveLaplaceEigenproblem(
     scaled, std::min(pairs, static_cast<int>(mesh.Points.rows())), progress);
 }
 
@@ -83,7 +83,7 @@ Eigen::MatrixXd Heat(
 
 } // namespace
 
-SurfaceMaps HeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeHeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options, const Progress& progress)
 {
   RequireOption(options.Eigenpairs >= 2, "Eigenpairs", options.Eigenpairs, "at least 2");
@@ -91,22 +91,22 @@ SurfaceMaps HeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmar
   const Topology topologyA = RequireWhole(a, "surface A"), topologyB = RequireWhole(b, "surface B");
   RequireLandmarks(landmarks, a, b);
   const Landmarks used =
-    landmarks.empty() ? AutomaticLandmarks(a, b, {}, progress.Part(0.0, 0.3)).Pairs : landmarks;
+    landmarks.empty() ? FindLandmarks(a, b, {}, progress.Part(0.0, 0.3)).Pairs : landmarks;
   const std::vector<int> onA = PointsOf(used, 0), onB = PointsOf(used, 1);
   RequireReached(topologyA, onA, "surface A");
   RequireReached(topologyB, onB, "surface B");
   const LaplaceSpectrum spectrumA = UnitSpectrum(a, options.Eigenpairs, progress.Part(0.3, 0.45)),
                         spectrumB = UnitSpectrum(b, options.Eigenpairs, progress.Part(0.45, 0.6));
-  const auto [largestA, leastA] = Range(spectrumA, "surface A");
-  const auto [largestB, leastB] = Range(spectrumB, "surface B");
+  const auto [largestA, minimumA] = Range(spectrumA, "surface A");
+  const auto [largestB, minimumB] = Range(spectrumB, "surface B");
   const double decay = 4.0 * std::log(10.0);
   const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(options.Times,
-    std::log(decay / std::min(largestA, largestB)), std::log(decay / std::max(leastA, leastB)))
+    std::log(decay / std::min(largestA, largestB)), std::log(decay / std::max(minimumA, minimumB)))
                                   .array()
                                   .exp();
   const Eigen::MatrixXd heatA = Heat(spectrumA, onA, times), heatB = Heat(spectrumB, onB, times);
-  return { NearestPlaces(heatA, b.Triangles, heatB, progress.Part(0.6, 0.8)),
-    NearestPlaces(heatB, a.Triangles, heatA, progress.Part(0.8, 1.0)) };
+  return { FindNearestSurfacePoints(heatA, b.Triangles, heatB, progress.Part(0.6, 0.8)),
+    FindNearestSurfacePoints(heatB, a.Triangles, heatA, progress.Part(0.8, 1.0)) };
 }
 
 } // namespace shape

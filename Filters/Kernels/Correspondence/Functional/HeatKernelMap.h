@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -23,13 +23,13 @@ struct HeatKernelMapOptions
  * Heat at time t is the sum of exp(-lambda t) phi(p) phi(x) over the eigenfunctions but the
  * constants, made of norm 1 in the area; times are in a geometric row from 4 ln 10 / the largest
  * eigenvalue to 4 ln 10 / the least that is not 0, of the surfaces with area 1. Each point goes to
- * a place near in all of this heat (NearestPlaces).
+ * a place near in all of this heat (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds, open or closed, with a triangle at each point and a
  * landmark on each component. Without any landmark, of one component each: those of
- * AutomaticLandmarks. Throws InvalidInput where not, SolveFailure, Aborted.
+ * FindLandmarks. Throws InvalidInput where not, SolveFailure, Aborted.
  */
-SurfaceMaps HeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeHeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -1,11 +1,12 @@
 #include "Correspondence/Functional/PartialFunctionalMap.h"
 
 #include "Base/Errors.h"
-#include "Correspondence/Landmarks/LandmarkPlaces.h"
+#include "Correspondence/Functional/ZoomOut.h"
+#include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Pair/MatchingInput.h"
-#include "Search/NearestPlaces.h"
-#include "Search/NearestRows.h"
 #include "Geodesics/FarthestPoints.h"
+#include "Search/NearestRows.h"
+#include "Search/NearestSurfacePoints.h"
 #include "Spectrum/LaplaceSpectrum.h"
 #include "Spectrum/SpectralSignatures.h"
 
@@ -51,7 +52,8 @@ struct Refinement
                           there = this->OfPart.Eigenfunctions(this->PartLandmarks, own),
                           wanted = this->OfWhole.Eigenfunctions(
                             this->WholeLandmarks, Eigen::seqN(0, size));
-    return FitCoefficients(Stacked(images, this->Weight * wanted), Stacked(functions, this->Weight * there));
+    return FitCoefficients(
+      Stacked(images, this->Weight * wanted), Stacked(functions, this->Weight * there));
   }
 
   Eigen::Index PartSize(Eigen::Index size) const
@@ -60,18 +62,19 @@ struct Refinement
   }
 
   /// Where points of the part with these eigenfunctions (q x all) go.
-  PreciseMap Places(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& map,
+  SurfacePoints Positions(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& map,
     const Progress& progress = {}) const
   {
-    return NearestPlaces(functions.leftCols(map.rows()), this->Triangles,
+    return FindNearestSurfacePoints(functions.leftCols(map.rows()), this->Triangles,
       this->OfWhole.Eigenfunctions.leftCols(map.cols()) * map.transpose(), progress);
   }
 };
 
 } // namespace
 
-SurfaceMaps PartialFunctionalMap(const Mesh& part, const Mesh& whole, const Landmarks& landmarks,
-  double scale, const PartialFunctionalMapOptions& options, const Progress& progress)
+SurfaceMaps ComputePartialFunctionalMap(const Mesh& part, const Mesh& whole,
+  const Landmarks& landmarks, double scale, const PartialFunctionalMapOptions& options,
+  const Progress& progress)
 {
   RequireConnected(part, "the part");
   RequireConnected(whole, "the whole");
@@ -87,25 +90,26 @@ SurfaceMaps PartialFunctionalMap(const Mesh& part, const Mesh& whole, const Land
   RequireOption(options.First >= 3, "First", options.First, "at least 3");
   RequireOption(options.Step >= 1, "Step", options.Step, "at least 1");
   Mesh one = part, two = whole;
-  const double length = std::sqrt(PointAreas(whole).sum());
+  const double length = std::sqrt(ComputePointAreas(whole).sum());
   one.Points *= scale / length;
   two.Points /= length;
   const auto pairsOf = [&](const Mesh& mesh)
   { return std::min<int>(options.Eigenpairs, static_cast<int>(mesh.Points.rows())); };
   const LaplaceSpectrum spectrumOne =
-                          FindLaplaceSpectrum(one, pairsOf(one), progress.Part(0.0, 0.2)),
+                          SolveLaplaceEigenproblem(one, pairsOf(one), progress.Part(0.0, 0.2)),
                         spectrumTwo =
-                          FindLaplaceSpectrum(two, pairsOf(two), progress.Part(0.2, 0.4));
+                          SolveLaplaceEigenproblem(two, pairsOf(two), progress.Part(0.2, 0.4));
   constexpr double share = 0.001; // of the samples, for each landmark
   Refinement refinement{ spectrumOne, spectrumTwo, two.Triangles,
-    FarthestPoints(one, options.Samples, progress.Part(0.4, 0.42)), PointsOf(landmarks, 0),
+    SampleFarthestPoints(one, options.Samples, progress.Part(0.4, 0.42)), PointsOf(landmarks, 0),
     PointsOf(landmarks, 1), 0.0 };
   refinement.Weight = std::sqrt(share * static_cast<double>(refinement.Samples.size()));
-  const Eigen::MatrixXd placesOne = LandmarkPlaces(
+  const Eigen::MatrixXd positionsOne = EmbedByLandmarks(
                           one, refinement.PartLandmarks, 1.0, progress.Part(0.42, 0.5)),
-                        placesTwo = LandmarkPlaces(
+                        positionsTwo = EmbedByLandmarks(
                           two, refinement.WholeLandmarks, 1.0, progress.Part(0.5, 0.6));
-  const Eigen::VectorXi start = NearestRows(placesOne(refinement.Samples, Eigen::all), placesTwo);
+  const Eigen::VectorXi start =
+    FindNearestRows(positionsOne(refinement.Samples, Eigen::all), positionsTwo);
   const Eigen::MatrixXd& functions = spectrumTwo.Eigenfunctions;
   const Eigen::MatrixXd samples = spectrumOne.Eigenfunctions(refinement.Samples, Eigen::all);
   const Eigen::Index last = functions.cols(), first = std::min<Eigen::Index>(options.First, last);
@@ -114,18 +118,19 @@ SurfaceMaps PartialFunctionalMap(const Mesh& part, const Mesh& whole, const Land
   {
     progress(0.6 + 0.2 * static_cast<double>(size) / static_cast<double>(last));
     map = refinement.Map(
-      Pulled(refinement.Places(samples, map), two.Triangles, functions.leftCols(size)));
+      PullBack(refinement.Positions(samples, map), two.Triangles, functions.leftCols(size)));
     if (size == last)
     {
       break;
     }
   }
   SurfaceMaps maps;
-  maps.AToB = refinement.Places(spectrumOne.Eigenfunctions, map, progress.Part(0.8, 0.9));
+  maps.AToB = refinement.Positions(spectrumOne.Eigenfunctions, map, progress.Part(0.8, 0.9));
   const auto zeros = static_cast<int>((spectrumTwo.Eigenvalues.array() <= 0.0).count());
-  const Eigen::MatrixXd embedding = SpectralEmbedding(spectrumTwo, static_cast<int>(last) - zeros);
-  maps.BToA = NearestPlaces(
-    embedding, one.Triangles, Pulled(maps.AToB, two.Triangles, embedding), progress.Part(0.9, 1.0));
+  const Eigen::MatrixXd embedding =
+    ComputeSpectralEmbedding(spectrumTwo, static_cast<int>(last) - zeros);
+  maps.BToA = FindNearestSurfacePoints(embedding, one.Triangles,
+    PullBack(maps.AToB, two.Triangles, embedding), progress.Part(0.9, 1.0));
   return maps;
 }
 

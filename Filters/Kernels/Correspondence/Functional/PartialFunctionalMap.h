@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -22,19 +22,20 @@ struct PartialFunctionalMapOptions
  * whole, about in proportion to its area (Weyl's law); functional maps from the whole to the part
  * are rectangular, with as many rows and columns as the surfaces have eigenvalues up to the same
  * bound (Rodola, Cosmo, Bronstein, Torsello and Cremers, "Partial functional correspondence", 2017,
- * section 3). They begin with the map of samples by LandmarkPlaces and are refined as in ZoomOut
- * (Melzi and others 2019, section on partial shapes), from the part's points alone, for those of
- * the whole need not have a partner.
+ * section 3). They begin with the map of samples by EmbedByLandmarks and are refined as in
+ * RefineByZoomOut (Melzi and others 2019, section on partial shapes), from the part's points alone,
+ * for those of the whole need not have a partner.
  *
  * The whole's points go to the places of the part whose images are nearest in the whole's
- * eigenfunctions over the roots of their eigenvalues (SpectralEmbedding): those in the images to
- * what they are images of, the others near the cut.
+ * eigenfunctions over the roots of their eigenvalues (ComputeSpectralEmbedding): those in the
+ * images to what they are images of, the others near the cut.
  *
  * part, whole: RequireConnected, landmarks: at least three, {point of the part, point of the
  * whole}. scale: lengths on the whole over those on the part. AToB of the result is the part's map,
  * BToA the whole's. Throws InvalidInput, SolveFailure, Aborted.
  */
-SurfaceMaps PartialFunctionalMap(const Mesh& part, const Mesh& whole, const Landmarks& landmarks,
-  double scale, const PartialFunctionalMapOptions& options = {}, const Progress& progress = {});
+SurfaceMaps ComputePartialFunctionalMap(const Mesh& part, const Mesh& whole,
+  const Landmarks& landmarks, double scale, const PartialFunctionalMapOptions& options = {},
+  const Progress& progress = {});
 
 } // namespace shape

@@ -1,6 +1,6 @@
 #include "Correspondence/Functional/ZoomOut.h"
 
-#include "Search/NearestPlaces.h"
+#include "Search/NearestSurfacePoints.h"
 
 #include <Eigen/Cholesky>
 
@@ -30,13 +30,13 @@ struct Pairs
 
 Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
 {
-  constexpr double least = 1e-9; // of the diagonal: where samples are fewer than eigenfunctions
+  constexpr double minimum = 1e-9; // of the diagonal: where samples are fewer than eigenfunctions
   Eigen::MatrixXd normal = to.transpose() * to;
-  normal.diagonal().array() += least * normal.diagonal().maxCoeff();
+  normal.diagonal().array() += minimum * normal.diagonal().maxCoeff();
   return normal.llt().solve(to.transpose() * from);
 }
 
-FunctionalMaps ZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
+FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
   const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options,
   const Progress& progress)
 {
@@ -59,13 +59,13 @@ FunctionalMaps ZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
   {
     progress(last > first ? static_cast<double>(size - first) / (last - first) : 1.0);
     const Eigen::Index now = maps.AToB.rows();
-    const PreciseMap onA = NearestPlaces(functionsB.leftCols(now), a.Triangles,
-                       a.Spectrum.Eigenfunctions.leftCols(now) * maps.AToB.transpose()),
-                     onB = NearestPlaces(functionsA.leftCols(now), b.Triangles,
-                       b.Spectrum.Eigenfunctions.leftCols(now) * maps.BToA.transpose());
+    const SurfacePoints onA = FindNearestSurfacePoints(functionsB.leftCols(now), a.Triangles,
+                          a.Spectrum.Eigenfunctions.leftCols(now) * maps.AToB.transpose()),
+                        onB = FindNearestSurfacePoints(functionsA.leftCols(now), b.Triangles,
+                          b.Spectrum.Eigenfunctions.leftCols(now) * maps.BToA.transpose());
     Pairs pairs{ functionsA.leftCols(size),
-      Pulled(onB, b.Triangles, b.Spectrum.Eigenfunctions.leftCols(size)) };
-    pairs.Append(Pulled(onA, a.Triangles, a.Spectrum.Eigenfunctions.leftCols(size)),
+      PullBack(onB, b.Triangles, b.Spectrum.Eigenfunctions.leftCols(size)) };
+    pairs.Append(PullBack(onA, a.Triangles, a.Spectrum.Eigenfunctions.leftCols(size)),
       functionsB.leftCols(size));
     pairs.Append(landmarksA.leftCols(size), landmarksB.leftCols(size));
     maps.AToB = FitCoefficients(pairs.OfA, pairs.OfB);

@@ -26,8 +26,8 @@ struct SampledSpectrum
 };
 
 /**
- * The k x l matrix C that minimises |from - to C'|^2: from (s x k) and to (s x l) hold the values of
- * eigenfunctions at s samples that correspond. A ridge of 1e-9 of the normal equations' diagonal
+ * The k x l matrix C that minimises |from - to C'|^2: from (s x k) and to (s x l) hold the values
+ * of eigenfunctions at s samples that correspond. A ridge of 1e-9 of the normal equations' diagonal
  * decides where samples are fewer than eigenfunctions.
  */
 Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to);
@@ -50,7 +50,7 @@ struct FunctionalMaps
  * map: k x k, from a to b, of spectra of surfaces whose area is 1. landmarks: kept near each other,
  * each with the weight of a twentieth of the samples. Throws Aborted.
  */
-FunctionalMaps ZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
+FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
   const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options = {},
   const Progress& progress = {});
 

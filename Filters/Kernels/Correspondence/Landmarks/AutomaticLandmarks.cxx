@@ -1,9 +1,9 @@
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Landmarks/Private/FeatureAssignment.h"
 #include "Correspondence/Landmarks/Private/FeaturedSurface.h"
-#include "Correspondence/Landmarks/LandmarkPlaces.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Search/NearestRows.h"
 
@@ -41,10 +41,10 @@ std::vector<Landmarks> Candidates(
     isPart ? Eigen::VectorXd::Ones(pair.A.Remoteness.size()) : pair.A.Remoteness;
   const Eigen::VectorXd levelsB =
     isPart ? Eigen::VectorXd::Ones(pair.B.Remoteness.size()) : pair.B.Remoteness;
-  for (const int most : { options.Features / 2, 3 * options.Features / 4, options.Features })
+  for (const int maximum : { options.Features / 2, 3 * options.Features / 4, options.Features })
   {
-    const auto own = Eigen::seqN(0, std::min<Eigen::Index>(most, pair.A.Apart.rows()));
-    const auto other = Eigen::seqN(0, std::min<Eigen::Index>(most, pair.B.Apart.rows()));
+    const auto own = Eigen::seqN(0, std::min<Eigen::Index>(maximum, pair.A.Apart.rows()));
+    const auto other = Eigen::seqN(0, std::min<Eigen::Index>(maximum, pair.B.Apart.rows()));
     for (const double tolerance : { 0.15, 0.3 })
     {
       const Progress part = progress.Part(begin, begin + 1.0 / 6.0);
@@ -81,18 +81,18 @@ std::array<double, 2> Distortions(const Hypothesis& pair, const Landmarks& pairs
     own.push_back(i);
     other.push_back(j);
   }
-  const Eigen::MatrixXd placesA = PlacesAmong(a.ToFeatures, a.Turns, own, 1.0);
+  const Eigen::MatrixXd positionsA = EmbedByDistances(a.ToFeatures, a.Turns, own, 1.0);
   std::array<double, 2> distortions = {};
   for (int mirrored = 0; mirrored < 2; ++mirrored)
   {
-    const Eigen::MatrixXd placesB =
-      PlacesAmong(b.ToFeatures, b.Turns, other, mirrored ? -1.0 : 1.0);
+    const Eigen::MatrixXd positionsB =
+      EmbedByDistances(b.ToFeatures, b.Turns, other, mirrored ? -1.0 : 1.0);
     const double there = pair.Part == SurfacePart::WhichType::SurfaceB
       ? 0.0
-      : MeanDifference(a, b, NearestRows(placesA, placesB));
+      : MeanDifference(a, b, FindNearestRows(positionsA, positionsB));
     const double back = pair.Part == SurfacePart::WhichType::SurfaceA
       ? 0.0
-      : MeanDifference(b, a, NearestRows(placesB, placesA));
+      : MeanDifference(b, a, FindNearestRows(positionsB, positionsA));
     const bool isPart = pair.Part != SurfacePart::WhichType::None;
     distortions[mirrored] = (isPart ? 1.0 / pair.Length : 0.5) * (there + back);
   }
@@ -177,28 +177,28 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
   for (int k = 0; k < count; ++k)
   {
     const double share = largest * std::pow(factor, k);
-    tried.push_back(
-      Best({ isA ? AsPart(a, share) : a, isA ? b : AsPart(b, share), which, std::sqrt(share) },
-        options, progress.Part(k / 10.0, (k + 1) / 10.0)));
+    tried.push_back(Best({ isA ? RestrictToPart(a, share) : a, isA ? b : RestrictToPart(b, share),
+                           which, std::sqrt(share) },
+      options, progress.Part(k / 10.0, (k + 1) / 10.0)));
     best = tried[k].Distortion < tried[best].Distortion ? k : best;
   }
   // The parabola through three of them is least at a share between.
-  double place = static_cast<double>(best);
+  double position = static_cast<double>(best);
   if (best > 0 && best + 1 < tried.size())
   {
-    const double least = tried[best].Distortion, before = tried[best - 1].Distortion - least,
-                 after = tried[best + 1].Distortion - least;
-    place += std::isfinite(before + after) && before + after > 0.0
+    const double minimum = tried[best].Distortion, before = tried[best - 1].Distortion - minimum,
+                 after = tried[best + 1].Distortion - minimum;
+    position += std::isfinite(before + after) && before + after > 0.0
       ? 0.5 * (before - after) / (before + after)
       : 0.0;
   }
-  tried[best].Share = largest * std::pow(factor, place);
+  tried[best].Share = largest * std::pow(factor, position);
   return tried[best];
 }
 
 } // namespace
 
-AutomaticLandmarksResult AutomaticLandmarks(
+AutomaticLandmarksResult FindLandmarks(
   const Mesh& a, const Mesh& b, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
   RequireOption(options.Samples >= 20, "Samples", options.Samples, "at least 20");
@@ -217,7 +217,8 @@ AutomaticLandmarksResult AutomaticLandmarks(
   {
     result = Best({ onA, onB, Which::None, 1.0 }, options, progress.Part(0.8, 0.9));
   }
-  const bool isOpenA = onA.FromBorder.allFinite(), isOpenB = onB.FromBorder.allFinite();
+  const bool isOpenA = onA.DistanceToBoundary.allFinite(),
+             isOpenB = onB.DistanceToBoundary.allFinite();
   if (options.PartA && (isOpenA || !options.BothWhole))
   {
     part = BestPart(onA, onB, Which::SurfaceA, options, progress.Part(0.9, 0.95));

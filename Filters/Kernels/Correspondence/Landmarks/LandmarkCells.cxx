@@ -8,7 +8,7 @@ namespace shape
 namespace
 {
 
-PreciseMap Cells(
+SurfacePoints Cells(
   const Mesh& from, const Mesh& to, const Landmarks& landmarks, int which, const Progress& progress)
 {
   std::vector<int> points;
@@ -16,7 +16,7 @@ PreciseMap Cells(
   {
     points.push_back(landmark[which]);
   }
-  const Eigen::MatrixXd distances = HeatDistances(from, points, progress);
+  const Eigen::MatrixXd distances = ComputeHeatDistances(from, points, progress);
   Eigen::VectorXi targets(distances.rows());
   for (Eigen::Index i = 0; i < distances.rows(); ++i)
   {
@@ -24,12 +24,12 @@ PreciseMap Cells(
     distances.row(i).minCoeff(&nearest);
     targets(i) = landmarks[nearest][1 - which];
   }
-  return MapToPoints(targets, to);
+  return MakeSurfacePointsAtVertices(targets, to);
 }
 
 } // namespace
 
-SurfaceMaps LandmarkCells(
+SurfaceMaps MapByLandmarkCells(
   const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress)
 {
   if (landmarks.empty())

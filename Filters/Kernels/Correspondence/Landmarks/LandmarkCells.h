@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -11,7 +11,7 @@ namespace shape
 /// both ways: a start for methods that refine maps. At least one landmark; where a component has
 /// none, its points go to the first landmark's partner. Throws InvalidInput without landmarks,
 /// SolveFailure, Aborted.
-SurfaceMaps LandmarkCells(
+SurfaceMaps MapByLandmarkCells(
   const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress = {});
 
 } // namespace shape

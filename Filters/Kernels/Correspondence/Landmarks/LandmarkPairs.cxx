@@ -13,15 +13,17 @@ namespace shape
 namespace
 {
 
-/// Places along lines between landmarks may be off the surface, but not as far as another unit's.
-constexpr double FarthestShare = 0.5;
+/// Positions along lines between landmarks may be off the surface, but not as far as another
+/// unit's.
+constexpr double MaximumDistanceShare = 0.5;
 
 /// For each place the corner that it is nearest to, of the triangle closest to it.
-Eigen::VectorXi NearestPoints(const Mesh& mesh, const Eigen::MatrixXd& places,
+Eigen::VectorXi NearestPoints(const Mesh& mesh, const Eigen::MatrixXd& positions,
   const std::string& name, const Progress& progress)
 {
-  const ClosestPoints closest = SurfaceLocator(mesh).Find(places, progress);
-  const auto isFar = closest.Distances.array() > FarthestShare * LongestSide(mesh.Points);
+  const ClosestPoints closest = SurfaceLocator(mesh).Find(positions, progress);
+  const auto isFar =
+    closest.Distances.array() > MaximumDistanceShare * ComputeLongestBoxEdge(mesh.Points);
   const auto count = isFar.count();
   if (count > 0)
   {
@@ -30,18 +32,18 @@ Eigen::VectorXi NearestPoints(const Mesh& mesh, const Eigen::MatrixXd& places,
       " farther from " + name + " than half its longest side (first landmark " +
       std::to_string(first) + "); put Landmarks on SurfaceA and their TargetPosition on SurfaceB");
   }
-  return MainCorners(closest, mesh.Triangles);
+  return FindNearestCorners(closest, mesh.Triangles);
 }
 
 } // namespace
 
-Landmarks LandmarkPairs(const Mesh& a, const Eigen::MatrixXd& placesA, const Mesh& b,
-  const Eigen::MatrixXd& placesB, const Progress& progress)
+Landmarks PairLandmarks(const Mesh& a, const Eigen::MatrixXd& positionsA, const Mesh& b,
+  const Eigen::MatrixXd& positionsB, const Progress& progress)
 {
-  RequireFinite(placesA, "the set of Landmarks");
-  RequireFinite(placesB, "TargetPosition of the Landmarks");
-  const Eigen::VectorXi onA = NearestPoints(a, placesA, "SurfaceA", progress.Part(0.0, 0.5)),
-                        onB = NearestPoints(b, placesB, "SurfaceB", progress.Part(0.5, 1.0));
+  RequireFinite(positionsA, "the set of Landmarks");
+  RequireFinite(positionsB, "TargetPosition of the Landmarks");
+  const Eigen::VectorXi onA = NearestPoints(a, positionsA, "SurfaceA", progress.Part(0.0, 0.5)),
+                        onB = NearestPoints(b, positionsB, "SurfaceB", progress.Part(0.5, 1.0));
   Landmarks pairs;
   std::set<int> ofA, ofB;
   for (Eigen::Index i = 0; i < onA.size(); ++i)

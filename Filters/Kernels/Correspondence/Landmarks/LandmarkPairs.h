@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -13,7 +13,7 @@ namespace shape
 /// triangle closest to a place the corner that it is nearest to. A pair is left out where one of
 /// its points is in a pair already. Throws InvalidInput where a coordinate is not finite or a place
 /// is farther from its surface than half the longest side of that, Aborted.
-Landmarks LandmarkPairs(const Mesh& a, const Eigen::MatrixXd& placesA, const Mesh& b,
-  const Eigen::MatrixXd& placesB, const Progress& progress = {});
+Landmarks PairLandmarks(const Mesh& a, const Eigen::MatrixXd& positionsA, const Mesh& b,
+  const Eigen::MatrixXd& positionsB, const Progress& progress = {});
 
 } // namespace shape

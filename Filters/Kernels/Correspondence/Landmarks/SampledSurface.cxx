@@ -14,7 +14,7 @@ namespace
 Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::VectorXd& areas)
 {
   // A sample in a fold may be nearest to nothing, not even itself, for distances are not exact.
-  const double least = 1e-3 * areas.sum() / static_cast<double>(distances.cols());
+  const double minimum = 1e-3 * areas.sum() / static_cast<double>(distances.cols());
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(distances.cols());
   for (Eigen::Index i = 0; i < areas.size(); ++i)
   {
@@ -22,7 +22,7 @@ Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::Vec
     distances.row(i).minCoeff(&nearest);
     shares(nearest) += areas(i);
   }
-  shares = shares.cwiseMax(least);
+  shares = shares.cwiseMax(minimum);
   return shares / shares.sum();
 }
 
@@ -38,22 +38,24 @@ SampledSurface SampleSurface(
   const Mesh& mesh, int count, const Progress& progress, const std::vector<int>& first)
 {
   SampledSurface sampled;
-  const Eigen::VectorXd areas = PointAreas(mesh);
+  const Eigen::VectorXd areas = ComputePointAreas(mesh);
   sampled.Length = std::sqrt(areas.sum());
   sampled.Points = first;
-  for (const int point : FarthestPoints(mesh, count, progress.Part(0.0, 0.3)))
+  for (const int point : SampleFarthestPoints(mesh, count, progress.Part(0.0, 0.3)))
   {
     if (std::find(first.begin(), first.end(), point) == first.end())
     {
       sampled.Points.push_back(point);
     }
   }
-  sampled.Distances = HeatDistances(mesh, sampled.Points, progress.Part(0.3, 1.0)) / sampled.Length;
+  sampled.Distances =
+    ComputeHeatDistances(mesh, sampled.Points, progress.Part(0.3, 1.0)) / sampled.Length;
   sampled.Weights = NearestShares(sampled.Distances, areas);
   return sampled;
 }
 
-SampledSurface FirstSamples(const SampledSurface& sampled, int count, const Eigen::VectorXd& areas)
+SampledSurface GetFirstSamples(
+  const SampledSurface& sampled, int count, const Eigen::VectorXd& areas)
 {
   SampledSurface part;
   const auto size =

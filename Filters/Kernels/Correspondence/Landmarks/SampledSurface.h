@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -20,13 +20,14 @@ struct SampledSurface
   Eigen::MatrixXd Between() const; ///< s x s: Distances of the samples, made symmetric
 };
 
-/// Some points, none twice, and `count` of FarthestPoints or as many as the mesh has, and the
-/// distances of all points from them (HeatDistances). mesh: RequireConnected. Throws SolveFailure,
-/// Aborted.
+/// Some points, none twice, and `count` of SampleFarthestPoints or as many as the mesh has, and the
+/// distances of all points from them (ComputeHeatDistances). mesh: RequireConnected. Throws
+/// SolveFailure, Aborted.
 SampledSurface SampleSurface(
   const Mesh& mesh, int count, const Progress& progress = {}, const std::vector<int>& first = {});
 
 /// The first `count` samples alone; areas: n, of the mesh's points.
-SampledSurface FirstSamples(const SampledSurface& sampled, int count, const Eigen::VectorXd& areas);
+SampledSurface GetFirstSamples(
+  const SampledSurface& sampled, int count, const Eigen::VectorXd& areas);
 
 } // namespace shape

@@ -12,9 +12,9 @@ namespace
 {
 
 std::optional<CoarseSurface> CoarseWhereLarge(
-  const Mesh& surface, const Landmarks& landmarks, int which, int most, const Progress& progress)
+  const Mesh& surface, const Landmarks& landmarks, int which, int maximum, const Progress& progress)
 {
-  if (most <= 0 || surface.Points.rows() <= most)
+  if (maximum <= 0 || surface.Points.rows() <= maximum)
   {
     return {};
   }
@@ -23,18 +23,18 @@ std::optional<CoarseSurface> CoarseWhereLarge(
   {
     kept.push_back(landmark[which]);
   }
-  return Coarsened(surface, most, kept, progress);
+  return CoarsenSurface(surface, maximum, kept, progress);
 }
 
 /// Where fine points go on the coarse surface of the other side.
-PreciseMap Interpolated(
-  const PreciseMap& map, const CoarseSurface& from, const Mesh& to, const Progress& progress)
+SurfacePoints Interpolated(
+  const SurfacePoints& map, const CoarseSurface& from, const Mesh& to, const Progress& progress)
 {
   const Eigen::MatrixXd towards =
-    Pulled(from.Places, from.Surface.Triangles, Pulled(map, to.Triangles, to.Points));
-  const Eigen::VectorXi nearest = MainCorners(from.Places, from.Surface.Triangles),
-                        begins = MainCorners(map, to.Triangles);
-  return WalkToPlaces(
+    PullBack(from.Positions, from.Surface.Triangles, PullBack(map, to.Triangles, to.Points));
+  const Eigen::VectorXi nearest = FindNearestCorners(from.Positions, from.Surface.Triangles),
+                        begins = FindNearestCorners(map, to.Triangles);
+  return WalkToPositions(
     towards, to.Triangles, to.Points, TriangleFans(to.Triangles, to.Points.rows()),
     [&](int i) { return begins(nearest(i)); }, progress);
 }
@@ -42,9 +42,9 @@ PreciseMap Interpolated(
 } // namespace
 
 CoarsePair::CoarsePair(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, int most, const Progress& progress)
-  : One{ a, CoarseWhereLarge(a, landmarks, 0, most, progress.Part(0.0, 0.5)) }
-  , Two{ b, CoarseWhereLarge(b, landmarks, 1, most, progress.Part(0.5, 1.0)) }
+  const Mesh& a, const Mesh& b, const Landmarks& landmarks, int maximum, const Progress& progress)
+  : One{ a, CoarseWhereLarge(a, landmarks, 0, maximum, progress.Part(0.0, 0.5)) }
+  , Two{ b, CoarseWhereLarge(b, landmarks, 1, maximum, progress.Part(0.5, 1.0)) }
 {
 }
 
@@ -78,12 +78,13 @@ Landmarks CoarsePair::OnFine(const Landmarks& landmarks) const
   return result;
 }
 
-PreciseMap CoarsePair::Lifted(
-  const PreciseMap& map, const Side& from, const Side& to, const Progress& progress)
+SurfacePoints CoarsePair::Lifted(
+  const SurfacePoints& map, const Side& from, const Side& to, const Progress& progress)
 {
-  PreciseMap result =
+  SurfacePoints result =
     from.Coarse ? Interpolated(map, *from.Coarse, to.Surface(), progress.Part(0.0, 0.5)) : map;
-  return to.Coarse ? PlacesOnFiner(*to.Coarse, to.Fine, result, progress.Part(0.5, 1.0)) : result;
+  return to.Coarse ? LocateOnFinerSurface(*to.Coarse, to.Fine, result, progress.Part(0.5, 1.0))
+                   : result;
 }
 
 SurfaceMaps CoarsePair::OnFine(const SurfaceMaps& maps, const Progress& progress) const

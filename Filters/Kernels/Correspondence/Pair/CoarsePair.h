@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Mesh.h"
 #include "Remesh/Coarsening.h"
 
 #include <optional>
@@ -16,10 +16,10 @@ namespace shape
 class CoarsePair
 {
 public:
-  /// a, b: as Coarsened takes them; both are kept by reference. landmarks: points of both, which
-  /// stay. most: points of the coarse surfaces, about; 0: as they are. Throws InvalidInput,
+  /// a, b: as CoarsenSurface takes them; both are kept by reference. landmarks: points of both,
+  /// which stay. most: points of the coarse surfaces, about; 0: as they are. Throws InvalidInput,
   /// Aborted.
-  CoarsePair(const Mesh& a, const Mesh& b, const Landmarks& landmarks, int most,
+  CoarsePair(const Mesh& a, const Mesh& b, const Landmarks& landmarks, int maximum,
     const Progress& progress = {});
 
   const Mesh& A() const { return this->One.Surface(); }
@@ -49,8 +49,8 @@ private:
     int CoarsePoint(int point) const;
   };
 
-  static PreciseMap Lifted(
-    const PreciseMap& map, const Side& from, const Side& to, const Progress& progress);
+  static SurfacePoints Lifted(
+    const SurfacePoints& map, const Side& from, const Side& to, const Progress& progress);
 
   Side One, Two;
 };

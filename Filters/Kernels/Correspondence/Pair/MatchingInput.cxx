@@ -1,6 +1,7 @@
 #include "Correspondence/Pair/MatchingInput.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +12,11 @@ namespace shape
 
 void RequireArea(const Mesh& mesh, const std::string& name)
 {
-  const double area = PointAreas(mesh).sum();
+  const double area = ComputePointAreas(mesh).sum();
   if (!(area > 0.0 && std::isfinite(area)))
   {
     std::ostringstream side;
-    side << LongestSide(mesh.Points);
+    side << ComputeLongestBoxEdge(mesh.Points);
     throw InvalidInput(name + " has no area that double precision can hold (its longest side is " +
       side.str() + "); scale it or check its coordinates");
   }

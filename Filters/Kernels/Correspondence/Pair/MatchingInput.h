@@ -1,8 +1,8 @@
 #pragma once
 
+#include "Correspondence/Pair/SurfaceMaps.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
-#include "Correspondence/Pair/SurfaceMaps.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Mesh/PreciseMap.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <array>
 #include <vector>
@@ -14,8 +14,8 @@ using Landmarks = std::vector<std::array<int, 2>>;
 /// Where each point of one surface is on the other one, both ways.
 struct SurfaceMaps
 {
-  PreciseMap AToB; ///< a row for each point of A, triangles of B
-  PreciseMap BToA; ///< a row for each point of B, triangles of A
+  SurfacePoints AToB; ///< a row for each point of A, triangles of B
+  SurfacePoints BToA; ///< a row for each point of B, triangles of A
 };
 
 } // namespace shape

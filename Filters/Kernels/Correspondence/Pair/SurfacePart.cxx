@@ -1,9 +1,9 @@
 #include "Correspondence/Pair/SurfacePart.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Topology.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/HeatGeodesics.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ namespace
 /// Every so many of the landmarks, at most 12: more tell no more of the scale.
 Landmarks Some(const Landmarks& landmarks)
 {
-  constexpr std::size_t most = 12;
-  const std::size_t count = std::min(landmarks.size(), most);
+  constexpr std::size_t maximum = 12;
+  const std::size_t count = std::min(landmarks.size(), maximum);
   Landmarks some;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -41,8 +41,10 @@ std::vector<double> Ratios(
 {
   const Landmarks some = Some(landmarks);
   const std::vector<int> onA = PointsOf(some, 0), onB = PointsOf(some, 1);
-  const Eigen::MatrixXd ofA = HeatDistances(a, onA, progress.Part(0.0, 0.5))(onA, Eigen::all),
-                        ofB = HeatDistances(b, onB, progress.Part(0.5, 1.0))(onB, Eigen::all);
+  const Eigen::MatrixXd ofA =
+                          ComputeHeatDistances(a, onA, progress.Part(0.0, 0.5))(onA, Eigen::all),
+                        ofB =
+                          ComputeHeatDistances(b, onB, progress.Part(0.5, 1.0))(onB, Eigen::all);
   std::vector<double> ratios;
   for (Eigen::Index i = 0; i < ofA.rows(); ++i)
   {
@@ -71,7 +73,8 @@ SurfacePart MeasurePart(const Mesh& a, const Mesh& b, const Landmarks& landmarks
 {
   const std::vector<double> ratios = Ratios(a, b, landmarks, progress);
   SurfacePart part{ which, std::exp(Median(ratios)), 1.0 };
-  const double share = part.Scale * part.Scale * PointAreas(a).sum() / PointAreas(b).sum();
+  const double share =
+    part.Scale * part.Scale * ComputePointAreas(a).sum() / ComputePointAreas(b).sum();
   part.Share = which == SurfacePart::WhichType::SurfaceB ? 1.0 / share : share;
   if (part.Share > 1.0)
   {
@@ -87,10 +90,10 @@ SurfacePart FindPart(
   const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress)
 {
   using Which = SurfacePart::WhichType;
-  const double ratio = PointAreas(b).sum() / PointAreas(a).sum();
+  const double ratio = ComputePointAreas(b).sum() / ComputePointAreas(a).sum();
   SurfacePart part{ Which::None, std::sqrt(ratio), 1.0 };
-  const Topology ofA = SurfaceTopology(a), ofB = SurfaceTopology(b);
-  const bool isOpenA = ofA.OpenLoops > 0, isOpenB = ofB.OpenLoops > 0;
+  const Topology ofA = ComputeTopology(a), ofB = ComputeTopology(b);
+  const bool isOpenA = ofA.BoundaryLoops > 0, isOpenB = ofB.BoundaryLoops > 0;
   constexpr std::size_t fewest = 3;
   if ((!isOpenA && !isOpenB) || ofA.Components > 1 || ofB.Components > 1 ||
     landmarks.size() < fewest)
@@ -103,8 +106,8 @@ SurfacePart FindPart(
   {
     value = std::abs(value - median);
   }
-  constexpr double most = 0.85;
-  const bool isA = share < most && isOpenA, isB = 1.0 / share < most && isOpenB;
+  constexpr double maximum = 0.85;
+  const bool isA = share < maximum && isOpenA, isB = 1.0 / share < maximum && isOpenB;
   if ((isA || isB) && Median(ratios) < std::abs(0.5 * std::log(share)))
   {
     part = { isA ? Which::SurfaceA : Which::SurfaceB, std::exp(median), isA ? share : 1.0 / share };

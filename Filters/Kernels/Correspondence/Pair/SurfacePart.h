@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {

@@ -1,9 +1,9 @@
 #include "Correspondence/Private/MethodInput.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Pair/MatchingInput.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Correspondence/Pair/MatchingInput.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,14 +79,14 @@ void RequireComponents(const Topology& topology, const std::string& name, bool h
 void RequireSphereLike(const Topology& topology, const std::string& name, Method method)
 {
   const bool needsClosed = method == Method::CommonSphere || method == Method::CommonOrbifold;
-  if (needsClosed && topology.OpenLoops > 0)
+  if (needsClosed && topology.BoundaryLoops > 0)
   {
-    throw InvalidInput(name + " has " + Counted(topology.OpenLoops, "open loop") +
+    throw InvalidInput(name + " has " + Counted(topology.BoundaryLoops, "open loop") +
       " (first at point " + std::to_string(topology.FirstOpenPoint) + "), and " + NameOf(method) +
       " is for closed surfaces: close it with Fill Holes, merge its duplicate points with Clean, "
       "or take ReversibleHarmonic, FunctionalMap or BlendedIntrinsic");
   }
-  const int genus = (2 - topology.EulerNumber - topology.OpenLoops) / 2;
+  const int genus = (2 - topology.EulerNumber - topology.BoundaryLoops) / 2;
   if ((needsClosed || method == Method::BlendedIntrinsic) && genus > 0)
   {
     throw InvalidInput(name + " has genus " + std::to_string(genus) + ", and " + NameOf(method) +
@@ -98,7 +98,7 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
 /// Of the volume inside a closed surface: 1, -1, or 0 where it has hardly one.
 int SideOf(const Mesh& mesh)
 {
-  const double volume = EnclosedVolume(mesh), size = LongestSide(mesh.Points);
+  const double volume = ComputeEnclosedVolume(mesh), size = ComputeLongestBoxEdge(mesh.Points);
   return std::abs(volume) < 1e-9 * size * size * size ? 0 : volume > 0.0 ? 1 : -1;
 }
 
@@ -139,7 +139,7 @@ void RequireMethodInput(
     RequireArea(*mesh, name);
     RequireComponents(topology, name, !landmarks.empty(), options);
     RequireSphereLike(topology, name, options.Method);
-    areClosed = areClosed && topology.OpenLoops == 0;
+    areClosed = areClosed && topology.BoundaryLoops == 0;
   }
   if (areClosed && SideOf(a) * SideOf(b) < 0)
   {

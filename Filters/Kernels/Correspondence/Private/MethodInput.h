@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Correspondence/Correspondence.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {

@@ -1,6 +1,6 @@
 #include "Correspondence/Reversible/HarmonicLevels.h"
 
-#include "Spectrum/StressScaling.h"
+#include "Spectrum/Smacof.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,21 +10,22 @@ namespace shape
 namespace
 {
 
-EmbeddedSurface Embedded(const Mesh& surface, const ScaledSamples& samples)
+EmbeddedSurface Embedded(const Mesh& surface, const EmbeddedSamples& samples)
 {
-  return { surface, BiharmonicExtension(surface, samples) / std::sqrt(PointAreas(surface).sum()) };
+  return { surface,
+    ExtendBiharmonically(surface, samples) / std::sqrt(ComputePointAreas(surface).sum()) };
 }
 
 } // namespace
 
-ReversibleHarmonicResult ReversibleHarmonicOfLevels(const CoarsePair& pair,
+ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
   const Progress& progress)
 {
-  ScaledSamples ofA = ScaleSamples(pair.A(), options.Scaling, progress.Part(0.0, 0.1)),
-                ofB = ScaleSamples(pair.B(), options.Scaling, progress.Part(0.1, 0.2));
+  EmbeddedSamples ofA = EmbedSamples(pair.A(), options.Scaling, progress.Part(0.0, 0.1)),
+                  ofB = EmbedSamples(pair.B(), options.Scaling, progress.Part(0.1, 0.2));
   const double share = pair.IsCoarser() ? 0.4 : 1.0;
-  ReversibleHarmonicResult result = ReversibleHarmonic(Embedded(pair.A(), ofA),
+  ReversibleHarmonicResult result = ComputeReversibleHarmonicMap(Embedded(pair.A(), ofA),
     Embedded(pair.B(), ofB), start, landmarks, options, progress.Part(0.2, share));
   if (!pair.IsCoarser())
   {
@@ -46,9 +47,10 @@ ReversibleHarmonicResult ReversibleHarmonicOfLevels(const CoarsePair& pair,
   const EmbeddedSurface fineA = Embedded(pair.FineA(), ofA);
   progress(0.45);
   const EmbeddedSurface fineB = Embedded(pair.FineB(), ofB);
-  result.Maps = ReversibleHarmonic(fineA, fineB, pair.OnFine(result.Maps, progress.Part(0.5, 0.55)),
-    pair.OnFine(landmarks), fine, progress.Part(0.55, 1.0))
-                  .Maps;
+  result.Maps =
+    ComputeReversibleHarmonicMap(fineA, fineB, pair.OnFine(result.Maps, progress.Part(0.5, 0.55)),
+      pair.OnFine(landmarks), fine, progress.Part(0.55, 1.0))
+      .Maps;
   return result;
 }
 

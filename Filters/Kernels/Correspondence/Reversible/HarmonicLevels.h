@@ -16,7 +16,7 @@ namespace shape
  * start: of the coarse surfaces; landmarks: of the coarse ones. Returns the maps of the fine
  * surfaces; Energies are the coarse ones'. Throws InvalidInput, SolveFailure, Aborted.
  */
-ReversibleHarmonicResult ReversibleHarmonicOfLevels(const CoarsePair& pair,
+ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   const SurfaceMaps& start, const Landmarks& landmarks,
   const ReversibleHarmonicOptions& options = {}, const Progress& progress = {});
 

@@ -2,9 +2,9 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 #include "Search/TriangleTree.h"
-#include "Laplacian/CotangentWeights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,23 +31,23 @@ struct Weights
 class Side
 {
 public:
-  Side(const EmbeddedSurface& given, PreciseMap start)
+  Side(const EmbeddedSurface& given, SurfacePoints start)
     : Triangles(given.Surface.Triangles)
     , Embedding(given.Embedding)
     , Map(std::move(start))
   {
     const Eigen::Index points = given.Surface.Points.rows();
-    const TriangleAngles angles = AnglesOfTriangles(given.Surface);
-    this->Stiffness =
-      PositiveStiffness(CotangentStiffness(this->Triangles, angles.Cotangents, points), 0.0);
-    this->Masses = LumpedMasses(this->Triangles, angles.Areas, points);
+    const TriangleAngles angles = ComputeTriangleAngles(given.Surface);
+    this->Stiffness = BuildPositiveStiffness(
+      BuildCotangentStiffness(this->Triangles, angles.Cotangents, points), 0.0);
+    this->Masses = ComputeLumpedMasses(this->Triangles, angles.Areas, points);
     this->Masses /= this->Masses.sum();
     this->FindEntries();
   }
 
   void Begin(const Side& other)
   {
-    this->Image = Pulled(this->Map, other.Triangles, other.Embedding);
+    this->Image = PullBack(this->Map, other.Triangles, other.Embedding);
   }
 
   /// Keeps points where they are mapped now.
@@ -125,9 +125,9 @@ public:
     }
     this->Factor.Factorize(matrix);
     this->Image = this->Factor.Solve((1.0 - weights.Alpha) *
-        Pushed(other.Map, this->Triangles, other.Masses.asDiagonal() * other.Embedding,
+        PushForward(other.Map, this->Triangles, other.Masses.asDiagonal() * other.Embedding,
           this->Masses.size()) +
-      own.asDiagonal() * Pulled(this->Map, other.Triangles, other.Embedding));
+      own.asDiagonal() * PullBack(this->Map, other.Triangles, other.Embedding));
   }
 
   /// This map's part of the energy.
@@ -135,16 +135,18 @@ public:
   {
     return weights.Alpha * (this->Image.transpose() * (this->Stiffness * this->Image)).trace() +
       (1.0 - weights.Alpha) *
-      SquaredNorm(Pulled(this->Map, other.Triangles, other.Image) - this->Embedding, this->Masses) +
+      SquaredNorm(
+        PullBack(this->Map, other.Triangles, other.Image) - this->Embedding, this->Masses) +
       weights.Beta *
-      SquaredNorm(Pulled(this->Map, other.Triangles, other.Embedding) - this->Image, this->Masses);
+      SquaredNorm(
+        PullBack(this->Map, other.Triangles, other.Embedding) - this->Image, this->Masses);
   }
 
   const Eigen::MatrixXi& Triangles;
   const Eigen::MatrixXd& Embedding;
   Eigen::SparseMatrix<double> Stiffness;
   Eigen::VectorXd Masses;
-  PreciseMap Map;        ///< onto the other surface
+  SurfacePoints Map;     ///< onto the other surface
   Eigen::MatrixXd Image; ///< n x d: near to where the map takes points in the other's embedding
 
 private:
@@ -203,26 +205,27 @@ SurfaceMaps Partners(const Mesh& a, const Mesh& b, const Landmarks& landmarks)
     onA(i) = landmarks[i][0];
     onB(i) = landmarks[i][1];
   }
-  return { MapToPoints(onB, b), MapToPoints(onA, a) };
+  return { MakeSurfacePointsAtVertices(onB, b), MakeSurfacePointsAtVertices(onA, a) };
 }
 
 } // namespace
 
-ReversibleHarmonicResult ReversibleHarmonic(const Mesh& a, const Mesh& b, const SurfaceMaps& start,
-  const Landmarks& landmarks, const ReversibleHarmonicOptions& options, const Progress& progress)
+ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Mesh& a, const Mesh& b,
+  const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
+  const Progress& progress)
 {
   const auto embedded = [&](const Mesh& surface, const Progress& part)
   {
     return EmbeddedSurface{ surface,
-      StressScaling(surface, options.Scaling, part) / std::sqrt(PointAreas(surface).sum()) };
+      EmbedBySmacof(surface, options.Scaling, part) / std::sqrt(ComputePointAreas(surface).sum()) };
   };
-  return ReversibleHarmonic(embedded(a, progress.Part(0.0, 0.15)),
+  return ComputeReversibleHarmonicMap(embedded(a, progress.Part(0.0, 0.15)),
     embedded(b, progress.Part(0.15, 0.3)), start, landmarks, options, progress.Part(0.3, 1.0));
 }
 
-ReversibleHarmonicResult ReversibleHarmonic(const EmbeddedSurface& a, const EmbeddedSurface& b,
-  const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
-  const Progress& progress)
+ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
+  const EmbeddedSurface& b, const SurfaceMaps& start, const Landmarks& landmarks,
+  const ReversibleHarmonicOptions& options, const Progress& progress)
 {
   RequireOption(
     options.Alpha > 0.0 && options.Alpha < 1.0, "Alpha", options.Alpha, "between 0 and 1");

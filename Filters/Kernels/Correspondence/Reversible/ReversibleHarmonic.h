@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Spectrum/StressScaling.h"
+#include "Mesh/Mesh.h"
+#include "Spectrum/Smacof.h"
 
 #include <vector>
 
@@ -12,16 +12,16 @@ namespace shape
 
 struct ReversibleHarmonicOptions
 {
-  double Alpha = 2e-5;          ///< the share of the Dirichlet energy; in (0, 1)
-  double FirstAlpha = 3e-2;     ///< where that begins, from which it falls geometrically; < 1
-  int AlphaSteps = 40;          ///< in so many iterations; >= 0
-  double BetaStep = 5e-3;       ///< by which the penalty's weight grows in each iteration; > 0
-  int BetaSteps = 100;          ///< after so many it stays; >= 1
-  int FirstIteration = 1;       ///< where the weights begin, above 1 on maps refined before; >= 1
-  int MaximumIterations = 100;  ///< >= 1
-  double Tolerance = 1e-4;      ///< relative change of the energy at which it ends; >= 0
-  bool PinLandmarks = true;     ///< keeps each landmark's image at its partner
-  StressScalingOptions Scaling; ///< the embedding in which straight distances are geodesic ones
+  double Alpha = 2e-5;         ///< the share of the Dirichlet energy; in (0, 1)
+  double FirstAlpha = 3e-2;    ///< where that begins, from which it falls geometrically; < 1
+  int AlphaSteps = 40;         ///< in so many iterations; >= 0
+  double BetaStep = 5e-3;      ///< by which the penalty's weight grows in each iteration; > 0
+  int BetaSteps = 100;         ///< after so many it stays; >= 1
+  int FirstIteration = 1;      ///< where the weights begin, above 1 on maps refined before; >= 1
+  int MaximumIterations = 100; ///< >= 1
+  double Tolerance = 1e-4;     ///< relative change of the energy at which it ends; >= 0
+  bool PinLandmarks = true;    ///< keeps each landmark's image at its partner
+  SmacofOptions Scaling;       ///< the embedding in which straight distances are geodesic ones
 };
 
 /// A surface and positions of its points whose straight distances are nearly geodesic ones.
@@ -46,7 +46,7 @@ struct ReversibleHarmonicResult
  *   + (1 - alpha) (|P21 X12 - X2|^2 + |P12 X21 - X1|^2)
  *   + beta (|P12 X2 - X12|^2 + |P21 X1 - X21|^2)
  *
- * with the masses' norms, areas made 1 and X1, X2 the surfaces' own StressScaling, by turns over
+ * with the masses' norms, areas made 1 and X1, X2 the surfaces' own EmbedBySmacof, by turns over
  * P21, X21, P12 and X12 (half-quadratic splitting, section 5 there): the maps P by exact projection
  * on triangles in twice as many dimensions (TriangleTree), the X by one linear system. Negative
  * cotangent weights are raised to 0. Alpha is larger at first: smoother maps move farther in an
@@ -58,13 +58,13 @@ struct ReversibleHarmonicResult
  * maps to begin at, such as LandmarkCells or a FunctionalMap; a mirrored start stays mirrored.
  * Throws InvalidInput, SolveFailure, Aborted.
  */
-ReversibleHarmonicResult ReversibleHarmonic(const Mesh& a, const Mesh& b, const SurfaceMaps& start,
-  const Landmarks& landmarks = {}, const ReversibleHarmonicOptions& options = {},
-  const Progress& progress = {});
+ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Mesh& a, const Mesh& b,
+  const SurfaceMaps& start, const Landmarks& landmarks = {},
+  const ReversibleHarmonicOptions& options = {}, const Progress& progress = {});
 
 /// The same of surfaces whose embeddings are known. options.Scaling is not used.
-ReversibleHarmonicResult ReversibleHarmonic(const EmbeddedSurface& a, const EmbeddedSurface& b,
-  const SurfaceMaps& start, const Landmarks& landmarks,
+ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
+  const EmbeddedSurface& b, const SurfaceMaps& start, const Landmarks& landmarks,
   const ReversibleHarmonicOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -2,10 +2,10 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
-#include "Correspondence/Landmarks/LandmarkPlaces.h"
-#include "Correspondence/Pair/MatchingInput.h"
-#include "Search/NearestPlaces.h"
+#include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Landmarks/SampledSurface.h"
+#include "Correspondence/Pair/MatchingInput.h"
+#include "Search/NearestSurfacePoints.h"
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include <Eigen/QR>
@@ -72,9 +72,9 @@ Eigen::MatrixXd Likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 }
 
 /// Where each point of `from` goes, by the masses that go from its samples to those of `to`.
-PreciseMap Spread(const LaplaceSpectrum& from, const std::vector<int>& samples, const Mesh& target,
-  const LaplaceSpectrum& to, const std::vector<int>& targetSamples, const Eigen::MatrixXd& masses,
-  const Progress& progress)
+SurfacePoints Spread(const LaplaceSpectrum& from, const std::vector<int>& samples,
+  const Mesh& target, const LaplaceSpectrum& to, const std::vector<int>& targetSamples,
+  const Eigen::MatrixXd& masses, const Progress& progress)
 {
   const Eigen::VectorXd weights = masses.rowwise().sum(), roots = weights.cwiseSqrt();
   const Eigen::MatrixXd images =
@@ -83,7 +83,8 @@ PreciseMap Spread(const LaplaceSpectrum& from, const std::vector<int>& samples, 
                                 .eval()
                                 .colPivHouseholderQr()
                                 .solve(roots.asDiagonal() * images);
-  return NearestPlaces(from.Eigenfunctions * map, target.Triangles, to.Eigenfunctions, progress);
+  return FindNearestSurfacePoints(
+    from.Eigenfunctions * map, target.Triangles, to.Eigenfunctions, progress);
 }
 
 /// What couplings begin with.
@@ -98,15 +99,15 @@ std::vector<Landmarks> Starts(const Mesh& a, const Mesh& b, const Landmarks& lan
   {
     return options.Starts;
   }
-  const AutomaticLandmarksResult found = AutomaticLandmarks(a, b, {}, progress);
+  const AutomaticLandmarksResult found = FindLandmarks(a, b, {}, progress);
   return found.Rival.empty() ? std::vector<Landmarks>{ found.Pairs }
                              : std::vector<Landmarks>{ found.Pairs, found.Rival };
 }
 
 } // namespace
 
-GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
-  const GromovWassersteinOptions& options, const Progress& progress)
+GromovWassersteinResult ComputeGromovWassersteinMap(const Mesh& a, const Mesh& b,
+  const Landmarks& landmarks, const GromovWassersteinOptions& options, const Progress& progress)
 {
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
   RequireOption(options.Eigenpairs >= 2, "Eigenpairs", options.Eigenpairs, "at least 2");
@@ -134,8 +135,8 @@ GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const La
       (isFullA ? "B" : "A") + "; give fewer, or refine the former");
   }
   const int few = fixed + std::max(options.Samples / 4, 10);
-  const SampledSurface fewA = FirstSamples(onA, few, PointAreas(a)),
-                       fewB = FirstSamples(onB, few, PointAreas(b));
+  const SampledSurface fewA = GetFirstSamples(onA, few, ComputePointAreas(a)),
+                       fewB = GetFirstSamples(onB, few, ComputePointAreas(b));
   GromovWassersteinResult result;
   EntropicCoupling coupling;
   coupling.Distortion = std::numeric_limits<double>::infinity();
@@ -143,10 +144,10 @@ GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const La
   {
     const double share = 0.2 / static_cast<double>(starts.size()),
                  begin = 0.5 + share * static_cast<double>(k);
-    const Eigen::MatrixXd placesA = LandmarkPlaces(a, PointsOf(starts[k], 0)),
-                          placesB = LandmarkPlaces(b, PointsOf(starts[k], 1));
-    EntropicCoupling own = FindCoupling(Spaces(fewA, fewB, fixed),
-      Likeness(placesA(fewA.Points, Eigen::all), placesB(fewB.Points, Eigen::all)), pinned,
+    const Eigen::MatrixXd positionsA = EmbedByLandmarks(a, PointsOf(starts[k], 0)),
+                          positionsB = EmbedByLandmarks(b, PointsOf(starts[k], 1));
+    EntropicCoupling own = SolveCoupling(Spaces(fewA, fewB, fixed),
+      Likeness(positionsA(fewA.Points, Eigen::all), positionsB(fewB.Points, Eigen::all)), pinned,
       options.Coupling, progress.Part(begin, begin + share));
     if (own.Distortion < coupling.Distortion)
     {
@@ -165,13 +166,13 @@ GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const La
     last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);
     last.Iterations = std::min(last.Iterations, fewer);
     coupling =
-      FindCoupling(spaces, gains / last.FirstEntropy, pinned, last, progress.Part(0.7, 0.9));
+      SolveCoupling(spaces, gains / last.FirstEntropy, pinned, last, progress.Part(0.7, 0.9));
   }
   result.Distortion = coupling.Distortion * Longest(onA, onB);
   result.Error = coupling.Error;
-  const LaplaceSpectrum spectrumA = FindLaplaceSpectrum(
+  const LaplaceSpectrum spectrumA = SolveLaplaceEigenproblem(
                           a, std::min<int>(options.Eigenpairs, onA.Points.size())),
-                        spectrumB = FindLaplaceSpectrum(
+                        spectrumB = SolveLaplaceEigenproblem(
                           b, std::min<int>(options.Eigenpairs, onB.Points.size()));
   result.Maps = { Spread(spectrumA, onA.Points, b, spectrumB, onB.Points, coupling.Masses,
                     progress.Part(0.94, 0.97)),

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Correspondence/Transport/GromovWassersteinCoupling.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
+#include "Correspondence/Transport/GromovWassersteinCoupling.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct GromovWassersteinOptions
   int Eigenpairs = 60; ///< of each surface, in which the map is taken from samples to all; >= 2
   EntropicCouplingOptions Coupling;
   /// Without landmarks: pairs, each of which a coupling begins with; none: those of
-  /// AutomaticLandmarks and their rival.
+  /// FindLandmarks and their rival.
   std::vector<Landmarks> Starts;
 };
 
@@ -32,23 +32,25 @@ struct GromovWassersteinResult
 
 /**
  * Corresponding points of two surfaces by the coupling of samples that keeps distances along the
- * surfaces best (FindCoupling; Solomon, Peyre, Kim and Sra, "Entropic metric alignment for
+ * surfaces best (SolveCoupling; Solomon, Peyre, Kim and Sra, "Entropic metric alignment for
  * correspondence problems", 2016), which may be one to many where shapes differ.
  *
  * Samples weigh as much as the area that is nearest to them. Entropy falls on a quarter of the
  * samples, and once more, from eight times its last value, on all of them. Landmarks are samples
- * that go to each other; the start is how alike samples lie to them (LandmarkPlaces). Without
+ * that go to each other; the start is how alike samples lie to them (EmbedByLandmarks). Without
  * landmarks nothing is fixed, and of the couplings of all starts, on a quarter of the samples, the
  * one with the least distortion is taken.
  *
  * From the samples to all points: each sample's image is the mean of B's eigenfunctions over what
  * goes there, interpolated by the eigenfunctions of A in least squares ("soft" functional maps,
- * section 4 of the paper); each point goes to a place near its row there (NearestPlaces).
+ * section 4 of the paper); each point goes to a place near its row there
+ * (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus, with a
  * triangle at each point. Sizes may differ. Throws InvalidInput where not, SolveFailure, Aborted.
  */
-GromovWassersteinResult GromovWasserstein(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
-  const GromovWassersteinOptions& options = {}, const Progress& progress = {});
+GromovWassersteinResult ComputeGromovWassersteinMap(const Mesh& a, const Mesh& b,
+  const Landmarks& landmarks, const GromovWassersteinOptions& options = {},
+  const Progress& progress = {});
 
 } // namespace shape

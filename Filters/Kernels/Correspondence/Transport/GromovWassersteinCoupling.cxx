@@ -72,7 +72,7 @@ struct State
 
 } // namespace
 
-EntropicCoupling FindCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
+EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed, const EntropicCouplingOptions& options, const Progress& progress)
 {
   Check(spaces, start, options);
@@ -138,8 +138,8 @@ EntropicCoupling FindCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd&
     2.0 * state.Masses.cwiseProduct(state.Gains).sum();
   coupling.Distortion = std::sqrt(std::max(0.0, squares));
   coupling.Masses = std::move(state.Masses);
-  constexpr double most = 0.05;
-  if (coupling.Error > most)
+  constexpr double maximum = 0.05;
+  if (coupling.Error > maximum)
   {
     throw SolveFailure("the masses of " + std::to_string(rows.size()) + " samples are " +
       std::to_string(coupling.Error) +

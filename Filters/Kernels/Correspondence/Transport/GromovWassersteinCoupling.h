@@ -56,7 +56,7 @@ struct EntropicCoupling
  * proportion to its exponentials. fixed: places that go to each other, of equal weight, none twice.
  * Throws InvalidInput, SolveFailure where the masses stay far from the weights, Aborted.
  */
-EntropicCoupling FindCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
+EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed = {}, const EntropicCouplingOptions& options = {},
   const Progress& progress = {});
 

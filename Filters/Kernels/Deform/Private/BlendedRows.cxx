@@ -89,12 +89,12 @@ namespace
 constexpr int BlockSize = 8;
 } // namespace
 
-SampleMotions::SampleMotions(int samples)
+SampleTransforms::SampleTransforms(int samples)
   : Values((samples + BlockSize - 1) / BlockSize * std::size_t(MotionSize * BlockSize), 0.0)
 {
 }
 
-void SampleMotions::Set(int sample, const Eigen::Vector3d& rest, const Eigen::Vector3d& place,
+void SampleTransforms::Set(int sample, const Eigen::Vector3d& rest, const Eigen::Vector3d& position,
   const Eigen::Matrix3d& rotation)
 {
   double* to = this->Values.data() + sample / BlockSize * std::size_t(MotionSize * BlockSize) +
@@ -102,7 +102,7 @@ void SampleMotions::Set(int sample, const Eigen::Vector3d& rest, const Eigen::Ve
   const Eigen::Vector3d turned = rotation * rest;
   for (int c = 0; c < 3; ++c)
   {
-    to[c * BlockSize] = place(c);
+    to[c * BlockSize] = position(c);
     to[(3 + c) * BlockSize] = turned(c);
   }
   for (int c = 0; c < 9; ++c)
@@ -139,21 +139,21 @@ void BlendedRows::Clear()
   this->Total = 0;
 }
 
-BlendedMotion BlendedRows::Blend(int row, const SampleMotions& motions) const
+BlendedTransform BlendedRows::Blend(int row, const SampleTransforms& motions) const
 {
   const Row& one = this->Rows[row];
   double sums[MotionSize];
   HWY_DYNAMIC_DISPATCH(SumsFor)
   (this->Weights.data() + one.First,
     motions.Data() + one.Block * std::ptrdiff_t(MotionSize * BlockSize), one.Blocks, sums);
-  BlendedMotion blend;
-  blend.Place = Eigen::Map<const Eigen::Vector3d>(sums) / one.Sum;
+  BlendedTransform blend;
+  blend.Position = Eigen::Map<const Eigen::Vector3d>(sums) / one.Sum;
   blend.Turned = Eigen::Map<const Eigen::Vector3d>(sums + 3) / one.Sum;
   blend.Rotation = Eigen::Map<const Eigen::Matrix3d>(sums + 6) / one.Sum;
   return blend;
 }
 
-Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix)
+Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix)
 {
   // Newton's iteration X -> (X + X^-T) / 2 from a blend of not too different rotations converges
   // quadratically, and costs a tenth of a decomposition.

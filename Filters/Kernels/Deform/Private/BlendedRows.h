@@ -14,12 +14,12 @@ constexpr int MotionSize = 15;
 
 /// Samples' motions in blocks of eight: number c of sample j is Values[(j / 8) * 120 + c * 8 + j %
 /// 8].
-class SampleMotions
+class SampleTransforms
 {
 public:
-  explicit SampleMotions(int samples);
+  explicit SampleTransforms(int samples);
   /// rest, place: relative to a centre of each.
-  void Set(int sample, const Eigen::Vector3d& rest, const Eigen::Vector3d& place,
+  void Set(int sample, const Eigen::Vector3d& rest, const Eigen::Vector3d& position,
     const Eigen::Matrix3d& rotation);
   const double* Data() const { return this->Values.data(); }
 
@@ -28,15 +28,15 @@ private:
 };
 
 /// What a row of weights makes of the motions: sums over the samples, divided by that of weights.
-struct BlendedMotion
+struct BlendedTransform
 {
-  Eigen::Vector3d Place, Turned;
+  Eigen::Vector3d Position, Turned;
   Eigen::Matrix3d Rotation; ///< the mean of rotations, not one itself
 
   /// Where `point` (relative to the centre) goes when offsets are scaled.
   Eigen::Vector3d Apply(const Eigen::Vector3d& point, double scale) const
   {
-    return this->Place - scale * this->Turned + scale * (this->Rotation * point);
+    return this->Position - scale * this->Turned + scale * (this->Rotation * point);
   }
 };
 
@@ -57,7 +57,7 @@ public:
 
   /// What a row makes of the motions. Samples that do not move blend to exactly that; else the last
   /// bits depend on how wide the vectors of the processor are.
-  BlendedMotion Blend(int row, const SampleMotions& motions) const;
+  BlendedTransform Blend(int row, const SampleTransforms& motions) const;
 
 private:
   struct Row
@@ -73,6 +73,6 @@ private:
 
 /// The rotation nearest to a matrix (its polar factor, or where that mirrors, the nearest
 /// rotation).
-Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& matrix);
+Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix);
 
 } // namespace shape

@@ -15,17 +15,17 @@ BoundaryRelative::BoundaryRelative(NodeProblem problem, const Progress& progress
   : Problem(std::move(problem))
   , Sweep(SweepFront(this->Problem.Graph, this->Problem.Sources, progress.Part(0.0, 0.1)))
 {
-  const Eigen::MatrixXd& places = this->Problem.Graph.Places;
+  const Eigen::MatrixXd& positions = this->Problem.Graph.Positions;
   const Eigen::RowVector3d centre =
-    0.5 * (places.colwise().minCoeff() + places.colwise().maxCoeff());
-  this->Rests = (places.rowwise() - centre)(this->Sweep.Nodes, Eigen::all).transpose();
+    0.5 * (positions.colwise().minCoeff() + positions.colwise().maxCoeff());
+  this->Rests = (positions.rowwise() - centre)(this->Sweep.Nodes, Eigen::all).transpose();
   const int sources = this->Sweep.Sources;
   const int count = static_cast<int>(this->Sweep.Nodes.size()) - sources;
   for (int i = 0; i < count; ++i)
   {
     this->Rows.Add(0, sources);
   }
-  this->Streamed = this->Rows.Size() > this->Problem.MostWeights;
+  this->Streamed = this->Rows.Size() > this->Problem.MaximumWeights;
   if (this->Problem.Front.Distance == FrontDistance::Geodesic)
   {
     if (this->Streamed)
@@ -95,7 +95,7 @@ bool BoundaryRelative::FindRow(int rank, float* weights) const
   for (int j = 0; j < sources; ++j)
   {
     row[j] = this->Problem.Graph.Weights(this->Sweep.Nodes[j]) *
-      InverseDistanceWeight(distances[j] / this->Problem.Graph.MeanLength, power);
+      EvaluateInverseDistanceWeight(distances[j] / this->Problem.Graph.MeanLength, power);
     largest = std::max(largest, row[j]);
   }
   const bool some = largest > 0.0;
@@ -111,15 +111,15 @@ bool BoundaryRelative::FindRow(int rank, float* weights) const
   return some;
 }
 
-NodeMotions BoundaryRelative::Move(
-  const NodeMotions& sources, double reach, const Progress& progress) const
+NodeTransforms BoundaryRelative::Move(
+  const NodeTransforms& sources, double reach, const Progress& progress) const
 {
   const auto n = static_cast<int>(this->Sweep.Nodes.size());
   const int first = this->Sweep.Sources;
   const Eigen::Vector3d shift = sources.Shifts.rowwise().mean();
-  NodeMotions motions{ Eigen::MatrixXd::Zero(3, n),
+  NodeTransforms motions{ Eigen::MatrixXd::Zero(3, n),
     std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Identity()) };
-  SampleMotions samples(first);
+  SampleTransforms samples(first);
   for (int j = 0; j < first; ++j)
   {
     const int node = this->Sweep.Nodes[j];
@@ -146,12 +146,12 @@ NodeMotions BoundaryRelative::Move(
           this->FindRow(first + i, weights.data());
           one.Set(0, weights.data());
         }
-        const BlendedMotion blend =
+        const BlendedTransform blend =
           this->Streamed ? one.Blend(0, samples) : this->Rows.Blend(i, samples);
         const int node = this->Sweep.Nodes[first + i];
         const Eigen::Vector3d rest = this->Rests.col(first + i);
         motions.Shifts.col(node) = blend.Apply(rest, this->Problem.Scales(node)) - rest + shift;
-        motions.Rotations[node] = NearestRotation(blend.Rotation);
+        motions.Rotations[node] = FitRotation(blend.Rotation);
       }
     },
     progress);

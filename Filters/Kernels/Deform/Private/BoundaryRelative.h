@@ -12,17 +12,17 @@ namespace shape
  * mends that.
  *
  * The weights are those of the sources over the power of the distance, which Euclidean or along the
- * links of the graph; up to MostKeptWeights of them are kept.
+ * links of the graph; up to MaximumKeptWeights of them are kept.
  */
 class BoundaryRelative : public NodeDeformation
 {
 public:
   /// Throws InvalidInput where the graph is in several pieces, or geodesic distances are more than
-  /// MostKeptWeights; Aborted.
+  /// MaximumKeptWeights; Aborted.
   explicit BoundaryRelative(NodeProblem problem, const Progress& progress = {});
 
-  NodeMotions Move(
-    const NodeMotions& sources, double reach, const Progress& progress = {}) const override;
+  NodeTransforms Move(
+    const NodeTransforms& sources, double reach, const Progress& progress = {}) const override;
 
 private:
   /// The distances of a rank from all sources.

@@ -13,10 +13,10 @@ FrontDeformation::FrontDeformation(NodeProblem problem, const Progress& progress
   , Sweep(SweepFront(this->Problem.Graph, this->Problem.Sources, progress.Part(0.0, 0.2)))
   , Front(this->Problem.Graph, this->Sweep, this->Problem.Powers, this->Problem.Front)
 {
-  const Eigen::MatrixXd& places = this->Problem.Graph.Places;
+  const Eigen::MatrixXd& positions = this->Problem.Graph.Positions;
   const Eigen::RowVector3d centre =
-    0.5 * (places.colwise().minCoeff() + places.colwise().maxCoeff());
-  this->Rests = (places.rowwise() - centre)(this->Sweep.Nodes, Eigen::all).transpose();
+    0.5 * (positions.colwise().minCoeff() + positions.colwise().maxCoeff());
+  this->Rests = (positions.rowwise() - centre)(this->Sweep.Nodes, Eigen::all).transpose();
   this->Empty = this->Front.EmptyBands();
   this->KeepWeights(progress.Part(0.2, 1.0));
 }
@@ -32,7 +32,7 @@ void FrontDeformation::KeepWeights(const Progress& progress)
     this->Rows.Add(this->Front.Begin(rank), width);
     widest = std::max(widest, width);
   }
-  this->Streamed = this->Rows.Size() > this->Problem.MostWeights;
+  this->Streamed = this->Rows.Size() > this->Problem.MaximumWeights;
   if (!this->Streamed)
   {
     this->Rows.Allocate();
@@ -56,8 +56,8 @@ void FrontDeformation::KeepWeights(const Progress& progress)
   this->Zero = static_cast<int>(std::count(none.begin(), none.end(), 1));
 }
 
-BlendedMotion FrontDeformation::Blend(
-  int rank, const SampleMotions& samples, BlendedRows& one, std::vector<float>& weights) const
+BlendedTransform FrontDeformation::Blend(
+  int rank, const SampleTransforms& samples, BlendedRows& one, std::vector<float>& weights) const
 {
   if (!this->Streamed)
   {
@@ -73,15 +73,15 @@ BlendedMotion FrontDeformation::Blend(
   return one.Blend(0, samples);
 }
 
-NodeMotions FrontDeformation::Move(
-  const NodeMotions& sources, double reach, const Progress& progress) const
+NodeTransforms FrontDeformation::Move(
+  const NodeTransforms& sources, double reach, const Progress& progress) const
 {
   const auto n = static_cast<int>(this->Sweep.Nodes.size());
   // Relative to the middle of the shape, and to that of the moved sources: a shift costs no digits.
   const Eigen::Vector3d shift = sources.Shifts.rowwise().mean();
-  NodeMotions motions{ Eigen::MatrixXd::Zero(3, n),
+  NodeTransforms motions{ Eigen::MatrixXd::Zero(3, n),
     std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Identity()) };
-  SampleMotions samples(n);
+  SampleTransforms samples(n);
   BlendedRows one;
   std::vector<float> weights;
   for (int rank = 0; rank < n && this->Sweep.Arrivals[rank] <= reach; ++rank)
@@ -92,22 +92,22 @@ NodeMotions FrontDeformation::Move(
     }
     const int node = this->Sweep.Nodes[rank];
     const Eigen::Vector3d rest = this->Rests.col(rank);
-    Eigen::Vector3d place;
+    Eigen::Vector3d position;
     Eigen::Matrix3d& rotation = motions.Rotations[node];
     if (rank < this->Sweep.Sources)
     {
-      place = rest + (sources.Shifts.col(rank) - shift);
+      position = rest + (sources.Shifts.col(rank) - shift);
       rotation = sources.Rotations[rank];
       motions.Shifts.col(node) = sources.Shifts.col(rank);
     }
     else
     {
-      const BlendedMotion blend = this->Blend(rank, samples, one, weights);
-      place = blend.Apply(rest, this->Problem.Scales(node));
-      rotation = NearestRotation(blend.Rotation);
-      motions.Shifts.col(node) = place - rest + shift;
+      const BlendedTransform blend = this->Blend(rank, samples, one, weights);
+      position = blend.Apply(rest, this->Problem.Scales(node));
+      rotation = FitRotation(blend.Rotation);
+      motions.Shifts.col(node) = position - rest + shift;
     }
-    samples.Set(rank, rest, place, rotation);
+    samples.Set(rank, rest, position, rotation);
   }
   progress(1.0);
   return motions;

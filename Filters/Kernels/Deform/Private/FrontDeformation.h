@@ -11,8 +11,8 @@ namespace shape
  * front that sweeps from the sources over the graph (equations 5 to 9).
  *
  * Bands are ranges of ranks (UpwindFront), so weights are dense rows of floats, kept up to
- * MostKeptWeights. The sums over them are in double precision: weights divided by their sum leave
- * rigid motions exact, however they are rounded.
+ * MaximumKeptWeights. The sums over them are in double precision: weights divided by their sum
+ * leave rigid motions exact, however they are rounded.
  */
 class FrontDeformation : public NodeDeformation
 {
@@ -20,14 +20,14 @@ public:
   /// Throws InvalidInput where the graph is in several pieces, Aborted.
   explicit FrontDeformation(NodeProblem problem, const Progress& progress = {});
 
-  NodeMotions Move(
-    const NodeMotions& sources, double reach, const Progress& progress = {}) const override;
+  NodeTransforms Move(
+    const NodeTransforms& sources, double reach, const Progress& progress = {}) const override;
 
 private:
   void KeepWeights(const Progress& progress);
   /// What the band of a rank makes of its motions. one, weights: room for a row that is not kept.
-  BlendedMotion Blend(
-    int rank, const SampleMotions& samples, BlendedRows& one, std::vector<float>& weights) const;
+  BlendedTransform Blend(
+    int rank, const SampleTransforms& samples, BlendedRows& one, std::vector<float>& weights) const;
 
   NodeProblem Problem;
   FrontSweep Sweep;

@@ -16,23 +16,23 @@ namespace
 {
 
 /// Half of the triangles around a point of a regular border, over the square of their sides.
-constexpr double BorderRing = 1.3;
+constexpr double BoundaryRing = 1.3;
 
 void RequireHandle(const BoundaryHandle& handle)
 {
-  if (handle.Places.rows() == 0)
+  if (handle.Positions.rows() == 0)
   {
     throw InvalidInput("the handle has no points; give it some");
   }
-  RequireFinite(handle.Places, "the handle");
+  RequireFinite(handle.Positions, "the handle");
   for (const Eigen::MatrixXi* elements : { &handle.Segments, &handle.Triangles })
   {
     if (elements->size() > 0 &&
-      (elements->minCoeff() < 0 || elements->maxCoeff() >= handle.Places.rows()))
+      (elements->minCoeff() < 0 || elements->maxCoeff() >= handle.Positions.rows()))
     {
       throw InvalidInput("a segment or triangle of the handle has the point " +
         std::to_string(elements->minCoeff() < 0 ? elements->minCoeff() : elements->maxCoeff()) +
-        ", but there are " + std::to_string(handle.Places.rows()) +
+        ", but there are " + std::to_string(handle.Positions.rows()) +
         " points; mend its connectivity");
     }
   }
@@ -45,43 +45,45 @@ public:
   Attachment(const PointGraph& shape, const BoundaryHandle& handle)
     : Shape(shape)
     , Handle(handle)
-    , Tree(shape.Places)
-    , Own(handle.Places)
-    , Tolerance(1e-6 * std::max(BoxDiagonal(shape.Places), BoxDiagonal(handle.Places)))
+    , Tree(shape.Positions)
+    , Own(handle.Positions)
+    , Tolerance(
+        1e-6 * std::max(ComputeBoxDiagonal(shape.Positions), ComputeBoxDiagonal(handle.Positions)))
     , Step(shape.MeanLength)
     , SourceOf(shape.Size(), -1)
   {
     if (!(this->Step > 0.0))
     {
-      const double size = BoxDiagonal(handle.Places);
+      const double size = ComputeBoxDiagonal(handle.Positions);
       this->Step = size > 0.0 ? size : 1.0;
     }
     this->Tolerance = std::min(this->Tolerance, 0.1 * this->Step);
     // A handle that is much larger than the shape has no more gaps filled than this.
-    constexpr double most = 20000.0;
+    constexpr double maximum = 20000.0;
     double length = 0.0;
     for (const auto& segment : handle.Segments.rowwise())
     {
-      length += (handle.Places.row(segment(0)) - handle.Places.row(segment(1))).norm();
+      length += (handle.Positions.row(segment(0)) - handle.Positions.row(segment(1))).norm();
     }
     const double area =
-      0.5 * AreaVectors({ handle.Places, handle.Triangles }).rowwise().norm().sum();
-    this->Gap = std::max({ this->Step, length / most, std::sqrt(area / most) });
+      0.5 * ComputeAreaVectors({ handle.Positions, handle.Triangles }).rowwise().norm().sum();
+    this->Gap = std::max({ this->Step, length / maximum, std::sqrt(area / maximum) });
   }
 
   void AddSamples(const Progress& progress)
   {
-    const auto samples = static_cast<int>(this->Handle.Places.rows());
+    const auto samples = static_cast<int>(this->Handle.Positions.rows());
     for (int i = 0; i < samples; ++i)
     {
       if (i % 16384 == 0)
       {
         progress(static_cast<double>(i) / samples);
       }
-      const int twin = this->Own.Within(this->Handle.Places.row(i), 1e-3 * this->Tolerance).front();
+      const int twin =
+        this->Own.Within(this->Handle.Positions.row(i), 1e-3 * this->Tolerance).front();
       const int source = twin < i
         ? this->OfSample[twin]
-        : this->AddPlace(this->Handle.Places.row(i), Eigen::RowVector3i(i, i, i),
+        : this->AddPosition(this->Handle.Positions.row(i), Eigen::RowVector3i(i, i, i),
             Eigen::RowVector3d(1.0, 0.0, 0.0));
       this->OfSample.push_back(source);
     }
@@ -96,7 +98,8 @@ public:
     {
       return;
     }
-    const Eigen::RowVector3d from = this->Handle.Places.row(a), to = this->Handle.Places.row(b);
+    const Eigen::RowVector3d from = this->Handle.Positions.row(a),
+                             to = this->Handle.Positions.row(b);
     const double length = (to - from).norm();
     std::vector<std::pair<double, int>> along = { { 0.0, first }, { 1.0, last } };
     const int pieces = std::max(1, static_cast<int>(std::ceil(length / this->Gap)));
@@ -112,10 +115,10 @@ public:
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     for (const int node : candidates)
     {
-      const Eigen::RowVector3d place = this->Shape.Places.row(node);
-      const double t = (place - from).dot(to - from) / (length * length);
+      const Eigen::RowVector3d position = this->Shape.Positions.row(node);
+      const double t = (position - from).dot(to - from) / (length * length);
       if (this->SourceOf[node] < 0 && t > 0.0 && t < 1.0 &&
-        (place - from - t * (to - from)).norm() <= this->Tolerance)
+        (position - from - t * (to - from)).norm() <= this->Tolerance)
       {
         this->Bind(node, Eigen::RowVector3i(a, b, b), Eigen::RowVector3d(1.0 - t, t, 0.0));
         along.emplace_back(t, this->SourceOf[node]);
@@ -131,7 +134,7 @@ public:
       {
         const double t = before[k - 1].first + gap * j / parts;
         along.emplace_back(t,
-          this->AddPlace(from + t * (to - from), Eigen::RowVector3i(a, b, b),
+          this->AddPosition(from + t * (to - from), Eigen::RowVector3i(a, b, b),
             Eigen::RowVector3d(1.0 - t, t, 0.0)));
       }
     }
@@ -147,8 +150,8 @@ public:
       if (onCurve)
       {
         const double half = 0.5 * (along[k].first - along[k - 1].first) * length;
-        this->Weights[p] += BorderRing * this->Step * half;
-        this->Weights[q] += BorderRing * this->Step * half;
+        this->Weights[p] += BoundaryRing * this->Step * half;
+        this->Weights[q] += BoundaryRing * this->Step * half;
       }
     }
   }
@@ -159,9 +162,9 @@ public:
     {
       corners = Eigen::RowVector3i(corners(1), corners(2), corners(0)); // the longest side first
     }
-    const Eigen::RowVector3d a = this->Handle.Places.row(corners(0));
-    const Eigen::RowVector3d u = this->Handle.Places.row(corners(1)) - a;
-    const Eigen::RowVector3d v = this->Handle.Places.row(corners(2)) - a;
+    const Eigen::RowVector3d a = this->Handle.Positions.row(corners(0));
+    const Eigen::RowVector3d u = this->Handle.Positions.row(corners(1)) - a;
+    const Eigen::RowVector3d v = this->Handle.Positions.row(corners(2)) - a;
     const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
     const double area = 0.5 * std::sqrt(std::max(determinant, 0.0));
     std::vector<int> sources = { this->OfSample[corners(0)], this->OfSample[corners(1)],
@@ -172,7 +175,7 @@ public:
       const auto inside = [](const Eigen::RowVector3d& shares) { return shares.minCoeff() > 0.0; };
       for (const int node : this->Tree.Within(a + (u + v) / 3.0, longest + this->Tolerance))
       {
-        const Eigen::RowVector3d w = this->Shape.Places.row(node) - a;
+        const Eigen::RowVector3d w = this->Shape.Positions.row(node) - a;
         const double s = (vv * u.dot(w) - uv * v.dot(w)) / determinant;
         const double t = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
         const Eigen::RowVector3d shares(1.0 - s - t, s, t);
@@ -196,7 +199,7 @@ public:
         {
           const double share = left * j / columns;
           const Eigen::RowVector3d shares(left - share, share, 1.0 - left);
-          sources.push_back(this->AddPlace(a + shares(1) * u + shares(2) * v, corners, shares));
+          sources.push_back(this->AddPosition(a + shares(1) * u + shares(2) * v, corners, shares));
         }
       }
     }
@@ -211,14 +214,14 @@ public:
     HandleSources result;
     result.Graph = this->Shape;
     result.Graph.MeanLength = this->Step;
-    std::vector<std::pair<int, int>> links = LinksOf(this->Shape);
+    std::vector<std::pair<int, int>> links = ListLinks(this->Shape);
     links.insert(links.end(), this->Links.begin(), this->Links.end());
     const int own = this->Shape.Size(), all = own + static_cast<int>(this->Extra.size());
-    result.Graph.Places.conservativeResize(all, Eigen::NoChange);
+    result.Graph.Positions.conservativeResize(all, Eigen::NoChange);
     result.Graph.Weights.conservativeResize(all);
     for (int i = own; i < all; ++i)
     {
-      result.Graph.Places.row(i) = this->Extra[i - own];
+      result.Graph.Positions.row(i) = this->Extra[i - own];
       this->LinkToShape(i, this->Extra[i - own], links);
     }
     SetLinks(result.Graph, std::move(links));
@@ -240,16 +243,17 @@ public:
 private:
   double Side(const Eigen::RowVector3i& corners, int k) const
   {
-    return (this->Handle.Places.row(corners((k + 1) % 3)) - this->Handle.Places.row(corners(k)))
+    return (
+      this->Handle.Positions.row(corners((k + 1) % 3)) - this->Handle.Positions.row(corners(k)))
       .norm();
   }
 
   /// The shape's node at a place, or a new one, as a source.
-  int AddPlace(const Eigen::RowVector3d& place, const Eigen::RowVector3i& samples,
+  int AddPosition(const Eigen::RowVector3d& position, const Eigen::RowVector3i& samples,
     const Eigen::RowVector3d& shares)
   {
-    const int node = this->Tree.Nearest(place, 1).front();
-    if ((this->Shape.Places.row(node) - place).norm() <= this->Tolerance)
+    const int node = this->Tree.Nearest(position, 1).front();
+    if ((this->Shape.Positions.row(node) - position).norm() <= this->Tolerance)
     {
       if (this->SourceOf[node] < 0)
       {
@@ -257,7 +261,7 @@ private:
       }
       return this->SourceOf[node];
     }
-    this->Extra.push_back(place);
+    this->Extra.push_back(position);
     return this->Add(
       this->Shape.Size() + static_cast<int>(this->Extra.size()) - 1, samples, shares);
   }
@@ -278,14 +282,14 @@ private:
 
   /// With its nearest node, and others hardly farther.
   void LinkToShape(
-    int node, const Eigen::RowVector3d& place, std::vector<std::pair<int, int>>& links) const
+    int node, const Eigen::RowVector3d& position, std::vector<std::pair<int, int>>& links) const
   {
-    constexpr int most = 6;
-    const std::vector<int> near = this->Tree.Nearest(place, most);
-    const double nearest = (this->Shape.Places.row(near.front()) - place).norm();
+    constexpr int maximum = 6;
+    const std::vector<int> near = this->Tree.Nearest(position, maximum);
+    const double nearest = (this->Shape.Positions.row(near.front()) - position).norm();
     for (const int other : near)
     {
-      if ((this->Shape.Places.row(other) - place).norm() <= nearest + this->Step)
+      if ((this->Shape.Positions.row(other) - position).norm() <= nearest + this->Step)
       {
         links.emplace_back(node, other);
       }
@@ -325,7 +329,7 @@ HandleSources AttachHandle(
     }
     attachment.AddSegment(handle.Segments(i, 0), handle.Segments(i, 1), true);
   }
-  const std::vector<HalfEdge> sides = SortedHalfEdges(handle.Triangles, handle.Places.rows());
+  const std::vector<HalfEdge> sides = SortHalfEdges(handle.Triangles, handle.Positions.rows());
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
     if (i % often == 0)

@@ -5,17 +5,17 @@ namespace shape
 namespace
 {
 
-double WeightOf(const Eigen::MatrixXd& places, int a, int b)
+double WeightOf(const Eigen::MatrixXd& positions, int a, int b)
 {
-  return 1.0 / (places.row(a) - places.row(b)).norm();
+  return 1.0 / (positions.row(a) - positions.row(b)).norm();
 }
 
 } // namespace
 
 LaplacianSmoothing::LaplacianSmoothing(const NodeProblem& problem)
-  : Places(problem.Graph.Places)
+  : Positions(problem.Graph.Positions)
   , Scales(problem.Scales)
-  , Links(LinksOf(problem.Graph))
+  , Links(ListLinks(problem.Graph))
   , Unknown(problem.Graph.Size(), 0)
 {
   for (const int source : problem.Sources)
@@ -29,7 +29,7 @@ LaplacianSmoothing::LaplacianSmoothing(const NodeProblem& problem)
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto& [a, b] : this->Links)
   {
-    const double weight = WeightOf(this->Places, a, b);
+    const double weight = WeightOf(this->Positions, a, b);
     const int row = this->Unknown[a], column = this->Unknown[b];
     for (const int one : { row, column })
     {
@@ -52,7 +52,7 @@ LaplacianSmoothing::LaplacianSmoothing(const NodeProblem& problem)
   }
 }
 
-void LaplacianSmoothing::Apply(NodeMotions& motions) const
+void LaplacianSmoothing::Apply(NodeTransforms& motions) const
 {
   if (this->Count == 0)
   {
@@ -62,12 +62,12 @@ void LaplacianSmoothing::Apply(NodeMotions& motions) const
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(this->Count, 3);
   for (const auto& [a, b] : this->Links)
   {
-    const Eigen::Vector3d way = (this->Places.row(a) - this->Places.row(b)).transpose();
+    const Eigen::Vector3d way = (this->Positions.row(a) - this->Positions.row(b)).transpose();
     const double scale = 0.5 * (this->Scales(a) + this->Scales(b));
     const Eigen::Matrix3d turn = 0.5 * scale * (motions.Rotations[a] + motions.Rotations[b]);
     const Eigen::Vector3d wanted = turn * way - way;
     const Eigen::Vector3d off =
-      WeightOf(this->Places, a, b) * (wanted - (motions.Shifts.col(a) - motions.Shifts.col(b)));
+      WeightOf(this->Positions, a, b) * (wanted - (motions.Shifts.col(a) - motions.Shifts.col(b)));
     if (this->Unknown[a] >= 0)
     {
       residual.row(this->Unknown[a]) += off.transpose();

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Linear/SparseSolve.h"
 #include "Deform/Private/NodeDeformation.h"
+#include "Linear/SparseSolve.h"
 
 #include <utility>
 #include <vector>
@@ -24,10 +24,10 @@ public:
   explicit LaplacianSmoothing(const NodeProblem& problem);
 
   /// Moves the nodes that are no sources.
-  void Apply(NodeMotions& motions) const;
+  void Apply(NodeTransforms& motions) const;
 
 private:
-  Eigen::MatrixXd Places;
+  Eigen::MatrixXd Positions;
   Eigen::VectorXd Scales;
   std::vector<std::pair<int, int>> Links;
   std::vector<int> Unknown; ///< row of each node, or -1 at sources

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Deform/DeformOptions.h"
-#include "Geometry/PointGraph.h"
 #include "Deform/UpwindFront.h"
+#include "Geometry/PointGraph.h"
 
 #include <Eigen/Core>
 

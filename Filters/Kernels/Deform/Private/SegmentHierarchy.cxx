@@ -20,7 +20,7 @@ NodeProblem Restricted(
     number[nodes[i]] = static_cast<int>(i);
   }
   NodeProblem part;
-  part.Graph.Places = problem.Graph.Places(nodes, Eigen::all);
+  part.Graph.Positions = problem.Graph.Positions(nodes, Eigen::all);
   part.Graph.Weights = problem.Graph.Weights(nodes);
   part.Graph.MeanLength = problem.Graph.MeanLength;
   std::vector<std::pair<int, int>> links;
@@ -60,7 +60,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
   const PointGraph& graph = problem.Graph;
   const FrontSweep sweep = SweepFront(graph, problem.Sources, progress.Part(0.0, 0.1));
   DisjointSets sets(this->Size);
-  for (const auto& [a, b] : LinksOf(graph))
+  for (const auto& [a, b] : ListLinks(graph))
   {
     const bool free = sweep.Ranks[a] >= sweep.Sources && sweep.Ranks[b] >= sweep.Sources;
     if (free && labels(a) == labels(b))
@@ -117,10 +117,10 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
   }
 }
 
-NodeMotions SegmentHierarchy::Move(
-  const NodeMotions& sources, double reach, const Progress& progress) const
+NodeTransforms SegmentHierarchy::Move(
+  const NodeTransforms& sources, double reach, const Progress& progress) const
 {
-  NodeMotions motions{ Eigen::MatrixXd::Zero(3, this->Size),
+  NodeTransforms motions{ Eigen::MatrixXd::Zero(3, this->Size),
     std::vector<Eigen::Matrix3d>(this->Size, Eigen::Matrix3d::Identity()) };
   for (std::size_t i = 0; i < this->Sources.size(); ++i)
   {
@@ -131,14 +131,14 @@ NodeMotions SegmentHierarchy::Move(
   for (std::size_t p = 0; p < this->Parts.size() && this->Parts[p].Arrival <= reach; ++p)
   {
     const Part& part = this->Parts[p];
-    NodeMotions given{ Eigen::MatrixXd(3, part.Sources), {} };
+    NodeTransforms given{ Eigen::MatrixXd(3, part.Sources), {} };
     for (int i = 0; i < part.Sources; ++i)
     {
       given.Shifts.col(i) = motions.Shifts.col(part.Nodes[i]);
       given.Rotations.push_back(motions.Rotations[part.Nodes[i]]);
     }
     const double done = static_cast<double>(p) / parts;
-    const NodeMotions found = part.Solution->Move(
+    const NodeTransforms found = part.Solution->Move(
       given, std::numeric_limits<double>::infinity(), progress.Part(done, done + 1.0 / parts));
     for (std::size_t i = part.Sources; i < part.Nodes.size(); ++i)
     {

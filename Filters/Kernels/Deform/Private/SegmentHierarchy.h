@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Deform/Private/BaseDeformation.h"
+#include "Deform/Private/MultiresolutionDeformation.h"
 #include "Deform/Private/NodeDeformation.h"
 
 #include <Eigen/Core>
@@ -24,8 +24,8 @@ public:
   SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& labels, const NodeSolver& solve,
     const Progress& progress = {});
 
-  NodeMotions Move(
-    const NodeMotions& sources, double reach, const Progress& progress = {}) const override;
+  NodeTransforms Move(
+    const NodeTransforms& sources, double reach, const Progress& progress = {}) const override;
 
   int Segments() const { return static_cast<int>(this->Parts.size()); }
 

@@ -23,7 +23,7 @@ ExponentialFront::ExponentialFront(const PointGraph& graph, const Eigen::MatrixX
 {
   for (int i = 0; i < graph.Size(); ++i)
   {
-    this->Samples[i].Place = graph.Places.row(i).transpose();
+    this->Samples[i].Position = graph.Positions.row(i).transpose();
     this->Samples[i].Normal = normals.row(i).transpose();
   }
 }
@@ -32,7 +32,7 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
   const Sample& from, const Sample& to)
 {
   constexpr double opposite = 1e-6; // between opposite normals there is no shortest turn
-  const Vector3d edge = to.Place - from.Place;
+  const Vector3d edge = to.Position - from.Position;
   const Vector2d flat = from.Axes * edge;
   const double length2 = edge.squaredNorm(), flat2 = flat.squaredNorm();
   const double scale = flat2 > 0.0 ? std::sqrt(length2 / flat2) : 0.0;
@@ -53,7 +53,7 @@ inline double ExponentialFront::Distance2Across(
   const Sample& first, const Sample& second, const Vector3d& apex, bool& nearFirst)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
-  const Vector3d edge = second.Place - first.Place, side = apex - first.Place;
+  const Vector3d edge = second.Position - first.Position, side = apex - first.Position;
   // The apex, and where the way begins, along the edge and across: all times the edge's length.
   const double length2 = edge.squaredNorm(), first2 = first.Distance * first.Distance;
   const double apexAlong = side.dot(edge);
@@ -85,7 +85,7 @@ void ExponentialFront::BeginRun(const TangentFrame& seed)
   this->Queue.clear();
   this->Met.clear();
   this->Covered.clear();
-  this->Seed.Place = seed.Origin.transpose();
+  this->Seed.Position = seed.Origin.transpose();
   this->Seed.Normal = seed.Normal.transpose();
   this->Seed.Axes << seed.XAxis, seed.YAxis;
 }
@@ -107,7 +107,7 @@ void ExponentialFront::Reach(int node, double distance, int source, State state)
 
 void ExponentialFront::ReachAlong(const Sample& from, int node, int source)
 {
-  const double length = (this->Samples[node].Place - from.Place).norm();
+  const double length = (this->Samples[node].Position - from.Position).norm();
   this->Reach(node, from.Distance + length, source, AlongEdge);
 }
 
@@ -142,7 +142,7 @@ void ExponentialFront::Spread(int node)
               ahead = hasNext ? triangle.Previous : triangle.Next;
     bool nearNode = true;
     const double distance2 =
-      Distance2Across(sample, this->Samples[beside], this->Samples[ahead].Place, nearNode);
+      Distance2Across(sample, this->Samples[beside], this->Samples[ahead].Position, nearNode);
     if (std::isfinite(distance2))
     {
       this->Reach(ahead, std::sqrt(distance2), nearNode ? node : beside, AcrossTriangle);
@@ -176,7 +176,7 @@ void ExponentialFront::FindUpwind(int node)
 EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
   const Sample& sample, const Prediction& first) const
 {
-  constexpr double most = 0.9; // of tilt x: no weight is negative
+  constexpr double maximum = 0.9; // of tilt x: no weight is negative
   constexpr double aside = std::numeric_limits<double>::min();
   Vector2d image = Vector2d::Zero(), moment = Vector2d::Zero();
   Vector3d xAxis = Vector3d::Zero(), axisMoment = Vector3d::Zero();
@@ -207,7 +207,7 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
     }
   }
   const double balanced = moment2 > 0.0 ? moment1 / moment2 : 0.0;
-  const double tilt = std::clamp(balanced, most / right, most / left);
+  const double tilt = std::clamp(balanced, maximum / right, maximum / left);
   return { image - tilt * moment, xAxis - tilt * axisMoment, weights - tilt * moment1 };
 }
 
@@ -220,7 +220,7 @@ void ExponentialFront::SetAxes(Sample& sample, const Vector3d& xAxis)
   Vector3d x = tangent / std::sqrt(length2);
   if (!(length2 > nothing * xAxis.squaredNorm()))
   {
-    x = FrameAt(sample.Place, sample.Normal).XAxis;
+    x = BuildTangentFrame(sample.Position, sample.Normal).XAxis;
   }
   sample.Axes << x.transpose(), sample.Normal.cross(x).transpose();
 }
@@ -241,8 +241,8 @@ void ExponentialFront::Settle(int node)
     if (this->Marks[node] == this->FirstMark + AlongEdge)
     {
       // Ways along edges are too long. No way is shorter than the straight one in space.
-      const double least = (sample.Place - this->Seed.Place).norm();
-      sample.Distance = std::min(sample.Distance, std::max(length / mean.Factor, least));
+      const double minimum = (sample.Position - this->Seed.Position).norm();
+      sample.Distance = std::min(sample.Distance, std::max(length / mean.Factor, minimum));
     }
     sample.Image = mean.Image * (length > 0.0 ? sample.Distance / length : 0.0);
     xAxis = mean.XAxis;
@@ -258,7 +258,7 @@ void ExponentialFront::Start(
   constexpr double none = 1e-9; // of a corner: the seed is on the edge opposite
   const auto start = [&](int node)
   {
-    const double distance = (this->Samples[node].Place - this->Seed.Place).norm();
+    const double distance = (this->Samples[node].Position - this->Seed.Position).norm();
     this->Reach(node, distance, -1, AlongEdge);
   };
   std::vector<int> on;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/NodeFans.h"
 #include "Geometry/PointGraph.h"
 #include "Geometry/TangentFrame.h"
+#include "Mesh/VertexFans.h"
 
 #include <Eigen/Core>
 
@@ -42,7 +42,7 @@ public:
   const std::vector<int>& Nodes() const { return this->Met; }
   const std::vector<Triangle>& Triangles() const { return this->Covered; }
   const Eigen::Vector2d& Image(int node) const { return this->Samples[node].Image; }
-  const Eigen::Vector3d& Place(int node) const { return this->Samples[node].Place; }
+  const Eigen::Vector3d& Position(int node) const { return this->Samples[node].Position; }
   double Distance(int node) const { return this->Samples[node].Distance; }
   ///@}
 
@@ -58,7 +58,7 @@ private:
   /// What the front knows of a node; two cache lines.
   struct alignas(64) Sample
   {
-    Eigen::Vector3d Place = Eigen::Vector3d::Zero(), Normal = Eigen::Vector3d::Zero();
+    Eigen::Vector3d Position = Eigen::Vector3d::Zero(), Normal = Eigen::Vector3d::Zero();
     Eigen::Matrix<double, 2, 3> Axes = Eigen::Matrix<double, 2, 3>::Zero(); ///< x and y
     Eigen::Vector2d Image = Eigen::Vector2d::Zero();
     double Distance = 0.0;
@@ -98,7 +98,7 @@ private:
   Mean UpwindMean(const Sample& sample, const Prediction& first) const;
 
   bool UpwindAverage;
-  NodeFans Fans;
+  VertexFans Fans;
   std::vector<Sample> Samples; ///< what older runs left is told by its mark and not cleared
   std::vector<int> Marks; ///< of each node its State, from FirstMark on where reached in this run
   int FirstMark = 0;

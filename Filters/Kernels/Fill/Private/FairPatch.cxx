@@ -14,12 +14,12 @@ namespace
 class FairSearch
 {
 public:
-  FairSearch(const HolePatch& membrane, const SurfaceRim& rim, const PatchSizes& sizes)
+  FairSearch(const HolePatch& membrane, const BoundaryLoop& loop, const PatchSizes& sizes)
     : Membrane(membrane)
-    , Rim(rim)
+    , Loop(loop)
     , Wanted(sizes)
-    , MostArea(10.0 * ComputeArea(membrane.Surface))
-    , IsCoarse(rim.Points.rows() > 64)
+    , MaximumArea(10.0 * ComputeArea(membrane.Surface))
+    , IsCoarse(loop.Points.rows() > 64)
   {
   }
 
@@ -28,24 +28,25 @@ public:
   {
     constexpr double steep = 60.0 * M_PI / 180.0;
     PatchSizes sizes = this->Wanted;
-    if (std::abs(MeanTilt(this->Rim)) > steep)
+    if (std::abs(ComputeMeanTilt(this->Loop)) > steep)
     {
       this->IsCoarse = true;
       sizes.Growth = std::max(sizes.Growth, BulgingGrowth);
-      this->Patch = { { BentCap(this->Membrane, this->Rim), this->Membrane.Surface.Triangles },
+      this->Patch = { { BuildSphericalCap(this->Membrane, this->Loop),
+                        this->Membrane.Surface.Triangles },
         this->Membrane.Flat };
-      this->Patch = Retriangulated(this->Patch, sizes, this->Rim.Normals, progress.Part(0.0, 0.5));
+      this->Patch = RemeshPatch(this->Patch, sizes, this->Loop.Normals, progress.Part(0.0, 0.5));
       this->MakeFair(progress.Part(0.5, 1.0));
       return;
     }
     constexpr double flatGrowth = 0.5;
     sizes.Growth = this->IsCoarse ? std::max(sizes.Growth, flatGrowth) : sizes.Growth;
     this->Patch =
-      Retriangulated(this->Membrane, sizes, Eigen::MatrixXd(0, 3), progress.Part(0.0, 0.5));
-    const Mesh flat = FlatSurface(this->Patch);
-    this->Patch.Surface.Points = BiharmonicSurface(flat, this->Rim);
+      RemeshPatch(this->Membrane, sizes, Eigen::MatrixXd(0, 3), progress.Part(0.0, 0.5));
+    const Mesh flat = BuildFlatSurface(this->Patch);
+    this->Patch.Surface.Points = SolveBiharmonicSurface(flat, this->Loop);
     this->MakeFair(progress.Part(0.5, 1.0));
-    this->Stretch = GreatestStretch(flat, this->Patch.Surface);
+    this->Stretch = ComputeMaximumStretch(flat, this->Patch.Surface);
   }
 
   /// Until triangles stay as they are made.
@@ -62,7 +63,7 @@ public:
       this->IsCoarse = true;
       const double begin = static_cast<double>(round) / rounds;
       this->Patch =
-        Retriangulated(this->Patch, sizes, this->Rim.Normals, progress.Part(begin, begin));
+        RemeshPatch(this->Patch, sizes, this->Loop.Normals, progress.Part(begin, begin));
       this->MakeFair(progress.Part(begin, begin + 1.0 / rounds));
     }
   }
@@ -78,13 +79,13 @@ public:
     {
       const double begin = static_cast<double>(round) / rounds, middle = begin + 0.1;
       this->Patch =
-        Retriangulated(this->Patch, this->Wanted, this->Rim.Normals, progress.Part(begin, middle));
+        RemeshPatch(this->Patch, this->Wanted, this->Loop.Normals, progress.Part(begin, middle));
       this->MakeFair(progress.Part(middle, begin + 1.0 / rounds));
       isNeeded = this->Stretch > uneven;
     }
   }
 
-  bool IsBalloon() const { return !(ComputeArea(this->Patch.Surface) < this->MostArea); }
+  bool IsBalloon() const { return !(ComputeArea(this->Patch.Surface) < this->MaximumArea); }
   FairPatchResult Result() const
   {
     return { this->Patch.Surface, this->Fair.Converged, this->IsBalloon() };
@@ -99,15 +100,15 @@ private:
     constexpr double roughly = 0.05;
     options.Tolerance = this->IsCoarse ? roughly : options.Tolerance;
     const Mesh before = this->Patch.Surface;
-    this->Fair = FairSurface(before, this->Rim.Normals, options, progress);
+    this->Fair = SolveFairSurface(before, this->Loop.Normals, options, progress);
     this->Patch.Surface.Points = this->Fair.Points;
-    this->Stretch = GreatestStretch(before, this->Patch.Surface);
+    this->Stretch = ComputeMaximumStretch(before, this->Patch.Surface);
   }
 
   const HolePatch& Membrane;
-  const SurfaceRim& Rim;
+  const BoundaryLoop& Loop;
   const PatchSizes& Wanted;
-  const double MostArea;
+  const double MaximumArea;
   bool IsCoarse; ///< whether the patch is not to be the result
   HolePatch Patch;
   FairSurfaceResult Fair;
@@ -116,10 +117,10 @@ private:
 
 } // namespace
 
-FairPatchResult FairPatch(const HolePatch& membrane, const SurfaceRim& rim, const PatchSizes& sizes,
-  const Progress& progress)
+FairPatchResult BuildFairPatch(const HolePatch& membrane, const BoundaryLoop& loop,
+  const PatchSizes& sizes, const Progress& progress)
 {
-  FairSearch search(membrane, rim, sizes);
+  FairSearch search(membrane, loop, sizes);
   search.Start(progress.Part(0.0, 0.2));
   search.Settle(progress.Part(0.2, 0.4));
   search.Refine(progress.Part(0.4, 1.0));

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Fill/FairSurface.h"
 #include "Fill/HolePatch.h"
+#include "Mesh/Mesh.h"
 
 namespace shape
 {
@@ -16,14 +16,14 @@ struct FairPatchResult
 };
 
 /**
- * The fair surface of a rim (FairSurface) with triangles of its own: where it bulges those of a
- * membrane would be stretched. A large hole is filled coarsely first, from a biharmonic surface, or
- * where the normals lean far from a part of a sphere; and is retriangulated until the triangles
+ * The fair surface of a rim (SolveFairSurface) with triangles of its own: where it bulges those of
+ * a membrane would be stretched. A large hole is filled coarsely first, from a biharmonic surface,
+ * or where the normals lean far from a part of a sphere; and is retriangulated until the triangles
  * stay even. Then as fine as wanted, which takes few iterations.
  *
- * membrane: as MembranePatch makes it of the rim. Throws SolveFailure, Aborted.
+ * membrane: as BuildMembranePatch makes it of the rim. Throws SolveFailure, Aborted.
  */
-FairPatchResult FairPatch(const HolePatch& membrane, const SurfaceRim& rim, const PatchSizes& sizes,
-  const Progress& progress = {});
+FairPatchResult BuildFairPatch(const HolePatch& membrane, const BoundaryLoop& loop,
+  const PatchSizes& sizes, const Progress& progress = {});
 
 } // namespace shape

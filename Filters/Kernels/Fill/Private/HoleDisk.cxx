@@ -1,6 +1,6 @@
 #include "Fill/Private/HoleDisk.h"
 
-#include "Fill/Private/RimChords.h"
+#include "Fill/Private/OuterChords.h"
 #include "Planar/PlanarDelaunay.h"
 
 #include <algorithm>
@@ -48,16 +48,17 @@ public:
     this->Split({ 0, 0 }, Finest, 1, progress);
     std::sort(this->Nodes.begin(), this->Nodes.end());
     this->Nodes.erase(std::unique(this->Nodes.begin(), this->Nodes.end()), this->Nodes.end());
-    std::vector<RowVector2d> places;
+    std::vector<RowVector2d> positions;
     for (const Node& node : this->Nodes)
     {
-      const RowVector2d place = this->Place(node[0], node[1]);
-      if ((place.array() > this->Low.array()).all() && (place.array() < this->High.array()).all())
+      const RowVector2d position = this->Position(node[0], node[1]);
+      if ((position.array() > this->Low.array()).all() &&
+        (position.array() < this->High.array()).all())
       {
-        places.push_back(place);
+        positions.push_back(position);
       }
     }
-    return places;
+    return positions;
   }
 
 private:
@@ -65,7 +66,7 @@ private:
   using Node = std::array<std::int64_t, 2>;
   static constexpr std::int64_t Finest = std::int64_t(1) << 40;
 
-  RowVector2d Place(double along, double up) const
+  RowVector2d Position(double along, double up) const
   {
     // Slightly askew: where cells of two sizes meet, four corners would lie on one circle, and
     // rounding would decide between the triangles.
@@ -78,8 +79,8 @@ private:
   {
     const std::int64_t signedSize = sense * size;
     const double third = static_cast<double>(signedSize) / 3.0;
-    const RowVector2d centre =
-      this->Place(static_cast<double>(corner[0]) + third, static_cast<double>(corner[1]) + third);
+    const RowVector2d centre = this->Position(
+      static_cast<double>(corner[0]) + third, static_cast<double>(corner[1]) + third);
     const double side = this->Side * static_cast<double>(size) / static_cast<double>(Finest);
     const double radius = side / std::sqrt(3.0);
     if ((centre.array() + radius < this->Low.array()).any() ||
@@ -158,7 +159,7 @@ MarkedDisk Triangulated(const Eigen::MatrixXd& outline, const std::vector<RowVec
   PlanarDelaunayOptions options;
   options.Keep = PlanarDelaunayOptions::KeepType::Oddly;
   options.AddCrossings = true;
-  const PlanarTriangulation found = PlanarDelaunay(points, sides, options);
+  const PlanarTriangulation found = TriangulateInPlane(points, sides, options);
   MarkedDisk disk;
   disk.Points = outline;
   disk.Triangles.resize(0, 3);
@@ -206,10 +207,10 @@ std::vector<bool> TooClose(
       {
         continue;
       }
-      const RowVector2d place = disk.Points.row(point);
-      const RowVector2d toNext = disk.Points.row(next) - place;
-      const RowVector2d toLast = disk.Points.row(last) - place;
-      const double wanted = close * options.Size(place);
+      const RowVector2d position = disk.Points.row(point);
+      const RowVector2d toNext = disk.Points.row(next) - position;
+      const RowVector2d toLast = disk.Points.row(last) - position;
+      const double wanted = close * options.Size(position);
       tooClose[point] = tooClose[point] || (next < corners && toNext.norm() < wanted) ||
         (last < corners && toLast.norm() < wanted) ||
         (next < corners && last < corners && toNext.dot(toLast) < 0.0);
@@ -219,7 +220,7 @@ std::vector<bool> TooClose(
 }
 
 /// The middles of edges inside a disk that must not be there.
-std::vector<RowVector2d> MiddlesOfUnwanted(
+std::vector<RowVector2d> MidpointsOfUnwanted(
   const FlatDisk& disk, int corners, const FlatDiskOptions& options)
 {
   const auto isUnwanted = [&](int a, int b)
@@ -229,7 +230,7 @@ std::vector<RowVector2d> MiddlesOfUnwanted(
       ((options.IsTaken && options.IsTaken(a, b)) ||
         (options.IsOutside && sides > 2 && options.IsOutside(a, b)));
   };
-  std::vector<RowVector2d> middles;
+  std::vector<RowVector2d> midpoints;
   for (const auto& triangle : disk.Triangles.rowwise())
   {
     for (int k = 0; k < 3; ++k)
@@ -238,16 +239,16 @@ std::vector<RowVector2d> MiddlesOfUnwanted(
       // Each edge inside is met from both sides.
       if (a < b && b < corners && isUnwanted(a, b))
       {
-        middles.push_back(0.5 * (disk.Points.row(a) + disk.Points.row(b)));
+        midpoints.push_back(0.5 * (disk.Points.row(a) + disk.Points.row(b)));
       }
     }
   }
-  return middles;
+  return midpoints;
 }
 
 } // namespace
 
-Eigen::MatrixXd CircleOutline(const Eigen::VectorXd& lengths)
+Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths)
 {
   Eigen::VectorXd sides = lengths.cwiseMax(1e-3 * lengths.mean());
   Eigen::Index longest = 0;
@@ -304,12 +305,12 @@ FlatDisk TriangulateDisk(
   constexpr int rounds = 10; // a new point may make another such edge
   for (int round = 0; round < rounds; ++round)
   {
-    const std::vector<RowVector2d> middles = MiddlesOfUnwanted(disk, corners, options);
-    if (middles.empty())
+    const std::vector<RowVector2d> midpoints = MidpointsOfUnwanted(disk, corners, options);
+    if (midpoints.empty())
     {
       break;
     }
-    kept.insert(kept.end(), middles.begin(), middles.end());
+    kept.insert(kept.end(), midpoints.begin(), midpoints.end());
     disk = Triangulated(outline, kept);
   }
   if (options.IsOutside)

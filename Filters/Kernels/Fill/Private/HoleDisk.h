@@ -19,7 +19,7 @@ namespace shape
  * lengths: k >= 3, >= 0, not all 0. Those below a thousandth of their mean are raised to that, so
  * that no two corners coincide; one as long as the others together is shortened.
  */
-Eigen::MatrixXd CircleOutline(const Eigen::VectorXd& lengths);
+Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths);
 
 /// A flat disk.
 struct FlatDisk
@@ -38,8 +38,8 @@ struct FlatDiskOptions
   /// there gets a point in its middle.
   std::function<bool(int, int)> IsTaken;
   /// Whether an edge inside between two corners would not be on the side of the outline that is
-  /// filled, as ChordsOutside says, or none. Where they are two apart the edge is flipped, else it
-  /// gets a point in its middle.
+  /// filled, as FindOuterChords says, or none. Where they are two apart the edge is flipped, else
+  /// it gets a point in its middle.
   std::function<bool(int, int)> IsOutside;
 };
 

@@ -16,13 +16,13 @@ namespace
 using Eigen::RowVector3d;
 
 /// The direction that a rim goes around, counter-clockwise.
-RowVector3d AxisOf(const Eigen::MatrixXd& rim)
+RowVector3d AxisOf(const Eigen::MatrixXd& loop)
 {
-  const RowVector3d centre = rim.colwise().mean();
+  const RowVector3d centre = loop.colwise().mean();
   RowVector3d sum = RowVector3d::Zero();
-  for (Eigen::Index i = 0; i < rim.rows(); ++i)
+  for (Eigen::Index i = 0; i < loop.rows(); ++i)
   {
-    const RowVector3d from = rim.row(i) - centre, to = rim.row((i + 1) % rim.rows()) - centre;
+    const RowVector3d from = loop.row(i) - centre, to = loop.row((i + 1) % loop.rows()) - centre;
     sum += from.cross(to);
   }
   return sum.stableNormalized();
@@ -30,40 +30,41 @@ RowVector3d AxisOf(const Eigen::MatrixXd& rim)
 
 } // namespace
 
-double MeanTilt(const SurfaceRim& rim)
+double ComputeMeanTilt(const BoundaryLoop& loop)
 {
-  const RowVector3d axis = AxisOf(rim.Points);
+  const RowVector3d axis = AxisOf(loop.Points);
   double sum = 0.0;
-  for (Eigen::Index i = 0; i < rim.Points.rows(); ++i)
+  for (Eigen::Index i = 0; i < loop.Points.rows(); ++i)
   {
-    const Eigen::Index before = (i + rim.Points.rows() - 1) % rim.Points.rows();
-    const RowVector3d along = rim.Points.row((i + 1) % rim.Points.rows()) - rim.Points.row(before);
-    const RowVector3d outwards = along.cross(axis).stableNormalized(), normal = rim.Normals.row(i);
+    const Eigen::Index before = (i + loop.Points.rows() - 1) % loop.Points.rows();
+    const RowVector3d along =
+      loop.Points.row((i + 1) % loop.Points.rows()) - loop.Points.row(before);
+    const RowVector3d outwards = along.cross(axis).stableNormalized(), normal = loop.Normals.row(i);
     sum += std::atan2(normal.dot(outwards), normal.dot(axis));
   }
-  return sum / static_cast<double>(rim.Points.rows());
+  return sum / static_cast<double>(loop.Points.rows());
 }
 
-Eigen::MatrixXd BentCap(const HolePatch& patch, const SurfaceRim& rim)
+Eigen::MatrixXd BuildSphericalCap(const HolePatch& patch, const BoundaryLoop& loop)
 {
-  constexpr double most = 150.0 * M_PI / 180.0, least = 1e-3;
-  double tilt = std::clamp(MeanTilt(rim), -most, most);
-  tilt = std::abs(tilt) < least ? least : tilt;
-  const Eigen::Index corners = rim.Points.rows();
+  constexpr double maximum = 150.0 * M_PI / 180.0, minimum = 1e-3;
+  double tilt = std::clamp(ComputeMeanTilt(loop), -maximum, maximum);
+  tilt = std::abs(tilt) < minimum ? minimum : tilt;
+  const Eigen::Index corners = loop.Points.rows();
   const Eigen::MatrixXd circle = patch.Flat.topRows(corners);
   const double radius = circle.rowwise().norm().mean();
   // The plane's axes in space, so that the circle is as near to the rim as it can be. Where the
   // rim's points are unevenly spaced their mean is not the circle's centre.
-  const RowVector3d rimMean = rim.Points.colwise().mean();
+  const RowVector3d loopMean = loop.Points.colwise().mean();
   const Eigen::RowVector2d circleMean = circle.colwise().mean();
   const Eigen::MatrixXd around = circle.rowwise() - circleMean;
   const Eigen::Matrix<double, 3, 2> moments =
-    (rim.Points.rowwise() - rimMean).transpose() * around / around.squaredNorm();
+    (loop.Points.rowwise() - loopMean).transpose() * around / around.squaredNorm();
   const Eigen::JacobiSVD<Eigen::MatrixXd> fit(moments, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::Matrix<double, 3, 2> axes = fit.matrixU() * fit.matrixV().transpose();
   const RowVector3d up = axes.col(0).cross(axes.col(1)).transpose();
   const double scale = fit.singularValues().sum(); // of the circle in space
-  const RowVector3d centre = rimMean - scale * (axes * circleMean.transpose()).transpose();
+  const RowVector3d centre = loopMean - scale * (axes * circleMean.transpose()).transpose();
 
   Mesh cap{ Eigen::MatrixXd(patch.Flat.rows(), 3), patch.Surface.Triangles };
   const double sphere = scale * radius / std::sin(tilt);
@@ -77,7 +78,7 @@ Eigen::MatrixXd BentCap(const HolePatch& patch, const SurfaceRim& rim)
     cap.Points.row(i) =
       centre + sphere * (std::sin(angle) * way + (std::cos(angle) - std::cos(tilt)) * up);
   }
-  return cap.Points + HarmonicValues(cap, rim.Points - cap.Points.topRows(corners));
+  return cap.Points + SolveHarmonicValues(cap, loop.Points - cap.Points.topRows(corners));
 }
 
 } // namespace shape

@@ -22,26 +22,26 @@ PlanarFunnel::PlanarFunnel(const RowVector2d& start)
 {
 }
 
-void PlanarFunnel::AddLeft(const RowVector2d& place, int portal)
+void PlanarFunnel::AddLeft(const RowVector2d& position, int portal)
 {
   while (this->Chains.size() > 1)
   {
     const RowVector2d& end = this->At(0);
     const RowVector2d& next = this->At(1);
     const bool isApex = this->Lefts == 0;
-    if (isApex ? Cross(next - end, place - end) > 0.0 : Cross(end - next, place - end) > 0.0)
+    if (isApex ? Cross(next - end, position - end) > 0.0 : Cross(end - next, position - end) > 0.0)
     {
       break;
     }
     this->Chains.pop_front();
     this->Lefts -= isApex ? 0 : 1;
   }
-  this->Points.push_back({ place, portal, true, this->Chains.front() });
+  this->Points.push_back({ position, portal, true, this->Chains.front() });
   this->Chains.push_front(static_cast<int>(this->Points.size()) - 1);
   ++this->Lefts;
 }
 
-void PlanarFunnel::AddRight(const RowVector2d& place, int portal)
+void PlanarFunnel::AddRight(const RowVector2d& position, int portal)
 {
   while (this->Chains.size() > 1)
   {
@@ -49,14 +49,14 @@ void PlanarFunnel::AddRight(const RowVector2d& place, int portal)
     const RowVector2d& end = this->At(last);
     const RowVector2d& next = this->At(last - 1);
     const bool isApex = this->Lefts == last;
-    if (isApex ? Cross(next - end, place - end) < 0.0 : Cross(end - next, place - end) < 0.0)
+    if (isApex ? Cross(next - end, position - end) < 0.0 : Cross(end - next, position - end) < 0.0)
     {
       break;
     }
     this->Chains.pop_back();
     this->Lefts -= isApex ? 1 : 0;
   }
-  this->Points.push_back({ place, portal, false, this->Chains.back() });
+  this->Points.push_back({ position, portal, false, this->Chains.back() });
   this->Chains.push_back(static_cast<int>(this->Points.size()) - 1);
 }
 

@@ -12,7 +12,7 @@ namespace shape
 /// comes from.
 struct FunnelPoint
 {
-  Eigen::RowVector2d Place;
+  Eigen::RowVector2d Position;
   int Portal; ///< the first one that it is an end of
   bool IsLeft;
   int Before;
@@ -27,15 +27,15 @@ public:
 
   ///@{
   /// The end of a portal on the left or the right, where it is not the last one's.
-  void AddLeft(const Eigen::RowVector2d& place, int portal);
-  void AddRight(const Eigen::RowVector2d& place, int portal);
+  void AddLeft(const Eigen::RowVector2d& position, int portal);
+  void AddRight(const Eigen::RowVector2d& position, int portal);
   ///@}
 
   /// The points that the shortest path to the point added last turns at.
   std::vector<FunnelPoint> PathToLast() const;
 
 private:
-  const Eigen::RowVector2d& At(int i) const { return this->Points[this->Chains[i]].Place; }
+  const Eigen::RowVector2d& At(int i) const { return this->Points[this->Chains[i]].Position; }
 
   std::vector<FunnelPoint> Points; ///< the start first
   std::deque<int> Chains;          ///< the left end first, the right end last

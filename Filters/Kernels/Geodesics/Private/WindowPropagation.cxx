@@ -27,9 +27,9 @@ double Crossing(
 
 /// A place in the frame of the side from `from` to `to`.
 Eigen::Vector2d InFrame(
-  const Eigen::Vector2d& place, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  const Eigen::Vector2d& position, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
-  const Eigen::Vector2d along = (to - from).normalized(), there = place - from;
+  const Eigen::Vector2d along = (to - from).normalized(), there = position - from;
   return { along.dot(there), along(0) * there(1) - along(1) * there(0) };
 }
 
@@ -40,12 +40,12 @@ double WindowPropagation::Window::DistanceAt(double x) const
   return this->Behind + std::hypot(this->Eye(0) - x, this->Eye(1));
 }
 
-double WindowPropagation::Window::Least() const
+double WindowPropagation::Window::Minimum() const
 {
   return this->DistanceAt(std::clamp(this->Eye(0), this->Begin, this->End));
 }
 
-WindowPropagation::WindowPropagation(const Mesh& mesh, const SideFrames& frames)
+WindowPropagation::WindowPropagation(const Mesh& mesh, const HalfEdgeFrames& frames)
   : Surface(mesh)
   , Frames(frames)
   , Lengths(Eigen::VectorXd::Constant(mesh.Points.rows(), Infinity))
@@ -74,7 +74,7 @@ void WindowPropagation::SetGoal(int triangle, const Eigen::RowVector3d& weights)
 {
   this->Goal.Triangle = triangle;
   this->Goal.Weights = weights;
-  this->Goal.Position = weights * Corners(this->Surface, triangle);
+  this->Goal.Position = weights * GetCorners(this->Surface, triangle);
 }
 
 void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
@@ -138,7 +138,7 @@ double WindowPropagation::Ahead(int point) const
 }
 
 /// The same from any place of a side.
-double WindowPropagation::AheadOfSide(int side) const
+double WindowPropagation::AheadOfHalfEdge(int side) const
 {
   if (this->Goal.Triangle < 0)
   {
@@ -153,10 +153,11 @@ double WindowPropagation::AheadOfSide(int side) const
 }
 
 /// A place in the triangle of a side, in the side's frame.
-Eigen::Vector2d WindowPropagation::PlaceInFrame(int side, const Eigen::RowVector3d& weights) const
+Eigen::Vector2d WindowPropagation::PositionInFrame(
+  int side, const Eigen::RowVector3d& weights) const
 {
-  return weights(NextSide(side) % 3) * Eigen::Vector2d(this->Frames.Length(side), 0.0) +
-    weights(PreviousSide(side) % 3) * this->Frames.Opposite(side);
+  return weights(NextHalfEdge(side) % 3) * Eigen::Vector2d(this->Frames.Length(side), 0.0) +
+    weights(PreviousHalfEdge(side) % 3) * this->Frames.Opposite(side);
 }
 
 /// Sees the three sides from a place in their triangle.
@@ -165,16 +166,16 @@ void WindowPropagation::SeeFrom(int triangle, const Eigen::RowVector3d& weights)
   if (triangle == this->Goal.Triangle)
   {
     this->Goal.Nearest = std::min(this->Goal.Nearest,
-      (weights * Corners(this->Surface, triangle) - this->Goal.Position).norm());
+      (weights * GetCorners(this->Surface, triangle) - this->Goal.Position).norm());
   }
   for (int k = 0; k < 3; ++k)
   {
     const int side = 3 * triangle + k;
-    const Eigen::Vector2d place = this->PlaceInFrame(side, weights);
-    this->Reach(this->Frames.Begin(side), place.norm(), false);
+    const Eigen::Vector2d position = this->PositionInFrame(side, weights);
+    this->Reach(this->Frames.Begin(side), position.norm(), false);
     if (weights((k + 2) % 3) > 0.0)
     {
-      this->See(side, 0.0, this->Frames.Length(side), place, 0.0);
+      this->See(side, 0.0, this->Frames.Length(side), position, 0.0);
     }
   }
 }
@@ -196,10 +197,10 @@ void WindowPropagation::See(
   window.End = std::min(length - begin, length);
   window.Eye = { length - eye(0), -eye(1) };
   window.Behind = behind;
-  const double least = window.Least(), key = least + this->AheadOfSide(twin);
+  const double minimum = window.Minimum(), key = minimum + this->AheadOfHalfEdge(twin);
   if (this->IsUseful(window) && key < this->Goal.Nearest)
   {
-    this->Queue.push({ key, least, -1, window });
+    this->Queue.push({ key, minimum, -1, window });
   }
 }
 
@@ -233,7 +234,7 @@ void WindowPropagation::Reach(int point, double distance, bool isSeed)
       this->Goal.Nearest = std::min(this->Goal.Nearest, distance + ahead);
     }
   }
-  const bool turns = isSeed || this->Frames.IsOnBorder(point) ||
+  const bool turns = isSeed || this->Frames.IsOnBoundary(point) ||
     this->Frames.Angle(point) > 2.0 * M_PI - AngleRounding;
   if (turns && distance + ahead < this->Goal.Nearest)
   {
@@ -244,23 +245,24 @@ void WindowPropagation::Reach(int point, double distance, bool isSeed)
 /// The way to the goal, in the window's triangle, that is shortest among those through the window.
 void WindowPropagation::SeeGoal(const Window& window)
 {
-  const Eigen::Vector2d place = this->PlaceInFrame(window.Side, this->Goal.Weights),
+  const Eigen::Vector2d position = this->PositionInFrame(window.Side, this->Goal.Weights),
                         &eye = window.Eye;
-  const double height = place(1) - eye(1);
-  const double entry = height > 0.0 ? eye(0) - (place(0) - eye(0)) * eye(1) / height : place(0);
+  const double height = position(1) - eye(1);
+  const double entry =
+    height > 0.0 ? eye(0) - (position(0) - eye(0)) * eye(1) / height : position(0);
   const double nearest = std::clamp(entry, window.Begin, window.End);
-  this->Goal.Nearest = std::min(
-    this->Goal.Nearest, window.DistanceAt(nearest) + std::hypot(place(0) - nearest, place(1)));
+  this->Goal.Nearest = std::min(this->Goal.Nearest,
+    window.DistanceAt(nearest) + std::hypot(position(0) - nearest, position(1)));
 }
 
 void WindowPropagation::SendOut(int point)
 {
   const double distance = this->Lengths(point);
-  for (const int side : this->Frames.SidesFrom(point))
+  for (const int side : this->Frames.HalfEdgesFrom(point))
   {
-    const int opposite = NextSide(side);
+    const int opposite = NextHalfEdge(side);
     this->Reach(this->Frames.End(side), distance + this->Frames.Length(side), false);
-    const int back = PreviousSide(side);
+    const int back = PreviousHalfEdge(side);
     this->Reach(this->Frames.Begin(back), distance + this->Frames.Length(back), false);
     this->See(
       opposite, 0.0, this->Frames.Length(opposite), this->Frames.Opposite(opposite), distance);
@@ -274,7 +276,7 @@ void WindowPropagation::Carry(const Window& window)
   {
     return;
   }
-  const int side = window.Side, next = NextSide(side), previous = PreviousSide(side);
+  const int side = window.Side, next = NextHalfEdge(side), previous = PreviousHalfEdge(side);
   if (side / 3 == this->Goal.Triangle)
   {
     this->SeeGoal(window); // a shortest path ends where it enters this triangle

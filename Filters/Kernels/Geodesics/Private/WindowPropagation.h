@@ -1,7 +1,7 @@
 #pragma once
 
+#include "Geodesics/Private/HalfEdgeFrames.h"
 #include "Mesh/Mesh.h"
-#include "Geodesics/Private/SideFrames.h"
 
 #include <Eigen/Core>
 
@@ -20,7 +20,7 @@ class WindowPropagation
 {
 public:
   /// Keeps references to both, which are of one surface.
-  WindowPropagation(const Mesh& mesh, const SideFrames& frames);
+  WindowPropagation(const Mesh& mesh, const HalfEdgeFrames& frames);
 
   /// A place, by its barycentric coordinates in a triangle.
   void AddSeed(int triangle, const Eigen::RowVector3d& weights);
@@ -56,7 +56,7 @@ private:
     double Behind = 0.0; ///< the distance of the eye
 
     double DistanceAt(double x) const;
-    double Least() const;
+    double Minimum() const;
   };
 
   /// What is done next: a window is carried on, or a point sends out windows.
@@ -69,7 +69,7 @@ private:
     bool operator<(const Event& other) const { return this->Key > other.Key; }
   };
 
-  struct GoalPlace
+  struct GoalPoint
   {
     int Triangle = -1;
     Eigen::RowVector3d Weights = Eigen::RowVector3d::Zero(), Position = Eigen::RowVector3d::Zero();
@@ -77,8 +77,8 @@ private:
   };
 
   double Ahead(int point) const;
-  double AheadOfSide(int side) const;
-  Eigen::Vector2d PlaceInFrame(int side, const Eigen::RowVector3d& weights) const;
+  double AheadOfHalfEdge(int side) const;
+  Eigen::Vector2d PositionInFrame(int side, const Eigen::RowVector3d& weights) const;
   void SeeFrom(int triangle, const Eigen::RowVector3d& weights);
   void See(int side, double begin, double end, const Eigen::Vector2d& eye, double behind);
   bool IsUseful(const Window& window) const;
@@ -88,12 +88,12 @@ private:
   void Carry(const Window& window);
 
   const Mesh& Surface;
-  const SideFrames& Frames;
+  const HalfEdgeFrames& Frames;
   Eigen::VectorXd Lengths;
   std::vector<double> CornerDistances, CornerEntries; ///< of the window nearest to each corner
   std::vector<int> ReachedPoints, ReachedCorners;     ///< that have a distance
   std::priority_queue<Event> Queue;
-  GoalPlace Goal;
+  GoalPoint Goal;
 };
 
 } // namespace shape

@@ -1,6 +1,6 @@
-#include "Remesh/LongestEdgeBisection.h"
 #include "Harmonic/NearSourceSystem.h"
-#include "Harmonic/Private/Solvers.h"
+#include "Harmonic/Private/FundamentalSolutionSolvers.h"
+#include "Remesh/LongestEdgeBisection.h"
 
 #include <algorithm>
 #include <chrono>
@@ -36,7 +36,7 @@ struct RefinedBoundary
 Eigen::VectorXd SquaresLeft(const Mesh& surface, const Eigen::MatrixXd& left)
 {
   const Eigen::VectorXd squares = left.rowwise().squaredNorm();
-  const Eigen::VectorXd areas = 0.5 * AreaVectors(surface).rowwise().norm();
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(surface).rowwise().norm();
   const Eigen::Index n = surface.Points.rows();
   Eigen::VectorXd sums(surface.Triangles.rows());
   for (Eigen::Index t = 0; t < sums.size(); ++t)
@@ -84,7 +84,7 @@ void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
 
 } // namespace
 
-void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
+void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
   AcceleratedSetup& setup, HarmonicVolumeMapResult& result, const Progress& progress)
 {
   auto start = std::chrono::steady_clock::now();
@@ -101,7 +101,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
   result.OffsetDistance = setup.System->Offset();
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
   RefinedBoundary refined{ boundary, problem.Targets() };
-  const double most =
+  const double maximum =
     options.MostRefined * std::max(CheapPoints, static_cast<double>(boundary.Points.rows()));
   for (int number = 1;; ++number)
   {
@@ -116,7 +116,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
     const NearSourceSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());
     Eigen::MatrixXd targets(system.Rows().rows(), 3);
-    targets << refined.Targets, CornerMeans(refined.Surface.Triangles, refined.Targets);
+    targets << refined.Targets, AverageAtCorners(refined.Surface.Triangles, refined.Targets);
     const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.3, 0.4));
     GmresOptions gmres;
     gmres.Tolerance = ShareOfTolerance * options.Tolerance;
@@ -147,7 +147,7 @@ void SolveAccelerated(BoundaryProblem& problem, const HarmonicVolumeMapOptions& 
       ? NearSourceSystem::Effort::More
       : NearSourceSystem::Effort::Little;
     Refine(refined, fit.Left);
-    if (static_cast<double>(refined.Surface.Points.rows()) > most)
+    if (static_cast<double>(refined.Surface.Points.rows()) > maximum)
     {
       result.Reason = HarmonicVolumeMapResult::Stop::Refinement;
       return;

@@ -28,11 +28,11 @@ Eigen::VectorXd Misses(const Eigen::MatrixXd& values, const Eigen::MatrixXd& tar
 Eigen::MatrixXd NewtonSteps(const SearchedMap& map, const Search& search, const Indices& active,
   double maxStep, const Progress& progress)
 {
-  const Eigen::MatrixXd jacobians = map.Jacobians(search.Places(active, Eigen::all), progress);
+  const Eigen::MatrixXd jacobians = map.Jacobians(search.Positions(active, Eigen::all), progress);
   Eigen::MatrixXd steps(active.size(), 3);
   for (std::size_t i = 0; i < active.size(); ++i)
   {
-    const Eigen::Matrix3d jacobian = Square(jacobians, i);
+    const Eigen::Matrix3d jacobian = GetJacobian(jacobians, i);
     const Eigen::Vector3d rest =
       (search.Targets.row(active[i]) - search.Values.row(active[i])).transpose();
     Eigen::Vector3d step = jacobian.partialPivLu().solve(rest);
@@ -77,7 +77,8 @@ SearchedMap::SearchedMap(const PointCharges& map)
       {
         return ByPoint(
           points, 3,
-          [&map](const Eigen::Vector3d& place, auto row) { row = map.Evaluate(place).transpose(); },
+          [&map](const Eigen::Vector3d& position, auto row)
+          { row = map.Evaluate(position).transpose(); },
           progress);
       })
   , Jacobians(
@@ -85,10 +86,10 @@ SearchedMap::SearchedMap(const PointCharges& map)
       {
         return ByPoint(
           points, 9,
-          [&map](const Eigen::Vector3d& place, auto row)
+          [&map](const Eigen::Vector3d& position, auto row)
           {
             Eigen::Matrix3d jacobian;
-            map.Evaluate(place, jacobian);
+            map.Evaluate(position, jacobian);
             row << jacobian.row(0), jacobian.row(1), jacobian.row(2);
           },
           progress);
@@ -96,7 +97,7 @@ SearchedMap::SearchedMap(const PointCharges& map)
 {
 }
 
-SearchedMap::SearchedMap(const LayeredMap& map)
+SearchedMap::SearchedMap(const PiecewiseHarmonicMap& map)
   : Evaluate([&map](const Eigen::MatrixXd& points, const Progress& progress)
       { return map.Evaluate(points, progress); })
   , Jacobians([&map](const Eigen::MatrixXd& points, const Progress& progress)
@@ -104,22 +105,22 @@ SearchedMap::SearchedMap(const LayeredMap& map)
 {
 }
 
-Eigen::Matrix3d Square(const Eigen::MatrixXd& jacobians, Eigen::Index i)
+Eigen::Matrix3d GetJacobian(const Eigen::MatrixXd& jacobians, Eigen::Index i)
 {
   Eigen::Matrix3d square;
   square << jacobians.block<1, 3>(i, 0), jacobians.block<1, 3>(i, 3), jacobians.block<1, 3>(i, 6);
   return square;
 }
 
-Search StartAt(const SearchedMap& map, const Eigen::MatrixXd& places,
+Search StartSearch(const SearchedMap& map, const Eigen::MatrixXd& positions,
   const Eigen::MatrixXd& targets, const Progress& progress)
 {
-  Search search{ places, targets, map.Evaluate(places, progress), {} };
+  Search search{ positions, targets, map.Evaluate(positions, progress), {} };
   search.Misses = Misses(search.Values, targets);
   return search;
 }
 
-void Newton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress)
+void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress)
 {
   Indices active;
   for (int i = 0; i < search.Misses.size(); ++i)
@@ -145,9 +146,9 @@ void Newton(const SearchedMap& map, Search& search, const Limits& limits, Steps&
       {
         ids.push_back(active[i]);
       }
-      const Eigen::MatrixXd places =
-        search.Places(ids, Eigen::all) + share * steps(pending, Eigen::all);
-      const Eigen::MatrixXd values = map.Evaluate(places, progress.Next());
+      const Eigen::MatrixXd positions =
+        search.Positions(ids, Eigen::all) + share * steps(pending, Eigen::all);
+      const Eigen::MatrixXd values = map.Evaluate(positions, progress.Next());
       const Eigen::VectorXd misses = Misses(values, search.Targets(ids, Eigen::all));
       for (std::size_t i = 0; i < ids.size(); ++i)
       {
@@ -155,7 +156,7 @@ void Newton(const SearchedMap& map, Search& search, const Limits& limits, Steps&
         const double before = search.Misses(id);
         if (misses(i) < (1.0 - 1e-4 * share) * before)
         {
-          search.Places.row(id) = places.row(i);
+          search.Positions.row(id) = positions.row(i);
           search.Values.row(id) = values.row(i);
           search.Misses(id) = misses(i);
           // A step that gains little from a good place is rounding.
@@ -175,12 +176,12 @@ void Newton(const SearchedMap& map, Search& search, const Limits& limits, Steps&
   }
 }
 
-Search Walk(const SearchedMap& map, const Eigen::MatrixXd& starts, const Eigen::MatrixXd& targets,
-  const Limits& limits, Steps& progress)
+Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
+  const Eigen::MatrixXd& targets, const Limits& limits, Steps& progress)
 {
   constexpr double shortest = 1.0 / 1024.0;
-  constexpr int mostRounds = 256;
-  Search search = StartAt(map, starts, targets, progress.Next());
+  constexpr int maximumRounds = 256;
+  Search search = StartSearch(map, starts, targets, progress.Next());
   const Eigen::MatrixXd images = search.Values;
   const Eigen::Index n = targets.rows();
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(n), steps = Eigen::VectorXd::Constant(n, 0.25);
@@ -192,14 +193,14 @@ Search Walk(const SearchedMap& map, const Eigen::MatrixXd& starts, const Eigen::
       active.push_back(i);
     }
   }
-  for (int round = 0; round < mostRounds && !active.empty(); ++round)
+  for (int round = 0; round < maximumRounds && !active.empty(); ++round)
   {
     const Eigen::VectorXd tried = (shares(active) + steps(active)).cwiseMin(1.0);
     const Eigen::MatrixXd from = images(active, Eigen::all);
     const Eigen::MatrixXd to = targets(active, Eigen::all);
-    Search part = StartAt(map, search.Places(active, Eigen::all),
+    Search part = StartSearch(map, search.Positions(active, Eigen::all),
       from + tried.asDiagonal() * (to - from), progress.Next());
-    Newton(map, part, { limits.Goal, limits.MaxStep, 8 }, progress);
+    IterateNewton(map, part, { limits.Goal, limits.MaxStep, 8 }, progress);
     Indices next;
     for (std::size_t i = 0; i < active.size(); ++i)
     {
@@ -207,7 +208,7 @@ Search Walk(const SearchedMap& map, const Eigen::MatrixXd& starts, const Eigen::
       const bool reached = part.Misses(i) <= limits.Goal;
       if (reached)
       {
-        search.Places.row(id) = part.Places.row(i);
+        search.Positions.row(id) = part.Positions.row(i);
         shares(id) = tried(i);
       }
       steps(id) *= reached ? 2.0 : 0.5;
@@ -218,8 +219,8 @@ Search Walk(const SearchedMap& map, const Eigen::MatrixXd& starts, const Eigen::
     }
     active = std::move(next);
   }
-  search = StartAt(map, search.Places, targets, progress.Next());
-  Newton(map, search, limits, progress);
+  search = StartSearch(map, search.Positions, targets, progress.Next());
+  IterateNewton(map, search, limits, progress);
   return search;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Harmonic/LayeredMap.h"
+#include "Harmonic/PiecewiseHarmonicMap.h"
 #include "Harmonic/PointCharges.h"
 
 #include <functional>
@@ -39,13 +39,13 @@ struct SearchedMap
   Function Jacobians; ///< n x 9
 
   SearchedMap(const PointCharges& map);
-  SearchedMap(const LayeredMap& map);
+  SearchedMap(const PiecewiseHarmonicMap& map);
 };
 
-/// Places on their way to preimages of targets (each n x 3).
+/// Positions on their way to preimages of targets (each n x 3).
 struct Search
 {
-  Eigen::MatrixXd Places;
+  Eigen::MatrixXd Positions;
   Eigen::MatrixXd Targets;
   Eigen::MatrixXd Values; ///< f at the places
   Eigen::VectorXd Misses; ///< |Values - Targets|
@@ -59,18 +59,18 @@ struct Limits
 };
 
 /// The search that begins at `places`.
-Search StartAt(const SearchedMap& map, const Eigen::MatrixXd& places,
+Search StartSearch(const SearchedMap& map, const Eigen::MatrixXd& positions,
   const Eigen::MatrixXd& targets, const Progress& progress);
 
 /// Newton's method from every place: until it misses by no more than the goal and gets no closer.
-void Newton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress);
+void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress);
 
 /// From places whose images move in straight lines to the targets: each step is found by Newton's
 /// method, twice as long as the last where that succeeds, and half as long where it fails.
-Search Walk(const SearchedMap& map, const Eigen::MatrixXd& starts, const Eigen::MatrixXd& targets,
-  const Limits& limits, Steps& progress);
+Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
+  const Eigen::MatrixXd& targets, const Limits& limits, Steps& progress);
 
 /// Row i of a result of Jacobians, as a matrix.
-Eigen::Matrix3d Square(const Eigen::MatrixXd& jacobians, Eigen::Index i);
+Eigen::Matrix3d GetJacobian(const Eigen::MatrixXd& jacobians, Eigen::Index i);
 
 } // namespace shape

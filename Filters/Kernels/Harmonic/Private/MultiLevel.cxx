@@ -1,5 +1,5 @@
+#include "Harmonic/Private/FundamentalSolutionSolvers.h"
 #include "Harmonic/Private/OffsetSurface.h"
-#include "Harmonic/Private/Solvers.h"
 #include "Harmonic/Private/SourceShells.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<Eigen::MatrixXd> Deal(const std::vector<Eigen::MatrixXd>& shells, in
   {
     const bool divided =
       sources.rows() == largest || sources.rows() >= subsets * SourceShells::Fewest;
-    const Eigen::VectorXi order = SpatialOrder(sources);
+    const Eigen::VectorXi order = FindSpatialOrder(sources);
     for (int s = 0; s < subsets; ++s)
     {
       std::vector<int> hand;
@@ -47,7 +47,7 @@ std::vector<Eigen::MatrixXd> Deal(const std::vector<Eigen::MatrixXd>& shells, in
   std::vector<Eigen::MatrixXd> dealt;
   for (const std::vector<Eigen::MatrixXd>& hand : hands)
   {
-    dealt.push_back(Together(hand));
+    dealt.push_back(Concatenate(hand));
   }
   return dealt;
 }
@@ -76,7 +76,7 @@ Eigen::MatrixXd CoarseFirst(const Eigen::MatrixXd& points, int coarse, double ar
     return points;
   }
   const Eigen::VectorXi chosen = EliminateSamples(
-    points, Eigen::VectorXd::Constant(points.rows(), PackingRadius(area, coarse)), coarse);
+    points, Eigen::VectorXd::Constant(points.rows(), ComputePackingRadius(area, coarse)), coarse);
   std::vector<int> order(chosen.begin(), chosen.end());
   for (int i = 0; i < points.rows(); ++i)
   {
@@ -109,25 +109,25 @@ void AppendRows(Eigen::MatrixXd& matrix, const Eigen::MatrixXd& rows)
 
 } // namespace
 
-int SubsetCount(const Mesh& boundary, const HarmonicVolumeMapOptions& options)
+int ComputeSubsetCount(const Mesh& boundary, const HarmonicVolumeMapOptions& options)
 {
   constexpr int fewest = 16; // sources of a subset
-  return std::clamp(
-    options.SourceSubsets, 1, std::max(1, SampleCount(boundary, options.SourceRatio) / fewest));
+  return std::clamp(options.SourceSubsets, 1,
+    std::max(1, ComputeSampleCount(boundary, options.SourceRatio) / fewest));
 }
 
-double Coarseness(int subsets)
+double ComputeCoarseness(int subsets)
 {
   return std::sqrt(static_cast<double>(subsets));
 }
 
-void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
+void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress)
 {
   auto start = std::chrono::steady_clock::now();
-  const int rows = SampleCount(problem.Boundary(), options.CollocationRatio);
-  const int sourceCount = SampleCount(problem.Boundary(), options.SourceRatio);
-  const int subsets = SubsetCount(problem.Boundary(), options);
+  const int rows = ComputeSampleCount(problem.Boundary(), options.CollocationRatio);
+  const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
+  const int subsets = ComputeSubsetCount(problem.Boundary(), options);
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
   const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
@@ -137,15 +137,15 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
   for (int s = 0; s + 1 < subsets; ++s)
   {
     const double finer = static_cast<double>(s) / (subsets - 1);
-    MoveAway(sources[s], problem.Distance(), std::pow(Coarseness(subsets), 1.0 - finer),
+    MoveAway(sources[s], problem.Distance(), std::pow(ComputeCoarseness(subsets), 1.0 - finer),
       progress.Part(0.15 + 0.05 * s / subsets, 0.15 + 0.05 * (s + 1) / subsets));
   }
   // With several components their shares are rounded: there may be a point less than asked for.
-  const Eigen::MatrixXd places = SampleBoundary(problem, options, progress.Part(0.2, 0.25));
+  const Eigen::MatrixXd positions = SampleBoundary(problem, options, progress.Part(0.2, 0.25));
   const int coarseRows =
-    static_cast<int>(std::min(places.rows(), CoarseRowsPerSource * sources.front().rows()));
+    static_cast<int>(std::min(positions.rows(), CoarseRowsPerSource * sources.front().rows()));
   problem.Collocate(
-    CoarseFirst(places, coarseRows, PointAreas(problem.Boundary()).sum()), Progress());
+    CoarseFirst(positions, coarseRows, ComputePointAreas(problem.Boundary()).sum()), Progress());
 
   const SurfaceLocator outer(shells.Joined());
   const double spacing = std::sqrt(shells.Area() / sourceCount);
@@ -155,7 +155,7 @@ void SolveMultiLevel(BoundaryProblem& problem, const HarmonicVolumeMapOptions& o
     const double share = 0.75 / options.MaximumLevels;
     const Progress part = progress.Part(0.25 + (number - 1) * share, 0.25 + number * share);
     Eigen::MatrixXd& subset = sources[(number - 1) % subsets];
-    const BoundaryProblem::Fit fit =
+    const FundamentalSolutionFit::Fit fit =
       problem.Solve(number == 1 ? coarseRows : problem.Collocations(), subset, part.Part(0.0, 0.8));
     const double gain = problem.Add(subset, fit.Charges, part.Part(0.8, 1.0));
 

@@ -6,7 +6,7 @@
 namespace shape
 {
 
-NearSources PlaceNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
+NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
   const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress)
 {
   constexpr double room = 0.6, nearer = 0.7;
@@ -25,7 +25,7 @@ NearSources PlaceNearSources(const SignedDistance& boundary, const Eigen::Matrix
       reached(i) = 0.0;
     }
   }
-  const auto places = [&](const std::vector<int>& rows)
+  const auto positions = [&](const std::vector<int>& rows)
   {
     return Eigen::MatrixXd(sites(rows, Eigen::all) +
       Eigen::VectorXd(reached(rows)).asDiagonal() * normals(rows, Eigen::all));
@@ -34,7 +34,7 @@ NearSources PlaceNearSources(const SignedDistance& boundary, const Eigen::Matrix
   {
     const Eigen::VectorXd distances =
       boundary
-        .Evaluate(places(open), progress.Part(step / (steps + 1.0), (step + 1) / (steps + 1.0)))
+        .Evaluate(positions(open), progress.Part(step / (steps + 1.0), (step + 1) / (steps + 1.0)))
         .Distances;
     std::vector<int> crowded;
     for (std::size_t k = 0; k < open.size(); ++k)
@@ -58,7 +58,7 @@ NearSources PlaceNearSources(const SignedDistance& boundary, const Eigen::Matrix
       placed.push_back(i);
     }
   }
-  sources.Points = places(placed);
+  sources.Points = positions(placed);
   sources.Offsets = reached(placed);
   sources.Sites = Eigen::Map<const Eigen::VectorXi>(placed.data(), placed.size());
   return sources;

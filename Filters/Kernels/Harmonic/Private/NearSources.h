@@ -22,7 +22,7 @@ struct NearSources
  * boundary: closed, facing out of the solid. sites: n x 3, on or near it. normals: n x 3, unit, or
  * zero. offsets: n, >= 0. Throws Aborted.
  */
-NearSources PlaceNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
+NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
   const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress = {});
 
 } // namespace shape

@@ -38,7 +38,7 @@ SampledGrid EmptyGrid(
     if (grid.Spacing > distance)
     {
       throw InvalidInput("the offset distance is " +
-        std::to_string(distance / LongestSide(points)) +
+        std::to_string(distance / ComputeLongestBoxEdge(points)) +
         " of the surface's longest side, too small to sample; increase it");
     }
   }
@@ -138,7 +138,7 @@ void Sample(
   }
   // Last, so that points shared with a skipped block have their own distance.
   std::vector<char> isNear(grid.Values.size(), 0);
-  std::vector<Eigen::RowVector3i> places;
+  std::vector<Eigen::RowVector3i> positions;
   for (const Eigen::RowVector3i& block : blocks)
   {
     ForBlock(block, cells,
@@ -148,34 +148,34 @@ void Sample(
         if (!seen)
         {
           seen = 1;
-          places.emplace_back(x, y, z);
+          positions.emplace_back(x, y, z);
         }
       });
   }
-  Eigen::MatrixXd points(places.size(), 3);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  Eigen::MatrixXd points(positions.size(), 3);
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    points.row(i) = grid.Point(places[i](0), places[i](1), places[i](2));
+    points.row(i) = grid.Point(positions[i](0), positions[i](1), positions[i](2));
   }
   const Eigen::VectorXd exact = field.Evaluate(points, progress.Part(done, 1.0)).Distances;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    grid.Values(grid.Index(places[i](0), places[i](1), places[i](2))) = exact(i);
+    grid.Values(grid.Index(positions[i](0), positions[i](1), positions[i](2))) = exact(i);
   }
 }
 
 } // namespace
 
-Mesh OffsetSurface(const SignedDistance& field, double distance,
+Mesh BuildOffsetSurface(const SignedDistance& field, double distance,
   const OffsetSurfaceOptions& options, const Progress& progress)
 {
   if (!(distance > 0.0) || !std::isfinite(distance))
   {
     throw InvalidInput("the offset distance must be greater than 0");
   }
-  SampledGrid grid = EmptyGrid(field.Locator().Surface().Points, distance, options);
+  SampledGrid grid = EmptyGrid(field.Locator().GetSurface().Points(), distance, options);
   Sample(grid, field, distance, progress);
-  return IsoSurface(grid, distance);
+  return ExtractIsoSurface(grid, distance);
 }
 
 void MoveToDistance(Eigen::MatrixXd& points, const SignedDistance& field,

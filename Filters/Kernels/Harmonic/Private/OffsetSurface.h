@@ -27,7 +27,7 @@ struct OffsetSurfaceOptions
  * point at that distance. Throws InvalidInput where it is not, or where the grid
  * would need more samples than allowed; Aborted.
  */
-Mesh OffsetSurface(const SignedDistance& field, double distance,
+Mesh BuildOffsetSurface(const SignedDistance& field, double distance,
   const OffsetSurfaceOptions& options = {}, const Progress& progress = {});
 
 /// Moves points (n x 3) near a surface outwards to the given distances (n) from it, away from their

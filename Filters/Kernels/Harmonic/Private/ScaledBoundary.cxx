@@ -1,10 +1,10 @@
 #include "Harmonic/Private/ScaledBoundary.h"
 
 #include "Base/Errors.h"
+#include "Fmm/FmmLatticeOrder.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/Nesting.h"
-#include "Fmm/LatticeOrder.h"
 
 #include <Eigen/LU>
 
@@ -23,7 +23,7 @@ namespace
 
 /// The points that triangles use, in an order that depends on their coordinates alone and puts
 /// neighbours side by side: searches and sums run through memory that is at hand.
-std::vector<int> UsedPointsByPlace(const Mesh& boundary, const Topology& topology)
+std::vector<int> UsedPointsByPosition(const Mesh& boundary, const Topology& topology)
 {
   std::vector<int> used;
   for (int i = 0; i < boundary.Points.rows(); ++i)
@@ -33,15 +33,16 @@ std::vector<int> UsedPointsByPlace(const Mesh& boundary, const Topology& topolog
       used.push_back(i);
     }
   }
-  const auto place = [&](int i)
+  const auto position = [&](int i)
   {
     return std::array<double, 3>{ boundary.Points(i, 0), boundary.Points(i, 1),
       boundary.Points(i, 2) };
   };
-  std::stable_sort(used.begin(), used.end(), [&](int a, int b) { return place(a) < place(b); });
+  std::stable_sort(
+    used.begin(), used.end(), [&](int a, int b) { return position(a) < position(b); });
   const Eigen::MatrixXd places = boundary.Points(used, Eigen::all);
-  const LatticeOrder order =
-    OrderOnLattice(places, { places.colwise().minCoeff(), LongestSide(places) });
+  const FmmLatticeOrder order =
+    OrderOnLattice(places, { places.colwise().minCoeff(), ComputeLongestBoxEdge(places) });
   std::vector<int> ordered;
   ordered.reserve(used.size());
   for (const int k : order.Ids)
@@ -72,11 +73,12 @@ Eigen::MatrixXi Sorted(const Eigen::MatrixXi& triangles)
 /// Throws InvalidInput unless one component alone faces outwards: the others bound voids.
 void RequireOneSolid(const Mesh& oriented)
 {
-  const Topology topology = SurfaceTopology(oriented);
+  const Topology topology = ComputeTopology(oriented);
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(topology.Components);
   for (Eigen::Index t = 0; t < oriented.Triangles.rows(); ++t)
   {
-    volumes(topology.ComponentId(oriented.Triangles(t, 0))) += Corners(oriented, t).determinant();
+    volumes(topology.ComponentId(oriented.Triangles(t, 0))) +=
+      GetCorners(oriented, t).determinant();
   }
   const auto solids = (volumes.array() > 0.0).count();
   if (solids != 1)
@@ -88,7 +90,8 @@ void RequireOneSolid(const Mesh& oriented)
 
 } // namespace
 
-void RequireUsable(const VolumeFeatures& features, const HarmonicVolumeMapOptions& options)
+void RequireSupportedFeatures(
+  const VolumeFeatures& features, const HarmonicVolumeMapOptions& options)
 {
   const auto positive = [](double value, const char* name)
   {
@@ -149,7 +152,7 @@ ScaledBoundary ScaleBoundary(const Mesh& boundary, const Eigen::MatrixXd& target
   }
   RequireFinite(targets, "the boundary map");
 
-  const std::vector<int> used = UsedPointsByPlace(boundary, topology);
+  const std::vector<int> used = UsedPointsByPosition(boundary, topology);
   std::vector<int> newId(boundary.Points.rows(), -1);
   for (std::size_t i = 0; i < used.size(); ++i)
   {
@@ -160,18 +163,18 @@ ScaledBoundary ScaleBoundary(const Mesh& boundary, const Eigen::MatrixXd& target
   surface.Points = boundary.Points(used, Eigen::all);
   surface.Triangles = boundary.Triangles.unaryExpr([&](int i) { return newId[i]; });
   scaled.Origin = surface.Points.colwise().minCoeff();
-  scaled.Size = LongestSide(surface.Points);
+  scaled.Size = ComputeLongestBoxEdge(surface.Points);
   surface.Points = (surface.Points.rowwise() - scaled.Origin) / scaled.Size;
-  surface = OrientedByNesting(surface, "the boundary");
+  surface = OrientByNesting(surface, "the boundary");
   surface.Triangles = Sorted(surface.Triangles);
   RequireOneSolid(surface);
-  if (!(EnclosedVolume(surface) > 1e-12))
+  if (!(ComputeEnclosedVolume(surface) > 1e-12))
   {
     throw InvalidInput("the boundary encloses no volume; give the surface of a solid");
   }
   scaled.Targets = targets(used, Eigen::all);
   scaled.TargetOrigin = scaled.Targets.colwise().minCoeff();
-  const double targetSize = LongestSide(scaled.Targets);
+  const double targetSize = ComputeLongestBoxEdge(scaled.Targets);
   scaled.TargetSize = targetSize > 0.0 ? targetSize : 1.0;
   scaled.Targets = (scaled.Targets.rowwise() - scaled.TargetOrigin) / scaled.TargetSize;
   return scaled;

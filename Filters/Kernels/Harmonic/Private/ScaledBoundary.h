@@ -24,6 +24,7 @@ struct ScaledBoundary
 ScaledBoundary ScaleBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets);
 
 /// Throws InvalidInput where an option is out of range or the features are incomplete.
-void RequireUsable(const VolumeFeatures& features, const HarmonicVolumeMapOptions& options);
+void RequireSupportedFeatures(
+  const VolumeFeatures& features, const HarmonicVolumeMapOptions& options);
 
 } // namespace shape

@@ -1,6 +1,6 @@
-#include "Mesh/Topology.h"
-#include "Harmonic/Private/Solvers.h"
+#include "Harmonic/Private/FundamentalSolutionSolvers.h"
 #include "Harmonic/Private/SourceShells.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,13 +9,13 @@
 namespace shape
 {
 
-int SampleCount(const Mesh& boundary, double ratio)
+int ComputeSampleCount(const Mesh& boundary, double ratio)
 {
-  constexpr double least = 16.0, most = 1e8;
-  return static_cast<int>(std::clamp(std::round(ratio * boundary.Points.rows()), least, most));
+  constexpr double minimum = 16.0, maximum = 1e8;
+  return static_cast<int>(std::clamp(std::round(ratio * boundary.Points.rows()), minimum, maximum));
 }
 
-Eigen::MatrixXd Together(const std::vector<Eigen::MatrixXd>& parts)
+Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts)
 {
   Eigen::Index rows = 0;
   for (const Eigen::MatrixXd& part : parts)
@@ -32,17 +32,17 @@ Eigen::MatrixXd Together(const std::vector<Eigen::MatrixXd>& parts)
   return all;
 }
 
-Eigen::MatrixXd SampleBoundary(
-  const BoundaryProblem& problem, const HarmonicVolumeMapOptions& options, const Progress& progress)
+Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
+  const HarmonicVolumeMapOptions& options, const Progress& progress)
 {
-  constexpr int least = 48;
-  return Together(SampleSurfaces(SplitComponents(problem.Boundary()),
-    SampleCount(problem.Boundary(), options.CollocationRatio), least, options.CollocationSampling,
-    options.Seed, progress));
+  constexpr int minimum = 48;
+  return Concatenate(SampleSurfaces(SplitComponents(problem.Boundary()),
+    ComputeSampleCount(problem.Boundary(), options.CollocationRatio), minimum,
+    options.CollocationSampling, options.Seed, progress));
 }
 
-void AddLevel(const BoundaryProblem& problem, Eigen::Index sources, Eigen::Index rows, double gain,
-  std::chrono::steady_clock::time_point& start, HarmonicVolumeMapResult& result)
+void AddLevel(const FundamentalSolutionFit& problem, Eigen::Index sources, Eigen::Index rows,
+  double gain, std::chrono::steady_clock::time_point& start, HarmonicVolumeMapResult& result)
 {
   HarmonicVolumeMapResult::Level level = problem.Errors();
   level.Number = static_cast<int>(result.Levels.size());
@@ -55,19 +55,19 @@ void AddLevel(const BoundaryProblem& problem, Eigen::Index sources, Eigen::Index
   result.Levels.push_back(level);
 }
 
-void SolveSingleShot(BoundaryProblem& problem, const HarmonicVolumeMapOptions& options,
+void SolveSingleShot(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress)
 {
   auto start = std::chrono::steady_clock::now();
-  const int rows = SampleCount(problem.Boundary(), options.CollocationRatio);
-  const int sourceCount = SampleCount(problem.Boundary(), options.SourceRatio);
+  const int rows = ComputeSampleCount(problem.Boundary(), options.CollocationRatio);
+  const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
   problem.RequireMemory(rows, sourceCount);
   const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
-  const Eigen::MatrixXd sources = Together(
+  const Eigen::MatrixXd sources = Concatenate(
     shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)));
   problem.Collocate(SampleBoundary(problem, options, progress.Part(0.15, 0.2)), Progress());
-  const BoundaryProblem::Fit fit =
+  const FundamentalSolutionFit::Fit fit =
     problem.Solve(problem.Collocations(), sources, progress.Part(0.2, 0.95));
   const double gain = problem.Add(sources, fit.Charges, progress.Part(0.95, 1.0));
   AddLevel(problem, sources.rows(), fit.Rows, gain, start, result);

@@ -1,7 +1,7 @@
 #include "Harmonic/Private/SourceShells.h"
 
-#include "Mesh/Topology.h"
 #include "Harmonic/Private/OffsetSurface.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <vector>
@@ -40,13 +40,13 @@ SourceShells::SourceShells(const Mesh& boundary, double offset, const Progress& 
     const SignedDistance field(components[c]);
     const Progress part = progress.Part(share * c, share * (c + 1));
     double distance = offset;
-    if (EnclosedVolume(components[c]) < 0.0) // a void
+    if (ComputeEnclosedVolume(components[c]) < 0.0) // a void
     {
       distance = std::min(offset, 0.5 * Depth(components[c], field, part.Part(0.0, 0.2)));
       this->Offset = std::min(this->Offset, distance);
     }
     this->Shells.push_back(
-      OffsetSurface(field, distance, OffsetSurfaceOptions(), part.Part(0.2, 1.0)));
+      BuildOffsetSurface(field, distance, OffsetSurfaceOptions(), part.Part(0.2, 1.0)));
   }
 }
 

@@ -7,7 +7,7 @@
 namespace shape
 {
 
-PatchRing RingOf(const std::vector<int>& patches)
+PatchRing BuildPatchRing(const std::vector<int>& patches)
 {
   PatchRing ring;
   for (std::size_t i = 0; i < patches.size(); ++i)
@@ -17,16 +17,16 @@ PatchRing RingOf(const std::vector<int>& patches)
       ring.push_back(patches[i]);
     }
   }
-  PatchRing least = ring;
+  PatchRing minimum = ring;
   for (std::size_t turn = 1; turn < ring.size(); ++turn)
   {
     std::rotate(ring.begin(), ring.begin() + 1, ring.end());
-    least = std::min(least, ring);
+    minimum = std::min(minimum, ring);
   }
-  return least;
+  return minimum;
 }
 
-std::vector<PatchRing> RingsOfCorners(const Mesh& surface, const SurfaceFeatures& features)
+std::vector<PatchRing> FindCornerRings(const Mesh& surface, const SurfaceFeatures& features)
 {
   // Of each corner, by the side of a triangle that leaves it: the next side, and the patch between.
   std::map<int, std::map<int, std::pair<int, int>>> fans;
@@ -61,7 +61,7 @@ std::vector<PatchRing> RingsOfCorners(const Mesh& surface, const SurfaceFeatures
     {
       patches.clear(); // at a border, as where a surface crosses itself
     }
-    rings.push_back(RingOf(patches));
+    rings.push_back(BuildPatchRing(patches));
   }
   return rings;
 }

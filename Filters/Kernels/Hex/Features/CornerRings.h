@@ -13,9 +13,9 @@ namespace shape
 using PatchRing = std::vector<int>;
 
 /// The ring of the patches passed one by one, in such a turn that equal rings are equal vectors.
-PatchRing RingOf(const std::vector<int>& patches);
+PatchRing BuildPatchRing(const std::vector<int>& patches);
 
 /// The ring of each corner of a surface.
-std::vector<PatchRing> RingsOfCorners(const Mesh& surface, const SurfaceFeatures& features);
+std::vector<PatchRing> FindCornerRings(const Mesh& surface, const SurfaceFeatures& features);
 
 } // namespace shape

@@ -1,6 +1,6 @@
 #include "Hex/Features/PatchedBoundary.h"
 
-#include "Hex/Features/Private/CurveSpread.h"
+#include "Hex/Features/Private/CurveResampling.h"
 #include "Hex/Features/Private/QuadPatches.h"
 
 #include <algorithm>
@@ -118,7 +118,7 @@ private:
 
   bool FindChains()
   {
-    const std::map<QuadEdge, int> quads = QuadsOfEdges(this->Boundary.Quads);
+    const std::map<QuadEdge, int> quads = MapEdgesToQuads(this->Boundary.Quads);
     std::map<QuadEdge, int> patches;
     for (const auto& [edge, quad] : quads)
     {
@@ -198,8 +198,8 @@ private:
   void PutOnCurve(const Chain& chain, int id)
   {
     const FeatureCurve& curve = this->Features.Curves[id];
-    const CurvePlaces places =
-      SpreadAlong(this->Points(chain.Points, Eigen::all), this->Surface, curve);
+    const CurvePositions positions =
+      DistributeAlongCurve(this->Points(chain.Points, Eigen::all), this->Surface, curve);
     for (std::size_t i = 0; i < chain.Points.size(); ++i)
     {
       const int point = chain.Points[i];
@@ -207,8 +207,9 @@ private:
       if (corner < 0)
       {
         this->Boundary.CurveOf[point] = id;
-        this->Boundary.Starts.emplace_back(point, places.Places.row(static_cast<Eigen::Index>(i)));
-        this->Boundary.Spans[point] = places.Spans[i];
+        this->Boundary.Starts.emplace_back(
+          point, positions.Positions.row(static_cast<Eigen::Index>(i)));
+        this->Boundary.Spans[point] = positions.Spans[i];
       }
       else
       {
@@ -274,7 +275,7 @@ private:
 
 } // namespace
 
-std::map<QuadEdge, int> QuadsOfEdges(const Eigen::MatrixXi& quads)
+std::map<QuadEdge, int> MapEdgesToQuads(const Eigen::MatrixXi& quads)
 {
   std::map<QuadEdge, int> quadOf;
   for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
@@ -291,9 +292,9 @@ std::optional<PatchedBoundary> MatchFeatures(
   const HexMesh& mesh, const SurfaceLocator& surface, const SurfaceFeatures& features)
 {
   PatchedBoundary boundary;
-  boundary.Quads = BoundaryQuads(mesh);
-  boundary.PatchOf = QuadPatches(mesh.Points, boundary.Quads, surface, features);
-  if (boundary.PatchOf.size() == 0 || !Matcher(mesh, surface.Surface(), features, boundary).Run())
+  boundary.Quads = FindBoundaryQuads(mesh);
+  boundary.PatchOf = AssignQuadsToPatches(mesh.Points, boundary.Quads, surface, features);
+  if (boundary.PatchOf.size() == 0 || !Matcher(mesh, surface.GetSurface(), features, boundary).Run())
   {
     return std::nullopt;
   }

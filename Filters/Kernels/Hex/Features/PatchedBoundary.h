@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Mesh/HexMesh.h"
-#include "Search/ClosestPoint.h"
 #include "Remesh/SurfaceFeatures.h"
+#include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
 
@@ -25,7 +25,7 @@ struct PatchedBoundary
   std::vector<std::pair<int, int>> Copies;
   /// Points on curves and corners, spread along the curves.
   std::vector<std::pair<int, Eigen::RowVector3d>> Starts;
-  std::map<int, Eigen::MatrixXd> Spans; ///< where points on curves may go (CurvePlaces)
+  std::map<int, Eigen::MatrixXd> Spans; ///< where points on curves may go (CurvePositions)
 };
 
 /**
@@ -48,6 +48,6 @@ bool MatchCurves(const HexMesh& mesh, const Mesh& surface, const SurfaceFeatures
 using QuadEdge = std::pair<int, int>;
 
 /// The quad of each edge (quads: q x 4).
-std::map<QuadEdge, int> QuadsOfEdges(const Eigen::MatrixXi& quads);
+std::map<QuadEdge, int> MapEdgesToQuads(const Eigen::MatrixXi& quads);
 
 } // namespace shape

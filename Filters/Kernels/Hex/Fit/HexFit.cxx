@@ -1,13 +1,13 @@
 #include "Hex/Fit/HexFit.h"
 
-#include "Hex/Fit/Private/BoundaryLayers.h"
-#include "Hex/Features/GivenFreedoms.h"
-#include "Hex/Optimize/HexOptimization.h"
-#include "Hex/Fit/Private/LayerPlan.h"
-#include "Hex/Features/OnFeatures.h"
-#include "Hex/Features/PatchedBoundary.h"
-#include "Hex/Optimize/Releasing.h"
 #include "Distance/HausdorffDistance.h"
+#include "Hex/Features/FeatureConstraint.h"
+#include "Hex/Features/OverridableConstraint.h"
+#include "Hex/Features/PatchedBoundary.h"
+#include "Hex/Fit/Private/Pillowing.h"
+#include "Hex/Fit/Private/PillowingPlan.h"
+#include "Hex/Optimize/BoundaryRelaxation.h"
+#include "Hex/Optimize/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
 
 #include <algorithm>
@@ -26,30 +26,30 @@ constexpr double RaisedTo = 0.55;
 
 /// The layers that creases ask for. False where these are more hexahedra than there may be, or the
 /// creases of the result are not the surface's.
-bool AddLayers(HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, int most,
+bool AddLayers(HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, int maximum,
   PatchedBoundary& boundary)
 {
   for (const std::vector<int>& patches : PlanLayers(surface, features, boundary))
   {
-    PadPatches(mesh, patches, boundary);
+    PillowPatches(mesh, patches, boundary);
   }
-  return (features.Curves.empty() || mesh.Hexahedra.rows() <= most) &&
+  return (features.Curves.empty() || mesh.Hexahedra.rows() <= maximum) &&
     MatchCurves(mesh, surface, features, boundary);
 }
 
 void Judge(HexFit& fit)
 {
-  const Eigen::VectorXd quality = ScaledJacobians(fit.Solid);
-  fit.LeastScaledJacobian = quality.minCoeff();
+  const Eigen::VectorXd quality = ComputeScaledJacobians(fit.Solid);
+  fit.MinimumScaledJacobian = quality.minCoeff();
   fit.MeanScaledJacobian = quality.mean();
   fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
 }
 
 void Measure(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
 {
-  fit.Distance =
-    HausdorffDistance(surface.Surface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress)
-      .Larger();
+  fit.Distance = ComputeHausdorffDistance(
+    surface.GetSurface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress)
+                   .Larger();
 }
 
 /// With these features, if they are found on the hexahedra.
@@ -69,24 +69,24 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   const InterfaceLayers interfaceLayers(fit.Solid, interfaces, options.PaddingLayers);
   for (int layer = 1; layer < options.PaddingLayers; ++layer)
   {
-    PadBoundary(fit.Solid, *boundary);
+    PillowBoundary(fit.Solid, *boundary);
   }
-  if (!AddLayers(fit.Solid, surface.Surface(), features, options.MaximumHexahedra, *boundary))
+  if (!AddLayers(fit.Solid, surface.GetSurface(), features, options.MaximumHexahedra, *boundary))
   {
     return std::nullopt;
   }
   const Eigen::Index points = fit.Solid.Points.rows();
-  fit.Constraint = std::make_shared<OnSurfaces>(
-    OnFeatures(surface.Surface(), features, *boundary, points), interfaces, points);
+  fit.Constraint = std::make_shared<MultiSurfaceConstraint>(
+    FeatureConstraint(surface.GetSurface(), features, *boundary, points), interfaces, points);
   const PointConstraint& constraint = *fit.Constraint;
-  for (const auto& [point, place] : boundary->Starts)
+  for (const auto& [point, position] : boundary->Starts)
   {
-    fit.Solid.Points.row(point) = place;
+    fit.Solid.Points.row(point) = position;
   }
   // Layers along creases begin without thickness: what is tangled then takes long to untangle.
   const int smoothings = features.Curves.empty() ? 2 : 30;
   SmoothHexahedra(fit.Solid, constraint, smoothings, progress.Part(0.0, 0.1));
-  SpreadLayers(*boundary, fit.Solid.Points);
+  SmoothPillows(*boundary, fit.Solid.Points);
   interfaceLayers.Spread(fit.Solid.Points);
   SmoothInverted(fit.Solid, constraint, progress.Part(0.1, 0.15));
   HexOptimizationOptions optimization;
@@ -102,7 +102,8 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   if (interfaces.Count() > 0)
   {
     fit.Interfaces = interfaces.Cells->Interfaces;
-    fit.InnerDistance = InnerDistance(fit.Solid.Points, fit.Interfaces, *interfaces.Surfaces);
+    fit.InnerDistance =
+      ComputeInterfaceDistance(fit.Solid.Points, fit.Interfaces, *interfaces.Surfaces);
   }
   return fit;
 }
@@ -115,31 +116,33 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
 {
   std::optional<HexFit> fit =
     FitWith(core, surface, features, options, interfaces, progress.Part(0.0, 0.6));
-  if (!fit || (!features.Curves.empty() && fit->LeastScaledJacobian < options.LeastWithCreases))
+  if (!fit ||
+    (!features.Curves.empty() && fit->MinimumScaledJacobian < options.MinimumWithFeatures))
   {
     std::optional<HexFit> smooth =
-      FitWith(core, surface, WithoutCurves(features), options, interfaces, progress.Part(0.6, 1.0));
-    if (!fit || smooth.value().LeastScaledJacobian > fit->LeastScaledJacobian)
+      FitWith(core, surface, RemoveCurves(features), options, interfaces, progress.Part(0.6, 1.0));
+    if (!fit || smooth.value().MinimumScaledJacobian > fit->MinimumScaledJacobian)
     {
       fit = std::move(smooth);
       fit->CreasesKept = features.Curves.empty();
     }
   }
   fit->Creases =
-    CompareCreases(surface.Surface(), features, fit->Solid.Points, fit->Quads, fit->PatchOf);
+    CompareCreases(surface.GetSurface(), features, fit->Solid.Points, fit->Quads, fit->PatchOf);
   return std::move(fit.value());
 }
 
 void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOptions& options,
   const Progress& progress)
 {
-  fit.Distance = SnapToFarPlaces(fit.Solid, fit.Quads, surface, *fit.Constraint, options, progress);
+  fit.Distance =
+    SnapToFarPositions(fit.Solid, fit.Quads, surface, *fit.Constraint, options, progress);
   Judge(fit);
 }
 
-void RaiseWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
+void ImproveWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
 {
-  if (fit.LeastScaledJacobian < RaisedTo)
+  if (fit.MinimumScaledJacobian < RaisedTo)
   {
     HexOptimizationOptions optimization;
     optimization.Sweeps = 0;
@@ -150,24 +153,25 @@ void RaiseWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& prog
   }
 }
 
-void ReleaseBad(
-  HexFit& fit, const SurfaceLocator& surface, double mostDistance, const Progress& progress)
+void RelaxBoundaryAroundBad(
+  HexFit& fit, const SurfaceLocator& surface, double maximumDistance, const Progress& progress)
 {
-  const auto released = std::make_shared<GivenFreedoms>(fit.Constraint, fit.Solid.Points.rows());
-  GivenFreedoms& freedoms = *released;
-  ReleaseInverted(fit.Solid, freedoms, progress.Part(0.0, 0.4));
+  const auto released =
+    std::make_shared<OverridableConstraint>(fit.Constraint, fit.Solid.Points.rows());
+  OverridableConstraint& freedoms = *released;
+  RelaxBoundaryOfInverted(fit.Solid, freedoms, progress.Part(0.0, 0.4));
   Judge(fit);
   if (fit.Inverted == 0)
   {
     Measure(fit, surface, progress.Part(0.4, 0.45));
     constexpr double slack = 1.05;
-    const double most = std::max(mostDistance, slack * fit.Distance);
+    const double maximum = std::max(maximumDistance, slack * fit.Distance);
     const auto accepts = [&](const HexMesh& mesh)
     {
-      return HausdorffDistance(surface.Surface(), { mesh.Points, SplitQuads(fit.Quads) })
-               .Larger() <= most;
+      return ComputeHausdorffDistance(surface.GetSurface(), { mesh.Points, SplitQuads(fit.Quads) })
+               .Larger() <= maximum;
     };
-    ReleaseWorst(fit.Solid, freedoms, RaisedTo, accepts, progress.Part(0.45, 0.95));
+    RelaxBoundaryOfWorst(fit.Solid, freedoms, RaisedTo, accepts, progress.Part(0.45, 0.95));
     Judge(fit);
   }
   Measure(fit, surface, progress.Part(0.95, 1.0));

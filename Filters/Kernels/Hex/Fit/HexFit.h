@@ -1,12 +1,12 @@
 #pragma once
 
-#include "Mesh/HexMesh.h"
 #include "Base/Progress.h"
-#include "Search/ClosestPoint.h"
-#include "Hex/Features/CreaseFit.h"
+#include "Hex/Features/FeatureDeviation.h"
 #include "Hex/Fit/InnerInterfaces.h"
 #include "Hex/Fit/Snapping.h"
+#include "Mesh/HexMesh.h"
 #include "Remesh/SurfaceFeatures.h"
+#include "Search/ClosestPoint.h"
 
 #include <limits>
 #include <memory>
@@ -21,8 +21,8 @@ struct HexFitOptions
   /// Creases whose layers make more are given up.
   int MaximumHexahedra = std::numeric_limits<int>::max();
   /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
-  double LeastWithCreases = 0.2;
-  /// The worst scaled Jacobian below which no more time is spent on it (RaiseWorst may, later).
+  double MinimumWithFeatures = 0.2;
+  /// The worst scaled Jacobian below which no more time is spent on it (ImproveWorst may, later).
   double RaisedFrom = 0.0;
 };
 
@@ -30,21 +30,21 @@ struct HexFitOptions
 struct HexFit
 {
   HexMesh Solid;
-  Eigen::MatrixXi Quads;            ///< q x 4: its boundary, counter-clockwise seen from outside
-  Eigen::VectorXi PatchOf;          ///< q: the patch of the surface that a quad lies on
-  double LeastScaledJacobian = 0.0; ///< positive where no hexahedron is inverted
+  Eigen::MatrixXi Quads;              ///< q x 4: its boundary, counter-clockwise seen from outside
+  Eigen::VectorXi PatchOf;            ///< q: the patch of the surface that a quad lies on
+  double MinimumScaledJacobian = 0.0; ///< positive where no hexahedron is inverted
   double MeanScaledJacobian = 0.0;
   int Inverted = 0; ///< hexahedra with a scaled Jacobian of 0 or less
   /// The larger one-sided Hausdorff distance between the surface and the boundary.
   double Distance = 0.0;
   /// Whether every curve and corner of the features is one of the hexahedra; where not, none is.
   bool CreasesKept = false;
-  CreaseFit Creases;        ///< how far the surface's and the hexahedra's are apart
+  FeatureDeviation Creases; ///< how far the surface's and the hexahedra's are apart
   Eigen::VectorXi RegionOf; ///< m: of each hexahedron, see RegionCells; 0 without inner surfaces
   std::vector<Eigen::MatrixXi>
     Interfaces;               ///< the quads on each inner surface, seen from outside it
   double InnerDistance = 0.0; ///< the largest between an interface and its surface
-  int Released = 0;           ///< points that need not be on the surface any more (ReleaseBad)
+  int Released = 0; ///< points that need not be on the surface any more (RelaxBoundaryAroundBad)
   /// What points keep to; none where solids were joined.
   std::shared_ptr<const PointConstraint> Constraint;
 };
@@ -68,7 +68,7 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
 
 /**
  * Puts points of the boundary on what of the surface is farther from it than wanted
- * (SnapToFarPlaces); creases stay as they are.
+ * (SnapToFarPositions); creases stay as they are.
  *
  * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
  */
@@ -80,16 +80,17 @@ void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOpt
  *
  * fit: of FitHexahedra, none inverted, and surface: what it was given. Throws Aborted.
  */
-void RaiseWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress = {});
+void ImproveWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress = {});
 
 /**
- * Frees points around hexahedra of the surface: around those that are inverted (ReleaseInverted),
- * then around the worst where they are not good enough (ReleaseWorst), as long as the distance
- * stays below a most one, or grows by less than a twentieth.
+ * Frees points around hexahedra of the surface: around those that are inverted
+ * (RelaxBoundaryOfInverted), then around the worst where they are not good enough
+ * (RelaxBoundaryOfWorst), as long as the distance stays below a most one, or grows by less than a
+ * twentieth.
  *
  * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
  */
-void ReleaseBad(
-  HexFit& fit, const SurfaceLocator& surface, double mostDistance, const Progress& progress = {});
+void RelaxBoundaryAroundBad(HexFit& fit, const SurfaceLocator& surface, double maximumDistance,
+  const Progress& progress = {});
 
 } // namespace shape

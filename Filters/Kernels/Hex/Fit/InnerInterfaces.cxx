@@ -1,8 +1,8 @@
 #include "Hex/Fit/InnerInterfaces.h"
 
-#include "Hex/Fit/Private/BoundaryLayers.h"
-#include "Hex/Fit/Private/Padding.h"
 #include "Distance/HausdorffDistance.h"
+#include "Hex/Fit/Private/Padding.h"
+#include "Hex/Fit/Private/Pillowing.h"
 
 #include <algorithm>
 #include <array>
@@ -66,12 +66,12 @@ InterfaceLayers::InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interface
     std::vector<char> outside(cells.Inside[i].size());
     std::transform(cells.Inside[i].begin(), cells.Inside[i].end(), outside.begin(),
       [](char inside) { return static_cast<char>(inside == 0); });
-    this->PadSide(mesh, cells.Inside[i], cells.Interfaces[i], layers);
-    this->PadSide(mesh, outside, cells.Interfaces[i].rowwise().reverse(), layers);
+    this->PillowSide(mesh, cells.Inside[i], cells.Interfaces[i], layers);
+    this->PillowSide(mesh, outside, cells.Interfaces[i].rowwise().reverse(), layers);
   }
 }
 
-void InterfaceLayers::PadSide(
+void InterfaceLayers::PillowSide(
   HexMesh& mesh, const std::vector<char>& side, const Eigen::MatrixXi& quads, int layers)
 {
   std::vector<int> rows;
@@ -88,7 +88,7 @@ void InterfaceLayers::PadSide(
   HexMesh part{ mesh.Points, mesh.Hexahedra(rows, Eigen::all) };
   for (int layer = 0; layer < layers; ++layer)
   {
-    PadBoundary(part, copies);
+    PillowBoundary(part, copies);
     for (const int hex : beside)
     {
       this->RegionOf.push_back(int(this->RegionOf[hex]));
@@ -114,11 +114,12 @@ void InterfaceLayers::Spread(Eigen::MatrixXd& points) const
 {
   for (const PatchedBoundary& side : this->Sides)
   {
-    SpreadLayers(side, points);
+    SmoothPillows(side, points);
   }
 }
 
-OnSurfaces::OnSurfaces(OnFeatures outer, const InnerInterfaces& interfaces, Eigen::Index points)
+MultiSurfaceConstraint::MultiSurfaceConstraint(
+  FeatureConstraint outer, const InnerInterfaces& interfaces, Eigen::Index points)
   : Outer(std::move(outer))
   , SurfaceOf(points, -1)
 {
@@ -139,35 +140,39 @@ OnSurfaces::OnSurfaces(OnFeatures outer, const InnerInterfaces& interfaces, Eige
   }
 }
 
-const PointConstraint& OnSurfaces::Of(int point) const
+const PointConstraint& MultiSurfaceConstraint::Of(int point) const
 {
   const int surface = this->SurfaceOf[point];
   return surface < 0 ? this->Outer : this->Inner[surface];
 }
 
-int OnSurfaces::Freedom(int point) const
+int MultiSurfaceConstraint::Freedom(int point) const
 {
   return this->Of(point).Freedom(point);
 }
 
-PointDirections OnSurfaces::Directions(int point, const Eigen::RowVector3d& place) const
+PointDirections MultiSurfaceConstraint::Directions(
+  int point, const Eigen::RowVector3d& position) const
 {
-  return this->Of(point).Directions(point, place);
+  return this->Of(point).Directions(point, position);
 }
 
-Eigen::RowVector3d OnSurfaces::Nearest(int point, const Eigen::RowVector3d& place) const
+Eigen::RowVector3d MultiSurfaceConstraint::Nearest(
+  int point, const Eigen::RowVector3d& position) const
 {
-  return this->Of(point).Nearest(point, place);
+  return this->Of(point).Nearest(point, position);
 }
 
-double InnerDistance(const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXi>& interfaces,
-  const std::vector<SurfaceLocator>& surfaces, const Progress& progress)
+double ComputeInterfaceDistance(const Eigen::MatrixXd& points,
+  const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<SurfaceLocator>& surfaces,
+  const Progress& progress)
 {
   double largest = 0.0;
   for (std::size_t i = 0; i < interfaces.size(); ++i)
   {
     largest = std::max(largest,
-      HausdorffDistance(surfaces[i].Surface(), { points, SplitQuads(interfaces[i]) }, progress)
+      ComputeHausdorffDistance(
+        surfaces[i].Surface(), { points, SplitQuads(interfaces[i]) }, progress)
         .Larger());
   }
   return largest;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "Hex/Features/FeatureConstraint.h"
+#include "Hex/Features/PatchedBoundary.h"
+#include "Hex/Voxels/MultiMaterialVoxels.h"
 #include "Mesh/HexMesh.h"
 #include "Search/ClosestPoint.h"
-#include "Hex/Features/OnFeatures.h"
-#include "Hex/Features/PatchedBoundary.h"
-#include "Hex/Voxels/RegionCubes.h"
 #include "Untangle/SimplexPatch.h"
 
 #include <Eigen/Core>
@@ -43,7 +43,7 @@ public:
   void Spread(Eigen::MatrixXd& points) const;
 
 private:
-  void PadSide(
+  void PillowSide(
     HexMesh& mesh, const std::vector<char>& side, const Eigen::MatrixXi& quads, int layers);
 
   std::vector<int> RegionOf;
@@ -51,27 +51,29 @@ private:
 };
 
 /// Points of the outer boundary keep to its features, those of interfaces to inner surfaces.
-class OnSurfaces : public PointConstraint
+class MultiSurfaceConstraint : public PointConstraint
 {
 public:
   /// points: how many the hexahedra have.
-  OnSurfaces(OnFeatures outer, const InnerInterfaces& interfaces, Eigen::Index points);
+  MultiSurfaceConstraint(
+    FeatureConstraint outer, const InnerInterfaces& interfaces, Eigen::Index points);
 
   int Freedom(int point) const override;
-  PointDirections Directions(int point, const Eigen::RowVector3d& place) const override;
-  Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& place) const override;
+  PointDirections Directions(int point, const Eigen::RowVector3d& position) const override;
+  Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& position) const override;
 
 private:
   const PointConstraint& Of(int point) const;
 
-  OnFeatures Outer;
-  std::vector<OnFeatures> Inner;
+  FeatureConstraint Outer;
+  std::vector<FeatureConstraint> Inner;
   std::vector<int> SurfaceOf; ///< of each point the inner surface, or -1
 };
 
 /// The larger one-sided Hausdorff distance between interfaces (quads of each) and their surfaces; 0
 /// without any.
-double InnerDistance(const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXi>& interfaces,
-  const std::vector<SurfaceLocator>& surfaces, const Progress& progress = {});
+double ComputeInterfaceDistance(const Eigen::MatrixXd& points,
+  const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<SurfaceLocator>& surfaces,
+  const Progress& progress = {});
 
 } // namespace shape

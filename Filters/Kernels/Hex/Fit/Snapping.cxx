@@ -1,8 +1,8 @@
 #include "Hex/Fit/Snapping.h"
 
-#include "Hex/Features/GivenFreedoms.h"
-#include "Hex/Optimize/HexOptimization.h"
 #include "Distance/HausdorffDistance.h"
+#include "Hex/Features/OverridableConstraint.h"
+#include "Hex/Optimize/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace
 {
 
 /// By how much raising the worst hexahedra has been seen to raise them.
-constexpr double MostRaised = 0.15;
+constexpr double MaximumRaised = 0.15;
 
 /// Where the surfaces are far from each other.
-struct FarPlace
+struct FarPosition
 {
   Eigen::RowVector3d OnSurface, OnBoundary;
   double Distance = 0.0;
@@ -61,7 +61,7 @@ public:
     const Eigen::MatrixXd before = this->Solid.Points;
     const std::vector<char> freedoms = this->Constraint.Freedoms;
     const double reached = this->Reached;
-    const double least = Floor(options, ScaledJacobians(this->Solid).minCoeff());
+    const double minimum = Floor(options, ComputeScaledJacobians(this->Solid).minCoeff());
     std::vector<char> marked = this->Snap();
     if (marked.empty())
     {
@@ -71,11 +71,11 @@ public:
     GrowRings(this->Solid.Hexahedra, rings, marked);
     HexOptimizationOptions optimization;
     optimization.Marked = std::move(marked);
-    optimization.RaiseFrom = least - MostRaised;
+    optimization.RaiseFrom = minimum - MaximumRaised;
     const HexOptimizationResult result =
       OptimizeHexahedra(this->Solid, this->Constraint, optimization, progress.Part(0.0, 0.8));
-    const bool isBad = result.LeastAfter < least;
-    const bool hasCulprits = isBad && this->HalveCulprits(freedoms, least);
+    const bool isBad = result.MinimumAfter < minimum;
+    const bool hasCulprits = isBad && this->HalveCulprits(freedoms, minimum);
     this->Compare(progress.Part(0.8, 0.9));
     if (isBad || this->Reached >= reached)
     {
@@ -88,11 +88,11 @@ public:
   }
 
 private:
-  static double Floor(const SnappingOptions& options, double least)
+  static double Floor(const SnappingOptions& options, double minimum)
   {
     const auto found = std::find_if(options.ScaledJacobians.begin(), options.ScaledJacobians.end(),
-      [&](double value) { return value <= least; });
-    return found == options.ScaledJacobians.end() ? least : *found;
+      [&](double value) { return value <= minimum; });
+    return found == options.ScaledJacobians.end() ? minimum : *found;
   }
 
   void Compare(const Progress& progress)
@@ -100,35 +100,35 @@ private:
     const SurfaceLocator boundary({ this->Solid.Points, this->Triangles });
     this->Far.clear();
     this->Reached = 0.0;
-    this->Add(
-      DistancesBetween(this->Surface.Surface(), boundary, ComparedPlaces, progress.Part(0.0, 0.5)),
-      &PlacesAndDistances::Places, &PlacesAndDistances::Nearest);
-    this->Add(
-      DistancesBetween(boundary.Surface(), this->Surface, ComparedPlaces, progress.Part(0.5, 1.0)),
-      &PlacesAndDistances::Nearest, &PlacesAndDistances::Places);
+    this->Add(ComputeDistancesToSurface(
+                this->Surface.GetSurface(), boundary, ComparedPositions, progress.Part(0.0, 0.5)),
+      &SampledDistances::Positions, &SampledDistances::Nearest);
+    this->Add(ComputeDistancesToSurface(
+                boundary.GetSurface(), this->Surface, ComparedPositions, progress.Part(0.5, 1.0)),
+      &SampledDistances::Nearest, &SampledDistances::Positions);
     std::stable_sort(this->Far.begin(), this->Far.end(),
-      [](const FarPlace& a, const FarPlace& b) { return a.Distance > b.Distance; });
+      [](const FarPosition& a, const FarPosition& b) { return a.Distance > b.Distance; });
   }
 
-  void Add(const PlacesAndDistances& places, Eigen::MatrixXd PlacesAndDistances::*onSurface,
-    Eigen::MatrixXd PlacesAndDistances::*onBoundary)
+  void Add(const SampledDistances& positions, Eigen::MatrixXd SampledDistances::*onSurface,
+    Eigen::MatrixXd SampledDistances::*onBoundary)
   {
-    this->Reached = std::max(this->Reached, places.Distances.maxCoeff());
-    for (Eigen::Index i = 0; i < places.Distances.size(); ++i)
+    this->Reached = std::max(this->Reached, positions.Distances.maxCoeff());
+    for (Eigen::Index i = 0; i < positions.Distances.size(); ++i)
     {
-      if (places.Distances(i) > this->Wanted)
+      if (positions.Distances(i) > this->Wanted)
       {
-        this->Far.push_back(
-          { (places.*onSurface).row(i), (places.*onBoundary).row(i), places.Distances(i) });
+        this->Far.push_back({ (positions.*onSurface).row(i), (positions.*onBoundary).row(i),
+          positions.Distances(i) });
       }
     }
   }
 
   /// Points of bad hexahedra, or of such next to them, that were not held before are put only half
   /// as far in the next rounds. False where there are none.
-  bool HalveCulprits(const std::vector<char>& freedoms, double least)
+  bool HalveCulprits(const std::vector<char>& freedoms, double minimum)
   {
-    std::vector<char> near = PointsOfBad(this->Solid, least);
+    std::vector<char> near = MarkPointsOfBadHexahedra(this->Solid, minimum);
     GrowRings(this->Solid.Hexahedra, 1, near);
     bool found = false;
     for (std::size_t point = 0; point < freedoms.size(); ++point)
@@ -145,13 +145,13 @@ private:
   /// Of each place that is far the nearest point of the quad there.
   std::vector<int> NearestPoints() const
   {
-    Eigen::MatrixXd places(this->Far.size(), 3);
+    Eigen::MatrixXd positions(this->Far.size(), 3);
     for (std::size_t i = 0; i < this->Far.size(); ++i)
     {
-      places.row(static_cast<Eigen::Index>(i)) = this->Far[i].OnBoundary;
+      positions.row(static_cast<Eigen::Index>(i)) = this->Far[i].OnBoundary;
     }
     const Eigen::VectorXi triangles =
-      SurfaceLocator({ this->Solid.Points, this->Triangles }).Find(places).Triangles;
+      SurfaceLocator({ this->Solid.Points, this->Triangles }).Find(positions).Triangles;
     std::vector<int> nearest;
     for (std::size_t i = 0; i < this->Far.size(); ++i)
     {
@@ -169,14 +169,14 @@ private:
   /// none.
   std::vector<char> Snap()
   {
-    constexpr double leastShare = 0.2;
+    constexpr double minimumShare = 0.2;
     const std::vector<int> nearest = this->NearestPoints();
     std::vector<char> marked, taken(this->Solid.Points.rows(), 0);
     for (std::size_t i = 0; i < nearest.size(); ++i)
     {
       const int point = nearest[i];
       const Eigen::RowVector3d& there = this->Far[i].OnSurface;
-      if (taken[point] || this->Given.Freedom(point) != 2 || this->Share[point] < leastShare ||
+      if (taken[point] || this->Given.Freedom(point) != 2 || this->Share[point] < minimumShare ||
         (this->Constraint.Nearest(point, there) - there).norm() > 0.5 * this->Far[i].Distance)
       {
         continue;
@@ -201,18 +201,19 @@ private:
   const Eigen::MatrixXi Triangles;
   const SurfaceLocator& Surface;
   const PointConstraint& Given;
-  GivenFreedoms Constraint;
+  OverridableConstraint Constraint;
   std::vector<double> Share; ///< of the way that a point is put
   const double Wanted;
   std::vector<std::vector<int>> QuadsAround; ///< of each point
   double Reached = 0.0;
-  std::vector<FarPlace> Far;
+  std::vector<FarPosition> Far;
 };
 
 } // namespace
 
-double SnapToFarPlaces(HexMesh& mesh, const Eigen::MatrixXi& quads, const SurfaceLocator& surface,
-  const PointConstraint& constraint, const SnappingOptions& options, const Progress& progress)
+double SnapToFarPositions(HexMesh& mesh, const Eigen::MatrixXi& quads,
+  const SurfaceLocator& surface, const PointConstraint& constraint, const SnappingOptions& options,
+  const Progress& progress)
 {
   Snapper snapper(mesh, quads, surface, constraint, options.WantedDistance);
   for (int round = 0; round < options.Rounds && snapper.Distance() > options.WantedDistance;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/HexMesh.h"
 #include "Base/Progress.h"
+#include "Mesh/HexMesh.h"
 #include "Search/ClosestPoint.h"
 #include "Untangle/SimplexPatch.h"
 
@@ -31,7 +31,8 @@ struct SnappingOptions
  * constraint: of all points. Returns the larger one-sided Hausdorff distance between the surface
  * and the quads. Throws Aborted.
  */
-double SnapToFarPlaces(HexMesh& mesh, const Eigen::MatrixXi& quads, const SurfaceLocator& surface,
-  const PointConstraint& constraint, const SnappingOptions& options, const Progress& progress = {});
+double SnapToFarPositions(HexMesh& mesh, const Eigen::MatrixXi& quads,
+  const SurfaceLocator& surface, const PointConstraint& constraint, const SnappingOptions& options,
+  const Progress& progress = {});
 
 } // namespace shape

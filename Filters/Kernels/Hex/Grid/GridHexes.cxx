@@ -1,13 +1,13 @@
 #include "Hex/Grid/GridHexes.h"
 
 #include "Base/Errors.h"
-#include "Search/ClosestPoint.h"
-#include "Hex/Voxels/PlacesToMagnify.h"
-#include "Hex/Voxels/RegionCubes.h"
-#include "Hex/Grid/Private/SeparateSolids.h"
-#include "Remesh/SurfaceFeatures.h"
 #include "Distance/HausdorffDistance.h"
+#include "Hex/Grid/Private/SeparateSolids.h"
+#include "Hex/Voxels/MultiMaterialVoxels.h"
+#include "Hex/Voxels/RefinementSeeds.h"
 #include "Quality/ScaledJacobian.h"
+#include "Remesh/SurfaceFeatures.h"
+#include "Search/ClosestPoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ constexpr double Shrinkage = 0.85;
 /// the solid asks for smaller cells.
 constexpr double Growth = 1.4, LargeGrowth = 3.0;
 /// The area of the smallest patch with borders of its own, in faces of cells.
-constexpr double LeastPatch = 4.0;
+constexpr double MinimumPatch = 4.0;
 /// What is good enough not to go on to smaller cells everywhere.
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
 /// The worst scaled Jacobian that may well become an accepted one by more time spent on it.
@@ -38,7 +38,7 @@ constexpr double SnappedFrom = 2.0;
 /// How much better smaller cells must make the result for still smaller ones to be tried.
 constexpr double LeastGain = 0.02;
 /// After so many rounds without such a gain no more are made.
-constexpr int MostIdle = 2;
+constexpr int MaximumIdleSteps = 2;
 
 class GridSearch
 {
@@ -49,17 +49,17 @@ public:
     , Regions(surface, innerSurfaces, progress)
     , Cubes(this->Regions.Outer())
     , Bounding(this->Cubes.Boundary().Surface)
-    , Diagonal(
-        options.Diagonal > 0.0 ? options.Diagonal : BoxDiagonal(this->Cubes.Surface().Points))
-    , AllFeatures(FindFeatures(this->Bounding.Surface(), options.FeatureAngle, 0.0))
+    , Diagonal(options.Diagonal > 0.0 ? options.Diagonal
+                                      : ComputeBoxDiagonal(this->Cubes.Surface().Points))
+    , AllFeatures(FindFeatures(this->Bounding.GetSurface(), options.FeatureAngle, 0.0))
   {
-    for (const SolidCubes& inner : this->Regions.Inner())
+    for (const TopologyPreservingVoxels& inner : this->Regions.Inner())
     {
-      this->InnerBounding.emplace_back(inner.Surface());
+      this->InnerBounding.emplace_back(inner.GetSurface());
     }
   }
 
-  double LeastSize(const GridWarp& warp = GridWarp()) const
+  double MinimumSize(const GridDensity& warp = GridDensity()) const
   {
     return this->Cubes.CellSizeFor(this->Options.MaximumHexahedra, warp);
   }
@@ -69,13 +69,13 @@ public:
   /// the next.
   double Refine(double size, double hexahedra, int rounds, const Progress& progress)
   {
-    std::vector<Magnifier> magnifiers = this->Options.Magnifiers;
+    std::vector<RefinementSeed> magnifiers = this->Options.Seeds;
     double growth = Growth;
     double reached = -std::numeric_limits<double>::infinity();
     int idle = 0; // rounds without a gain
     for (int round = 0; round < rounds; ++round)
     {
-      const GridWarp warp(magnifiers);
+      const GridDensity warp(magnifiers);
       const Progress part =
         progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
       const double first = size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp);
@@ -112,7 +112,7 @@ public:
         this->Best = std::move(*result);
         this->BestIsSnapped = isSnapped;
       }
-      if (isLast || idle >= MostIdle)
+      if (isLast || idle >= MaximumIdleSteps)
       {
         break;
       }
@@ -166,7 +166,7 @@ public:
         ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
     }
     const HexFit& fit = this->Best->Fit;
-    if (fit.Inverted == 0 && fit.LeastScaledJacobian < AcceptedScaledJacobian)
+    if (fit.Inverted == 0 && fit.MinimumScaledJacobian < AcceptedScaledJacobian)
     {
       this->Raise(*this->Best, progress.Part(0.0, 0.3));
     }
@@ -182,10 +182,11 @@ public:
 
 private:
   /// The hexahedra that cells of this size make, or of a smaller one that has the topology.
-  std::optional<GridHexesResult> Fill(double size, const GridWarp& warp, const Progress& progress)
+  std::optional<GridHexesResult> Fill(
+    double size, const GridDensity& warp, const Progress& progress)
   {
-    const double least = this->LeastSize(warp);
-    for (; size >= least * (1.0 - 1e-9); size *= Shrinkage)
+    const double minimum = this->MinimumSize(warp);
+    for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
     {
       if (const std::optional<RegionCells> cells =
             this->Regions.Fill(size, warp, progress.Part(0.0, 0.1)))
@@ -194,13 +195,13 @@ private:
         result.CellSize = size;
         result.Crossings = this->Cubes.Boundary().Crossings;
         result.Features = FindFeatures(
-          this->Bounding.Surface(), this->Options.FeatureAngle, LeastPatch * size * size);
+          this->Bounding.GetSurface(), this->Options.FeatureAngle, MinimumPatch * size * size);
         result.InnerCreasesKept =
           std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
             [&](const SurfaceLocator& inner)
             {
               return FindFeatures(
-                inner.Surface(), this->Options.FeatureAngle, LeastPatch * size * size)
+                inner.GetSurface(), this->Options.FeatureAngle, MinimumPatch * size * size)
                 .Curves.empty();
             });
         result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, this->FitOptions(),
@@ -237,23 +238,24 @@ private:
   bool AreOnlyCornersBad(const GridHexesResult& result) const
   {
     return this->Reaches(result, 0.0, AcceptedDistance) && this->HasWantedCreases(result) &&
-      LeastScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
+      FindMinimumScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
       AcceptedScaledJacobian;
   }
 
   /// Where the boundary's points were moved, those of interfaces near them were, too.
   void MeasureInner(HexFit& fit) const
   {
-    fit.InnerDistance = InnerDistance(fit.Solid.Points, fit.Interfaces, this->InnerBounding);
+    fit.InnerDistance =
+      ComputeInterfaceDistance(fit.Solid.Points, fit.Interfaces, this->InnerBounding);
   }
 
   /// Puts the boundary on what is farther than wanted.
-  void Snap(
-    GridHexesResult& result, const Progress& progress, double least = AcceptedScaledJacobian) const
+  void Snap(GridHexesResult& result, const Progress& progress,
+    double minimum = AcceptedScaledJacobian) const
   {
     SnappingOptions options;
     options.WantedDistance = this->Options.WantedDistance * this->Diagonal;
-    options.ScaledJacobians = { this->Options.WantedScaledJacobian, least };
+    options.ScaledJacobians = { this->Options.WantedScaledJacobian, minimum };
     if (this->Options.Snap && result.Fit.Inverted == 0 &&
       result.Fit.Distance > options.WantedDistance)
     {
@@ -270,9 +272,9 @@ private:
     const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
     const bool isSmooth = !hasCreases && this->InnerBounding.empty();
     if (result.Fit.Inverted > 0 ||
-      (isSmooth && result.Fit.LeastScaledJacobian < AcceptedScaledJacobian))
+      (isSmooth && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian))
     {
-      ReleaseBad(
+      RelaxBoundaryAroundBad(
         result.Fit, this->Bounding, AcceptedDistance * this->Diagonal, progress.Part(0.0, 0.9));
       this->MeasureInner(result.Fit);
     }
@@ -282,9 +284,9 @@ private:
   /// than it gains.
   void SnapAndRelease(GridHexesResult& result, const Progress& progress) const
   {
-    constexpr double least = 0.2;
+    constexpr double minimum = 0.2;
     GridHexesResult snapped = result;
-    this->Snap(snapped, progress.Part(0.0, 0.7), least);
+    this->Snap(snapped, progress.Part(0.0, 0.7), minimum);
     this->Release(snapped, progress.Part(0.7, 1.0));
     if (this->Score(snapped) > this->Score(result))
     {
@@ -296,7 +298,7 @@ private:
   void Raise(GridHexesResult& result, const Progress& progress) const
   {
     GridHexesResult raised = result;
-    RaiseWorst(raised.Fit, this->Bounding, progress);
+    ImproveWorst(raised.Fit, this->Bounding, progress);
     this->MeasureInner(raised.Fit);
     if (this->Score(raised) > this->Score(result))
     {
@@ -321,7 +323,7 @@ private:
 
   bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance) const
   {
-    return result.Fit.LeastScaledJacobian >= scaledJacobian &&
+    return result.Fit.MinimumScaledJacobian >= scaledJacobian &&
       Distance(result) <= distance * this->Diagonal;
   }
 
@@ -340,7 +342,7 @@ private:
       return -fit.Inverted;
     }
     const bool accepted = this->Reaches(result, AcceptedScaledJacobian, AcceptedDistance);
-    return std::min(fit.LeastScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
+    return std::min(fit.MinimumScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
       std::min(this->Options.WantedDistance * this->Diagonal / Distance(result), 1.0) +
       std::min(this->Options.WantedCreaseDistance * this->Diagonal / fit.Creases.Distance, 1.0) +
       (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
@@ -349,24 +351,25 @@ private:
   /// Adds magnifiers where the surfaces or their creases are far from each other, at corners that
   /// patches too small for the cells have, and at bad hexahedra. Whether these are for most of the
   /// solid.
-  bool Magnify(const GridHexesResult& result, std::vector<Magnifier>& magnifiers) const
+  bool Magnify(const GridHexesResult& result, std::vector<RefinementSeed>& magnifiers) const
   {
     const HexMesh& solid = result.Fit.Solid;
-    PlacesToMagnify places(result.CellSize);
+    RefinementSeeds positions(result.CellSize);
     const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
     {
-      places.AddFar(DistancesBetween(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
+      positions.AddDistant(
+        ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
         this->Options.WantedDistance * this->Diagonal);
     };
-    addFarOnSurface(this->Bounding.Surface(), result.Fit.Quads);
+    addFarOnSurface(this->Bounding.GetSurface(), result.Fit.Quads);
     for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
     {
-      addFarOnSurface(this->InnerBounding[i].Surface(), result.Fit.Interfaces[i]);
+      addFarOnSurface(this->InnerBounding[i].GetSurface(), result.Fit.Interfaces[i]);
     }
     if (result.Fit.CreasesKept)
     {
-      places.AddFar(DistancesOfCurves(this->Bounding.Surface(), result.Features, solid.Points,
-                      result.Fit.Quads, result.Fit.PatchOf),
+      positions.AddDistant(ComputeDistancesToCurves(this->Bounding.GetSurface(), result.Features,
+                             solid.Points, result.Fit.Quads, result.Fit.PatchOf),
         this->Options.WantedCreaseDistance * this->Diagonal);
     }
     for (const int corner : this->AllFeatures.Corners)
@@ -374,18 +377,18 @@ private:
       if (!result.Features.Curves.empty() &&
         !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
       {
-        places.Add(this->Bounding.Surface().Points.row(corner));
+        positions.Add(this->Bounding.GetSurface().Points().row(corner));
       }
     }
-    places.AddBad(solid, AcceptedScaledJacobian);
-    magnifiers.insert(magnifiers.end(), places.Magnifiers().begin(), places.Magnifiers().end());
-    return places.AreMostOf(solid.Hexahedra.rows());
+    positions.AddBad(solid, AcceptedScaledJacobian);
+    magnifiers.insert(magnifiers.end(), positions.Seeds().begin(), positions.Seeds().end());
+    return positions.AreMostOf(solid.Hexahedra.rows());
   }
 
   const GridHexesOptions& Options;
-  RegionCubes Regions;
-  const SolidCubes& Cubes;       ///< of the whole solid
-  const SurfaceLocator Bounding; ///< what bounds it
+  MultiMaterialVoxels Regions;
+  const TopologyPreservingVoxels& Cubes; ///< of the whole solid
+  const SurfaceLocator Bounding;         ///< what bounds it
   std::vector<SurfaceLocator> InnerBounding;
   const double Diagonal;
   const SurfaceFeatures AllFeatures; ///< patches of any size
@@ -417,12 +420,12 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
   GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
   if (options.CellSize > 0.0)
   {
-    const double least = search.LeastSize(GridWarp(options.Magnifiers));
-    if (options.CellSize < least)
+    const double minimum = search.MinimumSize(GridDensity(options.Seeds));
+    if (options.CellSize < minimum)
     {
       throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
         ", which makes more than " + std::to_string(options.MaximumHexahedra) +
-        " hexahedra; at least " + std::to_string(least) +
+        " hexahedra; at least " + std::to_string(minimum) +
         " is needed, or a greater MaximumHexahedra");
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
@@ -431,7 +434,7 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
   double begin = 0.05, before = -std::numeric_limits<double>::infinity();
   double hexahedra = std::min<double>(options.FirstHexahedra, options.MaximumHexahedra);
   int rounds = options.Rounds, idle = 0; // idle: grids without a gain
-  while (hexahedra <= options.MaximumHexahedra && idle < MostIdle)
+  while (hexahedra <= options.MaximumHexahedra && idle < MaximumIdleSteps)
   {
     const double end = 0.5 * (begin + 0.95);
     const double growth = search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
@@ -453,7 +456,7 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
 GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& solids,
   const GridHexesOptions& options, const Progress& progress)
 {
-  const std::vector<double> shares = SharesOfSolids(solids);
+  const std::vector<double> shares = ComputeVolumeShares(solids);
   std::vector<HexFit> fits;
   std::vector<SurfaceFeatures> features;
   GridHexesResult result;
@@ -461,7 +464,7 @@ GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& sol
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
     GridHexesOptions own = options;
-    own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : BoxDiagonal(surface.Points);
+    own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : ComputeBoxDiagonal(surface.Points);
     own.FirstHexahedra = shares[i] * options.FirstHexahedra;
     own.MaximumHexahedra = std::max(1, static_cast<int>(shares[i] * options.MaximumHexahedra));
     GridHexesResult one = OfOneGrid(solids[i], own, progress.Part(begin, begin + shares[i]), {});
@@ -471,20 +474,20 @@ GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& sol
     result.CellSize = std::max(result.CellSize, one.CellSize);
     result.Rounds = std::max(result.Rounds, one.Rounds);
   }
-  result.Fit = JoinedFit(fits);
-  result.Features = JoinedFeatures(features, solids);
+  result.Fit = JoinFits(fits);
+  result.Features = JoinFeatures(features, solids);
   return result;
 }
 
 } // namespace
 
-GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options,
+GridHexesResult BuildGridHexahedra(const Mesh& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
   RequireInRange(options);
   if (innerSurfaces.empty())
   {
-    const std::vector<Mesh> solids = SeparateSolids(surface, progress.Part(0.0, 0.02));
+    const std::vector<Mesh> solids = SplitSolids(surface, progress.Part(0.0, 0.02));
     if (!solids.empty())
     {
       return OfSeveralGrids(surface, solids, options, progress.Part(0.02, 1.0));

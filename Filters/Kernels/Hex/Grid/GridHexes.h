@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Hex/Voxels/GridWarp.h"
 #include "Hex/Fit/HexFit.h"
+#include "Hex/Voxels/GridDensity.h"
+#include "Mesh/Mesh.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <vector>
@@ -30,7 +30,7 @@ struct GridHexesOptions
   /// The same of the distance between creases.
   double WantedCreaseDistance = 0.001;
   bool Snap = true; ///< whether points are put on what is farther than wanted (SnapToSurface)
-  std::vector<Magnifier> Magnifiers; ///< of the space of the first grid; with a CellSize
+  std::vector<RefinementSeed> Seeds; ///< of the space of the first grid; with a CellSize
   int Rounds = 6; ///< of making cells smaller where the result is not as wanted; >= 1
 };
 
@@ -56,26 +56,27 @@ struct GridHexesResult
  *
  * Where the result is farther from the surface than wanted, or has bad hexahedra, the next grid is
  * one of smaller cells there: space is magnified around these places before the grid is laid
- * (GridWarp), and the connections stay those of a regular grid. The best result is kept. What is
+ * (GridDensity), and the connections stay those of a regular grid. The best result is kept. What is
  * near the wanted distance, and the best one, are snapped to what is farther (SnapToSurface).
  *
  * The boundary of the result is a manifold of the surface's Euler number and number of components.
  * Cells become smaller until that is so: thin parts and narrow gaps ask for it. Where the surface
- * crosses itself the solid is what it winds around at least once (SolidCubes).
+ * crosses itself the solid is what it winds around at least once (TopologyPreservingVoxels).
  * Where hexahedra of the best grid are inverted or bad, points around them leave the surface
- * (ReleaseBad).
+ * (RelaxBoundaryAroundBad).
  *
- * Several solids that are apart (SeparateSolids) have grids of their own, so that gaps between them
+ * Several solids that are apart (SplitSolids) have grids of their own, so that gaps between them
  * need no small cells; each has a share of the hexahedra by its volume, at least some. Features are
  * of their surfaces, one after the other, then.
  *
- * Inner surfaces are borders between regions (RegionCubes): hexahedra of two regions meet on them.
+ * Inner surfaces are borders between regions (MultiMaterialVoxels): hexahedra of two regions meet
+ * on them.
  *
  * surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface and
- * RegionCubes, and where options are out of range; SolveFailure where no grid of so few cells has
- * the topology of the surface, Aborted.
+ * MultiMaterialVoxels, and where options are out of range; SolveFailure where no grid of so few
+ * cells has the topology of the surface, Aborted.
  */
-GridHexesResult GridHexes(const Mesh& surface, const GridHexesOptions& options = {},
+GridHexesResult BuildGridHexahedra(const Mesh& surface, const GridHexesOptions& options = {},
   const Progress& progress = {}, const std::vector<Mesh>& innerSurfaces = {});
 
 } // namespace shape

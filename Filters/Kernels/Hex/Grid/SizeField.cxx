@@ -18,8 +18,8 @@ namespace
 /// Of the natural logarithm of a size: what is not mended, and what is too large or too small.
 const double Tolerated = std::log(1.1), Accepted = std::log(1.2);
 /// No magnifier is smaller than so many cells, where it stands.
-constexpr double LeastRadius = 3.0;
-constexpr int MostMagnifiers = 400;
+constexpr double MinimumRadius = 3.0;
+constexpr int MaximumSeeds = 400;
 
 class SizeFit
 {
@@ -28,18 +28,18 @@ public:
   {
     constexpr int count = 3000;
     constexpr unsigned int seed = 1;
-    const Eigen::MatrixXd spread = RandomPlaces(surface, count, seed);
+    const Eigen::MatrixXd spread = SampleRandomly(surface, count, seed);
     // Small parts with small cells have points, if not much area.
     const Eigen::Index stride = surface.Points.rows() / count + 1;
     const Eigen::Index points = (surface.Points.rows() + stride - 1) / stride;
-    this->Places.resize(count + points, 3);
-    this->Places.topRows(count) = spread;
+    this->Positions.resize(count + points, 3);
+    this->Positions.topRows(count) = spread;
     for (Eigen::Index i = 0; i < points; ++i)
     {
-      this->Places.row(count + i) = surface.Points.row(i * stride);
+      this->Positions.row(count + i) = surface.Points.row(i * stride);
     }
-    const ClosestPoints closest = SurfaceLocator(surface).Find(this->Places);
-    this->Wanted = Pulled(closest, surface.Triangles, sizes).col(0).array().log();
+    const ClosestPoints closest = SurfaceLocator(surface).Find(this->Positions);
+    this->Wanted = PullBack(closest, surface.Triangles, sizes).col(0).array().log();
     this->Stretch = Eigen::VectorXd::Zero(this->Wanted.size());
     this->CellSize = this->Wanted.mean();
   }
@@ -57,50 +57,49 @@ public:
     std::vector<int> order;
     for (int i = 0; i < static_cast<int>(excess.size()); ++i)
     {
-      if (excess(i) > Tolerated && radius > LeastRadius * std::exp(this->Wanted(i)))
+      if (excess(i) > Tolerated && radius > MinimumRadius * std::exp(this->Wanted(i)))
       {
         order.push_back(i);
       }
     }
     std::stable_sort(
       order.begin(), order.end(), [&](int a, int b) { return excess(a) > excess(b); });
-    const std::size_t before = this->Magnifiers.size();
+    const std::size_t before = this->Seeds.size();
     for (const int i : order)
     {
-      const Eigen::RowVector3d centre = this->Places.row(i);
-      if (this->Magnifiers.size() < MostMagnifiers &&
-        std::none_of(this->Magnifiers.begin() + static_cast<std::ptrdiff_t>(before),
-          this->Magnifiers.end(),
-          [&](const Magnifier& other) { return (other.Centre - centre).norm() < radius; }))
+      const Eigen::RowVector3d centre = this->Positions.row(i);
+      if (this->Seeds.size() < MaximumSeeds &&
+        std::none_of(this->Seeds.begin() + static_cast<std::ptrdiff_t>(before), this->Seeds.end(),
+          [&](const RefinementSeed& other) { return (other.Centre - centre).norm() < radius; }))
       {
-        this->Magnifiers.push_back({ centre, radius, 0.0 });
+        this->Seeds.push_back({ centre, radius, 0.0 });
       }
     }
-    return this->Magnifiers.size() > before;
+    return this->Seeds.size() > before;
   }
 
   /// One step of Gauss and Newton's for all strengths and the size of the grid.
   void Step()
   {
     constexpr double ridge = 1e-3;
-    const auto count = static_cast<Eigen::Index>(this->Magnifiers.size());
-    const Eigen::MatrixXd moved = GridWarp(this->Magnifiers).Forward(this->Places);
-    Eigen::MatrixXd slopes(this->Places.rows(), count + 1);
+    const auto count = static_cast<Eigen::Index>(this->Seeds.size());
+    const Eigen::MatrixXd moved = GridDensity(this->Seeds).Forward(this->Positions);
+    Eigen::MatrixXd slopes(this->Positions.rows(), count + 1);
     for (Eigen::Index j = 0; j < count; ++j)
     {
       // The divergence of the velocity at both ends of the way.
-      const Magnifier& magnifier = this->Magnifiers[j];
+      const RefinementSeed& magnifier = this->Seeds[j];
       for (Eigen::Index i = 0; i < slopes.rows(); ++i)
       {
-        slopes(i, j) =
-          0.5 * (Divergence(magnifier, this->Places.row(i)) + Divergence(magnifier, moved.row(i)));
+        slopes(i, j) = 0.5 *
+          (Divergence(magnifier, this->Positions.row(i)) + Divergence(magnifier, moved.row(i)));
       }
     }
     slopes.col(count).setConstant(-1.0);
     Eigen::VectorXd strengths(count + 1);
     for (Eigen::Index j = 0; j < count; ++j)
     {
-      strengths(j) = this->Magnifiers[j].Strength;
+      strengths(j) = this->Seeds[j].Strength;
     }
     strengths(count) = 0.0;
     Eigen::MatrixXd normal = slopes.transpose() * slopes;
@@ -111,7 +110,7 @@ public:
     const Eigen::VectorXd step = normal.ldlt().solve(right);
     for (Eigen::Index j = 0; j < count; ++j)
     {
-      this->Magnifiers[j].Strength += step(j);
+      this->Seeds[j].Strength += step(j);
     }
     this->CellSize += step(count);
     this->FindStretch();
@@ -122,35 +121,35 @@ public:
     const Eigen::ArrayXd excess = this->Excess();
     const auto share = [&](const auto& holds)
     { return static_cast<double>(holds.count()) / static_cast<double>(excess.size()); };
-    return { this->Magnifiers, std::exp(this->CellSize), share(excess <= Accepted),
+    return { this->Seeds, std::exp(this->CellSize), share(excess <= Accepted),
       share(excess >= -Accepted) };
   }
 
 private:
   /// A third of the divergence of a magnifier's velocity at strength 1.
-  static double Divergence(const Magnifier& magnifier, const Eigen::RowVector3d& place)
+  static double Divergence(const RefinementSeed& magnifier, const Eigen::RowVector3d& position)
   {
     const double scaled =
-      (place - magnifier.Centre).squaredNorm() / (magnifier.Radius * magnifier.Radius);
+      (position - magnifier.Centre).squaredNorm() / (magnifier.Radius * magnifier.Radius);
     return (1.0 - scaled / 3.0) * std::exp(-0.5 * scaled);
   }
 
   /// The logarithm of the flow's stretch, the cubic root of its determinant, at the places.
   void FindStretch()
   {
-    const GridWarp warp(this->Magnifiers);
-    double least = this->Magnifiers.front().Radius;
-    for (const Magnifier& magnifier : this->Magnifiers)
+    const GridDensity warp(this->Seeds);
+    double minimum = this->Seeds.front().Radius;
+    for (const RefinementSeed& magnifier : this->Seeds)
     {
-      least = std::min(least, magnifier.Radius);
+      minimum = std::min(minimum, magnifier.Radius);
     }
-    const double step = 1e-3 * least;
+    const double step = 1e-3 * minimum;
     Eigen::MatrixXd slopes[3];
     for (int axis = 0; axis < 3; ++axis)
     {
       const Eigen::RowVector3d way = step * Eigen::RowVector3d::Unit(axis);
-      slopes[axis] =
-        (warp.Forward(this->Places.rowwise() + way) - warp.Forward(this->Places.rowwise() - way)) /
+      slopes[axis] = (warp.Forward(this->Positions.rowwise() + way) -
+                       warp.Forward(this->Positions.rowwise() - way)) /
         (2.0 * step);
     }
     for (Eigen::Index i = 0; i < this->Stretch.size(); ++i)
@@ -161,11 +160,11 @@ private:
     }
   }
 
-  Eigen::MatrixXd Places;
+  Eigen::MatrixXd Positions;
   Eigen::VectorXd Wanted;  ///< logarithms of the sizes
   Eigen::VectorXd Stretch; ///< logarithms
   double CellSize;         ///< a logarithm
-  std::vector<Magnifier> Magnifiers;
+  std::vector<RefinementSeed> Seeds;
 };
 
 } // namespace
@@ -190,11 +189,12 @@ void RequireSizes(const Mesh& surface, const Eigen::VectorXd& sizes)
   }
 }
 
-SizedGrid GridOfSizes(const Mesh& surface, const Eigen::VectorXd& sizes, const Progress& progress)
+SizedGrid BuildSizedGrid(
+  const Mesh& surface, const Eigen::VectorXd& sizes, const Progress& progress)
 {
   SizeFit fit(surface, sizes);
   constexpr int levels = 7, steps = 3;
-  double radius = 0.5 * LongestSide(surface.Points);
+  double radius = 0.5 * ComputeLongestBoxEdge(surface.Points);
   for (int level = 0; level < levels; ++level, radius *= 0.5)
   {
     if (fit.Add(radius))
@@ -210,17 +210,18 @@ SizedGrid GridOfSizes(const Mesh& surface, const Eigen::VectorXd& sizes, const P
   return fit.Result();
 }
 
-Eigen::VectorXd SizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const Mesh& surface, const Eigen::VectorXd& sizes)
 {
-  Eigen::MatrixXd middles(quads.rows(), 3);
+  Eigen::MatrixXd midpoints(quads.rows(), 3);
   for (Eigen::Index q = 0; q < quads.rows(); ++q)
   {
-    middles.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
+    midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
   }
   const Eigen::VectorXd wanted =
-    Pulled(SurfaceLocator(surface).Find(middles), surface.Triangles, sizes).col(0);
-  const Eigen::VectorXd areas = 0.5 * AreaVectors({ points, SplitQuads(quads) }).rowwise().norm();
+    PullBack(SurfaceLocator(surface).Find(midpoints), surface.Triangles, sizes).col(0);
+  const Eigen::VectorXd areas =
+    0.5 * ComputeAreaVectors({ points, SplitQuads(quads) }).rowwise().norm();
   Eigen::VectorXd ratios(quads.rows());
   for (Eigen::Index q = 0; q < quads.rows(); ++q)
   {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
-#include "Hex/Voxels/GridWarp.h"
+#include "Hex/Voxels/GridDensity.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -14,7 +14,7 @@ namespace shape
 /// A grid whose cells have given sizes along a surface.
 struct SizedGrid
 {
-  std::vector<Magnifier> Magnifiers; ///< of the space that the grid is laid in
+  std::vector<RefinementSeed> Seeds; ///< of the space that the grid is laid in
   double CellSize = 0.0;             ///< of a cell there
   /// Shares of the surface's area where cells are at most 1.2 times as large as wanted, and at
   /// least 1 / 1.2 times.
@@ -33,7 +33,7 @@ struct SizedGrid
  * surface: its triangles are all used. sizes (n): > 0, in the surface's units; between its points
  * they are linear. Throws Aborted.
  */
-SizedGrid GridOfSizes(
+SizedGrid BuildSizedGrid(
   const Mesh& surface, const Eigen::VectorXd& sizes, const Progress& progress = {});
 
 /// Throws InvalidInput unless there is a positive, finite size for each of the surface's points.
@@ -41,7 +41,7 @@ void RequireSizes(const Mesh& surface, const Eigen::VectorXd& sizes);
 
 /// The sizes of quads (q: the root of the area of each), divided by the size that is
 /// wanted at the place of the surface closest to its middle.
-Eigen::VectorXd SizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const Mesh& surface, const Eigen::VectorXd& sizes);
 
 } // namespace shape

@@ -17,10 +17,10 @@ Eigen::VectorXd Corrected(const Mesh& surface, const Eigen::VectorXd& sizes,
   const Eigen::VectorXd& asked, const HexFit& fit, const Eigen::VectorXd& ratios)
 {
   constexpr double reach = 3.0; // sizes
-  Eigen::MatrixXd middles(fit.Quads.rows(), 3);
+  Eigen::MatrixXd midpoints(fit.Quads.rows(), 3);
   for (Eigen::Index q = 0; q < fit.Quads.rows(); ++q)
   {
-    middles.row(q) = fit.Solid.Points(fit.Quads.row(q), Eigen::all).colwise().mean();
+    midpoints.row(q) = fit.Solid.Points(fit.Quads.row(q), Eigen::all).colwise().mean();
   }
   const Eigen::ArrayXd logarithms = ratios.array().log();
   Eigen::VectorXd corrected = asked;
@@ -31,7 +31,7 @@ Eigen::VectorXd Corrected(const Mesh& surface, const Eigen::VectorXd& sizes,
       {
         const double width = reach * sizes(i);
         const Eigen::ArrayXd squared =
-          (middles.rowwise() - surface.Points.row(i)).rowwise().squaredNorm() / (width * width);
+          (midpoints.rowwise() - surface.Points.row(i)).rowwise().squaredNorm() / (width * width);
         // The nearest quads count even where all are far away.
         const Eigen::ArrayXd weights = (0.5 * (squared.minCoeff() - squared)).exp();
         corrected(i) *= std::exp(-(weights * logarithms).sum() / weights.sum());
@@ -42,7 +42,7 @@ Eigen::VectorXd Corrected(const Mesh& surface, const Eigen::VectorXd& sizes,
 
 } // namespace
 
-SizedHexesResult SizedHexes(const Mesh& surface, const Eigen::VectorXd& sizes,
+SizedHexesResult BuildSizedHexahedra(const Mesh& surface, const Eigen::VectorXd& sizes,
   GridHexesOptions options, const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
   RequireSizes(surface, sizes);
@@ -53,13 +53,13 @@ SizedHexesResult SizedHexes(const Mesh& surface, const Eigen::VectorXd& sizes,
   for (const bool last : { false, true })
   {
     const Progress part = last ? progress.Part(0.4, 1.0) : progress.Part(0.0, 0.4);
-    SizedGrid grid = GridOfSizes(surface, asked, part.Part(0.0, 0.2));
+    SizedGrid grid = BuildSizedGrid(surface, asked, part.Part(0.0, 0.2));
     options.CellSize = grid.CellSize;
-    options.Magnifiers = std::move(grid.Magnifiers);
+    options.Seeds = std::move(grid.Seeds);
     options.Rounds = last ? rounds : 1;
-    result.Hexes = GridHexes(surface, options, part.Part(0.2, 1.0), innerSurfaces);
+    result.Hexes = BuildGridHexahedra(surface, options, part.Part(0.2, 1.0), innerSurfaces);
     const HexFit& fit = result.Hexes.Fit;
-    result.Ratios = SizeRatios(fit.Solid.Points, fit.Quads, surface, sizes);
+    result.Ratios = ComputeSizeRatios(fit.Solid.Points, fit.Quads, surface, sizes);
     if (!last)
     {
       asked = Corrected(surface, sizes, asked, fit, result.Ratios);

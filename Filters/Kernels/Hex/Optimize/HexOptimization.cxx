@@ -24,14 +24,14 @@ class Best
 public:
   explicit Best(HexMesh& mesh)
     : Mesh(mesh)
-    , Values(ScaledJacobians(mesh))
+    , Values(ComputeScaledJacobians(mesh))
   {
   }
 
-  void Offer(Eigen::MatrixXd places)
+  void Offer(Eigen::MatrixXd positions)
   {
-    places.swap(this->Mesh.Points);
-    Eigen::VectorXd values = ScaledJacobians(this->Mesh);
+    positions.swap(this->Mesh.Points);
+    Eigen::VectorXd values = ComputeScaledJacobians(this->Mesh);
     const int inverted = Count(values), before = this->Inverted();
     if (inverted < before || (inverted == before && values.minCoeff() >= this->Values.minCoeff()))
     {
@@ -39,12 +39,12 @@ public:
     }
     else
     {
-      places.swap(this->Mesh.Points);
+      positions.swap(this->Mesh.Points);
     }
   }
 
   int Inverted() const { return Count(this->Values); }
-  double Least() const { return this->Values.minCoeff(); }
+  double Minimum() const { return this->Values.minCoeff(); }
 
 private:
   static int Count(const Eigen::VectorXd& values)
@@ -72,7 +72,7 @@ void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
       sweeps.Lower(sharpness, options.Marked, progress.Part(done / steps, (done + 1.0) / steps));
       ++done;
     }
-    best.Offer(sweeps.Places());
+    best.Offer(sweeps.Positions());
   }
 }
 
@@ -100,7 +100,7 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
       constexpr int between = 5; // which are bad changes little by one sweep
       if (sweep % between == 0)
       {
-        marked = PointsOfBad({ sweeps.Places(), mesh.Hexahedra }, options.Bad);
+        marked = MarkPointsOfBadHexahedra({ sweeps.Positions(), mesh.Hexahedra }, options.Bad);
         LeaveMarked(options.Marked, marked);
       }
       if (marked.empty())
@@ -110,7 +110,7 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
       sweeps.Lower(sharpness, marked, progress.Part(done / steps, (done + 1.0) / steps));
       ++done;
     }
-    best.Offer(sweeps.Places());
+    best.Offer(sweeps.Positions());
   }
 }
 
@@ -119,23 +119,23 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, Best& best, const Progress& progress)
 {
   LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
-  constexpr double leastGain = 0.01, share = 0.2;
-  constexpr double most = 0.1; // of the points: where more are concerned it helps too little
+  constexpr double minimumGain = 0.01, share = 0.2;
+  constexpr double maximum = 0.1; // of the points: where more are concerned it helps too little
   constexpr int attempts = 3, rings = 3;
   HexOptimizationOptions longer = options;
   longer.WorstSweeps *= 3;
-  double before = options.RaiseAgainFrom - leastGain;
-  for (int attempt = 0;
-       attempt < attempts && best.Least() < options.RaiseTo && best.Least() >= before + leastGain;
+  double before = options.RaiseAgainFrom - minimumGain;
+  for (int attempt = 0; attempt < attempts && best.Minimum() < options.RaiseTo &&
+       best.Minimum() >= before + minimumGain;
        ++attempt)
   {
     const double begin = 0.4 + share * attempt;
-    before = best.Least();
-    longer.Marked = PointsOfBad(mesh, options.RaiseTo);
+    before = best.Minimum();
+    longer.Marked = MarkPointsOfBadHexahedra(mesh, options.RaiseTo);
     GrowRings(mesh.Hexahedra, rings, longer.Marked);
     LeaveMarked(options.Marked, longer.Marked);
     if (static_cast<double>(std::count(longer.Marked.begin(), longer.Marked.end(), 1)) >
-      most * static_cast<double>(mesh.Points.rows()))
+      maximum * static_cast<double>(mesh.Points.rows()))
     {
       break;
     }
@@ -178,7 +178,7 @@ void SmoothHexahedra(
     mover.Smooth({}, progress.Part(static_cast<double>(sweep) / sweeps, (sweep + 1.0) / sweeps));
   }
   mover.Project();
-  mesh.Points = mover.Places();
+  mesh.Points = mover.Positions();
 }
 
 void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
@@ -188,7 +188,7 @@ void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
   constexpr int rounds = 10;
   for (int round = 0; round < rounds; ++round)
   {
-    std::vector<char> marked = PointsOfBad(mesh, 0.0);
+    std::vector<char> marked = MarkPointsOfBadHexahedra(mesh, 0.0);
     if (marked.empty())
     {
       break;
@@ -196,7 +196,7 @@ void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
     GrowRings(mesh.Hexahedra, round, marked);
     mover.Smooth(
       marked, progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds));
-    mesh.Points = mover.Places();
+    mesh.Points = mover.Positions();
   }
 }
 
@@ -214,7 +214,7 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   }
   Best best(mesh);
   HexOptimizationResult result;
-  result.LeastBefore = best.Least();
+  result.MinimumBefore = best.Minimum();
   result.InvertedBefore = best.Inverted();
   // Sweeps over all points free some of what untangling alone does not.
   constexpr double worstFrom = 0.8; // of the progress
@@ -229,11 +229,11 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
     }
     LowerAll(mesh, constraint, Sharpnesses, options, best, part.Part(0.4, 1.0));
   }
-  if (best.Least() > options.RaiseFrom)
+  if (best.Minimum() > options.RaiseFrom)
   {
     Raise(mesh, constraint, options, best, progress.Part(worstFrom, 1.0));
   }
-  result.LeastAfter = best.Least();
+  result.MinimumAfter = best.Minimum();
   result.InvertedAfter = best.Inverted();
   progress(1.0);
   return result;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/HexMesh.h"
 #include "Base/Progress.h"
+#include "Mesh/HexMesh.h"
 #include "Untangle/SimplexPatch.h"
 
 #include <vector>
@@ -26,8 +26,8 @@ struct HexOptimizationOptions
 
 struct HexOptimizationResult
 {
-  double LeastBefore = 0.0, LeastAfter = 0.0; ///< scaled Jacobians
-  int InvertedBefore = 0, InvertedAfter = 0;  ///< hexahedra with a scaled Jacobian of 0 or less
+  double MinimumBefore = 0.0, MinimumAfter = 0.0; ///< scaled Jacobians
+  int InvertedBefore = 0, InvertedAfter = 0;      ///< hexahedra with a scaled Jacobian of 0 or less
 };
 
 /**

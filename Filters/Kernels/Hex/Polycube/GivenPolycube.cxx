@@ -1,13 +1,13 @@
 #include "Hex/Polycube/GivenPolycube.h"
 
 #include "Base/Errors.h"
+#include "Harmonic/HarmonicVolumeMap.h"
+#include "Hex/Polycube/Private/PolycubeMap.h"
+#include "Hex/Voxels/WellComposedVoxels.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/GridWinding.h"
-#include "Hex/Polycube/Private/PolycubeMap.h"
-#include "Hex/Voxels/VoxelSolid.h"
-#include "Harmonic/HarmonicVolumeMap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ namespace
 /// What counts as the same coordinate, as a share of the polycube's size.
 constexpr double Flatness = 1e-6;
 /// How far from the surface sources may lie, as a share of its diagonal.
-constexpr double FarthestSource = 0.02;
+constexpr double MaximumSourceDistance = 0.02;
 
 /// The coordinates of faces along each axis, ascending. Throws where a triangle is across none.
 std::vector<double> FaceCoordinates(const Mesh& polycube, double size, int axis)
@@ -31,7 +31,7 @@ std::vector<double> FaceCoordinates(const Mesh& polycube, double size, int axis)
   std::vector<double> all;
   for (Eigen::Index t = 0; t < polycube.Triangles.rows(); ++t)
   {
-    const Eigen::Matrix3d corners = Corners(polycube, t);
+    const Eigen::Matrix3d corners = GetCorners(polycube, t);
     if (corners.col(axis).maxCoeff() - corners.col(axis).minCoeff() <= Flatness * size)
     {
       all.push_back(corners.col(axis).mean());
@@ -55,7 +55,7 @@ void RequireAcrossAxes(const Mesh& polycube, double size)
   Eigen::Index first = -1;
   for (Eigen::Index t = 0; t < polycube.Triangles.rows(); ++t)
   {
-    const Eigen::Matrix3d corners = Corners(polycube, t);
+    const Eigen::Matrix3d corners = GetCorners(polycube, t);
     const Eigen::RowVector3d extent = corners.colwise().maxCoeff() - corners.colwise().minCoeff();
     if (extent.minCoeff() > Flatness * size)
     {
@@ -74,7 +74,7 @@ void RequireAcrossAxes(const Mesh& polycube, double size)
 /// The greatest length that faces are at whole multiples of. Throws where there is none.
 double UnitOf(const Mesh& polycube, double size)
 {
-  constexpr double least = 1e-3; // of the size: a thousand cells along it
+  constexpr double minimum = 1e-3; // of the size: a thousand cells along it
   double unit = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -83,7 +83,7 @@ double UnitOf(const Mesh& polycube, double size)
     {
       // Euclid's algorithm, with remainders around 0.
       double other = coordinates[i] - coordinates[0];
-      while (other > 0.1 * least * size)
+      while (other > 0.1 * minimum * size)
       {
         const double remainder = std::abs(std::remainder(unit, other));
         unit = other;
@@ -91,7 +91,7 @@ double UnitOf(const Mesh& polycube, double size)
       }
     }
   }
-  if (unit < least * size)
+  if (unit < minimum * size)
   {
     throw InvalidInput("the Polycube's faces are not at whole multiples of one length, of at least "
                        "a thousandth of its longest side; move them there");
@@ -113,7 +113,7 @@ SampledGrid GridIn(const Mesh& polycube, double cell)
 
 std::vector<char> CellsInside(const Mesh& polycube, const SampledGrid& grid)
 {
-  const Eigen::VectorXi windings = GridWindingNumbers(polycube, grid);
+  const Eigen::VectorXi windings = ComputeGridWindingNumbers(polycube, grid);
   const auto twice = (windings.array() > 1).count();
   if (twice > 0)
   {
@@ -128,8 +128,8 @@ std::vector<char> CellsInside(const Mesh& polycube, const SampledGrid& grid)
 
 void RequireTopology(const HexMesh& cells, const Mesh& surface)
 {
-  const Topology wanted = SurfaceTopology(surface);
-  const Topology found = SurfaceTopology({ cells.Points, SplitQuads(BoundaryQuads(cells)) });
+  const Topology wanted = ComputeTopology(surface);
+  const Topology found = ComputeTopology({ cells.Points, SplitQuads(FindBoundaryQuads(cells)) });
   if (found.NonManifoldEdges > 0 || found.NonManifoldPoints > 0)
   {
     throw InvalidInput("the Polycube touches itself in an edge or a point; move its parts apart");
@@ -145,10 +145,10 @@ void RequireTopology(const HexMesh& cells, const Mesh& surface)
 
 void RequireSourcesOn(const Eigen::MatrixXd& sources, const Mesh& surface)
 {
-  const double diagonal = BoxDiagonal(surface.Points);
+  const double diagonal = ComputeBoxDiagonal(surface.Points);
   Eigen::Index farthest = 0;
   const double distance = SurfaceLocator(surface).Find(sources).Distances.maxCoeff(&farthest);
-  if (distance > FarthestSource * diagonal)
+  if (distance > MaximumSourceDistance * diagonal)
   {
     throw InvalidInput("the Polycube's SourcePosition lies up to " + std::to_string(distance) +
       " away from the Surface (at point " + std::to_string(farthest) +
@@ -158,8 +158,8 @@ void RequireSourcesOn(const Eigen::MatrixXd& sources, const Mesh& surface)
 
 } // namespace
 
-GivenPolycubeCells CellsOfPolycube(const GivenPolycube& polycube, const Mesh& surface,
-  double cellSize, int most, const Progress& progress)
+GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Mesh& surface,
+  double cellSize, int maximum, const Progress& progress)
 {
   RequireClosedSurface(polycube.Surface, "the Polycube");
   if (polycube.Sources.rows() != polycube.Surface.Points.rows() || polycube.Sources.cols() != 3)
@@ -168,35 +168,35 @@ GivenPolycubeCells CellsOfPolycube(const GivenPolycube& polycube, const Mesh& su
   }
   RequireFinite(polycube.Sources, "the Polycube's SourcePosition");
   RequireSourcesOn(polycube.Sources, surface);
-  const Mesh outer = FacingOutwards(polycube.Surface);
-  const double size = LongestSide(outer.Points);
+  const Mesh outer = OrientOutwards(polycube.Surface);
+  const double size = ComputeLongestBoxEdge(outer.Points);
   RequireAcrossAxes(outer, size);
-  const double unit = UnitOf(outer, size), volume = EnclosedVolume(outer);
+  const double unit = UnitOf(outer, size), volume = ComputeEnclosedVolume(outer);
   // The polycube may be drawn at another scale than the surface.
-  const double scale = std::cbrt(volume / std::abs(EnclosedVolume(surface)));
+  const double scale = std::cbrt(volume / std::abs(ComputeEnclosedVolume(surface)));
   const double wanted = cellSize > 0.0 ? cellSize * scale : std::cbrt(volume / AutomaticCells);
   const double cell = unit / std::max(1.0, std::round(unit / wanted));
-  if (volume / (cell * cell * cell) > most)
+  if (volume / (cell * cell * cell) > maximum)
   {
     throw InvalidInput("the Polycube's unit " + std::to_string(unit) + " makes more than " +
-      std::to_string(most) + " cells; give one with a greater unit (TargetEdgeLength)");
+      std::to_string(maximum) + " cells; give one with a greater unit (TargetEdgeLength)");
   }
   const SampledGrid grid = GridIn(outer, cell);
-  GivenPolycubeCells cells{ VoxelHexahedra(grid, CellsInside(outer, grid)), cell / scale };
+  GivenPolycubeCells cells{ BuildVoxelHexahedra(grid, CellsInside(outer, grid)), cell / scale };
   RequireTopology(cells.Solid, surface);
 
   HarmonicVolumeMapOptions options;
   options.MaximumLevels = 3;
   const HarmonicVolumeMapResult map =
-    HarmonicVolumeMap(outer, polycube.Sources, {}, options, progress.Part(0.0, 0.9));
+    ComputeHarmonicVolumeMap(outer, polycube.Sources, {}, options, progress.Part(0.0, 0.9));
   Eigen::MatrixXd carried = Evaluate(map.Map, cells.Solid.Points);
-  const Eigen::MatrixXi quads = BoundaryQuads(cells.Solid);
+  const Eigen::MatrixXi quads = FindBoundaryQuads(cells.Solid);
   std::vector<int> onBoundary(quads.data(), quads.data() + quads.size());
   std::sort(onBoundary.begin(), onBoundary.end());
   onBoundary.erase(std::unique(onBoundary.begin(), onBoundary.end()), onBoundary.end());
   carried(onBoundary, Eigen::all) =
-    Pulled(SurfaceLocator(outer).Find(cells.Solid.Points(onBoundary, Eigen::all)), outer.Triangles,
-      polycube.Sources);
+    PullBack(SurfaceLocator(outer).Find(cells.Solid.Points(onBoundary, Eigen::all)),
+      outer.Triangles, polycube.Sources);
   cells.Solid.Points = std::move(carried);
   progress(1.0);
   return cells;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Mesh.h"
-#include "Base/Progress.h"
 
 #include <Eigen/Core>
 
@@ -25,15 +25,16 @@ struct GivenPolycubeCells
 
 /**
  * The cells of a regular grid in a polycube, carried to the solid inside a surface by the harmonic
- * map of the polycube's boundary map (HarmonicVolumeMap). The cells are as many to the polycube's
- * unit, the greatest length that all of its faces are at multiples of, as come closest to cellSize.
+ * map of the polycube's boundary map (ComputeHarmonicVolumeMap). The cells are as many to the
+ * polycube's unit, the greatest length that all of its faces are at multiples of, as come closest
+ * to cellSize.
  *
  * surface: closed. cellSize: in the surface's units; 0: about 12,000 cells, or more where the unit
  * asks for them. Throws InvalidInput where the polycube is not closed, has faces that lie across no
  * axis or at no multiples of one length, overlaps itself, has more cells than `most`, sources that
- * are not finite or far from the surface, or another topology; as HarmonicVolumeMap throws.
+ * are not finite or far from the surface, or another topology; as ComputeHarmonicVolumeMap throws.
  */
-GivenPolycubeCells CellsOfPolycube(const GivenPolycube& polycube, const Mesh& surface,
-  double cellSize, int most, const Progress& progress = {});
+GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Mesh& surface,
+  double cellSize, int maximum, const Progress& progress = {});
 
 } // namespace shape

@@ -1,10 +1,10 @@
 #include "Hex/Polycube/Polycube.h"
 
 #include "Base/Errors.h"
-#include "Search/ClosestPoint.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/Charts.h"
 #include "Hex/Polycube/Private/PolycubeMap.h"
+#include "Search/ClosestPoint.h"
 #include "Untangle/SimplexPatch.h"
 
 #include <Eigen/Geometry>
@@ -55,9 +55,9 @@ public:
     return directions;
   }
 
-  Eigen::RowVector3d Nearest(int /*point*/, const Eigen::RowVector3d& place) const override
+  Eigen::RowVector3d Nearest(int /*point*/, const Eigen::RowVector3d& position) const override
   {
-    return place; // the directions keep it in its planes
+    return position; // the directions keep it in its planes
   }
 
 private:
@@ -85,23 +85,24 @@ void RemoveIslands(
       }
     }
   }
-  std::map<int, std::map<int, double>> borders; // of islands, with each label
-  for (const Charts::Border& border : pieces.Borders)
+  std::map<int, std::map<int, double>> boundaries; // of islands, with each label
+  for (const Charts::Border& boundary : pieces.Borders)
   {
     double length = 0.0;
-    for (std::size_t i = 0; i + 1 < border.Points.size(); ++i)
+    for (std::size_t i = 0; i + 1 < boundary.Points.size(); ++i)
     {
       length +=
-        (surface.Points.row(border.Points[i + 1]) - surface.Points.row(border.Points[i])).norm();
+        (surface.Points.row(boundary.Points[i + 1]) - surface.Points.row(boundary.Points[i]))
+          .norm();
     }
-    borders[border.First][pieces.Labels[border.Second]] += length;
-    borders[border.Second][pieces.Labels[border.First]] += length;
+    boundaries[boundary.First][pieces.Labels[boundary.Second]] += length;
+    boundaries[boundary.Second][pieces.Labels[boundary.First]] += length;
   }
   for (Eigen::Index f = 0; f < labels.size(); ++f)
   {
     const int piece = pieces.Of(f);
-    if (const auto around = borders.find(piece);
-        largest.at(origin[piece]) != piece && around != borders.end())
+    if (const auto around = boundaries.find(piece);
+        largest.at(origin[piece]) != piece && around != boundaries.end())
     {
       labels(f) = std::max_element(around->second.begin(), around->second.end(),
         [](const auto& a, const auto& b) {
@@ -116,7 +117,7 @@ void RemoveIslands(
 Eigen::VectorXi TransferLabels(const Mesh& surface, const PolycubeMap& map,
   const SurfaceLocator& coarse, const Progress& progress)
 {
-  const Eigen::VectorXi closest = coarse.Find(Centroids(surface), progress).Triangles;
+  const Eigen::VectorXi closest = coarse.Find(ComputeCentroids(surface), progress).Triangles;
   Eigen::VectorXi labels = map.Labels(closest);
   RemoveIslands(surface, map.Charts.Of(closest), labels);
   for (int round = 0; round < MaximumRelabellings; ++round)
@@ -151,7 +152,7 @@ Eigen::VectorXi TransferLabels(const Mesh& surface, const PolycubeMap& map,
 
 /// Puts the points into the planes of their triangles' charts.
 std::vector<std::array<bool, 3>> Snap(
-  const Mesh& surface, const Charts& charts, Eigen::MatrixXd& places)
+  const Mesh& surface, const Charts& charts, Eigen::MatrixXd& positions)
 {
   // The plane of a chart is where most of it is.
   std::vector<std::vector<double>> coordinates(charts.Count());
@@ -160,7 +161,7 @@ std::vector<std::array<bool, 3>> Snap(
     const int chart = charts.Of(f);
     for (const int v : surface.Triangles.row(f))
     {
-      coordinates[chart].push_back(places(v, charts.Labels[chart] / 2));
+      coordinates[chart].push_back(positions(v, charts.Labels[chart] / 2));
     }
   }
   std::vector<std::array<bool, 3>> fixed(surface.Points.rows(), { false, false, false });
@@ -173,7 +174,7 @@ std::vector<std::array<bool, 3>> Snap(
   {
     for (const int chart : charts.AtPoint[v])
     {
-      places(v, charts.Labels[chart] / 2) = coordinates[chart][0];
+      positions(v, charts.Labels[chart] / 2) = coordinates[chart][0];
       fixed[v][charts.Labels[chart] / 2] = true;
     }
   }
@@ -182,10 +183,10 @@ std::vector<std::array<bool, 3>> Snap(
 
 /// Moves the points of triangles that are turned over, and so many rings around them.
 void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
-  const std::vector<std::array<bool, 3>>& fixed, int rings, Eigen::MatrixXd& places,
+  const std::vector<std::array<bool, 3>>& fixed, int rings, Eigen::MatrixXd& positions,
   const Progress& progress)
 {
-  std::vector<char> marked = TurnedOver({ places, surface.Triangles }, labels);
+  std::vector<char> marked = FindInvertedTriangles({ positions, surface.Triangles }, labels);
   std::vector<char> points(surface.Points.rows(), 0);
   for (int ring = 0; ring < rings; ++ring)
   {
@@ -205,7 +206,7 @@ void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
   // Each triangle is a tetrahedron with a tip of its own, which slides at one height.
   SimplexPatch patch;
   std::vector<std::array<bool, 3>> planes = fixed;
-  Eigen::MatrixXd all = places;
+  Eigen::MatrixXd all = positions;
   std::vector<Eigen::RowVector3d> tips;
   for (int f = 0; f < labels.size(); ++f)
   {
@@ -213,7 +214,7 @@ void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
     {
       continue;
     }
-    const Eigen::Matrix3d corners = Corners(surface, f);
+    const Eigen::Matrix3d corners = GetCorners(surface, f);
     const Eigen::Vector3d first = (corners.row(1) - corners.row(0)).transpose();
     const Eigen::Vector3d second = (corners.row(2) - corners.row(0)).transpose();
     const Eigen::Vector3d normal = first.cross(second);
@@ -225,18 +226,18 @@ void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
     Eigen::Matrix3d edges;
     edges << first, second, (first + second) / 3.0 + height * normal.normalized();
     const auto c = surface.Triangles.row(f);
-    const int tip = static_cast<int>(places.rows() + tips.size());
-    patch.Simplices.push_back({ { c(0), c(1), c(2), tip }, HatGradients(edges) });
+    const int tip = static_cast<int>(positions.rows() + tips.size());
+    patch.Simplices.push_back({ { c(0), c(1), c(2), tip }, ComputeHatGradients(edges) });
     patch.FreePoints.push_back(tip);
-    tips.emplace_back((places.row(c(0)) + places.row(c(1)) + places.row(c(2))) / 3.0 +
-      height * LabelAxis(labels(f)));
+    tips.emplace_back((positions.row(c(0)) + positions.row(c(1)) + positions.row(c(2))) / 3.0 +
+      height * GetLabelAxis(labels(f)));
     planes.push_back({ false, false, false });
     planes.back()[labels(f) / 2] = true;
   }
-  all.conservativeResize(places.rows() + static_cast<Eigen::Index>(tips.size()), 3);
+  all.conservativeResize(positions.rows() + static_cast<Eigen::Index>(tips.size()), 3);
   for (std::size_t i = 0; i < tips.size(); ++i)
   {
-    all.row(places.rows() + i) = tips[i];
+    all.row(positions.rows() + i) = tips[i];
   }
   const InPlanes constraint(planes);
   for (int v = 0; v < static_cast<int>(points.size()); ++v)
@@ -249,8 +250,8 @@ void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
   PatchOptions options;
   options.MaximumSteps = 60;
   options.FromSmoothest = false;
-  LowerEnergy(all, patch, &constraint, options, progress);
-  places = all.topRows(places.rows());
+  MinimizeEnergy(all, patch, &constraint, options, progress);
+  positions = all.topRows(positions.rows());
 }
 
 /// Which charts, those with the most first.
@@ -258,7 +259,7 @@ std::string DescribeTurned(
   const Mesh& polycube, const Eigen::VectorXi& labels, const Charts& charts)
 {
   std::map<int, int> counts;
-  const std::vector<char> turned = TurnedOver(polycube, labels);
+  const std::vector<char> turned = FindInvertedTriangles(polycube, labels);
   for (std::size_t f = 0; f < turned.size(); ++f)
   {
     counts[charts.Of(static_cast<Eigen::Index>(f))] += turned[f];
@@ -270,8 +271,8 @@ std::string DescribeTurned(
   }
   std::sort(order.rbegin(), order.rend());
   std::string text;
-  constexpr std::size_t most = 3;
-  for (std::size_t i = 0; i < std::min(most, order.size()) && order[i].first > 0; ++i)
+  constexpr std::size_t maximum = 3;
+  for (std::size_t i = 0; i < std::min(maximum, order.size()) && order[i].first > 0; ++i)
   {
     text += (i > 0 ? ", " : "") + std::to_string(order[i].first) + " of " +
       DescribeChart(charts, order[i].second);
@@ -281,9 +282,10 @@ std::string DescribeTurned(
 
 } // namespace
 
-PolycubeResult Polycube(const Mesh& given, const PolycubeOptions& options, const Progress& progress)
+PolycubeResult BuildPolycube(
+  const Mesh& given, const PolycubeOptions& options, const Progress& progress)
 {
-  const Mesh surface = FacingOutwards(given);
+  const Mesh surface = OrientOutwards(given);
   PolycubeMapOptions mapOptions;
   mapOptions.Compactness = options.Compactness;
   mapOptions.CellSize = options.TargetEdgeLength;
@@ -300,19 +302,20 @@ PolycubeResult Polycube(const Mesh& given, const PolycubeOptions& options, const
   result.Charts = charts.Count();
   result.Corners = static_cast<int>(std::count_if(charts.AtPoint.begin(), charts.AtPoint.end(),
     [](const std::vector<int>& around) { return around.size() > 2; }));
-  Eigen::MatrixXd places = Pulled(
-    coarse.Find(surface.Points), map.Solid.Triangles, map.Places.topRows(map.Solid.SurfacePoints));
-  const std::vector<std::array<bool, 3>> fixed = Snap(surface, charts, places);
+  Eigen::MatrixXd positions = PullBack(coarse.Find(surface.Points), map.Solid.Triangles,
+    map.Positions.topRows(map.Solid.SurfacePointCount));
+  const std::vector<std::array<bool, 3>> fixed = Snap(surface, charts, positions);
   const auto count = [&]
   {
-    const std::vector<char> turned = TurnedOver({ places, surface.Triangles }, result.Labels);
+    const std::vector<char> turned =
+      FindInvertedTriangles({ positions, surface.Triangles }, result.Labels);
     return std::count(turned.begin(), turned.end(), 1);
   };
   for (const int rings : Rings)
   {
     if (count() > 0)
     {
-      Untangle(scaled, result.Labels, fixed, rings, places, progress.Part(0.85, 1.0));
+      Untangle(scaled, result.Labels, fixed, rings, positions, progress.Part(0.85, 1.0));
     }
   }
   const auto turned = count();
@@ -320,15 +323,16 @@ PolycubeResult Polycube(const Mesh& given, const PolycubeOptions& options, const
   {
     throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) + " charts turns " +
       std::to_string(turned) + " of " + std::to_string(surface.Triangles.rows()) +
-      " triangles over: " + DescribeTurned({ places, surface.Triangles }, result.Labels, charts) +
+      " triangles over: " +
+      DescribeTurned({ positions, surface.Triangles }, result.Labels, charts) +
       "; refine the surface there, or try another Compactness");
   }
-  result.Positions = map.CellSize * places;
+  result.Positions = map.CellSize * positions;
   progress(1.0);
   return result;
 }
 
-int PolygonLabel(const Eigen::MatrixXd& corners)
+int FindPolygonLabel(const Eigen::MatrixXd& corners)
 {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();
   for (Eigen::Index k = 1; k + 1 < corners.rows(); ++k)

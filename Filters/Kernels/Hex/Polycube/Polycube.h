@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -34,16 +34,16 @@ struct PolycubeResult
  * (FindPolycubeMap), whose labels and places its triangles and points take.
  *
  * Each triangle lies exactly in the plane of its chart. Where a triangle is turned over by that, it
- * and those around it are moved in their planes (LowerEnergy).
+ * and those around it are moved in their planes (MinimizeEnergy).
  *
  * Throws as FindPolycubeMap; SolveFailure where triangles stay turned over, as where they are
  * larger than the polycube's faces.
  */
-PolycubeResult Polycube(
+PolycubeResult BuildPolycube(
   const Mesh& surface, const PolycubeOptions& options = {}, const Progress& progress = {});
 
 /// The label of a polygon that lies across an axis: the axis that its area vector is closest to. -1
 /// where it has no area. corners: k x 3.
-int PolygonLabel(const Eigen::MatrixXd& corners);
+int FindPolygonLabel(const Eigen::MatrixXd& corners);
 
 } // namespace shape

@@ -1,16 +1,16 @@
 #include "Hex/Polycube/PolycubeHexes.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
-#include "Search/ClosestPoint.h"
+#include "Harmonic/HarmonicVolumeMap.h"
+#include "Hex/Polycube/Polycube.h"
 #include "Hex/Polycube/Private/Charts.h"
 #include "Hex/Polycube/Private/IntegerMapHexes.h"
-#include "Hex/Polycube/Polycube.h"
 #include "Hex/Polycube/Private/PolycubeMap.h"
 #include "Hex/Polycube/Private/VoxelPolycube.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
-#include "Harmonic/HarmonicVolumeMap.h"
+#include "Search/ClosestPoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,15 +25,15 @@ namespace
 {
 
 /// The area of the smallest patch with borders of its own, in faces of cells.
-constexpr double LeastPatch = 4.0;
+constexpr double MinimumPatch = 4.0;
 /// Where the worst hexahedron of a polycube with charts is worse, that of a grid is tried, too.
-constexpr double LeastAccepted = 0.2;
+constexpr double MinimumAccepted = 0.2;
 
 /// Hexahedra of a polycube before they are optimised.
 struct Cubes
 {
   HexMesh Solid;
-  Eigen::MatrixXd Places; ///< n x 3: on the polycube
+  Eigen::MatrixXd Positions; ///< n x 3: on the polycube
   double CellSize;
   PolycubeHexesResult::MapType Map;
   bool Overlaps;
@@ -41,13 +41,13 @@ struct Cubes
 
 int CountInverted(const HexMesh& mesh)
 {
-  return static_cast<int>((ScaledJacobians(mesh).array() <= 0.0).count());
+  return static_cast<int>((ComputeScaledJacobians(mesh).array() <= 0.0).count());
 }
 
 std::vector<char> OnBoundary(const HexMesh& mesh)
 {
   std::vector<char> on(mesh.Points.rows(), 0);
-  const Eigen::MatrixXi quads = BoundaryQuads(mesh);
+  const Eigen::MatrixXi quads = FindBoundaryQuads(mesh);
   for (const int point : quads.reshaped())
   {
     on[point] = 1;
@@ -58,8 +58,9 @@ std::vector<char> OnBoundary(const HexMesh& mesh)
 /// The cells of the polycube, by the better one of two maps.
 Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
 {
-  IntegerMapHexesResult hexes = IntegerMapHexes(map.Solid.Points, map.Places, map.Solid.Tetrahedra);
-  Cubes cubes{ std::move(hexes.Solid), std::move(hexes.Places), map.CellSize,
+  IntegerMapHexesResult hexes =
+    ExtractIntegerMapHexahedra(map.Solid.Points, map.Positions, map.Solid.Tetrahedra);
+  Cubes cubes{ std::move(hexes.Solid), std::move(hexes.Positions), map.CellSize,
     PolycubeHexesResult::MapType::Tetrahedra, hexes.Overlaps };
   if (cubes.Overlaps)
   {
@@ -67,9 +68,9 @@ Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
   }
   HarmonicVolumeMapOptions options;
   options.MaximumLevels = 3;
-  const HarmonicVolumeMapResult harmonic = HarmonicVolumeMap(
-    map.Solid.Surface(map.Places), map.Solid.Surface().Points, {}, options, progress);
-  const Eigen::MatrixXd carried = Evaluate(harmonic.Map, cubes.Places);
+  const HarmonicVolumeMapResult harmonic = ComputeHarmonicVolumeMap(
+    map.Solid.Surface(map.Positions), map.Solid.Surface().Points, {}, options, progress);
+  const Eigen::MatrixXd carried = Evaluate(harmonic.Map, cubes.Positions);
   HexMesh other{ cubes.Solid.Points, cubes.Solid.Hexahedra };
   const std::vector<char> outer = OnBoundary(other);
   for (Eigen::Index i = 0; i < other.Points.rows(); ++i)
@@ -89,7 +90,7 @@ Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
 
 bool HasTopology(const HexMesh& mesh, const Topology& wanted)
 {
-  const Topology topology = SurfaceTopology({ mesh.Points, SplitQuads(BoundaryQuads(mesh)) });
+  const Topology topology = ComputeTopology({ mesh.Points, SplitQuads(FindBoundaryQuads(mesh)) });
   return topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components &&
     topology.NonManifoldEdges == 0 && topology.NonManifoldPoints == 0;
 }
@@ -124,12 +125,12 @@ Cubes CubesOfVoxels(
   const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
 {
   const double cells = options.CellSize > 0.0
-    ? EnclosedVolume(surface) / std::pow(options.CellSize, 3)
+    ? ComputeEnclosedVolume(surface) / std::pow(options.CellSize, 3)
     : AutomaticCells;
   VoxelPolycube voxels = FindVoxelPolycube(surface, options.Compactness,
     static_cast<int>(std::clamp<double>(cells, 1.0, options.MaximumHexahedra)),
     options.MaximumHexahedra, progress);
-  return { std::move(voxels.Solid), std::move(voxels.Places), voxels.CellSize,
+  return { std::move(voxels.Solid), std::move(voxels.Positions), voxels.CellSize,
     PolycubeHexesResult::MapType::Voxels, false };
 }
 
@@ -156,17 +157,18 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const SurfaceLocator& locator,
 {
   PolycubeHexesResult result;
   const double size = cubes.CellSize;
-  result.Features = FindFeatures(locator.Surface(), options.FeatureAngle, LeastPatch * size * size);
+  result.Features =
+    FindFeatures(locator.GetSurface(), options.FeatureAngle, MinimumPatch * size * size);
   result.Fit = FitHexahedra(cubes.Solid, locator, result.Features,
     { options.PaddingLayers, options.MaximumHexahedra }, progress);
   // Points of the boundary stay points of the boundary.
   Eigen::VectorXi points;
-  result.Polycube = Compacted(cubes.Places, SplitQuads(BoundaryQuads(cubes.Solid)), points);
+  result.Polycube = Compacted(cubes.Positions, SplitQuads(FindBoundaryQuads(cubes.Solid)), points);
   result.Targets = result.Fit.Solid.Points(points, Eigen::all);
   Eigen::VectorXi labels(result.Polycube.Triangles.rows());
   for (Eigen::Index f = 0; f < labels.size(); ++f)
   {
-    labels(f) = PolygonLabel(Corners(result.Polycube, f));
+    labels(f) = FindPolygonLabel(GetCorners(result.Polycube, f));
   }
   const Charts charts = FindCharts(result.Polycube, labels);
   result.Charts = charts.Count();
@@ -180,10 +182,10 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const SurfaceLocator& locator,
 
 } // namespace
 
-PolycubeHexesResult PolycubeHexes(
+PolycubeHexesResult BuildPolycubeHexahedra(
   const Mesh& given, const PolycubeHexesOptions& options, const Progress& progress)
 {
-  const Mesh surface = FacingOutwards(given);
+  const Mesh surface = OrientOutwards(given);
   if (options.MaximumHexahedra < 1)
   {
     throw InvalidInput("MaximumHexahedra must be at least 1");
@@ -196,13 +198,13 @@ PolycubeHexesResult PolycubeHexes(
   {
     result = FitCubes(*cubes, locator, options, progress.Part(0.4, 0.7));
   }
-  if (!result || result->Fit.LeastScaledJacobian < LeastAccepted)
+  if (!result || result->Fit.MinimumScaledJacobian < MinimumAccepted)
   {
     try
     {
       const Cubes voxels = CubesOfVoxels(surface, options, progress.Part(0.7, 0.8));
       PolycubeHexesResult other = FitCubes(voxels, locator, options, progress.Part(0.8, 1.0));
-      if (!result || other.Fit.LeastScaledJacobian > result->Fit.LeastScaledJacobian)
+      if (!result || other.Fit.MinimumScaledJacobian > result->Fit.MinimumScaledJacobian)
       {
         result = std::move(other);
       }

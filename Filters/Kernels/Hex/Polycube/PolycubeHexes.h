@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Hex/Fit/HexFit.h"
+#include "Mesh/Mesh.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <Eigen/Core>
@@ -42,16 +42,16 @@ struct PolycubeHexesResult
 
 /**
  * Hexahedra inside a closed surface: the unit cells of a polycube of the solid (FindPolycubeMap),
- * brought back by the harmonic map of the polycube's boundary onto the surface (HarmonicVolumeMap)
- * where that turns no more hexahedra over than the inverse of the tetrahedra's own map, which needs
- * no polycube that is free of overlaps; with layers around them whose boundary lies on the surface
- * and has its creases (FitHexahedra).
+ * brought back by the harmonic map of the polycube's boundary onto the surface
+ * (ComputeHarmonicVolumeMap) where that turns no more hexahedra over than the inverse of the
+ * tetrahedra's own map, which needs no polycube that is free of overlaps; with layers around them
+ * whose boundary lies on the surface and has its creases (FitHexahedra).
  *
  * The boundary has the Euler number and the components of the surface. Throws InvalidInput as
  * Tetrahedralize, and where options are out of range; SolveFailure where neither a polycube nor a
  * grid of the surface's topology is found; Aborted.
  */
-PolycubeHexesResult PolycubeHexes(
+PolycubeHexesResult BuildPolycubeHexahedra(
   const Mesh& surface, const PolycubeHexesOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -35,28 +35,28 @@ void Check(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights)
   }
   RequireFinite(points, "the sphere");
   RequireFinite(weights, "the weights");
-  Eigen::Index place = 0;
-  if (weights.size() == 0 || !(weights.sum() > 0.0) || weights.minCoeff(&place) < 0.0)
+  Eigen::Index position = 0;
+  if (weights.size() == 0 || !(weights.sum() > 0.0) || weights.minCoeff(&position) < 0.0)
   {
     throw InvalidInput("the weights have no positive sum or a negative value (at point " +
-      std::to_string(place) + "); give weights that are not negative");
+      std::to_string(position) + "); give weights that are not negative");
   }
-  if (points.rowwise().squaredNorm().minCoeff(&place) == 0.0)
+  if (points.rowwise().squaredNorm().minCoeff(&position) == 0.0)
   {
     throw InvalidInput(
-      "point " + std::to_string(place) + " of the sphere is at the origin; it has no direction");
+      "point " + std::to_string(position) + " of the sphere is at the origin; it has no direction");
   }
-  if (weights.maxCoeff(&place) >= 0.5 * weights.sum())
+  if (weights.maxCoeff(&position) >= 0.5 * weights.sum())
   {
-    throw InvalidInput("point " + std::to_string(place) +
+    throw InvalidInput("point " + std::to_string(position) +
       " carries half of the weight or more, so that no Moebius transform can centre the points");
   }
 }
 
 } // namespace
 
-MoebiusCenteringResult MoebiusCentering(const Eigen::MatrixXd& points,
-  const Eigen::VectorXd& weights, const MoebiusCenteringOptions& options, const Progress& progress)
+MoebiusCenteringResult CenterOnSphere(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights,
+  const MoebiusCenteringOptions& options, const Progress& progress)
 {
   Check(points, weights);
   const Eigen::VectorXd shares = weights / weights.sum();

@@ -33,8 +33,7 @@ struct MoebiusCenteringResult
  * transform can centre that). Where rounding ends the descent before Tolerance, MeanLength says
  * where.
  */
-MoebiusCenteringResult MoebiusCentering(const Eigen::MatrixXd& points,
-  const Eigen::VectorXd& weights, const MoebiusCenteringOptions& options = {},
-  const Progress& progress = {});
+MoebiusCenteringResult CenterOnSphere(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights,
+  const MoebiusCenteringOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -59,10 +59,10 @@ PlanarElements::PlanarElements(const Mesh& surface, double scale)
   : Corners(surface.Triangles)
   , InverseEdges(surface.Triangles.rows())
 {
-  const TriangleAngles angles = AnglesOfTriangles(surface);
+  const TriangleAngles angles = ComputeTriangleAngles(surface);
   this->OwnAreas = scale * scale * angles.Areas;
-  constexpr double least = 1e-12; // of the mean
-  this->OwnAreas = this->OwnAreas.cwiseMax(least * this->OwnAreas.mean());
+  constexpr double minimum = 1e-12; // of the mean
+  this->OwnAreas = this->OwnAreas.cwiseMax(minimum * this->OwnAreas.mean());
   for (Eigen::Index t = 0; t < this->OwnAreas.size(); ++t)
   {
     // Corner 0 at the origin, corner 1 on the x axis.

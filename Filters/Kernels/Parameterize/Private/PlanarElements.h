@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 #include "Parameterize/PlanarDistortion.h"
 
 #include <Eigen/Core>
@@ -22,8 +22,8 @@ PlanarDecomposition DecomposePlanar(const Eigen::Matrix2d& matrix);
 
 /**
  * The triangles of a surface, each laid flat by itself, and what is needed to measure maps of them
- * to the plane. Triangles without area count as the thin ones that AnglesOfTriangles makes of them,
- * those whose corners coincide as 1e-6 of the mean size.
+ * to the plane. Triangles without area count as the thin ones that ComputeTriangleAngles makes of
+ * them, those whose corners coincide as 1e-6 of the mean size.
  */
 class PlanarElements
 {

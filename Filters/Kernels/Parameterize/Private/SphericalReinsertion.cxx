@@ -1,8 +1,8 @@
 #include "Parameterize/Private/SphericalReinsertion.h"
 
 #include "Base/Errors.h"
-#include "Parameterize/Private/PointRings.h"
-#include "Parameterize/Private/RingKernel.h"
+#include "Parameterize/Private/StarKernel.h"
+#include "Parameterize/Private/VertexRings.h"
 #include "Parameterize/SphericalRelaxation.h"
 #include "Parameterize/SphericalTriangles.h"
 
@@ -24,7 +24,7 @@ struct Merges
   Rings Kept;
   std::vector<std::size_t> Levels;
 
-  void Add(PointRings& rings, int point, int into)
+  void Add(VertexRings& rings, int point, int into)
   {
     this->Kept.push_back(rings.Merge(point, into));
     this->Order.push_back(point);
@@ -33,7 +33,7 @@ struct Merges
 
 /// The triangles around `point`, wanted equilateral and with areas in proportion to the points that
 /// were merged into their corners (`loads`), compared within the star.
-std::vector<StarTriangle> WantedStar(const PointRings& rings, const std::vector<double>& loads,
+std::vector<StarTriangle> WantedStar(const VertexRings& rings, const std::vector<double>& loads,
   const Eigen::MatrixXd& points, int point, double areaWeight)
 {
   const double cotangent = 1.0 / std::sqrt(3.0);
@@ -46,7 +46,7 @@ std::vector<StarTriangle> WantedStar(const PointRings& rings, const std::vector<
     const int b = ring[k], c = ring[(k + 1) % ring.size()];
     const double own = loadOf(point) + loadOf(b) + loadOf(c);
     star.push_back({ b, c, cotangent, cotangent, cotangent, own });
-    area += SphericalDeterminant(points.row(point), points.row(b), points.row(c));
+    area += ComputeSphericalDeterminant(points.row(point), points.row(b), points.row(c));
     load += own;
   }
   for (StarTriangle& t : star)
@@ -60,25 +60,25 @@ std::vector<StarTriangle> WantedStar(const PointRings& rings, const std::vector<
 /// ring[0] makes; negative where one does not face outwards.
 double MergedQuality(const Eigen::MatrixXd& points, const std::vector<int>& ring)
 {
-  double least = 1.0;
+  double minimum = 1.0;
   const Eigen::RowVector3d a = points.row(ring[0]);
   for (std::size_t k = 1; k + 1 < ring.size(); ++k)
   {
     const Eigen::RowVector3d b = points.row(ring[k]);
     const Eigen::RowVector3d c = points.row(ring[k + 1]);
-    if (!FacesOutwards(a, b, c))
+    if (!IsFacingOutwards(a, b, c))
     {
       return -1.0;
     }
-    least = std::min(least,
-      SphericalDeterminant(a, b, c) /
+    minimum = std::min(minimum,
+      ComputeSphericalDeterminant(a, b, c) /
         ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm()));
   }
-  return least;
+  return minimum;
 }
 
 /// Merges `point` into the neighbour that makes the best triangles, if one sees its ring.
-bool MergeWhereSeen(PointRings& rings, const Eigen::MatrixXd& points, int point, Merges& merges)
+bool MergeWhereSeen(VertexRings& rings, const Eigen::MatrixXd& points, int point, Merges& merges)
 {
   int best = -1;
   double bestQuality = 0.0;
@@ -100,15 +100,15 @@ bool MergeWhereSeen(PointRings& rings, const Eigen::MatrixXd& points, int point,
 
 /// Merges points at and around the flipped triangles until none is left. False where that fails or
 /// takes more than `most` merges.
-bool MergeFlipped(PointRings& rings, const Eigen::MatrixXi& triangles,
-  const Eigen::MatrixXd& points, int most, Merges& merges, const Progress& progress)
+bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
+  const Eigen::MatrixXd& points, int maximum, Merges& merges, const Progress& progress)
 {
   std::vector<int> suspects;
-  for (const int t : FlippedTriangles(triangles, points))
+  for (const int t : FindFlippedTriangles(triangles, points))
   {
     suspects.insert(suspects.end(), { triangles(t, 0), triangles(t, 1), triangles(t, 2) });
   }
-  for (int ringsAround = 0; ringsAround < 12 && static_cast<int>(merges.Order.size()) <= most;)
+  for (int ringsAround = 0; ringsAround < 12 && static_cast<int>(merges.Order.size()) <= maximum;)
   {
     progress(0.0);
     std::sort(suspects.begin(), suspects.end());
@@ -117,7 +117,7 @@ bool MergeFlipped(PointRings& rings, const Eigen::MatrixXi& triangles,
     bool merged = false;
     for (const int point : suspects)
     {
-      if (rings.Contains(point) && !SeesRing(points, points.row(point), rings.Around(point)))
+      if (rings.Contains(point) && !IsInStarKernel(points, points.row(point), rings.Around(point)))
       {
         left.push_back(point);
       }
@@ -151,9 +151,9 @@ bool MergeFlipped(PointRings& rings, const Eigen::MatrixXi& triangles,
 
 /// Merges everything down to four points: in each level points that share no ring, those of few
 /// neighbours, so that the levels are few and the rings short.
-void MergeAll(PointRings& rings, Merges& merges, const Progress& progress)
+void MergeAll(VertexRings& rings, Merges& merges, const Progress& progress)
 {
-  std::size_t most = 7;
+  std::size_t maximum = 7;
   while (rings.Remaining() > 4)
   {
     const int before = rings.Remaining();
@@ -162,7 +162,7 @@ void MergeAll(PointRings& rings, Merges& merges, const Progress& progress)
     std::vector<char> touched(rings.Size(), 0);
     for (int point = 0; point < rings.Size() && rings.Remaining() > 4; ++point)
     {
-      if (!rings.Contains(point) || touched[point] || rings.Around(point).size() > most)
+      if (!rings.Contains(point) || touched[point] || rings.Around(point).size() > maximum)
       {
         continue;
       }
@@ -184,11 +184,11 @@ void MergeAll(PointRings& rings, Merges& merges, const Progress& progress)
         }
       }
     }
-    most = rings.Remaining() == before ? 2 * most : most;
+    maximum = rings.Remaining() == before ? 2 * maximum : maximum;
   }
 }
 
-void PlaceTetrahedron(const PointRings& rings, Eigen::MatrixXd& points)
+void PlaceTetrahedron(const VertexRings& rings, Eigen::MatrixXd& points)
 {
   int first = 0;
   while (!rings.Contains(first))
@@ -208,7 +208,7 @@ void PlaceTetrahedron(const PointRings& rings, Eigen::MatrixXd& points)
 
 /// Undoes the merges. Points that were merged, and where there are levels all others, move while
 /// they relax. Returns the point that found no room, or -1.
-int Reinsert(PointRings& rings, const Merges& merges, double areaWeight, Eigen::MatrixXd& points,
+int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen::MatrixXd& points,
   const Progress& progress)
 {
   std::vector<double> loads(rings.Size(), 1.0);
@@ -230,7 +230,7 @@ int Reinsert(PointRings& rings, const Merges& merges, double areaWeight, Eigen::
     const int point = merges.Order[i];
     rings.Restore(point, merges.Kept[i]);
     loads[merges.Kept[i][0]] -= loads[point];
-    if (!PlaceInRing(points, point, merges.Kept[i]))
+    if (!MovePointIntoKernel(points, point, merges.Kept[i]))
     {
       return point;
     }
@@ -273,17 +273,17 @@ std::vector<int> Sorted(std::vector<int> list)
 } // namespace
 
 SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
-  const Eigen::MatrixXd& points, int most, const Progress& progress)
+  const Eigen::MatrixXd& points, int maximum, const Progress& progress)
 {
   SphericalReinsertionResult result;
   result.Points = points;
-  PointRings rings(triangles, static_cast<int>(points.rows()));
+  VertexRings rings(triangles, static_cast<int>(points.rows()));
   Merges merges;
-  if (CoveringDegree(triangles, points) == 1 &&
-    MergeFlipped(rings, triangles, points, most, merges, progress.Part(0.0, 0.5)) &&
+  if (ComputeCoveringDegree(triangles, points) == 1 &&
+    MergeFlipped(rings, triangles, points, maximum, merges, progress.Part(0.0, 0.5)) &&
     Reinsert(rings, merges, 0.0, result.Points, progress.Part(0.5, 1.0)) == -1)
   {
-    result.Reached = FlippedTriangles(triangles, result.Points).empty();
+    result.Reached = FindFlippedTriangles(triangles, result.Points).empty();
     result.Reinserted = Sorted(merges.Order);
   }
   if (!result.Reached)
@@ -298,7 +298,7 @@ SphericalReinsertionResult ReinsertAll(
 {
   SphericalReinsertionResult result;
   result.Points = Eigen::MatrixXd::Zero(n, 3);
-  PointRings rings(triangles, n);
+  VertexRings rings(triangles, n);
   Merges merges;
   MergeAll(rings, merges, progress.Part(0.0, 0.1));
   PlaceTetrahedron(rings, result.Points);

@@ -30,7 +30,7 @@ struct SphericalReinsertionResult
  * not cover the sphere once or more than `most` points would have to be merged.
  */
 SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
-  const Eigen::MatrixXd& points, int most, const Progress& progress = {});
+  const Eigen::MatrixXd& points, int maximum, const Progress& progress = {});
 
 /**
  * The same for the whole sphere, from no map at all: points are merged down to a regular

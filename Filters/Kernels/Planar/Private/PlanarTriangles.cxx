@@ -11,14 +11,14 @@ PlanarTriangles::PlanarTriangles(const Eigen::MatrixXd& points, const Eigen::Mat
   : Metric(metric)
   , HasMetric(!metric.isIdentity(0.0))
 {
-  this->Places.reserve(points.rows());
+  this->Positions.reserve(points.rows());
   this->Images.reserve(points.rows());
-  this->FirstSides.reserve(points.rows());
+  this->FirstEdges.reserve(points.rows());
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    this->AddPlace(points.row(i));
+    this->AddPosition(points.row(i));
   }
-  const std::size_t sides = 6 * this->Places.size();
+  const std::size_t sides = 6 * this->Positions.size();
   this->Begins.reserve(sides);
   this->Twins.reserve(sides);
   this->Marks.reserve(sides);
@@ -48,31 +48,31 @@ void PlanarTriangles::Start(int a, int b, int c)
   }
 }
 
-int PlanarTriangles::AddPlace(const Eigen::RowVector2d& place)
+int PlanarTriangles::AddPosition(const Eigen::RowVector2d& position)
 {
-  this->Places.push_back(place);
-  this->Images.push_back(this->HasMetric ? Eigen::RowVector2d(place * this->Metric) : place);
-  this->FirstSides.push_back(-1);
+  this->Positions.push_back(position);
+  this->Images.push_back(this->HasMetric ? Eigen::RowVector2d(position * this->Metric) : position);
+  this->FirstEdges.push_back(-1);
   return this->Points() - 1;
 }
 
-void PlanarTriangles::RemoveLastPlace()
+void PlanarTriangles::RemoveLastPosition()
 {
-  this->Places.pop_back();
+  this->Positions.pop_back();
   this->Images.pop_back();
-  this->FirstSides.pop_back();
+  this->FirstEdges.pop_back();
 }
 
 int PlanarTriangles::Insert(int point)
 {
-  const Location where = this->Locate(this->Places[point]);
+  const Location where = this->Locate(this->Positions[point]);
   if (where.Corner != Far)
   {
     return where.Corner;
   }
-  if (where.IsOnSide)
+  if (where.IsOnEdge)
   {
-    this->SplitSide(where.Side, point);
+    this->SplitEdge(where.Side, point);
   }
   else
   {
@@ -82,7 +82,7 @@ int PlanarTriangles::Insert(int point)
   this->Last = this->From(point);
   while (this->IsFar(this->Last / 3))
   {
-    this->Last = this->Twin(PreviousSide(this->Last));
+    this->Last = this->Twin(PreviousHalfEdge(this->Last));
   }
   return point;
 }
@@ -96,7 +96,7 @@ bool PlanarTriangles::IsFar(int triangle) const
 
 int PlanarTriangles::Turn(int a, int b, int c) const
 {
-  return Orientation(this->Places[a], this->Places[b], this->Places[c]);
+  return EvaluateOrientation(this->Positions[a], this->Positions[b], this->Positions[c]);
 }
 
 void PlanarTriangles::SetMark(int side, const SegmentMark& mark)
@@ -110,8 +110,8 @@ void PlanarTriangles::Flip(int side)
   const int twin = this->Twins[side];
   const int x = this->Begin(side), y = this->Begin(twin);
   const int c = this->Apex(side), d = this->Apex(twin);
-  const int sideNext = NextSide(side), sideLast = PreviousSide(side);
-  const int twinNext = NextSide(twin), twinLast = PreviousSide(twin);
+  const int sideNext = NextHalfEdge(side), sideLast = PreviousHalfEdge(side);
+  const int twinNext = NextHalfEdge(twin), twinLast = PreviousHalfEdge(twin);
   const std::array<int, 4> from = { sideLast, twinNext, twinLast, sideNext };
   const std::array<int, 4> to = { sideNext, sideLast, twinNext, twinLast };
   std::array<int, 4> twins;
@@ -144,14 +144,14 @@ void PlanarTriangles::MakeDelaunay(std::vector<int> sides)
     {
       const int twin = this->Twins[side];
       this->Flip(side);
-      sides.insert(
-        sides.end(), { NextSide(side), PreviousSide(side), NextSide(twin), PreviousSide(twin) });
+      sides.insert(sides.end(),
+        { NextHalfEdge(side), PreviousHalfEdge(side), NextHalfEdge(twin), PreviousHalfEdge(twin) });
     }
   }
 }
 
 /// Walks towards the place, over sides that it lies beyond.
-PlanarTriangles::Location PlanarTriangles::Locate(const Eigen::RowVector2d& place) const
+PlanarTriangles::Location PlanarTriangles::Locate(const Eigen::RowVector2d& position) const
 {
   int triangle = this->Last / 3, entered = -1;
   // Among Delaunay triangles the walk ends; marked edges could lead it around.
@@ -162,14 +162,15 @@ PlanarTriangles::Location PlanarTriangles::Locate(const Eigen::RowVector2d& plac
     {
       const int side = 3 * triangle + (k + step) % 3;
       if (side != entered &&
-        Orientation(this->Places[this->Begin(side)], this->Places[this->End(side)], place) < 0)
+        EvaluateOrientation(
+          this->Positions[this->Begin(side)], this->Positions[this->End(side)], position) < 0)
       {
         across = side;
       }
     }
     if (across < 0)
     {
-      return this->LocateIn(triangle, place);
+      return this->LocateIn(triangle, position);
     }
     entered = this->Twins[across];
     triangle = entered / 3;
@@ -179,21 +180,22 @@ PlanarTriangles::Location PlanarTriangles::Locate(const Eigen::RowVector2d& plac
     }
   }
   triangle = 0;
-  while (!this->Contains(triangle, place))
+  while (!this->Contains(triangle, position))
   {
     ++triangle;
   }
-  return this->IsFar(triangle) ? Location{ 3 * triangle } : this->LocateIn(triangle, place);
+  return this->IsFar(triangle) ? Location{ 3 * triangle } : this->LocateIn(triangle, position);
 }
 
 /// A far triangle contains what lies strictly beyond its edge.
-bool PlanarTriangles::Contains(int triangle, const Eigen::RowVector2d& place) const
+bool PlanarTriangles::Contains(int triangle, const Eigen::RowVector2d& position) const
 {
   for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
   {
     const int begin = this->Begin(side), end = this->End(side);
     if (begin != Far && end != Far &&
-      Orientation(this->Places[begin], this->Places[end], place) < (this->IsFar(triangle) ? 1 : 0))
+      EvaluateOrientation(this->Positions[begin], this->Positions[end], position) <
+        (this->IsFar(triangle) ? 1 : 0))
     {
       return false;
     }
@@ -203,20 +205,20 @@ bool PlanarTriangles::Contains(int triangle, const Eigen::RowVector2d& place) co
 
 /// Where in a triangle that contains it.
 PlanarTriangles::Location PlanarTriangles::LocateIn(
-  int triangle, const Eigen::RowVector2d& place) const
+  int triangle, const Eigen::RowVector2d& position) const
 {
   Location where{ 3 * triangle };
   for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
   {
-    const Eigen::RowVector2d& begin = this->Places[this->Begin(side)];
-    if (begin == place)
+    const Eigen::RowVector2d& begin = this->Positions[this->Begin(side)];
+    if (begin == position)
     {
       where.Corner = this->Begin(side);
     }
-    else if (Orientation(begin, this->Places[this->End(side)], place) == 0)
+    else if (EvaluateOrientation(begin, this->Positions[this->End(side)], position) == 0)
     {
       where.Side = side;
-      where.IsOnSide = true;
+      where.IsOnEdge = true;
     }
   }
   return where;
@@ -241,7 +243,7 @@ bool PlanarTriangles::SplitsBetter(int side) const
     return this->Turn(c, x, d) > 0;
   }
   // Images are rounded: that the flip is possible does not follow from them.
-  return InCircle(this->Images[x], this->Images[y], this->Images[c], this->Images[d]) > 0 &&
+  return EvaluateInCircle(this->Images[x], this->Images[y], this->Images[c], this->Images[d]) > 0 &&
     (!this->HasMetric || (this->Turn(d, y, c) > 0 && this->Turn(c, x, d) > 0));
 }
 
@@ -266,34 +268,34 @@ void PlanarTriangles::SplitTriangle(int triangle, int point)
   this->Suspects.assign(outer.begin(), outer.end());
 }
 
-void PlanarTriangles::SplitSide(int side, int point)
+void PlanarTriangles::SplitEdge(int side, int point)
 {
   const int twin = this->Twins[side];
   const int x = this->Begin(side), y = this->Begin(twin);
   const int c = this->Apex(side), d = this->Apex(twin);
   const SegmentMark mark = this->Marks[side];
   const int beyond = 3 * this->NewTriangle(), twinBeyond = 3 * this->NewTriangle();
-  this->Move(NextSide(side), beyond + 1);
-  this->Move(NextSide(twin), twinBeyond + 1);
+  this->Move(NextHalfEdge(side), beyond + 1);
+  this->Move(NextHalfEdge(twin), twinBeyond + 1);
   this->SetBegin(side, x);
-  this->SetBegin(NextSide(side), point);
+  this->SetBegin(NextHalfEdge(side), point);
   this->SetBegin(beyond, point);
   this->SetBegin(beyond + 1, y);
   this->SetBegin(beyond + 2, c);
   this->SetBegin(twin, y);
-  this->SetBegin(NextSide(twin), point);
+  this->SetBegin(NextHalfEdge(twin), point);
   this->SetBegin(twinBeyond, point);
   this->SetBegin(twinBeyond + 1, x);
   this->SetBegin(twinBeyond + 2, d);
   this->Link(side, twinBeyond);
   this->Link(beyond, twin);
-  this->Link(NextSide(side), beyond + 2);
-  this->Link(NextSide(twin), twinBeyond + 2);
+  this->Link(NextHalfEdge(side), beyond + 2);
+  this->Link(NextHalfEdge(twin), twinBeyond + 2);
   this->SetMark(side, mark);
   this->SetMark(beyond, mark);
   this->SetMark(beyond + 2, {});
   this->SetMark(twinBeyond + 2, {});
-  this->Suspects = { PreviousSide(side), beyond + 1, PreviousSide(twin), twinBeyond + 1 };
+  this->Suspects = { PreviousHalfEdge(side), beyond + 1, PreviousHalfEdge(twin), twinBeyond + 1 };
 }
 
 /// Flips what the new point, the apex of the suspects, lies in the circle of: each flip gives it
@@ -308,8 +310,8 @@ void PlanarTriangles::FlipAround()
     {
       const int twin = this->Twins[side];
       this->Flip(side);
-      this->Suspects.push_back(PreviousSide(side));
-      this->Suspects.push_back(NextSide(twin));
+      this->Suspects.push_back(PreviousHalfEdge(side));
+      this->Suspects.push_back(NextHalfEdge(twin));
     }
   }
 }
@@ -327,7 +329,7 @@ void PlanarTriangles::SetBegin(int side, int point)
   this->Begins[side] = point;
   if (point != Far)
   {
-    this->FirstSides[point] = side;
+    this->FirstEdges[point] = side;
   }
 }
 

@@ -39,19 +39,19 @@ public:
   /// Makes a point a corner; returns it, or the corner that is there already.
   int Insert(int point);
   /// A new place's number, for Insert; and the last one away again.
-  int AddPlace(const Eigen::RowVector2d& place);
-  void RemoveLastPlace();
+  int AddPosition(const Eigen::RowVector2d& position);
+  void RemoveLastPosition();
 
-  int Points() const { return static_cast<int>(this->Places.size()); }
+  int Points() const { return static_cast<int>(this->Positions.size()); }
   int Sides() const { return static_cast<int>(this->Begins.size()); }
-  const Eigen::RowVector2d& Place(int point) const { return this->Places[point]; }
+  const Eigen::RowVector2d& Position(int point) const { return this->Positions[point]; }
   int Begin(int side) const { return this->Begins[side]; }
-  int End(int side) const { return this->Begins[NextSide(side)]; }
+  int End(int side) const { return this->Begins[NextHalfEdge(side)]; }
   /// The corner that the side does not touch.
-  int Apex(int side) const { return this->Begins[PreviousSide(side)]; }
+  int Apex(int side) const { return this->Begins[PreviousHalfEdge(side)]; }
   int Twin(int side) const { return this->Twins[side]; }
   /// A side that begins at a corner.
-  int From(int point) const { return this->FirstSides[point]; }
+  int From(int point) const { return this->FirstEdges[point]; }
   bool IsFar(int triangle) const;
   /// 1 where three points run counter-clockwise, 0 where they lie on one line.
   int Turn(int a, int b, int c) const;
@@ -72,16 +72,16 @@ private:
   struct Location
   {
     int Side;
-    bool IsOnSide = false;
+    bool IsOnEdge = false;
     int Corner = Far;
   };
 
-  Location Locate(const Eigen::RowVector2d& place) const;
-  bool Contains(int triangle, const Eigen::RowVector2d& place) const;
-  Location LocateIn(int triangle, const Eigen::RowVector2d& place) const;
+  Location Locate(const Eigen::RowVector2d& position) const;
+  bool Contains(int triangle, const Eigen::RowVector2d& position) const;
+  Location LocateIn(int triangle, const Eigen::RowVector2d& position) const;
   bool SplitsBetter(int side) const;
   void SplitTriangle(int triangle, int point);
-  void SplitSide(int side, int point);
+  void SplitEdge(int side, int point);
   void FlipAround();
   int NewTriangle();
   void SetBegin(int side, int point);
@@ -90,11 +90,11 @@ private:
 
   Eigen::Matrix2d Metric;
   bool HasMetric; ///< other than the plane's own
-  std::vector<Eigen::RowVector2d> Places;
+  std::vector<Eigen::RowVector2d> Positions;
   std::vector<Eigen::RowVector2d> Images; ///< of the places, where circles are tested
   std::vector<int> Begins, Twins;         ///< of each side
   std::vector<SegmentMark> Marks;         ///< of each side
-  std::vector<int> FirstSides;            ///< of each point
+  std::vector<int> FirstEdges;            ///< of each point
   std::vector<int> Suspects;              ///< sides opposite the new point that may need a flip
   int Last = 0;                           ///< a side near the last insertion, its triangle not far
 };

@@ -13,7 +13,7 @@ namespace shape
 SegmentRecovery::SegmentRecovery(PlanarTriangles& plane, bool addCrossings, Eigen::Index segments)
   : Plane(plane)
   , AddsCrossings(addCrossings)
-  , MostPoints(plane.Points() + 16.0 * segments * segments + 1000.0)
+  , MaximumPointCount(plane.Points() + 16.0 * segments * segments + 1000.0)
 {
 }
 
@@ -35,11 +35,11 @@ void SegmentRecovery::Recover(int begin, int end, int segment, int winding)
 /// Whether c lies on the ray from a through b.
 bool SegmentRecovery::IsAhead(int a, int b, int c) const
 {
-  const Eigen::RowVector2d& from = this->Plane.Place(a);
-  const Eigen::RowVector2d& to = this->Plane.Place(b);
-  const Eigen::RowVector2d& place = this->Plane.Place(c);
+  const Eigen::RowVector2d& from = this->Plane.Position(a);
+  const Eigen::RowVector2d& to = this->Plane.Position(b);
+  const Eigen::RowVector2d& position = this->Plane.Position(c);
   const int axis = from(0) != to(0) ? 0 : 1;
-  return (from(axis) < to(axis)) == (from(axis) < place(axis)) && this->Plane.Turn(a, b, c) == 0;
+  return (from(axis) < to(axis)) == (from(axis) < position(axis)) && this->Plane.Turn(a, b, c) == 0;
 }
 
 /// Makes the piece from one of its points to the next one an edge; returns that point.
@@ -60,10 +60,10 @@ int SegmentRecovery::Advance(int from, const Piece& piece)
       if (left != PlanarTriangles::Far && this->Plane.Turn(from, to, right) < 0 &&
         this->Plane.Turn(from, to, left) > 0)
       {
-        return this->Cross(from, piece, this->Plane.Twin(NextSide(side)));
+        return this->Cross(from, piece, this->Plane.Twin(NextHalfEdge(side)));
       }
     }
-    side = this->Plane.Twin(PreviousSide(side));
+    side = this->Plane.Twin(PreviousHalfEdge(side));
   }
 }
 
@@ -91,7 +91,7 @@ int SegmentRecovery::Cross(int from, const Piece& piece, int ahead)
       this->Plane.MakeDelaunay(std::move(sides));
       return next;
     }
-    ahead = this->Plane.Twin(turn > 0 ? NextSide(ahead) : PreviousSide(ahead));
+    ahead = this->Plane.Twin(turn > 0 ? NextHalfEdge(ahead) : PreviousHalfEdge(ahead));
   }
 }
 
@@ -108,11 +108,11 @@ int SegmentRecovery::OpenWay(int from, int to, int ahead)
     const int turn = next == to ? 0 : this->Plane.Turn(from, to, next);
     if (turn < 0)
     {
-      ahead = this->Plane.Twin(PreviousSide(ahead));
+      ahead = this->Plane.Twin(PreviousHalfEdge(ahead));
       continue;
     }
-    int back = PreviousSide(ahead);
-    ahead = this->Plane.Twin(NextSide(ahead));
+    int back = PreviousHalfEdge(ahead);
+    ahead = this->Plane.Twin(NextHalfEdge(ahead));
     while (chain.size() > 1 && this->Plane.Turn(chain[chain.size() - 2], chain.back(), next) < 0)
     {
       back = this->CutOff(back, chain[chain.size() - 2]);
@@ -131,29 +131,29 @@ int SegmentRecovery::OpenWay(int from, int to, int ahead)
 int SegmentRecovery::CutOff(int back, int before)
 {
   const int after = this->Plane.Begin(back);
-  int side = NextSide(back);
+  int side = NextHalfEdge(back);
   while (this->Plane.End(side) != before)
   {
     const int twin = this->Plane.Twin(side);
     const int previous = this->Plane.Apex(twin), next = this->Plane.Apex(side);
     if (this->Plane.Turn(previous, this->Plane.End(side), next) <= 0)
     {
-      side = NextSide(twin);
+      side = NextHalfEdge(twin);
       continue;
     }
     this->Flipped.insert(this->Flipped.end(), { side / 3, twin / 3 });
     this->Plane.Flip(side);
     if (next == after)
     {
-      back = NextSide(side);
-      side = PreviousSide(side);
+      back = NextHalfEdge(side);
+      side = PreviousHalfEdge(side);
     }
     else
     {
-      side = this->Plane.Twin(NextSide(side));
+      side = this->Plane.Twin(NextHalfEdge(side));
     }
   }
-  return this->Plane.Twin(PreviousSide(back));
+  return this->Plane.Twin(PreviousHalfEdge(back));
 }
 
 void SegmentRecovery::AddMark(int side, const PlanarTriangles::SegmentMark& mark)
@@ -183,33 +183,33 @@ void SegmentRecovery::AddCrossing(int from, const Piece& piece, int side)
 {
   const PlanarTriangles::SegmentMark mark = this->Plane.Mark(side);
   const int begin = this->Plane.Begin(side), end = this->Plane.End(side);
-  const Eigen::RowVector2d a = this->Plane.Place(from), b = this->Plane.Place(piece.End);
-  const Eigen::RowVector2d c = this->Plane.Place(begin), d = this->Plane.Place(end);
+  const Eigen::RowVector2d a = this->Plane.Position(from), b = this->Plane.Position(piece.End);
+  const Eigen::RowVector2d c = this->Plane.Position(begin), d = this->Plane.Position(end);
   const Eigen::RowVector2d along = b - a, across = d - c, gap = c - a;
   const double share =
     (gap(0) * across(1) - gap(1) * across(0)) / (along(0) * across(1) - along(1) * across(0));
-  const Eigen::RowVector2d place = a + std::clamp(share, 0.0, 1.0) * along;
+  const Eigen::RowVector2d position = a + std::clamp(share, 0.0, 1.0) * along;
   if (!this->AddsCrossings)
   {
     const int one = this->Groups[mark.Group].front(),
               other = this->Groups[piece.Mark.Group].front();
     std::ostringstream words;
     words << "segments " << std::min(one, other) << " and " << std::max(one, other) << " cross at ("
-          << place(0) << ", " << place(1) << "); split them there";
+          << position(0) << ", " << position(1) << "); split them there";
     throw InvalidInput(words.str());
   }
-  if (this->Plane.Points() > this->MostPoints)
+  if (this->Plane.Points() > this->MaximumPointCount)
   {
     throw SolveFailure("the segments cross again wherever a crossing is rounded; scale the points"
                        " up, or move apart those that all but coincide");
   }
   this->Plane.SetMark(side, {});
   this->Plane.MakeDelaunay({ side });
-  const int added = this->Plane.AddPlace(place.allFinite() ? place : a);
+  const int added = this->Plane.AddPosition(position.allFinite() ? position : a);
   const int point = this->Plane.Insert(added);
   if (point != added)
   {
-    this->Plane.RemoveLastPlace();
+    this->Plane.RemoveLastPosition();
   }
   this->Pieces.insert(this->Pieces.end(),
     { { point, piece.End, piece.Mark }, { from, point, piece.Mark }, { begin, point, mark },

@@ -43,7 +43,7 @@ private:
 
   PlanarTriangles& Plane;
   bool AddsCrossings;
-  double MostPoints;
+  double MaximumPointCount;
   std::vector<std::vector<int>> Groups;
   std::vector<Piece> Pieces; ///< that are to be recovered
   std::vector<int> Flipped;  ///< triangles that the last way changed

@@ -26,12 +26,12 @@ Eigen::MatrixXd CornersOf(const Cells& cells, int number)
 }
 
 /// VTK ends Newton's method a thousandth of a cell from the place: two more steps.
-void Refine(const Eigen::MatrixXd& corners, const Eigen::RowVector3d& place, vtkGenericCell* cell,
-  Eigen::RowVector3d parametric, Eigen::VectorXd& weights)
+void Refine(const Eigen::MatrixXd& corners, const Eigen::RowVector3d& position,
+  vtkGenericCell* cell, Eigen::RowVector3d parametric, Eigen::VectorXd& weights)
 {
   for (int step = 0; step < 2; ++step)
   {
-    const Eigen::RowVector3d rest = place - weights.transpose() * corners;
+    const Eigen::RowVector3d rest = position - weights.transpose() * corners;
     Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(corners.rows(), 3);
     cell->InterpolateDerivs(parametric.data(), derivatives.data());
     const Eigen::Matrix3d jacobian = derivatives.transpose() * corners;
@@ -42,7 +42,7 @@ void Refine(const Eigen::MatrixXd& corners, const Eigen::RowVector3d& place, vtk
     const Eigen::RowVector3d next = parametric + rest * jacobian.inverse();
     Eigen::VectorXd refined = Eigen::VectorXd::Zero(corners.rows());
     cell->InterpolateFunctions(next.data(), refined.data());
-    if (!((place - refined.transpose() * corners).norm() < rest.norm()))
+    if (!((position - refined.transpose() * corners).norm() < rest.norm()))
     {
       return;
     }
@@ -63,9 +63,9 @@ void LoadCell(const Cells& cells, int number, vtkGenericCell* cell)
   for (int k = 0; k < count; ++k)
   {
     const int point = cells.Corners(first + k);
-    const Eigen::RowVector3d place = cells.Points.row(point);
+    const Eigen::RowVector3d position = cells.Points.row(point);
     cell->GetPointIds()->SetId(k, point);
-    cell->GetPoints()->SetPoint(k, place.data());
+    cell->GetPoints()->SetPoint(k, position.data());
   }
   if (cell->RequiresInitialization())
   {
@@ -73,8 +73,8 @@ void LoadCell(const Cells& cells, int number, vtkGenericCell* cell)
   }
 }
 
-Eigen::VectorXd WeightsInCell(
-  const Cells& cells, int number, const Eigen::RowVector3d& place, vtkGenericCell* cell)
+Eigen::VectorXd ComputeCellWeights(
+  const Cells& cells, int number, const Eigen::RowVector3d& position, vtkGenericCell* cell)
 {
   LoadCell(cells, number, cell);
   const Eigen::MatrixXd corners = CornersOf(cells, number);
@@ -83,7 +83,7 @@ Eigen::VectorXd WeightsInCell(
   int subId = 0;
   double distance2 = 0.0;
   const int state = cell->EvaluatePosition(
-    place.data(), closest.data(), subId, parametric.data(), distance2, weights.data());
+    position.data(), closest.data(), subId, parametric.data(), distance2, weights.data());
   if (state < 0)
   {
     return {};
@@ -92,21 +92,21 @@ Eigen::VectorXd WeightsInCell(
   {
     cell->InterpolateFunctions(parametric.data(), weights.data());
   }
-  Refine(corners, place, cell, parametric, weights);
+  Refine(corners, position, cell, parametric, weights);
   // VTK takes places beyond the slanted side of a wedge for inside, and places on a side for
   // outside, by rounding: believe the weights, once they are known to be those of the place.
   const double size = (corners.colwise().maxCoeff() - corners.colwise().minCoeff()).norm();
-  const bool isPlace = std::abs(weights.sum() - 1.0) <= CellRounding &&
-    (place - weights.transpose() * corners).norm() <= 100.0 * CellRounding * size;
+  const bool isPosition = std::abs(weights.sum() - 1.0) <= CellRounding &&
+    (position - weights.transpose() * corners).norm() <= 100.0 * CellRounding * size;
   const bool isInside = cell->IsLinear() ? weights.minCoeff() >= -CellRounding : state == 1;
-  return isPlace && isInside ? weights : Eigen::VectorXd();
+  return isPosition && isInside ? weights : Eigen::VectorXd();
 }
 
-PlaceOnSides ClosestOnSides(
-  const Cells& cells, int number, const Eigen::RowVector3d& place, vtkGenericCell* cell)
+PointOnEdges FindClosestPointOnEdges(
+  const Cells& cells, int number, const Eigen::RowVector3d& position, vtkGenericCell* cell)
 {
   LoadCell(cells, number, cell);
-  PlaceOnSides best{ std::numeric_limits<double>::infinity(), {}, {} };
+  PointOnEdges best{ std::numeric_limits<double>::infinity(), {}, {} };
   vtkNew<vtkIdList> ids;
   vtkNew<vtkPoints> points;
   for (int side = 0; side < cell->GetNumberOfFaces(); ++side)
@@ -120,8 +120,8 @@ PlaceOnSides ClosestOnSides(
         triangle(k) = static_cast<int>(ids->GetId(first + k));
       }
       const Eigen::Matrix3d corners = cells.Points(triangle, Eigen::all);
-      const Eigen::RowVector3d barycentrics = ClosestInTriangle(corners, place);
-      const double distance2 = (barycentrics * corners - place).squaredNorm();
+      const Eigen::RowVector3d barycentrics = FindClosestPointInTriangle(corners, position);
+      const double distance2 = (barycentrics * corners - position).squaredNorm();
       if (distance2 < best.Distance2)
       {
         best = { distance2, triangle, barycentrics };

@@ -20,11 +20,11 @@ void LoadCell(const Cells& cells, int number, vtkGenericCell* cell);
  * interpolate to the place itself. Empty where the place lies outside, or the shape functions
  * cannot be inverted. cell: a cell to work with.
  */
-Eigen::VectorXd WeightsInCell(
-  const Cells& cells, int number, const Eigen::RowVector3d& place, vtkGenericCell* cell);
+Eigen::VectorXd ComputeCellWeights(
+  const Cells& cells, int number, const Eigen::RowVector3d& position, vtkGenericCell* cell);
 
 /// A place on the sides of a cell, cut into triangles.
-struct PlaceOnSides
+struct PointOnEdges
 {
   double Distance2;                ///< squared; infinite where the cell has no sides
   Eigen::RowVector3i Points;       ///< the corners of a triangle
@@ -32,7 +32,7 @@ struct PlaceOnSides
 };
 
 /// The one closest to `place`. cell: a cell to work with.
-PlaceOnSides ClosestOnSides(
-  const Cells& cells, int number, const Eigen::RowVector3d& place, vtkGenericCell* cell);
+PointOnEdges FindClosestPointOnEdges(
+  const Cells& cells, int number, const Eigen::RowVector3d& position, vtkGenericCell* cell);
 
 } // namespace shape

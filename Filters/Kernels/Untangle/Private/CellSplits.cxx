@@ -76,7 +76,7 @@ void CellSplits::Stubborn(const std::vector<int>& bad, int allowed)
 
 bool CellSplits::SplitLongest(const std::vector<int>& points)
 {
-  const Eigen::MatrixXd& places =
+  const Eigen::MatrixXd& positions =
     this->Solid.Rest.rows() > 0 ? this->Solid.Rest : this->Solid.Points;
   std::pair<int, double> best = { -1, 0.0 };
   std::vector<int> edge;
@@ -85,7 +85,7 @@ bool CellSplits::SplitLongest(const std::vector<int>& points)
     for (int b = 0; b < a; ++b)
     {
       const std::pair<int, double> rank = { !this->Movable(points[a]) + !this->Movable(points[b]),
-        (places.row(points[a]) - places.row(points[b])).norm() };
+        (positions.row(points[a]) - positions.row(points[b])).norm() };
       if (rank > best && this->Solid.CanSplit({ points[a], points[b] }))
       {
         best = rank;

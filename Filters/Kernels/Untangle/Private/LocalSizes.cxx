@@ -52,7 +52,7 @@ std::vector<int> Neighbours(const SolidCells& solid, int point)
 
 } // namespace
 
-Eigen::VectorXd LogarithmicSizes(const SolidCells& solid)
+Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid)
 {
   const int count = solid.PointCount();
   Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count), counts = Eigen::VectorXd::Zero(count);

@@ -14,6 +14,6 @@ namespace shape
  *
  * Returns one value for each point of `solid`; points without a boundary in reach get the mean.
  */
-Eigen::VectorXd LogarithmicSizes(const SolidCells& solid);
+Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid);
 
 } // namespace shape

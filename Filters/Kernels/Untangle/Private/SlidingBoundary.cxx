@@ -32,7 +32,7 @@ SlidingBoundary::SlidingBoundary(
   , Freedoms(points.rows(), 3)
   , CreaseOf(points.rows(), -1)
 {
-  const Eigen::MatrixXd areas = AreaVectors(this->Locator.Surface());
+  const Eigen::MatrixXd areas = ComputeAreaVectors(this->Locator.GetSurface());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (const int point : triangles[t])
@@ -49,7 +49,7 @@ void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangl
 {
   // Without their signs: a fold in a smooth part is no crease.
   const double flattest = std::cos(40.0 * M_PI / 180.0);
-  const Eigen::MatrixXd areas = AreaVectors(this->Locator.Surface());
+  const Eigen::MatrixXd areas = ComputeAreaVectors(this->Locator.GetSurface());
   std::map<std::array<int, 2>, std::vector<int>> edges;
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
@@ -71,7 +71,7 @@ void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangl
       along[edge[1]].push_back(edge[0]);
     }
   }
-  const Eigen::MatrixXd& points = this->Locator.Surface().Points;
+  const Eigen::MatrixXd& points = this->Locator.GetSurface().Points();
   for (const auto& [point, others] : along)
   {
     // A crease goes on where it has two edges that do not turn sharply.
@@ -117,47 +117,47 @@ int SlidingBoundary::Freedom(int point) const
 }
 
 std::pair<Eigen::RowVector3d, Eigen::RowVector3d> SlidingBoundary::OnCrease(
-  int point, const Eigen::RowVector3d& place) const
+  int point, const Eigen::RowVector3d& position) const
 {
-  const Eigen::MatrixXd& points = this->Locator.Surface().Points;
-  double least = std::numeric_limits<double>::max();
+  const Eigen::MatrixXd& points = this->Locator.GetSurface().Points();
+  double minimum = std::numeric_limits<double>::max();
   std::pair<Eigen::RowVector3d, Eigen::RowVector3d> best;
   for (const auto& [a, b] : this->Creases[this->CreaseOf[point]])
   {
     const Eigen::RowVector3d edge = points.row(b) - points.row(a);
     const double squared = edge.squaredNorm();
     const double t =
-      squared > 0.0 ? std::clamp((place - points.row(a)).dot(edge) / squared, 0.0, 1.0) : 0.0;
+      squared > 0.0 ? std::clamp((position - points.row(a)).dot(edge) / squared, 0.0, 1.0) : 0.0;
     const Eigen::RowVector3d nearest = points.row(a) + t * edge;
-    if ((nearest - place).squaredNorm() < least)
+    if ((nearest - position).squaredNorm() < minimum)
     {
-      least = (nearest - place).squaredNorm();
+      minimum = (nearest - position).squaredNorm();
       best = { nearest, edge.normalized() };
     }
   }
   return best;
 }
 
-PointDirections SlidingBoundary::Directions(int point, const Eigen::RowVector3d& place) const
+PointDirections SlidingBoundary::Directions(int point, const Eigen::RowVector3d& position) const
 {
   switch (this->Freedom(point))
   {
     case 0:
       return PointDirections(3, 0);
     case 1:
-      return this->OnCrease(point, place).second.transpose();
+      return this->OnCrease(point, position).second.transpose();
     case 2:
       break;
     default:
       return Eigen::Matrix3d::Identity();
   }
-  const ClosestPoints closest = this->Locator.Find(place);
+  const ClosestPoints closest = this->Locator.Find(position);
   Eigen::Vector3d normal =
-    Pulled(closest, this->Locator.Surface().Triangles, this->Normals).row(0).transpose();
+    PullBack(closest, this->Locator.GetSurface().Triangles(), this->Normals).row(0).transpose();
   // Where the surface is folded, normals cancel out.
   if (normal.norm() < 0.1)
   {
-    const Eigen::Matrix3d corners = Corners(this->Locator.Surface(), closest.Triangles(0));
+    const Eigen::Matrix3d corners = GetCorners(this->Locator.GetSurface(), closest.Triangles(0));
     normal = (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0)).transpose();
   }
   PointDirections directions(3, 2);
@@ -166,16 +166,16 @@ PointDirections SlidingBoundary::Directions(int point, const Eigen::RowVector3d&
   return directions;
 }
 
-Eigen::RowVector3d SlidingBoundary::Nearest(int point, const Eigen::RowVector3d& place) const
+Eigen::RowVector3d SlidingBoundary::Nearest(int point, const Eigen::RowVector3d& position) const
 {
   switch (this->Freedom(point))
   {
     case 1:
-      return this->OnCrease(point, place).first;
+      return this->OnCrease(point, position).first;
     case 2:
-      return this->Locator.Find(place).Positions.row(0);
+      return this->Locator.Find(position).Positions.row(0);
     default:
-      return place;
+      return position;
   }
 }
 

@@ -23,14 +23,14 @@ public:
   SlidingBoundary(const Eigen::MatrixXd& points, const std::vector<std::array<int, 3>>& triangles);
 
   int Freedom(int point) const override;
-  PointDirections Directions(int point, const Eigen::RowVector3d& place) const override;
-  Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& place) const override;
+  PointDirections Directions(int point, const Eigen::RowVector3d& position) const override;
+  Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& position) const override;
 
 private:
   void FindCreases(const std::vector<std::array<int, 3>>& triangles);
   /// The nearest place on the crease and the crease's direction there.
   std::pair<Eigen::RowVector3d, Eigen::RowVector3d> OnCrease(
-    int point, const Eigen::RowVector3d& place) const;
+    int point, const Eigen::RowVector3d& position) const;
 
   SurfaceLocator Locator;
   Eigen::MatrixXd Normals;                              ///< n x 3, at the surface's points

@@ -1,8 +1,8 @@
 #include "Untangle/Private/SolidCells.h"
 
-#include "Mesh/CellFaces.h"
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/CellFaces.h"
 #include "Quality/CellSimplices.h"
 
 #include <Eigen/Geometry>
@@ -68,7 +68,7 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
   {
     const int first = cells.Offsets(cell), count = cells.Offsets(cell + 1) - first;
     const std::string where = name + "'s cell " + std::to_string(cell);
-    if (FacesOf(cells.Kinds(cell)).empty() || CornerCount(cells.Kinds(cell)) != count)
+    if (GetFaces(cells.Kinds(cell)).empty() || GetCornerCount(cells.Kinds(cell)) != count)
     {
       throw InvalidInput(where + " is no tetrahedron, pyramid, wedge or hexahedron (VTK's type " +
         std::to_string(cells.Kinds(cell)) +
@@ -101,15 +101,15 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
 void SolidCells::MarkBoundary()
 {
   this->Boundary.assign(this->PointCells.size(), 0);
-  const std::vector<CellFace> faces = SortedFaces(this->Result());
+  const std::vector<CellFace> faces = SortFaces(this->Result());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    if (!IsAlone(faces, i))
+    if (!IsBoundaryFace(faces, i))
     {
       continue;
     }
     std::vector<int> face;
-    for (const int corner : FacesOf(this->Kinds[faces[i].Cell])[faces[i].Face])
+    for (const int corner : GetFaces(this->Kinds[faces[i].Cell])[faces[i].Face])
     {
       face.push_back(this->Corners[faces[i].Cell][corner]);
     }
@@ -128,7 +128,7 @@ void SolidCells::MarkBoundary()
 void SolidCells::TurnWedges()
 {
   // VTK's own sources number wedges both ways round: what most of them do is right.
-  const Eigen::MatrixXd& places = this->Rest.rows() > 0 ? this->Rest : this->Points;
+  const Eigen::MatrixXd& positions = this->Rest.rows() > 0 ? this->Rest : this->Points;
   int sum = 0;
   for (int cell = 0; cell < this->CellCount(); ++cell)
   {
@@ -136,11 +136,12 @@ void SolidCells::TurnWedges()
     {
       for (const std::array<int, 4>& c : this->SimplicesOf(cell))
       {
-        sum += Orientation(places.row(c[0]), places.row(c[1]), places.row(c[2]), places.row(c[3]));
+        sum += EvaluateOrientation(
+          positions.row(c[0]), positions.row(c[1]), positions.row(c[2]), positions.row(c[3]));
       }
     }
   }
-  this->WedgesTurned = sum < 0;
+  this->WedgesInverted = sum < 0;
 }
 
 const std::vector<std::array<int, 4>>& SolidCells::SimplicesOf(int cell)
@@ -159,7 +160,7 @@ const std::vector<std::array<int, 4>>& SolidCells::SimplicesOf(int cell)
                                 : CellShape::Hexahedron,
     corners.data());
   this->Scratch = simplices.Corners;
-  if (kind == Wedge && this->WedgesTurned)
+  if (kind == Wedge && this->WedgesInverted)
   {
     for (std::array<int, 4>& simplex : this->Scratch)
     {
@@ -174,7 +175,7 @@ bool SolidCells::Inverted(int cell)
   const Eigen::MatrixXd& x = this->Points;
   for (const std::array<int, 4>& c : this->SimplicesOf(cell))
   {
-    if (Orientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0)
+    if (EvaluateOrientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0)
     {
       return true;
     }
@@ -240,19 +241,19 @@ int SolidCells::Split(const std::vector<int>& simplex)
 {
   const std::vector<int> around = this->CellsAround(simplex);
   const int middle = this->PointCount();
-  const auto append = [&](Eigen::MatrixXd& places)
+  const auto append = [&](Eigen::MatrixXd& positions)
   {
     // Room for more, so that many splits do not copy all points each time.
-    if (places.rows() <= middle)
+    if (positions.rows() <= middle)
     {
-      places.conservativeResize(middle + 1 + middle / 8, 3);
+      positions.conservativeResize(middle + 1 + middle / 8, 3);
     }
     Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
     for (const int point : simplex)
     {
-      mean += places.row(point) / static_cast<double>(simplex.size());
+      mean += positions.row(point) / static_cast<double>(simplex.size());
     }
-    places.row(middle) = mean;
+    positions.row(middle) = mean;
   };
   append(this->Points);
   if (this->Rest.rows() > 0)

@@ -71,7 +71,7 @@ private:
   std::vector<char> Boundary;
   std::vector<std::array<int, 3>> Surface;
   std::unordered_set<long long> BoundaryEdges;
-  bool WedgesTurned = false;
+  bool WedgesInverted = false;
   std::vector<std::array<int, 4>> Scratch;
 };
 

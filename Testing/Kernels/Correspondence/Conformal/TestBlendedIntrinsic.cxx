@@ -22,7 +22,7 @@ shape::Mesh Model(const std::string& name)
 shape::Mesh Without(const shape::Mesh& mesh, const Eigen::Array<bool, Eigen::Dynamic, 1>& cut)
 {
   std::vector<int> kept, points;
-  Eigen::VectorXi place = Eigen::VectorXi::Constant(mesh.Points.rows(), -1);
+  Eigen::VectorXi position = Eigen::VectorXi::Constant(mesh.Points.rows(), -1);
   for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
   {
     const auto corners = mesh.Triangles.row(t);
@@ -31,16 +31,16 @@ shape::Mesh Without(const shape::Mesh& mesh, const Eigen::Array<bool, Eigen::Dyn
       kept.push_back(t);
       for (const int corner : corners)
       {
-        if (place(corner) < 0)
+        if (position(corner) < 0)
         {
-          place(corner) = static_cast<int>(points.size());
+          position(corner) = static_cast<int>(points.size());
           points.push_back(corner);
         }
       }
     }
   }
   return { mesh.Points(points, Eigen::all),
-    mesh.Triangles(kept, Eigen::all).unaryExpr([&](int i) { return place(i); }) };
+    mesh.Triangles(kept, Eigen::all).unaryExpr([&](int i) { return position(i); }) };
 }
 
 } // namespace
@@ -61,27 +61,29 @@ TEST(BlendedIntrinsic, ThreePointsMakeTheMoebiusMap)
   const shape::ComplexPoints points = shape::ToComplexPoints(sphere.Points);
   const auto through = [&](int a, int b, int c, int d, int e, int f)
   {
-    return shape::MoebiusThrough(
+    return shape::SolveMoebiusTransform(
       points(Eigen::Vector3i(a, b, c), Eigen::all), points(Eigen::Vector3i(d, e, f), Eigen::all));
   };
   // To themselves: the identity.
   EXPECT_LT(
-    (shape::ToSphere(shape::Transformed(points, through(3, 70, 500, 3, 70, 500))) - sphere.Points)
+    (shape::ToSphere(shape::ApplyMoebiusTransform(points, through(3, 70, 500, 3, 70, 500))) -
+      sphere.Points)
       .cwiseAbs()
       .maxCoeff(),
     1e-12);
   // To others: they arrive, there and back is the identity, and both are one map after the other.
   const Eigen::Matrix2cd there = through(3, 70, 500, 8, 900, 41);
-  const Eigen::MatrixXd moved = shape::ToSphere(shape::Transformed(points, there));
+  const Eigen::MatrixXd moved = shape::ToSphere(shape::ApplyMoebiusTransform(points, there));
   EXPECT_LT((moved.row(3) - sphere.Points.row(8)).norm(), 1e-12);
   EXPECT_LT((moved.row(70) - sphere.Points.row(900)).norm(), 1e-12);
   EXPECT_LT((moved.row(500) - sphere.Points.row(41)).norm(), 1e-12);
   const Eigen::Matrix2cd both = through(8, 900, 41, 3, 70, 500) * there;
-  EXPECT_LT(
-    (shape::ToSphere(shape::Transformed(points, both)) - sphere.Points).cwiseAbs().maxCoeff(),
+  EXPECT_LT((shape::ToSphere(shape::ApplyMoebiusTransform(points, both)) - sphere.Points)
+              .cwiseAbs()
+              .maxCoeff(),
     1e-11);
   // Nothing is turned over, and areas grow as is said.
-  const Eigen::VectorXd scales = shape::LogAreaScales(points, there);
+  const Eigen::VectorXd scales = shape::ComputeLogAreaScales(points, there);
   double worst = 0.0;
   for (Eigen::Index t = 0; t < sphere.Triangles.rows(); ++t)
   {
@@ -92,7 +94,7 @@ TEST(BlendedIntrinsic, ThreePointsMakeTheMoebiusMap)
     const shape::Mesh one{ before, Eigen::RowVector3i(0, 1, 2) },
       other{ after, Eigen::RowVector3i(0, 1, 2) };
     const double grown =
-      std::log(shape::AreaVectors(other).norm() / shape::AreaVectors(one).norm());
+      std::log(shape::ComputeAreaVectors(other).norm() / shape::ComputeAreaVectors(one).norm());
     worst = std::max(worst, std::abs(grown - scales(corners).mean()));
   }
   EXPECT_LT(worst, 0.05);
@@ -108,7 +110,7 @@ TEST(BlendedIntrinsic, ACopyIsMappedOntoItself)
   b.Points = 2.0 * b.Points * turn.transpose();
   const Eigen::MatrixXd wanted = 2.0 * a.Points * turn.transpose();
   // No landmark says which side is which.
-  const shape::SurfaceMaps maps = shape::BlendedIntrinsic(a, b, {});
+  const shape::SurfaceMaps maps = shape::ComputeBlendedIntrinsicMap(a, b, {});
   EXPECT_LT(shapetest::MapErrors(maps.AToB, b, wanted).mean(), 0.005);
   Eigen::MatrixXd back(b.Points.rows(), 3);
   back(copy.NewOf, Eigen::all) = a.Points;
@@ -142,7 +144,7 @@ TEST(BlendedIntrinsic, FindsTheSameSurfaceInOtherTrianglesAlsoWithHoles)
       (b.Points.rowwise() - tip).rowwise().norm().minCoeff(&j);
       landmarks.push_back({ static_cast<int>(i), static_cast<int>(j) });
     }
-    const shape::SurfaceMaps maps = shape::BlendedIntrinsic(a, b, landmarks);
+    const shape::SurfaceMaps maps = shape::ComputeBlendedIntrinsicMap(a, b, landmarks);
     EXPECT_LT(shapetest::MapErrors(maps.AToB, b, a.Points).mean(), 0.02) << hasHole;
     EXPECT_LT(shapetest::MapErrors(maps.BToA, a, b.Points).mean(), 0.02) << hasHole;
     // One wrong landmark does not spoil what others agree on.
@@ -155,7 +157,7 @@ TEST(BlendedIntrinsic, FindsTheSameSurfaceInOtherTrianglesAlsoWithHoles)
     (a.Points.rowwise() - Eigen::RowVector3d(0.35, 0.5, 1.6)).rowwise().norm().minCoeff(&top);
     (b.Points.rowwise() - Eigen::RowVector3d(0.0, 0.7, -0.8)).rowwise().norm().minCoeff(&bottom);
     landmarks.push_back({ static_cast<int>(top), static_cast<int>(bottom) });
-    const shape::SurfaceMaps voted = shape::BlendedIntrinsic(a, b, landmarks);
+    const shape::SurfaceMaps voted = shape::ComputeBlendedIntrinsicMap(a, b, landmarks);
     EXPECT_LT(shapetest::MapErrors(voted.AToB, b, a.Points).mean(), 0.04) << hasHole;
   }
 }
@@ -176,7 +178,7 @@ TEST(BlendedIntrinsic, TheOrderOfPointsDoesNotChangeTheMapOfASheet)
     {
       landmarks.push_back({ i, copy.NewOf(i) });
     }
-    const shape::SurfaceMaps maps = shape::BlendedIntrinsic(sheet, copy.Mesh, landmarks);
+    const shape::SurfaceMaps maps = shape::ComputeBlendedIntrinsicMap(sheet, copy.Mesh, landmarks);
     EXPECT_LT(shapetest::MapErrors(maps.AToB, copy.Mesh, sheet.Points).mean(), 1e-6) << seed;
   }
 }
@@ -189,7 +191,7 @@ TEST(BlendedIntrinsic, NamesWhatIsWrong)
   {
     try
     {
-      shape::BlendedIntrinsic(a, b, pairs);
+      shape::ComputeBlendedIntrinsicMap(a, b, pairs);
     }
     catch (const shape::InvalidInput& error)
     {

@@ -19,13 +19,14 @@ constexpr OrbifoldType AllTypes[] = { OrbifoldType::Square, OrbifoldType::Rhombu
 
 std::vector<int> Cones(OrbifoldType type)
 {
-  return shape::ConeCount(type) == 3 ? std::vector<int>{ 0, 4, 8 } : std::vector<int>{ 0, 4, 8, 2 };
+  return shape::GetConeCount(type) == 3 ? std::vector<int>{ 0, 4, 8 }
+                                        : std::vector<int>{ 0, 4, 8, 2 };
 }
 
-/// Places on a surface where a map sends points.
-Eigen::MatrixXd Places(const shape::PreciseMap& map, const shape::Mesh& target)
+/// Positions on a surface where a map sends points.
+Eigen::MatrixXd Positions(const shape::SurfacePoints& map, const shape::Mesh& target)
 {
-  return shape::Pulled(map, target.Triangles, target.Points);
+  return shape::PullBack(map, target.Triangles, target.Points);
 }
 
 } // namespace
@@ -40,8 +41,8 @@ TEST(OrbifoldMap, ASurfaceAndItsRotatedCopyGiveTheIdentity)
   for (const OrbifoldType type : AllTypes)
   {
     const shape::OrbifoldMap map = shape::MapThroughOrbifold(a, Cones(type), b, Cones(type), type);
-    EXPECT_LT((Places(map.AToB, b) - b.Points).cwiseAbs().maxCoeff(), 1e-7);
-    EXPECT_LT((Places(map.BToA, a) - a.Points).cwiseAbs().maxCoeff(), 1e-7);
+    EXPECT_LT((Positions(map.AToB, b) - b.Points).cwiseAbs().maxCoeff(), 1e-7);
+    EXPECT_LT((Positions(map.BToA, a) - a.Points).cwiseAbs().maxCoeff(), 1e-7);
   }
 }
 
@@ -61,7 +62,7 @@ TEST(OrbifoldMap, AnotherMeshOfTheSameShapeGivesNearlyTheIdentity)
         shape::MapThroughOrbifold(a, Cones(type), b, Cones(type), type);
       // The first points of the finer mesh are those of the coarser one.
       const double error =
-        (Places(map.AToB, b) - b.Points.topRows(a.Points.rows())).rowwise().norm().mean();
+        (Positions(map.AToB, b) - b.Points.topRows(a.Points.rows())).rowwise().norm().mean();
       EXPECT_LT(error, 0.9 * before) << static_cast<int>(type) << " level " << level;
       before = error;
     }
@@ -77,7 +78,7 @@ TEST(OrbifoldMap, IsOneToOneKeepsOrientationAndMeetsTheCones)
   const std::vector<std::vector<int>> conesOfB = { { 3, 9, 5 }, { 5, 7, 2, 10 } };
   for (const OrbifoldType type : AllTypes)
   {
-    const std::vector<int>& conesB = conesOfB[shape::ConeCount(type) - 3];
+    const std::vector<int>& conesB = conesOfB[shape::GetConeCount(type) - 3];
     const shape::OrbifoldMap map = shape::MapThroughOrbifold(a, Cones(type), b, conesB, type);
     for (std::size_t i = 0; i < conesB.size(); ++i)
     {
@@ -88,16 +89,16 @@ TEST(OrbifoldMap, IsOneToOneKeepsOrientationAndMeetsTheCones)
     }
     EXPECT_TRUE((map.AToB.Barycentrics.array() >= 0.0).all());
     // There and back: the place on B of each point of A, found on A again.
-    const auto imageA = shape::OrbifoldTutte(a, Cones(type), type);
-    const auto imageB = shape::OrbifoldTutte(b, conesB, type);
-    const Eigen::MatrixXd places =
-      shape::Pulled(map.AToB, imageB.Cut.Surface.Triangles, imageB.Points);
+    const auto imageA = shape::MapToOrbifold(a, Cones(type), type);
+    const auto imageB = shape::MapToOrbifold(b, conesB, type);
+    const Eigen::MatrixXd positions =
+      shape::PullBack(map.AToB, imageB.Cut.Surface.Triangles, imageB.Points);
     const shape::OrbifoldLocator locator(imageA, 20.0);
-    EXPECT_LT((Places(locator.Find(places), a) - a.Points).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT((Positions(locator.Find(positions), a) - a.Points).cwiseAbs().maxCoeff(), 1e-6);
     // The image of A on B winds around its inside once, facing outwards.
-    const Eigen::MatrixXd onB = Places(map.AToB, b);
-    EXPECT_NEAR(
-      shape::WindingNumber(onB, a.Triangles, Eigen::RowVector3d(0.01, 0.02, 0.03)), 1.0, 1e-9);
+    const Eigen::MatrixXd onB = Positions(map.AToB, b);
+    EXPECT_NEAR(shape::ComputeWindingNumber(onB, a.Triangles, Eigen::RowVector3d(0.01, 0.02, 0.03)),
+      1.0, 1e-9);
   }
 }
 
@@ -106,10 +107,10 @@ TEST(OrbifoldMap, APlaceIsFoundWhereverItsImageUnderTheGroupLies)
   const shape::Mesh mesh = shapetest::Pebble(shapetest::Icosphere(2));
   for (const OrbifoldType type : AllTypes)
   {
-    const auto image = shape::OrbifoldTutte(mesh, Cones(type), type);
+    const auto image = shape::MapToOrbifold(mesh, Cones(type), type);
     const shape::OrbifoldLocator locator(image, 8.0);
     const Eigen::MatrixXd own = image.Points.topRows(mesh.Points.rows());
-    for (const shape::PlaneMotion& motion : shape::OrbifoldMotions(image.Tile, 0.0, 3.0))
+    for (const shape::PlaneIsometry& motion : shape::ComputeOrbifoldMotions(image.Tile, 0.0, 3.0))
     {
       Eigen::MatrixXd moved(own.rows(), 2);
       for (Eigen::Index i = 0; i < own.rows(); ++i)
@@ -117,7 +118,7 @@ TEST(OrbifoldMap, APlaceIsFoundWhereverItsImageUnderTheGroupLies)
         const std::complex<double> z = motion({ own(i, 0), own(i, 1) });
         moved.row(i) << z.real(), z.imag();
       }
-      EXPECT_LT((Places(locator.Find(moved), mesh) - mesh.Points).cwiseAbs().maxCoeff(), 1e-7);
+      EXPECT_LT((Positions(locator.Find(moved), mesh) - mesh.Points).cwiseAbs().maxCoeff(), 1e-7);
     }
     EXPECT_THROW(locator.Find(Eigen::MatrixXd::Constant(1, 2, 9.0)), shape::InvalidInput);
   }

@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
 #include "Correspondence/Conformal/SphereCommonDomain.h"
-#include "Support/MatchingShapes.h"
 #include "Parameterize/SphericalTriangles.h"
+#include "Support/MatchingShapes.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 namespace
 {
 
-Eigen::MatrixXd Places(const shape::PreciseMap& map, const shape::Mesh& target)
+Eigen::MatrixXd Positions(const shape::SurfacePoints& map, const shape::Mesh& target)
 {
-  return shape::Pulled(map, target.Triangles, target.Points);
+  return shape::PullBack(map, target.Triangles, target.Points);
 }
 
 const std::vector<int> Landmarks = { 0, 3, 4, 7, 8, 10, 25 };
@@ -32,8 +32,8 @@ TEST(SphereCommonDomain, ASurfaceAndItsRotatedCopyGiveTheIdentity)
   shape::SphereCommonDomainOptions options;
   options.RelaxationSweeps = 0; // which lowers another energy than the sphere maps do
   const auto map = shape::MapThroughSphere(a, Landmarks, b, Landmarks, options);
-  EXPECT_LT((Places(map.AToB, b) - b.Points).cwiseAbs().maxCoeff(), 1e-4);
-  EXPECT_LT((Places(map.BToA, a) - a.Points).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((Positions(map.AToB, b) - b.Points).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((Positions(map.BToA, a) - a.Points).cwiseAbs().maxCoeff(), 1e-4);
 }
 
 TEST(SphereCommonDomain, MeetsManyLandmarksWithoutAFlip)
@@ -44,8 +44,8 @@ TEST(SphereCommonDomain, MeetsManyLandmarksWithoutAFlip)
   // The same corners of the icosahedron, and others near them, so that all have to move.
   const std::vector<int> onB = { 0, 3, 4, 7, 8, 10, 60 };
   const auto map = shape::MapThroughSphere(a, Landmarks, b, onB);
-  EXPECT_TRUE(shape::FlippedTriangles(a.Triangles, map.SphereA).empty());
-  EXPECT_EQ(shape::CoveringDegree(a.Triangles, map.SphereA), 1);
+  EXPECT_TRUE(shape::FindFlippedTriangles(a.Triangles, map.SphereA).empty());
+  EXPECT_EQ(shape::ComputeCoveringDegree(a.Triangles, map.SphereA), 1);
   for (std::size_t i = 0; i < onB.size(); ++i)
   {
     Eigen::Index corner = 0;
@@ -56,21 +56,21 @@ TEST(SphereCommonDomain, MeetsManyLandmarksWithoutAFlip)
   }
   // There and back on the sphere.
   const Eigen::MatrixXd onSphereB =
-    shape::Pulled(map.AToB, b.Triangles, map.SphereB).rowwise().normalized();
+    shape::PullBack(map.AToB, b.Triangles, map.SphereB).rowwise().normalized();
   EXPECT_LT((onSphereB - map.SphereA).cwiseAbs().maxCoeff(), 1e-10);
   const auto back = shape::LocateDirections({ map.SphereA, a.Triangles }, onSphereB);
-  EXPECT_LT((Places(back, a) - a.Points).cwiseAbs().maxCoeff(), 1e-8);
-  EXPECT_NEAR(
-    shape::WindingNumber(Places(map.AToB, b), a.Triangles, Eigen::RowVector3d(0.01, 0.02, 0.03)),
+  EXPECT_LT((Positions(back, a) - a.Points).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_NEAR(shape::ComputeWindingNumber(
+                Positions(map.AToB, b), a.Triangles, Eigen::RowVector3d(0.01, 0.02, 0.03)),
     1.0, 1e-9);
 }
 
 TEST(SphereCommonDomain, DirectionsAreFoundWhereTheyPass)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const Eigen::MatrixXd directions = 7.0 * shape::RandomPlaces(sphere, 500, 3);
-  const shape::PreciseMap map = shape::LocateDirections(sphere, directions);
-  EXPECT_LT((7.0 * Places(map, sphere) - directions).cwiseAbs().maxCoeff(), 1e-12);
+  const Eigen::MatrixXd directions = 7.0 * shape::SampleRandomly(sphere, 500, 3);
+  const shape::SurfacePoints map = shape::LocateDirections(sphere, directions);
+  EXPECT_LT((7.0 * Positions(map, sphere) - directions).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(SphereCommonDomain, WhatCannotBeMetIsRefusedWithTheFact)

@@ -37,20 +37,21 @@ shape::Mesh Model()
 TEST(MapErrorCurve, OfTheTruthIsZero)
 {
   const shape::Mesh mesh = Model();
-  const Eigen::MatrixXd places = shape::RandomPlaces(mesh, 500, 1);
+  const Eigen::MatrixXd positions = shape::SampleRandomly(mesh, 500, 1);
   // A rigid motion is the true map of all places, also between points.
   shape::Mesh moved = mesh;
   moved.Points = mesh.Points * Turned(1.0).transpose();
-  const shape::MapErrorCurveResult result = shape::MapErrorCurve(
-    mesh, moved.Points, moved, { places, places * Turned(1.0).transpose(), {} });
+  const shape::MapErrorCurveResult result = shape::ComputeMapErrorCurve(
+    mesh, moved.Points, moved, { positions, positions * Turned(1.0).transpose(), {} });
   EXPECT_LT(result.Maximum, 1e-10);
   EXPECT_NEAR(result.AreaUnderCurve, 1.0, 1e-10);
   EXPECT_EQ(result.Shares.size(), 500);
   EXPECT_EQ(result.Shares(499), 1.0);
   EXPECT_LT(result.LargestGap, 1e-10 * result.Unit);
   EXPECT_FALSE(result.Mirrored);
-  EXPECT_LT(shape::RoundTripErrors(mesh, moved.Points, moved, mesh.Points).maxCoeff(), 1e-10);
-  EXPECT_NEAR(shape::Coverage(mesh, moved.Points, moved), 1.0, 1e-12);
+  EXPECT_LT(
+    shape::ComputeRoundTripErrors(mesh, moved.Points, moved, mesh.Points).maxCoeff(), 1e-10);
+  EXPECT_NEAR(shape::ComputeCoverage(mesh, moved.Points, moved), 1.0, 1e-12);
 }
 
 TEST(MapErrorCurve, OfATurnedSphereIsAsLongAsTheArcs)
@@ -58,9 +59,9 @@ TEST(MapErrorCurve, OfATurnedSphereIsAsLongAsTheArcs)
   const shape::Mesh sphere = shapetest::Icosphere(5);
   const double angle = 0.3;
   const Eigen::MatrixXd map = sphere.Points * Turned(angle).transpose();
-  const shape::MapTruth truth{ sphere.Points, sphere.Points, {} };
+  const shape::GroundTruth truth{ sphere.Points, sphere.Points, {} };
   const shape::MapErrorCurveResult result =
-    shape::MapErrorCurve(sphere, map, sphere, truth, InUnits());
+    shape::ComputeMapErrorCurve(sphere, map, sphere, truth, InUnits());
   const Eigen::ArrayXd across = sphere.Points.leftCols(2).rowwise().norm();
   // 2 asin(r sin(a / 2)) for the great circle between the ends of an arc of a circle of radius r.
   Eigen::VectorXd wanted = 2.0 * (across * std::sin(0.5 * angle)).asin();
@@ -72,15 +73,15 @@ TEST(MapErrorCurve, OfATurnedSphereIsAsLongAsTheArcs)
   EXPECT_NEAR(result.Maximum, angle, 1e-3 * angle);
   // The same divided: sqrt(4 pi), pi.
   shape::MapErrorCurveOptions options;
-  EXPECT_NEAR(shape::MapErrorCurve(sphere, map, sphere, truth, options).Mean,
+  EXPECT_NEAR(shape::ComputeMapErrorCurve(sphere, map, sphere, truth, options).Mean,
     wanted.mean() / std::sqrt(4.0 * M_PI), 1e-3 * angle);
   options.Normalisation = shape::MapErrorCurveOptions::NormalisationType::GeodesicDiameter;
-  EXPECT_NEAR(shape::MapErrorCurve(sphere, map, sphere, truth, options).Mean, wanted.mean() / M_PI,
-    1e-3 * angle);
+  EXPECT_NEAR(shape::ComputeMapErrorCurve(sphere, map, sphere, truth, options).Mean,
+    wanted.mean() / M_PI, 1e-3 * angle);
   // Linear in each error up to the largest.
   options = InUnits();
   options.LargestError = 0.2;
-  EXPECT_NEAR(shape::MapErrorCurve(sphere, map, sphere, truth, options).AreaUnderCurve,
+  EXPECT_NEAR(shape::ComputeMapErrorCurve(sphere, map, sphere, truth, options).AreaUnderCurve,
     (1.0 - wanted.array() / 0.2).max(0.0).mean(), 1e-3);
 }
 
@@ -93,7 +94,7 @@ TEST(MapErrorCurve, IsMeasuredAlongTheSurface)
   below << 1.0, 2.0, 0.0;
   above << 1.0, 2.0, 0.01;
   const shape::MapErrorCurveResult result =
-    shape::MapErrorCurve(slab, slab.Points, slab, { below, above, {} }, InUnits());
+    shape::ComputeMapErrorCurve(slab, slab.Points, slab, { below, above, {} }, InUnits());
   EXPECT_NEAR(result.Maximum, 2.01, 1e-10);
 }
 
@@ -103,15 +104,15 @@ TEST(MapErrorCurve, TakesTheTruthOrItsMirrorImageAsAWhole)
   Eigen::MatrixXd mirror = torus.Points;
   mirror.col(0) *= -1.0;
   const Eigen::MatrixXd& right = torus.Points;
-  const shape::MapTruth truth{ right, right, mirror };
-  EXPECT_FALSE(shape::MapErrorCurve(torus, right, torus, truth).Mirrored);
-  EXPECT_EQ(shape::MapErrorCurve(torus, right, torus, truth).Maximum, 0.0);
-  EXPECT_TRUE(shape::MapErrorCurve(torus, mirror, torus, truth).Mirrored);
-  EXPECT_LT(shape::MapErrorCurve(torus, mirror, torus, truth).Maximum, 1e-12);
+  const shape::GroundTruth truth{ right, right, mirror };
+  EXPECT_FALSE(shape::ComputeMapErrorCurve(torus, right, torus, truth).Mirrored);
+  EXPECT_EQ(shape::ComputeMapErrorCurve(torus, right, torus, truth).Maximum, 0.0);
+  EXPECT_TRUE(shape::ComputeMapErrorCurve(torus, mirror, torus, truth).Mirrored);
+  EXPECT_LT(shape::ComputeMapErrorCurve(torus, mirror, torus, truth).Maximum, 1e-12);
   // Half of one and half of the other is no good map by either.
   Eigen::MatrixXd torn = right;
   torn.topRows(torn.rows() / 2) = mirror.topRows(torn.rows() / 2);
-  const shape::MapErrorCurveResult result = shape::MapErrorCurve(torus, torn, torus, truth);
+  const shape::MapErrorCurveResult result = shape::ComputeMapErrorCurve(torus, torn, torus, truth);
   EXPECT_GT(result.Mean, 0.1);
   EXPECT_GT(result.Maximum, 0.5);
 }
@@ -121,8 +122,8 @@ TEST(MapErrorCurve, CoverageIsTheShareOfTheArea)
   const shape::Mesh square = shapetest::FlatSquare(40, 0.2);
   Eigen::MatrixXd half = square.Points;
   half.col(0) = 0.5 * (half.col(0).array() - 1.0);
-  EXPECT_DOUBLE_EQ(shape::Coverage(square, square.Points, square), 1.0);
-  EXPECT_NEAR(shape::Coverage(square, half, square), 0.5, 0.02);
+  EXPECT_DOUBLE_EQ(shape::ComputeCoverage(square, square.Points, square), 1.0);
+  EXPECT_NEAR(shape::ComputeCoverage(square, half, square), 0.5, 0.02);
 }
 
 TEST(MapErrorCurve, RoundTripsOfMapsThatAreNotInverseAreAsLongAsTheWay)
@@ -130,22 +131,23 @@ TEST(MapErrorCurve, RoundTripsOfMapsThatAreNotInverseAreAsLongAsTheWay)
   const shape::Mesh sphere = shapetest::Icosphere(5);
   const Eigen::MatrixXd map = sphere.Points * Turned(0.3).transpose(),
                         back = sphere.Points * Turned(-0.2).transpose();
-  const Eigen::VectorXd errors = shape::RoundTripErrors(sphere, map, sphere, back);
+  const Eigen::VectorXd errors = shape::ComputeRoundTripErrors(sphere, map, sphere, back);
   EXPECT_NEAR(errors(errors.size() - 1), 0.1 / std::sqrt(4.0 * M_PI), 1e-4);
 }
 
 TEST(MapErrorCurve, RefusesWhatHasNoError)
 {
   const shape::Mesh mesh = shapetest::Icosphere(2);
-  const shape::MapTruth none{ Eigen::MatrixXd(0, 3), Eigen::MatrixXd(0, 3), {} };
-  EXPECT_THROW(shape::MapErrorCurve(mesh, mesh.Points, mesh, none), shape::InvalidInput);
-  const shape::MapTruth truth{ mesh.Points, mesh.Points, {} };
+  const shape::GroundTruth none{ Eigen::MatrixXd(0, 3), Eigen::MatrixXd(0, 3), {} };
+  EXPECT_THROW(shape::ComputeMapErrorCurve(mesh, mesh.Points, mesh, none), shape::InvalidInput);
+  const shape::GroundTruth truth{ mesh.Points, mesh.Points, {} };
   EXPECT_THROW(
-    shape::MapErrorCurve(mesh, mesh.Points.topRows(3), mesh, truth), shape::InvalidInput);
+    shape::ComputeMapErrorCurve(mesh, mesh.Points.topRows(3), mesh, truth), shape::InvalidInput);
   shape::MapErrorCurveOptions options;
   options.LargestError = 0.0;
-  EXPECT_THROW(shape::MapErrorCurve(mesh, mesh.Points, mesh, truth, options), shape::InvalidInput);
-  EXPECT_THROW(shape::MapErrorCurve(
+  EXPECT_THROW(
+    shape::ComputeMapErrorCurve(mesh, mesh.Points, mesh, truth, options), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeMapErrorCurve(
                  mesh, mesh.Points, mesh, truth, {}, shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

@@ -1,10 +1,10 @@
 #include "Base/Errors.h"
+#include "Correspondence/Evaluate/SurfaceMapFacts.h"
 #include "Correspondence/Functional/FunctionalMap.h"
 #include "Correspondence/Functional/PartialFunctionalMap.h"
-#include "Correspondence/Evaluate/SurfaceMapFacts.h"
 #include "Correspondence/Pair/SurfacePart.h"
-#include "Support/MatchingShapes.h"
 #include "Spectrum/SpectralSignatures.h"
+#include "Support/MatchingShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,8 @@ TEST(FunctionalMap, FindsACopyBothWaysWhateverItsPoseSizeAndNumbers)
 {
   const shape::Mesh mesh = Model("elk");
   const shapetest::Renumbered copy = Copied(mesh);
-  const shape::SurfaceMaps maps = shape::FunctionalMap(mesh, copy.Mesh, SomeLandmarks(copy, 3));
+  const shape::SurfaceMaps maps =
+    shape::ComputeFunctionalMap(mesh, copy.Mesh, SomeLandmarks(copy, 3));
   EXPECT_LT(shapetest::MapErrors(maps.AToB, copy.Mesh, Wanted(copy)).mean(), 1e-6);
   Eigen::MatrixXd back(mesh.Points.rows(), 3);
   back(copy.NewOf, Eigen::all) = mesh.Points;
@@ -72,7 +73,7 @@ TEST(FunctionalMap, OfSurfacesWithBorderAndSeveralComponents)
   shape::FunctionalMapOptions options;
   options.Refinement.Last = 60;
   const shape::SurfaceMaps maps =
-    shape::FunctionalMap(mesh, copy.Mesh, SomeLandmarks(copy, 12), options);
+    shape::ComputeFunctionalMap(mesh, copy.Mesh, SomeLandmarks(copy, 12), options);
   const Eigen::VectorXd errors = shapetest::MapErrors(maps.AToB, copy.Mesh, Wanted(copy));
   EXPECT_LT(errors.maxCoeff(), 1e-6);
 }
@@ -81,11 +82,12 @@ TEST(FitFunctionalMap, OfTheSameDescriptorsIsTheIdentityAndOrientationTellsTheMi
 {
   const shape::Mesh mesh = Model("elk");
   shape::Mesh unit = mesh;
-  unit.Points /= std::sqrt(shape::PointAreas(unit).sum());
-  const shape::LaplaceSpectrum spectrum = shape::FindLaplaceSpectrum(unit, 30);
+  unit.Points /= std::sqrt(shape::ComputePointAreas(unit).sum());
+  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(unit, 30);
   Eigen::MatrixXd descriptors(unit.Points.rows(), 40);
-  descriptors << shape::WaveKernelSignature(spectrum, 20), shape::WaveKernelFrom(spectrum, 5, 20);
-  const shape::DescribedSurface surface{ unit, spectrum, descriptors };
+  descriptors << shape::ComputeWaveKernelSignature(spectrum, 20),
+    shape::ComputeWaveKernelFrom(spectrum, 5, 20);
+  const shape::SurfaceDescriptors surface{ unit, spectrum, descriptors };
   shape::FunctionalMapFitOptions options;
   options.Size = 20;
   const Eigen::MatrixXd map = shape::FitFunctionalMap(surface, surface, options);
@@ -94,7 +96,7 @@ TEST(FitFunctionalMap, OfTheSameDescriptorsIsTheIdentityAndOrientationTellsTheMi
   // Turned inside out nothing changes but the orientation: the weight alone pulls maps off.
   shape::Mesh reversed = unit;
   reversed.Triangles.col(1).swap(reversed.Triangles.col(2));
-  const shape::DescribedSurface turned{ reversed, spectrum, descriptors };
+  const shape::SurfaceDescriptors turned{ reversed, spectrum, descriptors };
   options.OrientationWeight = 1.0;
   const Eigen::MatrixXd kept = shape::FitFunctionalMap(surface, surface, options),
                         mirrored = shape::FitFunctionalMap(surface, turned, options);
@@ -126,7 +128,8 @@ struct PartAndWhole
   Eigen::MatrixXd Wanted() const { return this->Part.Surface.Points * this->Pose.transpose(); }
   double Share() const
   {
-    return 9.0 * shape::PointAreas(this->Part.Surface).sum() / shape::PointAreas(this->Whole).sum();
+    return 9.0 * shape::ComputePointAreas(this->Part.Surface).sum() /
+      shape::ComputePointAreas(this->Whole).sum();
   }
 };
 
@@ -165,22 +168,23 @@ TEST(PartialFunctionalMap, FindsAPartInTheWholeAndWhatOfThatHasAPartner)
 {
   const PartAndWhole pair;
   const shape::SurfaceMaps maps =
-    shape::PartialFunctionalMap(pair.Part.Surface, pair.Whole, pair.Pairs, 3.0);
-  const double length = std::sqrt(shape::PointAreas(pair.Whole).sum());
+    shape::ComputePartialFunctionalMap(pair.Part.Surface, pair.Whole, pair.Pairs, 3.0);
+  const double length = std::sqrt(shape::ComputePointAreas(pair.Whole).sum());
   const Eigen::VectorXd errors = shapetest::MapErrors(maps.AToB, pair.Whole, pair.Wanted());
   EXPECT_LT(errors.mean() / length, 0.01);
   // Each of both taken with its own area as 1 the part is spread over the whole.
-  const shape::SurfaceMaps spread = shape::FunctionalMap(pair.Part.Surface, pair.Whole, pair.Pairs);
+  const shape::SurfaceMaps spread =
+    shape::ComputeFunctionalMap(pair.Part.Surface, pair.Whole, pair.Pairs);
   EXPECT_GT(
     shapetest::MapErrors(spread.AToB, pair.Whole, pair.Wanted()).mean(), 5.0 * errors.mean());
 
-  const shape::SurfaceMapFacts facts = shape::DescribeMaps(pair.Part.Surface, pair.Whole, maps);
+  const shape::SurfaceMapFacts facts = shape::EvaluateMaps(pair.Part.Surface, pair.Whole, maps);
   EXPECT_GT(facts.CoverageOfA, 0.95);
   EXPECT_NEAR(facts.CoverageOfB, pair.Share(), 0.04);
   EXPECT_NEAR(facts.DirichletEnergy, pair.Share(), 0.1);
   EXPECT_LT(facts.ReversedArea, 0.05);
 
-  EXPECT_THROW(shape::PartialFunctionalMap(
+  EXPECT_THROW(shape::ComputePartialFunctionalMap(
                  pair.Part.Surface, pair.Whole, { pair.Pairs[0], pair.Pairs[1] }, 3.0),
     shape::InvalidInput);
 }
@@ -190,8 +194,8 @@ TEST(FunctionalMap, RefusesSurfacesThatAreNoManifolds)
   shape::Mesh fan = shapetest::FlatSquare(3, 0.0);
   const shape::Mesh good = fan;
   fan.Triangles.row(1) = fan.Triangles.row(0);
-  EXPECT_THROW(shape::FunctionalMap(fan, good, {}), shape::InvalidInput);
-  EXPECT_THROW(shape::FunctionalMap(good, fan, {}), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeFunctionalMap(fan, good, {}), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeFunctionalMap(good, fan, {}), shape::InvalidInput);
 }
 
 } // namespace

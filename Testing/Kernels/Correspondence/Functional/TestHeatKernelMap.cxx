@@ -11,10 +11,10 @@ namespace
 {
 
 /// Where the nearest point to a place is.
-int PointAt(const shape::Mesh& mesh, const Eigen::RowVector3d& place)
+int PointAt(const shape::Mesh& mesh, const Eigen::RowVector3d& position)
 {
   Eigen::Index at = 0;
-  (mesh.Points.rowwise() - place).rowwise().squaredNorm().minCoeff(&at);
+  (mesh.Points.rowwise() - position).rowwise().squaredNorm().minCoeff(&at);
   return static_cast<int>(at);
 }
 
@@ -41,7 +41,7 @@ TEST(HeatKernelMap, OnePointTellsAllPointsOfACopyApart)
   b.Points = (7.0 * b.Points * turn.transpose()).rowwise() + Eigen::RowVector3d(1, 2, 3);
   const auto wanted = [&](const Eigen::VectorXi& ids) -> Eigen::MatrixXd
   { return b.Points(ids, Eigen::all); };
-  const shape::SurfaceMaps maps = shape::HeatKernelMap(a, b, { { 100, copy.NewOf(100) } });
+  const shape::SurfaceMaps maps = shape::ComputeHeatKernelMap(a, b, { { 100, copy.NewOf(100) } });
   EXPECT_LT(shapetest::MapErrors(maps.AToB, b, wanted(copy.NewOf)).maxCoeff(), 1e-4);
   Eigen::MatrixXd back(b.Points.rows(), 3);
   for (Eigen::Index i = 0; i < a.Points.rows(); ++i)
@@ -70,11 +70,11 @@ TEST(HeatKernelMap, BendingAPlateChangesNothing)
   };
   const shape::Mesh a = plate(40);
   shape::Mesh b = plate(36);
-  const auto worst = [&](const Eigen::RowVector3d& place)
+  const auto worst = [&](const Eigen::RowVector3d& position)
   {
     const shape::Mesh bent{ bend(b.Points), b.Triangles };
     const shape::SurfaceMaps maps =
-      shape::HeatKernelMap(a, bent, { { PointAt(a, place), PointAt(b, place) } });
+      shape::ComputeHeatKernelMap(a, bent, { { PointAt(a, position), PointAt(b, position) } });
     return shapetest::MapErrors(maps.AToB, bent, bend(a.Points)).maxCoeff();
   };
   EXPECT_LT(worst({ 0.5, 0.3, 0.0 }), 0.05); // the point is on no axis of symmetry
@@ -91,13 +91,13 @@ TEST(HeatKernelMap, OtherTrianglesAreTheSameSurface)
     { Eigen::RowVector3d(3, 0, 0), Eigen::RowVector3d(0.2, -1, -1.6) })
   {
     landmarks.push_back({ PointAt(a, tip), PointAt(b, tip) });
-    const shape::SurfaceMaps maps = shape::HeatKernelMap(a, b, landmarks);
+    const shape::SurfaceMaps maps = shape::ComputeHeatKernelMap(a, b, landmarks);
     const double error = shapetest::MapErrors(maps.AToB, b, a.Points).mean();
     EXPECT_LT(error, 0.9 * before);
     before = error;
   }
   EXPECT_LT(before, 0.02);
-  const shape::SurfaceMaps automatic = shape::HeatKernelMap(a, b, {});
+  const shape::SurfaceMaps automatic = shape::ComputeHeatKernelMap(a, b, {});
   EXPECT_LT(shapetest::MapErrors(automatic.AToB, b, a.Points).mean(), 0.02);
 }
 
@@ -107,8 +107,8 @@ TEST(HeatKernelMap, EachComponentNeedsALandmark)
   const shape::Mesh other = shapetest::Torus(2.0, 0.7, 24, 12);
   const shape::Mesh a = Both(one, other, 10.0), b = Both(other, one, -10.0);
   const auto n = static_cast<int>(one.Points.rows()), m = static_cast<int>(other.Points.rows());
-  const shape::SurfaceMaps maps = shape::HeatKernelMap(a, b, { { 5, m + 5 }, { n + 9, 9 } });
-  const Eigen::VectorXi targets = shape::MainCorners(maps.AToB, b.Triangles);
+  const shape::SurfaceMaps maps = shape::ComputeHeatKernelMap(a, b, { { 5, m + 5 }, { n + 9, 9 } });
+  const Eigen::VectorXi targets = shape::FindNearestCorners(maps.AToB, b.Triangles);
   EXPECT_GE(targets.head(n).minCoeff(), m);
   EXPECT_LT(targets.tail(m).maxCoeff(), m);
   Eigen::MatrixXd wanted(n + m, 3);
@@ -121,14 +121,16 @@ TEST(HeatKernelMap, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
   const shape::Mesh both = Both(sphere, sphere, 5.0);
-  EXPECT_THROW(shape::HeatKernelMap(sphere, both, { { 0, 0 } }), shape::InvalidInput);
-  EXPECT_THROW(shape::HeatKernelMap(both, sphere, { { 0, 0 } }), shape::InvalidInput);
-  EXPECT_THROW(shape::HeatKernelMap(sphere, sphere, { { 0, 162 } }), shape::InvalidInput);
-  EXPECT_THROW(shape::HeatKernelMap(sphere, sphere, { { -1, 0 } }), shape::InvalidInput);
-  EXPECT_THROW(shape::HeatKernelMap(sphere, sphere, { { 0, 0 } }, { 1, 25 }), shape::InvalidInput);
-  EXPECT_THROW(shape::HeatKernelMap(sphere, sphere, { { 0, 0 } }, { 9, 0 }), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, both, { { 0, 0 } }), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeHeatKernelMap(both, sphere, { { 0, 0 } }), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 162 } }), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, sphere, { { -1, 0 } }), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 0 } }, { 1, 25 }), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 0 } }, { 9, 0 }), shape::InvalidInput);
   shape::Mesh loose = sphere;
   loose.Points.conservativeResize(163, 3);
   loose.Points.row(162).setZero();
-  EXPECT_THROW(shape::HeatKernelMap(sphere, loose, { { 0, 0 } }), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, loose, { { 0, 0 } }), shape::InvalidInput);
 }

@@ -28,7 +28,7 @@ double WorstError(const shape::Mesh& a, const shape::Mesh& b, const Eigen::Matri
   {
     worst = std::max(worst, (a.Points.row(i) - b.Points.row(j) * turn).norm());
   }
-  return worst / shape::LongestSide(a.Points);
+  return worst / shape::ComputeLongestBoxEdge(a.Points);
 }
 
 } // namespace
@@ -45,15 +45,15 @@ TEST(AutomaticLandmarks, MaximaAreAsPersistentAsTheyAreAboveThePassToAHigherOne)
     triangles.row(2 * k + 1) << 2 * k + 1, 2 * k + 2, 2 * k + 3;
   }
   using Points = std::vector<int>;
-  EXPECT_EQ(shape::PersistentMaxima(triangles, function, 0.1, 9), (Points{ 6, 2, 10 }));
-  EXPECT_EQ(shape::PersistentMaxima(triangles, function, 0.6, 9), (Points{ 6, 2 }));
-  EXPECT_EQ(shape::PersistentMaxima(triangles, function, 0.1, 1), Points{ 6 });
-  EXPECT_TRUE(shape::PersistentMaxima(triangles, function, 6.1, 9).empty());
+  EXPECT_EQ(shape::FindPersistentMaxima(triangles, function, 0.1, 9), (Points{ 6, 2, 10 }));
+  EXPECT_EQ(shape::FindPersistentMaxima(triangles, function, 0.6, 9), (Points{ 6, 2 }));
+  EXPECT_EQ(shape::FindPersistentMaxima(triangles, function, 0.1, 1), Points{ 6 });
+  EXPECT_TRUE(shape::FindPersistentMaxima(triangles, function, 6.1, 9).empty());
 }
 
 TEST(AutomaticLandmarks, AssignmentKeepsDistancesAndLeavesOutWhatFitsNothing)
 {
-  // Places on a line; the second set has them in another order, and one more far away.
+  // Positions on a line; the second set has them in another order, and one more far away.
   const Eigen::VectorXd a = (Eigen::VectorXd(4) << 0.0, 1.0, 3.0, 7.0).finished();
   const Eigen::VectorXd b = (Eigen::VectorXd(5) << 3.0, 0.0, 40.0, 7.0, 1.0).finished();
   const auto apart = [](const Eigen::VectorXd& x) -> Eigen::MatrixXd
@@ -81,7 +81,7 @@ TEST(AutomaticLandmarks, FindsTheTipsOfAShapeInOtherTriangles)
   const shape::Mesh a = shapetest::BumpySphere(4, Eigen::Matrix3d::Identity());
   shape::Mesh b = shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3, -1, 1 }));
   b.Points = 5.0 * b.Points * turn.transpose();
-  const auto found = shape::AutomaticLandmarks(a, b);
+  const auto found = shape::FindLandmarks(a, b);
   EXPECT_GE(found.Pairs.size(), 4u);
   b.Points /= 5.0;
   EXPECT_LT(WorstError(a, b, turn, found.Pairs), 0.06); // a bump is 0.3 wide
@@ -96,7 +96,7 @@ TEST(AutomaticLandmarks, TellsAMirrorImage)
   const shape::Mesh a = shapetest::BumpySphere(4, Eigen::Matrix3d::Identity());
   const shape::Mesh b =
     shapetest::Mirrored(shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3, -1, 1 })));
-  const auto found = shape::AutomaticLandmarks(a, b);
+  const auto found = shape::FindLandmarks(a, b);
   EXPECT_LT(found.MirroredDistortion, 0.04);
   EXPECT_LT(found.MirroredDistortion, 0.8 * found.Distortion);
   EXPECT_TRUE(found.MirrorImage);
@@ -108,14 +108,14 @@ TEST(AutomaticLandmarks, OrientationTellsTheSidesOfASymmetricAnimal)
   const shapetest::Renumbered copy = shapetest::Renumber(a, 7);
   shape::Mesh b = copy.Mesh;
   b.Points = b.Points * shapetest::Rotation(1.0, { 1, 1, 0 }).transpose();
-  const auto found = shape::AutomaticLandmarks(a, b);
+  const auto found = shape::FindLandmarks(a, b);
   EXPECT_GE(found.Pairs.size(), 5u);
   for (const auto& [i, j] : found.Pairs)
   {
     EXPECT_EQ(j, copy.NewOf(i));
   }
   // Its mirror image is the same animal: left goes to left, which is not where mirroring goes.
-  const auto other = shape::AutomaticLandmarks(a, shapetest::Mirrored(a));
+  const auto other = shape::FindLandmarks(a, shapetest::Mirrored(a));
   EXPECT_NEAR(other.MirroredDistortion, 0.0, 1e-3);
   EXPECT_LT(other.Distortion, 0.06);
   int same = 0;
@@ -132,7 +132,7 @@ TEST(AutomaticLandmarks, WorksOnAnyTopology)
   {
     const shape::Mesh a = Model(name);
     const shapetest::Renumbered copy = shapetest::Renumber(a, 3);
-    const auto found = shape::AutomaticLandmarks(a, copy.Mesh);
+    const auto found = shape::FindLandmarks(a, copy.Mesh);
     EXPECT_LT(found.Distortion, 0.035) << name; // the samples differ
     EXPECT_LT(WorstError(a, copy.Mesh, Eigen::Matrix3d::Identity(), found.Pairs), 0.02) << name;
   }
@@ -146,22 +146,23 @@ TEST(AutomaticLandmarks, FindsAPartInTheWholeAndHowLargeItIs)
     shapetest::Above(shapetest::BumpySphere(4, Eigen::Matrix3d::Identity()), -0.45);
   shape::Mesh whole = shapetest::BumpySphere(4, shapetest::Rotation(0.7, { 3, -1, 1 }));
   whole.Points = whole.Points * turn.transpose();
-  const double share = shape::PointAreas(cut.Surface).sum() / shape::PointAreas(whole).sum();
+  const double share =
+    shape::ComputePointAreas(cut.Surface).sum() / shape::ComputePointAreas(whole).sum();
   ASSERT_LT(share, 0.82);
-  const auto found = shape::AutomaticLandmarks(cut.Surface, whole);
+  const auto found = shape::FindLandmarks(cut.Surface, whole);
   EXPECT_EQ(found.Part, Which::SurfaceA);
   EXPECT_NEAR(found.Share, share, 0.1 * share);
   EXPECT_LT(found.Distortion, 0.05);
   EXPECT_LT(WorstError(cut.Surface, whole, turn, found.Pairs), 0.08);
-  const auto other = shape::AutomaticLandmarks(whole, cut.Surface);
+  const auto other = shape::FindLandmarks(whole, cut.Surface);
   EXPECT_EQ(other.Part, Which::SurfaceB);
   EXPECT_NEAR(other.Share, share, 0.1 * share);
 
   // A surface with a border is whole beside another one that is cut as it is, or if told so.
-  EXPECT_EQ(shape::AutomaticLandmarks(cut.Surface, cut.Surface).Part, Which::None);
+  EXPECT_EQ(shape::FindLandmarks(cut.Surface, cut.Surface).Part, Which::None);
   shape::AutomaticLandmarksOptions options;
   options.PartA = false;
-  const auto told = shape::AutomaticLandmarks(cut.Surface, whole, options);
+  const auto told = shape::FindLandmarks(cut.Surface, whole, options);
   EXPECT_EQ(told.Part, Which::None);
   EXPECT_GT(told.Distortion, found.Distortion);
 }
@@ -173,20 +174,20 @@ TEST(AutomaticLandmarks, NamesWhatIsWrong)
   shape::Mesh both{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
   both.Points << sphere.Points, sphere.Points.array() + 5.0;
   both.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
-  EXPECT_THROW(shape::AutomaticLandmarks(sphere, both), shape::InvalidInput);
-  EXPECT_THROW(shape::AutomaticLandmarks(both, sphere), shape::InvalidInput);
+  EXPECT_THROW(shape::FindLandmarks(sphere, both), shape::InvalidInput);
+  EXPECT_THROW(shape::FindLandmarks(both, sphere), shape::InvalidInput);
   shape::Mesh loose = sphere;
   loose.Points.conservativeResize(n + 1, 3);
   loose.Points.row(n).setZero();
-  EXPECT_THROW(shape::AutomaticLandmarks(sphere, loose), shape::InvalidInput);
-  EXPECT_THROW(shape::AutomaticLandmarks(sphere, sphere, { 3, 12, 10, true, true, true }),
-    shape::InvalidInput);
+  EXPECT_THROW(shape::FindLandmarks(sphere, loose), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::FindLandmarks(sphere, sphere, { 3, 12, 10, true, true, true }), shape::InvalidInput);
 }
 
 TEST(AutomaticLandmarks, OfAnOctahedronAreAGuess)
 {
   const shape::Mesh whole = Model("octahedron"); // few points, each like every other
-  const auto found = shape::AutomaticLandmarks(whole, whole);
+  const auto found = shape::FindLandmarks(whole, whole);
   EXPECT_NEAR(found.Distortion, found.RivalDistortion, 1e-9);
   EXPECT_NEAR(found.Distortion, found.MirroredDistortion, 1e-9);
   EXPECT_NEAR(found.Confidence, 0.0, 1e-6);

@@ -11,8 +11,8 @@
 namespace
 {
 
-/// Places in space that no motion takes onto each other, and the same in another order: place i is
-/// place 7 i + 3 (mod 40) there.
+/// Positions in space that no motion takes onto each other, and the same in another order: place i
+/// is place 7 i + 3 (mod 40) there.
 shape::MetricSpaces Shuffled(int& stride, int& offset)
 {
   constexpr int count = 40;
@@ -20,7 +20,7 @@ shape::MetricSpaces Shuffled(int& stride, int& offset)
   offset = 3;
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  const Eigen::MatrixXd places = Eigen::MatrixXd::NullaryExpr(
+  const Eigen::MatrixXd positions = Eigen::MatrixXd::NullaryExpr(
     count, 3, [&](Eigen::Index, Eigen::Index) { return uniform(random); });
   shape::MetricSpaces spaces;
   spaces.DistancesA.resize(count, count);
@@ -28,7 +28,7 @@ shape::MetricSpaces Shuffled(int& stride, int& offset)
   {
     for (int j = 0; j < count; ++j)
     {
-      spaces.DistancesA(i, j) = (places.row(i) - places.row(j)).norm();
+      spaces.DistancesA(i, j) = (positions.row(i) - positions.row(j)).norm();
     }
   }
   spaces.DistancesA /= spaces.DistancesA.maxCoeff();
@@ -110,13 +110,13 @@ TEST(GromovWasserstein, CouplingIsTheShuffleAndItsObjectiveFalls)
   options.Entropy = 1e-4;
   options.Iterations = 30;
   options.SinkhornIterations = 10000;
-  const auto found = shape::FindCoupling(spaces, start, fixed, options);
+  const auto found = shape::SolveCoupling(spaces, start, fixed, options);
   for (int i = 0; i < static_cast<int>(count); ++i)
   {
     Eigen::Index to = 0;
-    const double most = found.Masses.row(i).maxCoeff(&to);
+    const double maximum = found.Masses.row(i).maxCoeff(&to);
     EXPECT_EQ(to, (stride * i + offset) % count);
-    EXPECT_GT(most, 0.9 * spaces.WeightsA(i));
+    EXPECT_GT(maximum, 0.9 * spaces.WeightsA(i));
   }
   EXPECT_LT((found.Masses.rowwise().sum() - spaces.WeightsA).cwiseAbs().sum(), 1e-3);
   EXPECT_NEAR((found.Masses.rowwise().sum() - spaces.WeightsA).cwiseAbs().sum(), found.Error, 1e-9);
@@ -140,7 +140,7 @@ TEST(GromovWasserstein, MuchEntropySpreadsMassesEvenly)
   shape::EntropicCouplingOptions options;
   options.FirstEntropy = options.Entropy = 1e3;
   const auto found =
-    shape::FindCoupling(spaces, Eigen::MatrixXd::Random(count, count), {}, options);
+    shape::SolveCoupling(spaces, Eigen::MatrixXd::Random(count, count), {}, options);
   const Eigen::MatrixXd even = spaces.WeightsA * spaces.WeightsB.transpose();
   EXPECT_LT((found.Masses - even).cwiseAbs().maxCoeff(), 1e-3 * even.maxCoeff());
 }
@@ -163,7 +163,7 @@ TEST(GromovWasserstein, FindsTheSameSurfaceInOtherTriangles)
     { shape::Landmarks{ { int(tip), int(tipB) }, { int(other), int(otherB) } },
       shape::Landmarks{} })
   {
-    const shape::SurfaceMaps maps = shape::GromovWasserstein(a, b, landmarks).Maps;
+    const shape::SurfaceMaps maps = shape::ComputeGromovWassersteinMap(a, b, landmarks).Maps;
     EXPECT_LT(shapetest::MapErrors(maps.AToB, b, onB).mean(), 0.03); // entropy blurs
     EXPECT_LT(shapetest::MapErrors(maps.BToA, a, onA).mean(), 0.03);
   }
@@ -181,13 +181,13 @@ TEST(GromovWasserstein, OfSeveralStartsTheOneThatKeepsDistancesIsTaken)
   for (const auto& starts : { std::vector{ right, wrong }, std::vector{ wrong, right } })
   {
     options.Starts = starts;
-    const auto found = shape::GromovWasserstein(mesh, copy.Mesh, {}, options);
+    const auto found = shape::ComputeGromovWassersteinMap(mesh, copy.Mesh, {}, options);
     EXPECT_EQ(found.Start, right);
     EXPECT_LT(found.Distortion, 0.04); // the samples differ
     EXPECT_LT(found.Error, 0.01);
   }
   options.Starts = { wrong };
-  EXPECT_GT(shape::GromovWasserstein(mesh, copy.Mesh, {}, options).Distortion, 0.06);
+  EXPECT_GT(shape::ComputeGromovWassersteinMap(mesh, copy.Mesh, {}, options).Distortion, 0.06);
 }
 
 TEST(GromovWasserstein, WorksWithBordersAndHandles)
@@ -199,11 +199,12 @@ TEST(GromovWasserstein, WorksWithBordersAndHandles)
   {
     landmarks.push_back({ corner, copy.NewOf(corner) });
   }
-  const shape::SurfaceMaps maps = shape::GromovWasserstein(plate, copy.Mesh, landmarks).Maps;
+  const shape::SurfaceMaps maps =
+    shape::ComputeGromovWassersteinMap(plate, copy.Mesh, landmarks).Maps;
   EXPECT_LT(shapetest::MapErrors(maps.AToB, copy.Mesh, plate.Points).mean(), 0.1);
   const shape::Mesh torus = shapetest::Torus(2.0, 0.7, 40, 20);
   const shape::SurfaceMaps round =
-    shape::GromovWasserstein(torus, torus, { { 0, 0 }, { 105, 105 }, { 450, 450 } }).Maps;
+    shape::ComputeGromovWassersteinMap(torus, torus, { { 0, 0 }, { 105, 105 }, { 450, 450 } }).Maps;
   EXPECT_LT(shapetest::MapErrors(round.AToB, torus, torus.Points).mean(), 0.11);
 }
 
@@ -214,16 +215,20 @@ TEST(GromovWasserstein, NamesWhatIsWrong)
   shape::Mesh both{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
   both.Points << sphere.Points, sphere.Points.array() + 5.0;
   both.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
-  EXPECT_THROW(shape::GromovWasserstein(sphere, both, {}), shape::InvalidInput);
-  EXPECT_THROW(shape::GromovWasserstein(sphere, sphere, { { 0, 999 } }), shape::InvalidInput);
+  EXPECT_THROW(shape::ComputeGromovWassersteinMap(sphere, both, {}), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::ComputeGromovWassersteinMap(sphere, sphere, { { 0, 999 } }), shape::InvalidInput);
   shape::GromovWassersteinOptions options;
   options.Samples = 5;
-  EXPECT_THROW(shape::GromovWasserstein(sphere, sphere, {}, options), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::ComputeGromovWassersteinMap(sphere, sphere, {}, options), shape::InvalidInput);
   options = {};
   options.Coupling.Entropy = 0.0;
-  EXPECT_THROW(shape::GromovWasserstein(sphere, sphere, {}, options), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::ComputeGromovWassersteinMap(sphere, sphere, {}, options), shape::InvalidInput);
   // Fewer points than samples, and a landmark twice.
-  const shape::SurfaceMaps maps =
-    shape::GromovWasserstein(sphere, sphere, { { 0, 0 }, { 0, 5 }, { 40, 40 }, { 100, 100 } }).Maps;
+  const shape::SurfaceMaps maps = shape::ComputeGromovWassersteinMap(sphere, sphere,
+    { { 0, 0 }, { 0, 5 }, { 40, 40 },
+      { 100, 100 } }).Maps;
   EXPECT_TRUE(maps.AToB.Barycentrics.allFinite());
 }

@@ -41,7 +41,7 @@ TEST(PatchPinches, TheClosestArcJoinsItsNeighbour)
   for (const int closest : { 2 * Side + 2, 3 * Side + 3 })
   {
     Eigen::VectorXi patchOf = Touching();
-    shape::OpenPinches(
+    shape::SplitPinches(
       quads, {}, [&](int quad, int) { return quad == closest ? 0.5 : 1.0; }, patchOf);
     EXPECT_EQ((patchOf - Touching()).cwiseAbs().maxCoeff(), Touching()(closest));
     EXPECT_EQ((patchOf.array() != Touching().array()).count(), 1);
@@ -53,15 +53,15 @@ TEST(PatchPinches, CornersWhereAPatchIsPassedTwiceStay)
 {
   const Eigen::MatrixXi quads = TorusQuads(Side);
   Eigen::VectorXi patchOf = Touching();
-  const shape::PatchRing corner = shape::RingOf({ 0, 1, 0, 2 });
-  shape::OpenPinches(
+  const shape::PatchRing corner = shape::BuildPatchRing({ 0, 1, 0, 2 });
+  shape::SplitPinches(
     quads, { corner }, [](int, int) { return 1.0; }, patchOf);
   EXPECT_EQ(patchOf, Touching());
   // And where no patch is passed twice, nothing happens.
   Eigen::VectorXi halves = Eigen::VectorXi::Zero(Side * Side);
   halves.head(Side * Side / 2).setOnes();
   Eigen::VectorXi same = halves;
-  shape::OpenPinches(
+  shape::SplitPinches(
     quads, {}, [](int, int) { return 1.0; }, same);
   EXPECT_EQ(same, halves);
 }

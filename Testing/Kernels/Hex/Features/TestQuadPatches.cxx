@@ -21,7 +21,7 @@ void AddCube(
 }
 
 /// Cubes at places on the x axis.
-Eigen::VectorXi PatchesOfCubes(const Eigen::VectorXd& middles)
+Eigen::VectorXi PatchesOfCubes(const Eigen::VectorXd& midpoints)
 {
   const shape::Mesh ball = shapetest::Icosphere(2);
   shape::SurfaceFeatures halves;
@@ -31,13 +31,13 @@ Eigen::VectorXi PatchesOfCubes(const Eigen::VectorXd& middles)
   {
     halves.PatchOf(f) = ball.Points(ball.Triangles.row(f), 0).mean() > 0.0 ? 1 : 0;
   }
-  Eigen::MatrixXd points(8 * middles.size(), 3);
-  Eigen::MatrixXi quads(6 * middles.size(), 4);
-  for (Eigen::Index i = 0; i < middles.size(); ++i)
+  Eigen::MatrixXd points(8 * midpoints.size(), 3);
+  Eigen::MatrixXi quads(6 * midpoints.size(), 4);
+  for (Eigen::Index i = 0; i < midpoints.size(); ++i)
   {
-    AddCube(middles(i), 0.1, 8 * i, points, quads);
+    AddCube(midpoints(i), 0.1, 8 * i, points, quads);
   }
-  return shape::QuadPatches(points, quads, shape::SurfaceLocator(ball), halves);
+  return shape::AssignQuadsToPatches(points, quads, shape::SurfaceLocator(ball), halves);
 }
 
 } // namespace

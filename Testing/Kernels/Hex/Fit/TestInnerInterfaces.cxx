@@ -1,10 +1,10 @@
 #include "Base/Errors.h"
+#include "Hex/Fit/InnerInterfaces.h"
+#include "Hex/Grid/GridHexes.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Search/ClosestPoint.h"
-#include "Hex/Grid/GridHexes.h"
-#include "Hex/Fit/InnerInterfaces.h"
 #include "Quality/ScaledJacobian.h"
+#include "Search/ClosestPoint.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ shape::HexMesh Region(const shape::HexFit& fit, int region)
 
 shape::Mesh Boundary(const shape::HexMesh& mesh)
 {
-  return { mesh.Points, shape::SplitQuads(shape::BoundaryQuads(mesh)) };
+  return { mesh.Points, shape::SplitQuads(shape::FindBoundaryQuads(mesh)) };
 }
 
 /// What a ball loses by quads of this size that have their corners on it: their middles lie
@@ -58,7 +58,7 @@ std::vector<double> Check(const shape::HexFit& fit, const std::vector<shape::Mes
   const std::vector<int>& eulerNumbers, double size)
 {
   EXPECT_EQ(fit.Inverted, 0);
-  EXPECT_EQ(fit.LeastScaledJacobian, shape::ScaledJacobians(fit.Solid).minCoeff());
+  EXPECT_EQ(fit.MinimumScaledJacobian, shape::ComputeScaledJacobians(fit.Solid).minCoeff());
   EXPECT_EQ(fit.RegionOf.size(), fit.Solid.Hexahedra.rows());
   EXPECT_EQ(fit.RegionOf.maxCoeff(), static_cast<int>(inner.size()));
   std::vector<double> volumes;
@@ -68,10 +68,10 @@ std::vector<double> Check(const shape::HexFit& fit, const std::vector<shape::Mes
     const shape::Mesh boundary = Boundary(Region(fit, static_cast<int>(region)));
     EXPECT_EQ(
       shape::RequireClosedSurface(boundary, "the region").EulerNumber, eulerNumbers[region]);
-    volumes.push_back(shape::EnclosedVolume(boundary));
+    volumes.push_back(shape::ComputeEnclosedVolume(boundary));
   }
   // Hexahedra share the points of interfaces: only the outer boundary's quads are had by one.
-  EXPECT_EQ(shape::BoundaryQuads(fit.Solid).rows(), fit.Quads.rows());
+  EXPECT_EQ(shape::FindBoundaryQuads(fit.Solid).rows(), fit.Quads.rows());
   for (std::size_t i = 0; i < inner.size(); ++i)
   {
     const shape::SurfaceLocator locator(inner[i]);
@@ -83,10 +83,10 @@ std::vector<double> Check(const shape::HexFit& fit, const std::vector<shape::Mes
       fit.Solid.Points, shape::SplitQuads(fit.Interfaces[i])
     };
     EXPECT_EQ(shape::RequireClosedSurface(interface, "the interface").EulerNumber,
-      shape::SurfaceTopology(inner[i]).EulerNumber);
-    const double ball = std::abs(shape::EnclosedVolume(inner[i]));
-    EXPECT_LT(shape::EnclosedVolume(interface), ball);
-    EXPECT_GT(shape::EnclosedVolume(interface), ball - Loss(size, ball));
+      shape::ComputeTopology(inner[i]).EulerNumber);
+    const double ball = std::abs(shape::ComputeEnclosedVolume(inner[i]));
+    EXPECT_LT(shape::ComputeEnclosedVolume(interface), ball);
+    EXPECT_GT(shape::ComputeEnclosedVolume(interface), ball - Loss(size, ball));
   }
   return volumes;
 }
@@ -100,12 +100,13 @@ TEST(InnerInterfaces, ABallInABallIsARegionOfItsOwn)
   shape::GridHexesOptions options;
   options.CellSize = 0.15;
   options.Rounds = 1;
-  const shape::HexFit fit = shape::GridHexes(outer, options, {}, inner).Fit;
+  const shape::HexFit fit = shape::BuildGridHexahedra(outer, options, {}, inner).Fit;
   const std::vector<double> volumes = Check(fit, inner, { 4, 2 }, options.CellSize);
-  const double ball = shape::EnclosedVolume(inner[0]), whole = shape::EnclosedVolume(outer);
+  const double ball = shape::ComputeEnclosedVolume(inner[0]),
+               whole = shape::ComputeEnclosedVolume(outer);
   EXPECT_NEAR(volumes[1], ball, Loss(options.CellSize, ball));
   EXPECT_NEAR(volumes[0], whole - ball, Loss(options.CellSize, whole));
-  EXPECT_GT(fit.LeastScaledJacobian, 0.3);
+  EXPECT_GT(fit.MinimumScaledJacobian, 0.3);
   EXPECT_GT(fit.InnerDistance, 0.0);
   EXPECT_LT(fit.InnerDistance, 0.03);
 }
@@ -123,16 +124,16 @@ TEST(InnerInterfaces, TheirDistanceIsThatAfterTheOuterSurfaceIsSnappedTo)
   shape::GridHexesOptions options;
   options.CellSize = 0.12;
   options.Rounds = 1;
-  const shape::HexFit snapped = shape::GridHexes(drop, options, {}, inner).Fit;
+  const shape::HexFit snapped = shape::BuildGridHexahedra(drop, options, {}, inner).Fit;
   options.Snap = false;
-  const shape::HexFit fit = shape::GridHexes(drop, options, {}, inner).Fit;
+  const shape::HexFit fit = shape::BuildGridHexahedra(drop, options, {}, inner).Fit;
   EXPECT_LT(snapped.Distance, fit.Distance);
   EXPECT_NE(snapped.InnerDistance, fit.InnerDistance);
   for (const shape::HexFit* each : { &snapped, &fit })
   {
     const std::vector<shape::SurfaceLocator> surfaces(inner.begin(), inner.end());
-    EXPECT_EQ(
-      each->InnerDistance, shape::InnerDistance(each->Solid.Points, each->Interfaces, surfaces));
+    EXPECT_EQ(each->InnerDistance,
+      shape::ComputeInterfaceDistance(each->Solid.Points, each->Interfaces, surfaces));
   }
 }
 
@@ -146,7 +147,7 @@ TEST(InnerInterfaces, BallsSideBySideAndInOneAnother)
   options.CellSize = 0.1;
   options.Rounds = 1;
   options.PaddingLayers = 2;
-  const shape::HexFit fit = shape::GridHexes(outer, options, {}, inner).Fit;
+  const shape::HexFit fit = shape::BuildGridHexahedra(outer, options, {}, inner).Fit;
   const std::vector<double> volumes = Check(fit, inner, { 6, 2, 4, 2 }, options.CellSize);
   EXPECT_LT(volumes[3], volumes[1]);
 }
@@ -162,11 +163,11 @@ TEST(InnerInterfaces, CreasesOfInnerSurfacesAreRounded)
   options.Rounds = 2;
   const std::vector<shape::Mesh> inner = { cube };
   const shape::GridHexesResult result =
-    shape::GridHexes(Ball(1.0, { 0.0, 0.0, 0.0 }), options, {}, inner);
+    shape::BuildGridHexahedra(Ball(1.0, { 0.0, 0.0, 0.0 }), options, {}, inner);
   EXPECT_FALSE(result.InnerCreasesKept);
   EXPECT_TRUE(result.Fit.CreasesKept);
   EXPECT_EQ(result.Fit.Inverted, 0);
-  EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
+  EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.3);
   EXPECT_LT(result.Fit.InnerDistance, options.CellSize);
   const shape::SurfaceLocator locator(cube);
   for (const int point : result.Fit.Interfaces[0].reshaped())
@@ -184,7 +185,7 @@ TEST(InnerInterfaces, WhatIsNotInsideOrCrossesIsNamed)
   {
     try
     {
-      shape::GridHexes(outer, options, {}, inner);
+      shape::BuildGridHexahedra(outer, options, {}, inner);
     }
     catch (const shape::InvalidInput& error)
     {

@@ -1,6 +1,6 @@
-#include "Hex/Fit/HexFit.h"
-#include "Hex/Voxels/RegionCubes.h"
 #include "Distance/HausdorffDistance.h"
+#include "Hex/Fit/HexFit.h"
+#include "Hex/Voxels/MultiMaterialVoxels.h"
 #include "Quality/ScaledJacobian.h"
 #include "Support/TestShapes.h"
 
@@ -43,15 +43,16 @@ constexpr double CellSize = 0.09;
 
 shape::HexFit Fit(const shape::SurfaceLocator& box)
 {
-  shape::RegionCubes cubes(box.Surface(), {});
+  shape::MultiMaterialVoxels cubes(box.Surface(), {});
   constexpr double noCrease = 180.0;
-  return shape::FitHexahedra(cubes.Fill(CellSize, shape::GridWarp()).value().Solid, box,
+  return shape::FitHexahedra(cubes.Fill(CellSize, shape::GridDensity()).value().Solid, box,
     shape::FindFeatures(box.Surface(), noCrease, 0.0));
 }
 
 double DistanceOf(const shape::HexFit& fit, const shape::Mesh& surface)
 {
-  return shape::HausdorffDistance(surface, { fit.Solid.Points, shape::SplitQuads(fit.Quads) })
+  return shape::ComputeHausdorffDistance(
+    surface, { fit.Solid.Points, shape::SplitQuads(fit.Quads) })
     .Larger();
 }
 
@@ -61,15 +62,15 @@ TEST(Snapping, CutOffEdgesAreReachedAndNoHexahedronFallsBelowTheFloor)
 {
   const shape::SurfaceLocator box(TurnedBox());
   shape::HexFit fit = Fit(box);
-  const double before = fit.Distance, least = fit.LeastScaledJacobian;
-  ASSERT_GT(least, 0.0);
+  const double before = fit.Distance, minimum = fit.MinimumScaledJacobian;
+  ASSERT_GT(minimum, 0.0);
   shape::SnappingOptions options;
   options.WantedDistance = 0.1 * CellSize;
   ASSERT_GT(before, 2.0 * options.WantedDistance);
   shape::SnapToSurface(fit, box, options);
   EXPECT_LT(fit.Distance, 0.7 * before);
-  EXPECT_GE(fit.LeastScaledJacobian, std::min(least, options.ScaledJacobians.back()));
-  EXPECT_EQ(fit.LeastScaledJacobian, shape::ScaledJacobians(fit.Solid).minCoeff());
+  EXPECT_GE(fit.MinimumScaledJacobian, std::min(minimum, options.ScaledJacobians.back()));
+  EXPECT_EQ(fit.MinimumScaledJacobian, shape::ComputeScaledJacobians(fit.Solid).minCoeff());
   EXPECT_EQ(fit.Distance, DistanceOf(fit, box.Surface()));
   Eigen::MatrixXd boundary(fit.Quads.size(), 3);
   for (Eigen::Index i = 0; i < fit.Quads.size(); ++i)
@@ -94,12 +95,12 @@ TEST(Snapping, AFloorThatCannotBeKeptUndoesAll)
 {
   const shape::SurfaceLocator box(TurnedBox());
   shape::HexFit fit = Fit(box);
-  const double least = fit.LeastScaledJacobian;
+  const double minimum = fit.MinimumScaledJacobian;
   shape::SnappingOptions options;
   options.WantedDistance = 0.1 * CellSize;
-  options.ScaledJacobians = { 0.99 * least, 0.99 * least };
+  options.ScaledJacobians = { 0.99 * minimum, 0.99 * minimum };
   shape::SnapToSurface(fit, box, options);
-  EXPECT_GE(fit.LeastScaledJacobian, 0.99 * least);
+  EXPECT_GE(fit.MinimumScaledJacobian, 0.99 * minimum);
   EXPECT_EQ(fit.Inverted, 0);
 }
 
@@ -107,9 +108,9 @@ TEST(Snapping, PointsOnCreasesStay)
 {
   const shape::Mesh disk = EllipticDisk();
   const shape::SurfaceLocator locator(disk);
-  shape::RegionCubes cubes(disk, {});
+  shape::MultiMaterialVoxels cubes(disk, {});
   constexpr double sharp = 40.0;
-  shape::HexFit fit = shape::FitHexahedra(cubes.Fill(0.15, shape::GridWarp()).value().Solid,
+  shape::HexFit fit = shape::FitHexahedra(cubes.Fill(0.15, shape::GridDensity()).value().Solid,
     locator, shape::FindFeatures(disk, sharp, 0.0));
   ASSERT_TRUE(fit.CreasesKept);
   const Eigen::MatrixXd before = fit.Solid.Points;

@@ -1,11 +1,11 @@
 #include "Base/Errors.h"
+#include "Hex/Fit/Private/Padding.h"
+#include "Hex/Grid/GridHexes.h"
+#include "Hex/Voxels/WellComposedVoxels.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Search/ClosestPoint.h"
-#include "Hex/Grid/GridHexes.h"
-#include "Hex/Fit/Private/Padding.h"
-#include "Hex/Voxels/VoxelSolid.h"
 #include "Quality/ScaledJacobian.h"
+#include "Search/ClosestPoint.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ namespace
 
 shape::Mesh Boundary(const shape::HexMesh& mesh)
 {
-  return { mesh.Points, shape::SplitQuads(shape::BoundaryQuads(mesh)) };
+  return { mesh.Points, shape::SplitQuads(shape::FindBoundaryQuads(mesh)) };
 }
 
 /// A grid of n^3 unit cells, all of them outside.
@@ -65,7 +65,7 @@ shape::Mesh BlockWithHole()
       block.Triangles.row(2 * (4 * i + k) + 1) << a + i, b + next, a + next;
     }
   }
-  return shape::FacingOutwards(block);
+  return shape::OrientOutwards(block);
 }
 
 /// A pyramid on a square, whose apex has four sides; with another under it, an octahedron.
@@ -95,18 +95,18 @@ TEST(HexMesh, TheBoundaryIsThatOfTheSolid)
   {
     grid.Values(grid.Index(x, 2, 2)) = -1.0;
   }
-  const shape::HexMesh mesh = shape::VoxelHexahedra(grid, shape::FindVoxelSolid(grid).Inside);
+  const shape::HexMesh mesh = shape::BuildVoxelHexahedra(grid, shape::FindVoxelSolid(grid).Inside);
   EXPECT_EQ(mesh.Hexahedra.rows(), 3);
   EXPECT_EQ(mesh.Points.rows(), 16);
-  EXPECT_EQ(shape::ScaledJacobians(mesh), Eigen::VectorXd::Ones(3));
-  EXPECT_EQ(shape::BoundaryQuads(mesh).rows(), 14);
+  EXPECT_EQ(shape::ComputeScaledJacobians(mesh), Eigen::VectorXd::Ones(3));
+  EXPECT_EQ(shape::FindBoundaryQuads(mesh).rows(), 14);
   const shape::Mesh boundary = Boundary(mesh);
   EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber, 2);
-  EXPECT_NEAR(shape::EnclosedVolume(boundary), 3.0, 1e-12);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(boundary), 3.0, 1e-12);
   EXPECT_EQ(mesh.Points.row(mesh.Hexahedra(0, 0)), Eigen::RowVector3d(0.5, 1.5, 1.5));
 }
 
-TEST(VoxelSolid, CellsThatTouchInAnEdgeOrACornerAreMended)
+TEST(WellComposedVoxels, CellsThatTouchInAnEdgeOrACornerAreMended)
 {
   for (const Eigen::RowVector3i& other :
     { Eigen::RowVector3i(3, 3, 2), Eigen::RowVector3i(3, 3, 3) })
@@ -114,7 +114,7 @@ TEST(VoxelSolid, CellsThatTouchInAnEdgeOrACornerAreMended)
     shape::SampledGrid grid = Outside(6);
     grid.Values(grid.Index(2, 2, 2)) = -1.0;
     grid.Values(grid.Index(other(0), other(1), other(2))) = -0.5;
-    const shape::VoxelSolid solid = shape::FindVoxelSolid(grid);
+    const shape::WellComposedVoxels solid = shape::FindVoxelSolid(grid);
     EXPECT_EQ(solid.Pinched, 0);
     // The cell that is nearest to the surface goes.
     EXPECT_EQ(solid.Changed, 1);
@@ -123,7 +123,7 @@ TEST(VoxelSolid, CellsThatTouchInAnEdgeOrACornerAreMended)
   }
 }
 
-TEST(VoxelSolid, WhatIsNotPinchedIsAManifold)
+TEST(WellComposedVoxels, WhatIsNotPinchedIsAManifold)
 {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -145,7 +145,7 @@ TEST(VoxelSolid, WhatIsNotPinchedIsAManifold)
         }
       }
     }
-    shape::VoxelSolid solid = shape::FindVoxelSolid(grid);
+    shape::WellComposedVoxels solid = shape::FindVoxelSolid(grid);
     if (solid.Pinched > 0)
     {
       continue;
@@ -157,10 +157,10 @@ TEST(VoxelSolid, WhatIsNotPinchedIsAManifold)
       EXPECT_EQ(solid.Inside[grid.Index(side / 12, side % 12, 11)], 0);
     }
     const auto topology =
-      shape::SurfaceTopology(Boundary(shape::VoxelHexahedra(grid, solid.Inside)));
+      shape::ComputeTopology(Boundary(shape::BuildVoxelHexahedra(grid, solid.Inside)));
     EXPECT_EQ(topology.NonManifoldEdges, 0);
     EXPECT_EQ(topology.NonManifoldPoints, 0);
-    EXPECT_EQ(topology.OpenLoops, 0);
+    EXPECT_EQ(topology.BoundaryLoops, 0);
     const auto before = std::count(solid.Inside.begin(), solid.Inside.end(), 1);
     shape::KeepLargestParts(grid, 1, solid.Inside);
     const auto largest = std::count(solid.Inside.begin(), solid.Inside.end(), 1);
@@ -180,8 +180,8 @@ TEST(Padding, KeepsTheTopologyAndAddsAHexahedronForEachQuad)
       grid.Values(grid.Index(x, 3, z)) = x == 3 && z == 3 ? 1.0 : -1.0; // a ring
     }
   }
-  shape::HexMesh mesh = shape::VoxelHexahedra(grid, shape::FindVoxelSolid(grid).Inside);
-  const Eigen::MatrixXi quads = shape::BoundaryQuads(mesh);
+  shape::HexMesh mesh = shape::BuildVoxelHexahedra(grid, shape::FindVoxelSolid(grid).Inside);
+  const Eigen::MatrixXi quads = shape::FindBoundaryQuads(mesh);
   const Eigen::Index points = mesh.Points.rows(), hexahedra = mesh.Hexahedra.rows();
   const std::vector<int> copyOf = shape::PadQuads(mesh, quads);
   EXPECT_EQ(mesh.Hexahedra.rows(), hexahedra + quads.rows());
@@ -189,7 +189,7 @@ TEST(Padding, KeepsTheTopologyAndAddsAHexahedronForEachQuad)
     std::count_if(copyOf.begin(), copyOf.end(), [](int copy) { return copy >= 0; });
   EXPECT_EQ(mesh.Points.rows(), points + copies);
   // The boundary is the one there was.
-  const Eigen::MatrixXi outer = shape::BoundaryQuads(mesh);
+  const Eigen::MatrixXi outer = shape::FindBoundaryQuads(mesh);
   EXPECT_EQ(outer.rows(), quads.rows());
   EXPECT_EQ(std::set<int>(outer.data(), outer.data() + outer.size()),
     std::set<int>(quads.data(), quads.data() + quads.size()));
@@ -203,12 +203,12 @@ TEST(Padding, FacesOutwardsAndEndsAtItsBorder)
   cube.Points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1;
   cube.Hexahedra << 0, 1, 2, 3, 4, 5, 6, 7;
   shape::HexMesh whole = cube;
-  for (const int copy : shape::PadQuads(whole, shape::BoundaryQuads(cube)))
+  for (const int copy : shape::PadQuads(whole, shape::FindBoundaryQuads(cube)))
   {
     whole.Points.row(copy) = middle + (whole.Points.row(copy) - middle) / 3.0;
   }
   EXPECT_EQ(whole.Hexahedra.rows(), 7);
-  EXPECT_GT(shape::ScaledJacobians(whole).minCoeff(), 0.5);
+  EXPECT_GT(shape::ComputeScaledJacobians(whole).minCoeff(), 0.5);
   // On one side only: a second box on the first, of which it takes the upper half.
   shape::HexMesh side = cube;
   const std::vector<int> copyOf = shape::PadQuads(side, Eigen::RowVector4i(4, 5, 6, 7));
@@ -217,9 +217,9 @@ TEST(Padding, FacesOutwardsAndEndsAtItsBorder)
     side.Points(copyOf[point], 2) = 0.5;
   }
   EXPECT_EQ(side.Hexahedra.rows(), 2);
-  EXPECT_EQ(shape::ScaledJacobians(side), Eigen::VectorXd::Ones(2));
-  EXPECT_EQ(shape::BoundaryQuads(side).rows(), 10);
-  EXPECT_NEAR(shape::EnclosedVolume(Boundary(side)), 1.0, 1e-15);
+  EXPECT_EQ(shape::ComputeScaledJacobians(side), Eigen::VectorXd::Ones(2));
+  EXPECT_EQ(shape::FindBoundaryQuads(side).rows(), 10);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(Boundary(side)), 1.0, 1e-15);
 }
 
 TEST(GridHexes, FillASphereAndATorusWithGoodHexahedraOnTheirSurface)
@@ -229,14 +229,15 @@ TEST(GridHexes, FillASphereAndATorusWithGoodHexahedraOnTheirSurface)
   options.Rounds = 1;
   for (const shape::Mesh& surface : { shapetest::Icosphere(4), shapetest::Torus(1.0, 0.4, 60, 30) })
   {
-    const shape::GridHexesResult result = shape::GridHexes(surface, options);
+    const shape::GridHexesResult result = shape::BuildGridHexahedra(surface, options);
     EXPECT_EQ(result.Fit.Inverted, 0);
-    EXPECT_EQ(result.Fit.LeastScaledJacobian, shape::ScaledJacobians(result.Fit.Solid).minCoeff());
-    EXPECT_GT(result.Fit.LeastScaledJacobian, 0.6);
+    EXPECT_EQ(
+      result.Fit.MinimumScaledJacobian, shape::ComputeScaledJacobians(result.Fit.Solid).minCoeff());
+    EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.6);
     EXPECT_GT(result.Fit.MeanScaledJacobian, 0.8);
     const shape::Mesh boundary = Boundary(result.Fit.Solid);
     EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber,
-      shape::SurfaceTopology(surface).EulerNumber);
+      shape::ComputeTopology(surface).EulerNumber);
     const std::set<int> points(
       boundary.Triangles.data(), boundary.Triangles.data() + boundary.Triangles.size());
     const shape::SurfaceLocator locator(surface);
@@ -244,8 +245,8 @@ TEST(GridHexes, FillASphereAndATorusWithGoodHexahedraOnTheirSurface)
     {
       EXPECT_LT(locator.Find(boundary.Points.row(point)).Distances(0), 1e-12);
     }
-    EXPECT_NEAR(shape::EnclosedVolume(boundary), shape::EnclosedVolume(surface),
-      0.03 * shape::EnclosedVolume(surface));
+    EXPECT_NEAR(shape::ComputeEnclosedVolume(boundary), shape::ComputeEnclosedVolume(surface),
+      0.03 * shape::ComputeEnclosedVolume(surface));
   }
 }
 
@@ -262,13 +263,13 @@ TEST(GridHexes, FillSeveralSolidsAndLeaveVoids)
   shape::GridHexesOptions options;
   options.CellSize = 0.2;
   options.Rounds = 1;
-  const shape::GridHexesResult result = shape::GridHexes(surface, options);
+  const shape::GridHexesResult result = shape::BuildGridHexahedra(surface, options);
   const auto topology = shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary");
   EXPECT_EQ(topology.Components, 3);
   EXPECT_EQ(topology.EulerNumber, 6);
   EXPECT_EQ(result.Fit.Inverted, 0);
-  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), shape::EnclosedVolume(surface),
-    0.04 * shape::EnclosedVolume(surface));
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(Boundary(result.Fit.Solid)),
+    shape::ComputeEnclosedVolume(surface), 0.04 * shape::ComputeEnclosedVolume(surface));
 }
 
 TEST(GridHexes, SolidsAreApartHoweverNarrowTheGapIs)
@@ -281,7 +282,7 @@ TEST(GridHexes, SolidsAreApartHoweverNarrowTheGapIs)
   shape::GridHexesOptions options;
   options.CellSize = 0.2;
   options.Rounds = 1;
-  const shape::GridHexesResult result = shape::GridHexes(surface, options);
+  const shape::GridHexesResult result = shape::BuildGridHexahedra(surface, options);
   const auto topology = shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary");
   EXPECT_EQ(topology.Components, 2);
   EXPECT_EQ(topology.EulerNumber, 4);
@@ -296,11 +297,11 @@ TEST(GridHexes, CellsBecomeSmallerUntilTheTopologyIsTheSurfaces)
   shape::GridHexesOptions options;
   options.Rounds = 1;
   options.CellSize = 0.28; // four cells around the hole
-  const shape::GridHexesResult result = shape::GridHexes(torus, options);
+  const shape::GridHexesResult result = shape::BuildGridHexahedra(torus, options);
   EXPECT_LT(result.CellSize, 0.28);
   EXPECT_EQ(shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary").EulerNumber, 0);
   options.MaximumHexahedra = 2000;
-  EXPECT_THROW(shape::GridHexes(torus, options), shape::SolveFailure);
+  EXPECT_THROW(shape::BuildGridHexahedra(torus, options), shape::SolveFailure);
 }
 
 TEST(GridHexes, MoreLayersAreMoreHexahedra)
@@ -309,12 +310,12 @@ TEST(GridHexes, MoreLayersAreMoreHexahedra)
   shape::GridHexesOptions options;
   options.CellSize = 0.25;
   options.Rounds = 1;
-  const shape::HexFit one = shape::GridHexes(sphere, options).Fit;
+  const shape::HexFit one = shape::BuildGridHexahedra(sphere, options).Fit;
   options.PaddingLayers = 3;
-  const shape::HexFit three = shape::GridHexes(sphere, options).Fit;
+  const shape::HexFit three = shape::BuildGridHexahedra(sphere, options).Fit;
   EXPECT_EQ(one.Quads.rows(), three.Quads.rows());
   EXPECT_EQ(three.Solid.Hexahedra.rows(), one.Solid.Hexahedra.rows() + 2 * one.Quads.rows());
-  EXPECT_GT(three.LeastScaledJacobian, 0.3);
+  EXPECT_GT(three.MinimumScaledJacobian, 0.3);
 }
 
 TEST(GridHexes, ACubeIsItsOwnGrid)
@@ -322,18 +323,18 @@ TEST(GridHexes, ACubeIsItsOwnGrid)
   const shape::Mesh cube = Box({ 1.0, 1.0, 1.0 });
   shape::GridHexesOptions options;
   options.CellSize = 0.24;
-  const shape::GridHexesResult result = shape::GridHexes(cube, options);
+  const shape::GridHexesResult result = shape::BuildGridHexahedra(cube, options);
   EXPECT_TRUE(result.Fit.CreasesKept);
   EXPECT_EQ(result.Features.Patches, 6);
   EXPECT_EQ(result.Features.Corners.size(), 8U);
   // Each side has a layer of its own, so no corner has more than one hexahedron.
-  EXPECT_GT(result.Fit.LeastScaledJacobian, 0.9999);
+  EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.9999);
   EXPECT_LT(result.Fit.Distance, 1e-12);
   for (const Eigen::RowVector3d& corner : cube.Points.rowwise())
   {
     EXPECT_EQ((result.Fit.Solid.Points.rowwise() - corner).rowwise().norm().minCoeff(), 0.0);
   }
-  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), 1.0, 1e-12);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(Boundary(result.Fit.Solid)), 1.0, 1e-12);
 }
 
 TEST(GridHexes, CreasesAcrossTheGridAreKept)
@@ -344,16 +345,16 @@ TEST(GridHexes, CreasesAcrossTheGridAreKept)
     Eigen::AngleAxisd(0.5, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
   shape::GridHexesOptions options;
   options.CellSize = 0.08;
-  const shape::GridHexesResult result = shape::GridHexes(box, options);
+  const shape::GridHexesResult result = shape::BuildGridHexahedra(box, options);
   EXPECT_TRUE(result.Fit.CreasesKept);
-  EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
+  EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.3);
   const double diagonal = std::sqrt(1.0 + 0.49 + 0.25);
   EXPECT_LT(result.Fit.Distance, 1e-3 * diagonal);
   for (const Eigen::RowVector3d& corner : box.Points.rowwise())
   {
     EXPECT_EQ((result.Fit.Solid.Points.rowwise() - corner).rowwise().norm().minCoeff(), 0.0);
   }
-  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), 0.35, 1e-3);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(Boundary(result.Fit.Solid)), 0.35, 1e-3);
 }
 
 TEST(GridHexes, CornersOfFourSidesAreKept)
@@ -366,13 +367,13 @@ TEST(GridHexes, CornersOfFourSidesAreKept)
     shape::GridHexesOptions options;
     options.CellSize = 0.12;
     options.Rounds = 1;
-    const shape::GridHexesResult result = shape::GridHexes(pyramid, options);
+    const shape::GridHexesResult result = shape::BuildGridHexahedra(pyramid, options);
     EXPECT_EQ(result.Features.Corners.size(), isDouble ? 6U : 5U);
     EXPECT_TRUE(result.Fit.CreasesKept);
     EXPECT_EQ(result.Fit.Creases.CornerPoints.size(), isDouble ? 6U : 5U);
     EXPECT_LT(result.Fit.Creases.Distance, 1e-9);
-    EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
-    EXPECT_LT(result.Fit.Distance, 1e-3 * shape::BoxDiagonal(pyramid.Points));
+    EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.3);
+    EXPECT_LT(result.Fit.Distance, 1e-3 * shape::ComputeBoxDiagonal(pyramid.Points));
   }
 }
 
@@ -381,11 +382,12 @@ TEST(GridHexes, CellsDoNotBecomeSmallerForCornersThatNoGridMakesBetter)
   shape::GridHexesOptions options;
   options.FirstHexahedra = 1000.0;
   options.MaximumHexahedra = 10000;
-  const shape::GridHexesResult result = shape::GridHexes(Pyramid(false), options);
-  EXPECT_LT(result.Fit.LeastScaledJacobian, 0.55);
+  const shape::GridHexesResult result = shape::BuildGridHexahedra(Pyramid(false), options);
+  EXPECT_LT(result.Fit.MinimumScaledJacobian, 0.55);
   EXPECT_EQ(result.Fit.Creases.CornerPoints.size(), 5U);
   EXPECT_GT(
-    shape::LeastScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid), 0.55);
+    shape::FindMinimumScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid),
+    0.55);
   EXPECT_LE(result.Rounds, 3);
 }
 
@@ -395,20 +397,20 @@ TEST(GridHexes, CreasesOfABracketAndOfARoundHoleAreNear)
   options.Rounds = 1;
   options.CellSize = 0.15;
   const shape::Mesh block = BlockWithHole();
-  const shape::HexFit hole = shape::GridHexes(block, options).Fit;
+  const shape::HexFit hole = shape::BuildGridHexahedra(block, options).Fit;
   EXPECT_TRUE(hole.CreasesKept);
   EXPECT_EQ(hole.Creases.CornerPoints.size(), 8U);
   // The hole's edges are closed: no point of theirs is fixed, so chords are what keeps them apart.
-  EXPECT_LT(hole.Creases.Distance, 1e-3 * shape::BoxDiagonal(block.Points));
-  EXPECT_GT(hole.LeastScaledJacobian, 0.55);
+  EXPECT_LT(hole.Creases.Distance, 1e-3 * shape::ComputeBoxDiagonal(block.Points));
+  EXPECT_GT(hole.MinimumScaledJacobian, 0.55);
   options.CellSize = 0.1;
   const shape::Mesh bracket =
     shapetest::Prism({ { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0, 0 }, { 2, 0 }, { 2, 1 } });
-  const shape::HexFit fit = shape::GridHexes(bracket, options).Fit;
+  const shape::HexFit fit = shape::BuildGridHexahedra(bracket, options).Fit;
   EXPECT_TRUE(fit.CreasesKept);
   EXPECT_EQ(fit.Creases.CornerPoints.size(), 12U);
   EXPECT_LT(fit.Creases.Distance, 1e-9);
-  EXPECT_GT(fit.LeastScaledJacobian, 0.5);
+  EXPECT_GT(fit.MinimumScaledJacobian, 0.5);
 }
 
 TEST(GridHexes, TheSolidOfASurfaceThatCrossesItselfIsWhatItWindsAround)
@@ -421,7 +423,7 @@ TEST(GridHexes, TheSolidOfASurfaceThatCrossesItselfIsWhatItWindsAround)
   shape::GridHexesOptions options;
   options.CellSize = 0.12;
   options.Rounds = 1;
-  const shape::GridHexesResult result = shape::GridHexes(surface, options);
+  const shape::GridHexesResult result = shape::BuildGridHexahedra(surface, options);
   EXPECT_GT(result.Crossings, 0);
   EXPECT_EQ(result.Fit.Inverted, 0);
   const auto topology = shape::RequireClosedSurface(Boundary(result.Fit.Solid), "the boundary");
@@ -430,18 +432,19 @@ TEST(GridHexes, TheSolidOfASurfaceThatCrossesItselfIsWhatItWindsAround)
   // Two balls less the lens that they share: pi (4 + d) (2 - d)^2 / 12 at a distance d.
   const double d = Eigen::RowVector3d(1.01, 0.02, 0.03).norm();
   const double both = M_PI * (8.0 / 3.0 - (4.0 + d) * (2.0 - d) * (2.0 - d) / 12.0);
-  EXPECT_NEAR(shape::EnclosedVolume(Boundary(result.Fit.Solid)), both, 0.03 * both);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(Boundary(result.Fit.Solid)), both, 0.03 * both);
 }
 
 TEST(GridHexes, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const auto refused = [&](const shape::Mesh& surface, double size, int most)
+  const auto refused = [&](const shape::Mesh& surface, double size, int maximum)
   {
     shape::GridHexesOptions options;
     options.CellSize = size;
-    options.MaximumHexahedra = most;
-    EXPECT_THROW(shape::GridHexes(surface, options), shape::InvalidInput) << size << " " << most;
+    options.MaximumHexahedra = maximum;
+    EXPECT_THROW(shape::BuildGridHexahedra(surface, options), shape::InvalidInput)
+      << size << " " << maximum;
   };
   refused(sphere, -1.0, 1000);
   refused(sphere, std::numeric_limits<double>::quiet_NaN(), 1000);
@@ -450,7 +453,7 @@ TEST(GridHexes, NamesWhatIsWrong)
   shape::Mesh open = sphere;
   open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
   refused(open, 0.5, 1000);
-  EXPECT_THROW(
-    shape::GridHexes(sphere, {}, shape::Progress([](double fraction) { return fraction < 0.5; })),
+  EXPECT_THROW(shape::BuildGridHexahedra(
+                 sphere, {}, shape::Progress([](double fraction) { return fraction < 0.5; })),
     shape::Aborted);
 }

@@ -35,10 +35,10 @@ TEST(SizeField, AGridHasTheSizesThatAreWanted)
   const shape::Mesh sphere = shapetest::Icosphere(4);
   for (const double factor : { 1.0, 2.0, 4.0 })
   {
-    const shape::SizedGrid grid = shape::GridOfSizes(sphere, Sizes(sphere, 0.06, factor));
+    const shape::SizedGrid grid = shape::BuildSizedGrid(sphere, Sizes(sphere, 0.06, factor));
     EXPECT_EQ(grid.NotTooLarge, 1.0) << factor;
     EXPECT_EQ(grid.NotTooSmall, 1.0) << factor;
-    EXPECT_EQ(grid.Magnifiers.empty(), factor == 1.0);
+    EXPECT_EQ(grid.Seeds.empty(), factor == 1.0);
   }
 }
 
@@ -50,11 +50,11 @@ TEST(SizeField, HexahedraHaveTheSizesThatAreWanted)
   {
     const shape::Mesh sphere = shapetest::Icosphere(level);
     const shape::SizedHexesResult result =
-      shape::SizedHexes(sphere, Sizes(sphere, 0.1, 2.0), options);
+      shape::BuildSizedHexahedra(sphere, Sizes(sphere, 0.1, 2.0), options);
     EXPECT_NEAR(Quantile(result.Ratios, 0.5), 1.0, 0.03);
     EXPECT_LT(Quantile(result.Ratios, 0.9), 1.2);
     EXPECT_GT(Quantile(result.Ratios, 0.1), 1.0 / 1.25);
-    EXPECT_GT(result.Hexes.Fit.LeastScaledJacobian, 0.5);
+    EXPECT_GT(result.Hexes.Fit.MinimumScaledJacobian, 0.5);
     EXPECT_EQ(result.Ratios.size(), result.Hexes.Fit.Quads.rows());
   }
 }
@@ -68,7 +68,7 @@ TEST(SizeField, BadSizesAreNamed)
   {
     Eigen::VectorXd sizes = good;
     sizes(7) = bad;
-    EXPECT_THROW(shape::SizedHexes(sphere, sizes), shape::InvalidInput) << bad;
+    EXPECT_THROW(shape::BuildSizedHexahedra(sphere, sizes), shape::InvalidInput) << bad;
   }
-  EXPECT_THROW(shape::SizedHexes(sphere, good.head(5)), shape::InvalidInput);
+  EXPECT_THROW(shape::BuildSizedHexahedra(sphere, good.head(5)), shape::InvalidInput);
 }

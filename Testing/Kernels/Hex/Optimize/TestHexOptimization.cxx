@@ -59,7 +59,10 @@ public:
   {
     return Eigen::Matrix<double, 3, 0>();
   }
-  Eigen::RowVector3d Nearest(int, const Eigen::RowVector3d& place) const override { return place; }
+  Eigen::RowVector3d Nearest(int, const Eigen::RowVector3d& position) const override
+  {
+    return position;
+  }
 
 private:
   std::vector<char> Stays;
@@ -74,16 +77,16 @@ public:
   {
   }
   int Freedom(int point) const override { return this->On[point] ? 2 : 3; }
-  shape::PointDirections Directions(int, const Eigen::RowVector3d& place) const override
+  shape::PointDirections Directions(int, const Eigen::RowVector3d& position) const override
   {
-    const Eigen::Vector3d normal = place.transpose().normalized(), one = normal.unitOrthogonal();
+    const Eigen::Vector3d normal = position.transpose().normalized(), one = normal.unitOrthogonal();
     Eigen::Matrix<double, 3, 2> directions;
     directions << one, normal.cross(one);
     return directions;
   }
-  Eigen::RowVector3d Nearest(int, const Eigen::RowVector3d& place) const override
+  Eigen::RowVector3d Nearest(int, const Eigen::RowVector3d& position) const override
   {
-    return place.normalized();
+    return position.normalized();
   }
 
 private:
@@ -101,11 +104,11 @@ std::vector<char> Sides(const shape::HexMesh& mesh, int n)
 }
 
 /// The grid with its points inside moved at random.
-shape::HexMesh Shaken(int n, double most)
+shape::HexMesh Shaken(int n, double maximum)
 {
   shape::HexMesh mesh = Grid(n);
   std::mt19937 generator(5);
-  std::uniform_real_distribution<double> uniform(-most, most);
+  std::uniform_real_distribution<double> uniform(-maximum, maximum);
   for (int point = 0; point < mesh.Points.rows(); ++point)
   {
     if (!OnSide(mesh, point, n))
@@ -144,7 +147,7 @@ TEST(StarEnergy, ItsGradientIsTheDerivative)
 {
   const shape::HexMesh mesh = Shaken(2, 0.6);
   const int middle = 13;
-  const shape::StarEnergy star = StarOf(mesh, shape::StarEnergy::LeastSquares(mesh), middle);
+  const shape::StarEnergy star = StarOf(mesh, shape::StarEnergy::MinimumSquares(mesh), middle);
   const Eigen::Vector3d x(0.3, -0.2, 0.1);
   const auto here = star.Expand(x, 3.0);
   EXPECT_DOUBLE_EQ(here.Value, star.Value(x, 3.0));
@@ -161,14 +164,14 @@ TEST(StarEnergy, TendsToTheWorstCorner)
 {
   const shape::HexMesh mesh = Shaken(2, 0.3);
   const int middle = 13;
-  const shape::StarEnergy star = StarOf(mesh, shape::StarEnergy::LeastSquares(mesh), middle);
+  const shape::StarEnergy star = StarOf(mesh, shape::StarEnergy::MinimumSquares(mesh), middle);
   // All eight hexahedra are around this point; corners of theirs that it does not touch are right.
-  const double least = shape::ScaledJacobians(mesh).minCoeff();
+  const double minimum = shape::ComputeScaledJacobians(mesh).minCoeff();
   const Eigen::Vector3d x = mesh.Points.row(middle).transpose();
   const double sharpness = 300.0;
   const double soft = std::log(star.Value(x, sharpness)) / sharpness;
-  EXPECT_GE(soft, 1.0 - least - 1e-12);
-  EXPECT_LE(soft, 1.0 - least + std::log(32.0) / sharpness);
+  EXPECT_GE(soft, 1.0 - minimum - 1e-12);
+  EXPECT_LE(soft, 1.0 - minimum + std::log(32.0) / sharpness);
 }
 
 TEST(StarEnergy, StarsArePartsOfOneEnergy)
@@ -176,7 +179,7 @@ TEST(StarEnergy, StarsArePartsOfOneEnergy)
   // Each corner of a hexahedron is in four stars. Long hexahedra beside short ones.
   shape::HexMesh mesh = Shaken(3, 0.2);
   mesh.Points.col(0) = mesh.Points.col(0).array().exp().eval();
-  const Eigen::VectorXd leastSquares = shape::StarEnergy::LeastSquares(mesh);
+  const Eigen::VectorXd leastSquares = shape::StarEnergy::MinimumSquares(mesh);
   const auto whole = [&]
   {
     double sum = 0.0;
@@ -203,8 +206,8 @@ TEST(HexOptimization, AGridIsFoundAgain)
   const auto result = shape::OptimizeHexahedra(mesh, constraint);
   EXPECT_GT(result.InvertedBefore, 10);
   EXPECT_EQ(result.InvertedAfter, 0);
-  EXPECT_GT(result.LeastAfter, 0.99);
-  EXPECT_EQ(result.LeastAfter, shape::ScaledJacobians(mesh).minCoeff());
+  EXPECT_GT(result.MinimumAfter, 0.99);
+  EXPECT_EQ(result.MinimumAfter, shape::ComputeScaledJacobians(mesh).minCoeff());
   EXPECT_LT((mesh.Points - Grid(n).Points).cwiseAbs().maxCoeff(), 0.1);
 }
 
@@ -226,7 +229,7 @@ TEST(HexOptimization, PointsOfTheBoundaryStayOnIt)
   // their determinant is 3 sqrt(3) / 2 cos^2 a sin a with sin a = length / 2. The edges beside a
   // corner cannot all be longer than a sixth of a great circle's quarter by much.
   const double dip = std::sin(M_PI / 24.0);
-  EXPECT_GT(result.LeastAfter, 1.5 * std::sqrt(3.0) * (1.0 - dip * dip) * dip);
+  EXPECT_GT(result.MinimumAfter, 1.5 * std::sqrt(3.0) * (1.0 - dip * dip) * dip);
   for (int point = 0; point < mesh.Points.rows(); ++point)
   {
     if (sides[point])
@@ -251,11 +254,11 @@ TEST(HexOptimization, TheWorstAreRaisedOnWhereTheyAreNotGoodEnough)
     shape::HexOptimizationOptions options;
     options.Sweeps = options.WorstSweeps = 1;
     options.RaiseTo = to;
-    return std::pair(shape::OptimizeHexahedra(mesh, Fixed(fixed), options).LeastAfter, mesh);
+    return std::pair(shape::OptimizeHexahedra(mesh, Fixed(fixed), options).MinimumAfter, mesh);
   };
-  const auto [least, mesh] = raised(0.0);
-  EXPECT_EQ(raised(least).second.Points, mesh.Points);
-  EXPECT_GT(raised(least + 0.02).first, least + 1e-3);
+  const auto [minimum, mesh] = raised(0.0);
+  EXPECT_EQ(raised(minimum).second.Points, mesh.Points);
+  EXPECT_GT(raised(minimum + 0.02).first, minimum + 1e-3);
 }
 
 TEST(HexOptimization, SmoothingMakesPointsMeansOfTheirNeighbours)
@@ -283,9 +286,9 @@ TEST(HexUntangling, TurnsWhatNoPointAloneCanTurn)
   const int one = 1 + side * (2 + side * 2), other = one + 2;
   shape::HexMesh mesh = grid;
   mesh.Points.row(one).swap(mesh.Points.row(other));
-  ASSERT_LT(shape::ScaledJacobians(mesh).minCoeff(), 0.0);
+  ASSERT_LT(shape::ComputeScaledJacobians(mesh).minCoeff(), 0.0);
   EXPECT_EQ(shape::UntangleHexahedra(mesh, constraint), 0);
-  EXPECT_GT(shape::ScaledJacobians(mesh).minCoeff(), 0.3);
+  EXPECT_GT(shape::ComputeScaledJacobians(mesh).minCoeff(), 0.3);
   for (int point = 0; point < grid.Points.rows(); ++point)
   {
     if (OnSide(grid, point, n))
@@ -304,11 +307,12 @@ TEST(HexUntangling, CountsWhatTheBoundaryKeepsInverted)
   shape::HexMesh mesh = Grid(n);
   const Fixed constraint(Sides(mesh, n));
   mesh.Points.row(0) << 0.4, 0.4, 0.4; // a corner of the boundary, beyond the first cells
-  const double before = static_cast<double>((shape::ScaledJacobians(mesh).array() <= 0.0).count());
+  const double before =
+    static_cast<double>((shape::ComputeScaledJacobians(mesh).array() <= 0.0).count());
   const int left = shape::UntangleHexahedra(mesh, constraint);
   EXPECT_GT(left, 0);
   EXPECT_LE(left, before);
-  EXPECT_EQ(left, (shape::ScaledJacobians(mesh).array() <= 0.0).count());
+  EXPECT_EQ(left, (shape::ComputeScaledJacobians(mesh).array() <= 0.0).count());
   EXPECT_TRUE(mesh.Points.allFinite());
 }
 
@@ -331,7 +335,7 @@ TEST(HexOptimization, NeverMakesTheWorstWorse)
   shape::HexMesh mesh = Grid(n);
   const auto result = shape::OptimizeHexahedra(mesh, Fixed(std::vector<char>(64, 1)));
   EXPECT_EQ(mesh.Points, Grid(n).Points);
-  EXPECT_EQ(result.LeastAfter, result.LeastBefore);
+  EXPECT_EQ(result.MinimumAfter, result.MinimumBefore);
   mesh.Hexahedra(0, 0) = 64;
   EXPECT_THROW(
     shape::OptimizeHexahedra(mesh, Fixed(std::vector<char>(65, 1))), shape::InvalidInput);

@@ -1,10 +1,10 @@
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"
 #include "Hex/Polycube/Private/Charts.h"
-#include "Hex/Polycube/Private/LabelCut.h"
+#include "Hex/Polycube/Private/GraphCutLabelling.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
 #include "Remesh/IsotropicRemesh.h"
 #include "Support/TestShapes.h"
 
@@ -45,18 +45,18 @@ shape::Mesh CellSurface(const std::vector<std::array<int, 3>>& cells)
   {
     mesh.Points.row(number) << at[0], at[1], at[2];
   }
-  return { mesh.Points, shape::SplitQuads(shape::BoundaryQuads(mesh)) };
+  return { mesh.Points, shape::SplitQuads(shape::FindBoundaryQuads(mesh)) };
 }
 
 Eigen::VectorXi LabelsOf(const shape::Mesh& surface)
 {
-  const Eigen::MatrixXd vectors = shape::AreaVectors(surface);
+  const Eigen::MatrixXd vectors = shape::ComputeAreaVectors(surface);
   Eigen::VectorXi labels(vectors.rows());
   for (Eigen::Index f = 0; f < vectors.rows(); ++f)
   {
     for (int label = 0; label < 6; ++label)
     {
-      if (vectors.row(f).dot(shape::LabelAxis(label)) > 0.5 * vectors.row(f).norm())
+      if (vectors.row(f).dot(shape::GetLabelAxis(label)) > 0.5 * vectors.row(f).norm())
       {
         labels(f) = label;
       }
@@ -94,7 +94,7 @@ TEST(LabelCut, TheCheapestLabellingOfAChainIsFound)
     }
     return sum;
   };
-  double least = 1e9;
+  double minimum = 1e9;
   for (int bits = 0; bits < 1 << sites; ++bits)
   {
     Eigen::VectorXi labels(sites);
@@ -102,9 +102,9 @@ TEST(LabelCut, TheCheapestLabellingOfAChainIsFound)
     {
       labels(i) = (bits >> i) % 2 == 0 ? 0 : 2;
     }
-    least = std::min(least, energy(labels));
+    minimum = std::min(minimum, energy(labels));
   }
-  EXPECT_NEAR(energy(shape::CutLabels(costs, edges)), least, 1e-12);
+  EXPECT_NEAR(energy(shape::SolveGraphCutLabelling(costs, edges)), minimum, 1e-12);
 }
 
 TEST(LabelCut, OppositeLabelsAreNeverNeighbours)
@@ -113,7 +113,7 @@ TEST(LabelCut, OppositeLabelsAreNeverNeighbours)
   costs.block<2, 1>(0, 0).setZero();
   costs.block<2, 1>(2, 1).setZero();
   const Eigen::VectorXi labels =
-    shape::CutLabels(costs, { { 0, 1, 1e-3 }, { 1, 2, 1e-3 }, { 2, 3, 1e-3 } });
+    shape::SolveGraphCutLabelling(costs, { { 0, 1, 1e-3 }, { 1, 2, 1e-3 }, { 2, 3, 1e-3 } });
   for (int i = 1; i < 4; ++i)
   {
     EXPECT_TRUE(labels(i) == labels(i - 1) || labels(i) / 2 != labels(i - 1) / 2);
@@ -131,7 +131,7 @@ TEST(Charts, APolycubeIsWithoutFault)
               [](const auto& around) { return around.size() == 3; }),
     12);
   // A unit for each of the 8 charts; every point here lies on two or three of them.
-  const shape::TiedCoordinates tied = shape::TieCharts(charts, bracket.Points.rows());
+  const shape::ConstrainedCoordinates tied = shape::ConstrainCharts(charts, bracket.Points.rows());
   const std::set<int> unknowns(tied.Unknowns.begin(), tied.Unknowns.end());
   EXPECT_EQ(static_cast<int>(unknowns.size()), tied.Count);
   for (std::size_t v = 0; v < charts.AtPoint.size(); ++v)
@@ -163,7 +163,7 @@ TEST(Charts, BadLabelsAreToldByTheirFault)
     {
       found.insert(fault.What);
     }
-    EXPECT_EQ(faults.empty(), shape::Describe(faults, charts).empty());
+    EXPECT_EQ(faults.empty(), shape::DescribeFaults(faults, charts).empty());
     return found;
   };
   EXPECT_TRUE(kinds(good).empty());
@@ -190,28 +190,28 @@ TEST(Charts, ABorderThatTurnsBackIsTold)
   const shape::Charts charts = shape::FindCharts(bar, LabelsOf(bar));
   EXPECT_TRUE(shape::FindChartFaults(charts, bar.Points, 1e-9).empty());
   // The middle of an edge behind its end.
-  Eigen::MatrixXd places = bar.Points;
-  for (Eigen::Index v = 0; v < places.rows(); ++v)
+  Eigen::MatrixXd positions = bar.Points;
+  for (Eigen::Index v = 0; v < positions.rows(); ++v)
   {
-    places(v, 0) = places(v, 0) == 1.0 ? 2.5 : places(v, 0);
+    positions(v, 0) = positions(v, 0) == 1.0 ? 2.5 : positions(v, 0);
   }
-  const auto faults = shape::FindChartFaults(charts, places, 1e-9);
+  const auto faults = shape::FindChartFaults(charts, positions, 1e-9);
   EXPECT_EQ(faults.size(), 4U);
   EXPECT_EQ(faults.front().What, shape::ChartFault::Kind::Turn);
-  EXPECT_TRUE(shape::FindChartFaults(charts, places, 1.0).empty());
+  EXPECT_TRUE(shape::FindChartFaults(charts, positions, 1.0).empty());
 }
 
 TEST(AxisAlignment, ATurnedCubeIsTurnedBack)
 {
   shape::Mesh cube = CellSurface({ { 0, 0, 0 } });
-  EXPECT_EQ(shape::AxisRotation(cube), Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  EXPECT_EQ(shape::FindAxisRotation(cube), Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   cube.Points = cube.Points * turn.transpose();
-  const Eigen::Matrix3d back = shape::AxisRotation(cube);
+  const Eigen::Matrix3d back = shape::FindAxisRotation(cube);
   EXPECT_NEAR(back.determinant(), 1.0, 1e-12);
   const Eigen::MatrixXd normals =
-    shape::AreaVectors(cube).rowwise().normalized() * back.transpose();
+    shape::ComputeAreaVectors(cube).rowwise().normalized() * back.transpose();
   EXPECT_LT((normals.rowwise().lpNorm<Eigen::Infinity>().array() - 1.0).abs().maxCoeff(), 1e-3);
 }
 
@@ -220,16 +220,17 @@ TEST(IsotropicRemesh, CreasesAndTopologyStay)
   const shape::Mesh cube = CellSurface({ { 0, 0, 0 } });
   shape::IsotropicRemeshOptions options;
   options.EdgeLength = 0.1;
-  const shape::Mesh fine = shape::IsotropicRemesh(cube, options);
+  const shape::Mesh fine = shape::RemeshIsotropically(cube, options);
   EXPECT_EQ(shape::RequireClosedSurface(fine, "the surface").EulerNumber, 2);
-  EXPECT_NEAR(shape::EnclosedVolume(fine), 1.0, 1e-12);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(fine), 1.0, 1e-12);
   EXPECT_GT(fine.Triangles.rows(), 1000);
   const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 80, 40);
   options.EdgeLength = 0.15;
-  const shape::Mesh coarse = shape::IsotropicRemesh(torus, options);
+  const shape::Mesh coarse = shape::RemeshIsotropically(torus, options);
   EXPECT_EQ(shape::RequireClosedSurface(coarse, "the surface").EulerNumber, 0);
   EXPECT_LT(coarse.Triangles.rows(), torus.Triangles.rows() / 2);
-  EXPECT_NEAR(shape::EnclosedVolume(coarse) / shape::EnclosedVolume(torus), 1.0, 0.03);
+  EXPECT_NEAR(
+    shape::ComputeEnclosedVolume(coarse) / shape::ComputeEnclosedVolume(torus), 1.0, 0.03);
   options.EdgeLength = 0.0;
-  EXPECT_THROW(shape::IsotropicRemesh(cube, options), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshIsotropically(cube, options), shape::InvalidInput);
 }

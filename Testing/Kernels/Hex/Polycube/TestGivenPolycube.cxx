@@ -1,10 +1,10 @@
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
-#include "Search/ClosestPoint.h"
 #include "Hex/HexRemesh.h"
 #include "Hex/Polycube/Polycube.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
+#include "Search/ClosestPoint.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ shape::GivenPolycube CubeOnSphere(int n)
     }
   }
   shape::GivenPolycube cube;
-  cube.Surface = { cells.Points, shape::SplitQuads(shape::BoundaryQuads(cells)) };
+  cube.Surface = { cells.Points, shape::SplitQuads(shape::FindBoundaryQuads(cells)) };
   cube.Surface = shape::SplitComponents(cube.Surface)[0];
   cube.Sources = (cube.Surface.Points.array() * (2.0 / n) - 1.0).matrix().rowwise().normalized();
   return cube;
@@ -57,7 +57,7 @@ std::string Refusal(const shape::GivenPolycube& polycube, const shape::Mesh& sur
 {
   try
   {
-    shape::CellsOfPolycube(polycube, surface, 0.2, 100000);
+    shape::BuildPolycubeCells(polycube, surface, 0.2, 100000);
   }
   catch (const shape::InvalidInput& error)
   {
@@ -75,17 +75,17 @@ TEST(GivenPolycube, ACubeGivesABallOfCubes)
   guides.Polycube = CubeOnSphere(8);
   guides.Polycube.Surface.Points *= 3.0; // its scale does not matter
   shape::HexRemeshOptions options;
-  options.CellSize = std::cbrt(shape::EnclosedVolume(sphere)) / 8.0;
-  const shape::HexRemeshResult result = shape::HexRemesh(sphere, options, {}, guides);
+  options.CellSize = std::cbrt(shape::ComputeEnclosedVolume(sphere)) / 8.0;
+  const shape::HexRemeshResult result = shape::RemeshHexahedra(sphere, options, {}, guides);
   EXPECT_EQ(result.Method, shape::HexRemeshOptions::MethodType::Polycube);
   EXPECT_NEAR(result.CellSize, options.CellSize, 1e-12);
   // The 512 cells of the cube, and a layer of one on each of its 384 squares.
   EXPECT_EQ(result.Fit.Solid.Hexahedra.rows(), 512 + 384);
-  EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
+  EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.3);
   const shape::Mesh boundary{ result.Fit.Solid.Points, shape::SplitQuads(result.Fit.Quads) };
   EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber, 2);
-  EXPECT_NEAR(shape::EnclosedVolume(boundary), shape::EnclosedVolume(sphere),
-    0.04 * shape::EnclosedVolume(sphere));
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(boundary), shape::ComputeEnclosedVolume(sphere),
+    0.04 * shape::ComputeEnclosedVolume(sphere));
   // The layer aside, four cells of the cube come together in no edge of the ball's surface, but at
   // its eight corners three quads do.
   Eigen::VectorXi quads = Eigen::VectorXi::Zero(result.Fit.Solid.Points.rows());
@@ -96,7 +96,7 @@ TEST(GivenPolycube, ACubeGivesABallOfCubes)
   EXPECT_EQ((quads.array() == 3).count(), 8);
   EXPECT_EQ((quads.array() > 4).count(), 0);
   options.Method = shape::HexRemeshOptions::MethodType::Grid;
-  EXPECT_THROW(shape::HexRemesh(sphere, options, {}, guides), shape::InvalidInput);
+  EXPECT_THROW(shape::RemeshHexahedra(sphere, options, {}, guides), shape::InvalidInput);
 }
 
 TEST(GivenPolycube, WhatPolycubeMakesIsTaken)
@@ -104,17 +104,17 @@ TEST(GivenPolycube, WhatPolycubeMakesIsTaken)
   const shape::Mesh torus = shapetest::Torus(1.0, 0.45, 60, 30);
   shape::PolycubeOptions polycubeOptions;
   polycubeOptions.TargetEdgeLength = 0.14;
-  const shape::PolycubeResult polycube = shape::Polycube(torus, polycubeOptions);
+  const shape::PolycubeResult polycube = shape::BuildPolycube(torus, polycubeOptions);
   shape::HexRemeshGuides guides;
   guides.Polycube = { { polycube.Positions, torus.Triangles }, torus.Points };
   shape::HexRemeshOptions options;
   options.CellSize = polycube.EdgeLength;
-  const shape::HexRemeshResult result = shape::HexRemesh(torus, options, {}, guides);
+  const shape::HexRemeshResult result = shape::RemeshHexahedra(torus, options, {}, guides);
   const shape::Mesh boundary{ result.Fit.Solid.Points, shape::SplitQuads(result.Fit.Quads) };
   EXPECT_EQ(shape::RequireClosedSurface(boundary, "the boundary").EulerNumber, 0);
-  EXPECT_GT(result.Fit.LeastScaledJacobian, 0.3);
-  EXPECT_NEAR(shape::EnclosedVolume(boundary), shape::EnclosedVolume(torus),
-    0.03 * shape::EnclosedVolume(torus));
+  EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.3);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(boundary), shape::ComputeEnclosedVolume(torus),
+    0.03 * shape::ComputeEnclosedVolume(torus));
 }
 
 TEST(GivenPolycube, NamesWhatIsWrong)

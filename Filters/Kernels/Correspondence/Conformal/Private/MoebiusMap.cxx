@@ -52,20 +52,21 @@ Eigen::MatrixXd ToSphere(const ComplexPoints& points)
   return sphere;
 }
 
-Eigen::Matrix2cd MoebiusThrough(const ComplexPoints& from, const ComplexPoints& to)
+Eigen::Matrix2cd SolveMoebiusTransform(const ComplexPoints& from, const ComplexPoints& to)
 {
   Eigen::Matrix2cd moebius = Frame(to) * Frame(from).inverse();
   return moebius / std::sqrt(moebius.determinant());
 }
 
-ComplexPoints Transformed(const ComplexPoints& points, const Eigen::Matrix2cd& moebius)
+ComplexPoints ApplyMoebiusTransform(const ComplexPoints& points, const Eigen::Matrix2cd& moebius)
 {
   return points * moebius.transpose();
 }
 
-Eigen::VectorXd LogAreaScales(const ComplexPoints& points, const Eigen::Matrix2cd& moebius)
+Eigen::VectorXd ComputeLogAreaScales(const ComplexPoints& points, const Eigen::Matrix2cd& moebius)
 {
-  const Eigen::ArrayXd lengths = Transformed(points, moebius).rowwise().squaredNorm().array();
+  const Eigen::ArrayXd lengths =
+    ApplyMoebiusTransform(points, moebius).rowwise().squaredNorm().array();
   return 2.0 * (std::log(std::abs(moebius.determinant())) - lengths.log());
 }
 

@@ -24,12 +24,12 @@ Eigen::MatrixXd ToSphere(const ComplexPoints& points);
  * correspondence", 2009, section 3). Points are columns times the matrix. from, to: three rows, no
  * two of which are the same point; where two nearly are, the result is not finite.
  */
-Eigen::Matrix2cd MoebiusThrough(const ComplexPoints& from, const ComplexPoints& to);
+Eigen::Matrix2cd SolveMoebiusTransform(const ComplexPoints& from, const ComplexPoints& to);
 
 /// The points' images.
-ComplexPoints Transformed(const ComplexPoints& points, const Eigen::Matrix2cd& moebius);
+ComplexPoints ApplyMoebiusTransform(const ComplexPoints& points, const Eigen::Matrix2cd& moebius);
 
 /// Logarithms of how much a map enlarges areas on the sphere at points with rows of length 1 (n).
-Eigen::VectorXd LogAreaScales(const ComplexPoints& points, const Eigen::Matrix2cd& moebius);
+Eigen::VectorXd ComputeLogAreaScales(const ComplexPoints& points, const Eigen::Matrix2cd& moebius);
 
 } // namespace shape

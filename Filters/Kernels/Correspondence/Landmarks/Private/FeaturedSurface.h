@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Correspondence/Landmarks/SampledSurface.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -14,23 +14,23 @@ namespace shape
 /// The features of a surface, the ends of its limbs, and how its samples lie to them.
 struct FeaturedSurface
 {
-  std::vector<int> Features;  ///< k points, the most outstanding first
-  Eigen::VectorXd Remoteness; ///< k: mean distance of each from the whole surface
-  Eigen::VectorXd FromBorder; ///< k: how far each is from the border; infinite without one
-  Eigen::MatrixXd Apart;      ///< k x k: distances between them
-  Eigen::VectorXd Weights;    ///< s: of the samples; the sum is 1
-  Eigen::MatrixXd Between;    ///< s x s: distances between the samples
-  Eigen::MatrixXd ToFeatures; ///< s x k: distances from the samples to the features
+  std::vector<int> Features;          ///< k points, the most outstanding first
+  Eigen::VectorXd Remoteness;         ///< k: mean distance of each from the whole surface
+  Eigen::VectorXd DistanceToBoundary; ///< k: how far each is from the border; infinite without one
+  Eigen::MatrixXd Apart;              ///< k x k: distances between them
+  Eigen::VectorXd Weights;            ///< s: of the samples; the sum is 1
+  Eigen::MatrixXd Between;            ///< s x s: distances between the samples
+  Eigen::MatrixXd ToFeatures;         ///< s x k: distances from the samples to the features
   /// s x k^2: the sine of the angle from where feature i lies to where j lies, as seen at a sample
   /// from outside, in column i k + j. A mirror image has the opposite sign.
   Eigen::MatrixXd Turns;
 };
 
 /**
- * Distances are along the surface, over the root of its area. Features are PersistentMaxima of the
- * mean distance from all of the surface (Hilaga, Shinagawa, Kohmura and Kunii, "Topology matching
- * for fully automatic similarity estimation of 3D shapes", 2001, section 3.1), at most `features`;
- * where these are fewer than 6, the points farthest from them are added.
+ * Distances are along the surface, over the root of its area. Features are FindPersistentMaxima of
+ * the mean distance from all of the surface (Hilaga, Shinagawa, Kohmura and Kunii, "Topology
+ * matching for fully automatic similarity estimation of 3D shapes", 2001, section 3.1), at most
+ * `features`; where these are fewer than 6, the points farthest from them are added.
  *
  * mesh: RequireConnected. samples, features: >= 6. Throws SolveFailure, Aborted.
  */
@@ -40,6 +40,6 @@ FeaturedSurface FindFeatures(
 /// The surface as a part of a larger one that has `share` as its area over its own: distances are
 /// those times the root of it, and features near the border, where a limb may have been cut, are
 /// left out.
-FeaturedSurface AsPart(const FeaturedSurface& surface, double share);
+FeaturedSurface RestrictToPart(const FeaturedSurface& surface, double share);
 
 } // namespace shape

@@ -28,8 +28,8 @@ std::vector<std::vector<int>> Neighbours(const Eigen::MatrixXi& triangles, Eigen
 
 } // namespace
 
-std::vector<int> PersistentMaxima(
-  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& function, double least, int count)
+std::vector<int> FindPersistentMaxima(
+  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& function, double minimum, int count)
 {
   const auto n = static_cast<int>(function.size());
   std::vector<int> order(n), rank(n);
@@ -75,7 +75,7 @@ std::vector<int> PersistentMaxima(
   std::vector<int> found;
   for (const auto& [persistence, point] : maxima)
   {
-    if (persistence >= least && static_cast<int>(found.size()) < count)
+    if (persistence >= minimum && static_cast<int>(found.size()) < count)
     {
       found.push_back(point);
     }

@@ -16,7 +16,7 @@ namespace shape
  * the whole function. Those of at least `least` are returned, the most persistent first, at most
  * `count`. Of equal values the first point's is higher.
  */
-std::vector<int> PersistentMaxima(
-  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& function, double least, int count);
+std::vector<int> FindPersistentMaxima(
+  const Eigen::MatrixXi& triangles, const Eigen::VectorXd& function, double minimum, int count);
 
 } // namespace shape

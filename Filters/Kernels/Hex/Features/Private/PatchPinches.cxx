@@ -17,7 +17,7 @@ namespace
 /// The quads around each point, counter-clockwise.
 std::map<int, std::vector<int>> QuadsAround(const Eigen::MatrixXi& quads)
 {
-  const std::map<QuadEdge, int> quadOf = QuadsOfEdges(quads);
+  const std::map<QuadEdge, int> quadOf = MapEdgesToQuads(quads);
   std::map<int, std::vector<int>> around;
   for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
   {
@@ -73,7 +73,7 @@ private:
 
   bool IsPinch(const std::vector<int>& labels) const
   {
-    const PatchRing ring = RingOf(labels);
+    const PatchRing ring = BuildPatchRing(labels);
     return std::set<int>(ring.begin(), ring.end()).size() < ring.size() &&
       this->Corners.count(ring) == 0;
   }
@@ -82,7 +82,7 @@ private:
     const DistanceToPatch& distance, Eigen::VectorXi& patchOf) const
   {
     const std::size_t count = labels.size();
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     std::vector<int> best;
     for (std::size_t begin = 0; begin < count; ++begin)
     {
@@ -105,10 +105,10 @@ private:
           changed[i % count] = patch;
           sum += distance(fan[i % count], patch);
         }
-        const PatchRing ring = RingOf(changed);
-        if ((ring.size() <= 2 || this->Corners.count(ring) > 0) && sum < least)
+        const PatchRing ring = BuildPatchRing(changed);
+        if ((ring.size() <= 2 || this->Corners.count(ring) > 0) && sum < minimum)
         {
-          least = sum;
+          minimum = sum;
           best = changed;
         }
       }
@@ -125,7 +125,7 @@ private:
 
 } // namespace
 
-void OpenPinches(const Eigen::MatrixXi& quads, const std::vector<PatchRing>& corners,
+void SplitPinches(const Eigen::MatrixXi& quads, const std::vector<PatchRing>& corners,
   const DistanceToPatch& distance, Eigen::VectorXi& patchOf)
 {
   Pinches(quads, corners).Open(distance, patchOf);

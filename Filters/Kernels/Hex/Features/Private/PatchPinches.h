@@ -19,9 +19,9 @@ using DistanceToPatch = std::function<double(int, int)>;
  * next to them, those of the arc that is closest to it, in sum. Points with the ring of a corner
  * stay, and those where no arc alone helps.
  *
- * quads: q x 4, of a closed surface. corners: see RingsOfCorners. patchOf: q.
+ * quads: q x 4, of a closed surface. corners: see FindCornerRings. patchOf: q.
  */
-void OpenPinches(const Eigen::MatrixXi& quads, const std::vector<PatchRing>& corners,
+void SplitPinches(const Eigen::MatrixXi& quads, const std::vector<PatchRing>& corners,
   const DistanceToPatch& distance, Eigen::VectorXi& patchOf);
 
 } // namespace shape

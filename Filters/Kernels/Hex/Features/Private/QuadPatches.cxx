@@ -1,9 +1,9 @@
 #include "Hex/Features/Private/QuadPatches.h"
 
-#include "Hex/Features/Private/CornerGathering.h"
 #include "Hex/Features/CornerRings.h"
-#include "Hex/Features/Private/PatchPinches.h"
 #include "Hex/Features/PatchedBoundary.h"
+#include "Hex/Features/Private/CornerValenceMatching.h"
+#include "Hex/Features/Private/PatchPinches.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ namespace
 /// The quads across the four edges of each quad (q x 4).
 Eigen::MatrixXi NeighboursOf(const Eigen::MatrixXi& quads)
 {
-  const std::map<QuadEdge, int> quadOf = QuadsOfEdges(quads);
+  const std::map<QuadEdge, int> quadOf = MapEdgesToQuads(quads);
   Eigen::MatrixXi neighbours(quads.rows(), 4);
   for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
   {
@@ -76,31 +76,31 @@ void KeepLargestPieces(const Eigen::MatrixXi& neighbours, int patches, Eigen::Ve
 
 } // namespace
 
-Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const SurfaceLocator& surface, const SurfaceFeatures& features)
 {
   if (features.Patches == 1)
   {
     return Eigen::VectorXi::Zero(quads.rows());
   }
-  Eigen::MatrixXd middles(quads.rows(), 3);
+  Eigen::MatrixXd midpoints(quads.rows(), 3);
   for (Eigen::Index q = 0; q < quads.rows(); ++q)
   {
-    middles.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
+    midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
   }
   const Eigen::MatrixXi neighbours = NeighboursOf(quads);
-  Eigen::VectorXi patchOf = features.PatchOf(surface.Find(middles).Triangles);
+  Eigen::VectorXi patchOf = features.PatchOf(surface.Find(midpoints).Triangles);
   KeepLargestPieces(neighbours, features.Patches, patchOf);
   // Distances to single patches, for the quads that are reached from them.
   std::vector<SurfaceLocator> locators;
-  for (const Mesh& patch : PatchMeshes(surface.Surface(), features))
+  for (const Mesh& patch : SplitIntoPatches(surface.GetSurface(), features))
   {
     locators.emplace_back(patch);
   }
   using Candidate = std::tuple<double, int, int>; // distance, quad, patch
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
   const auto offer = [&](int quad, int patch)
-  { open.emplace(locators[patch].Find(middles.row(quad)).Distances(0), quad, patch); };
+  { open.emplace(locators[patch].Find(midpoints.row(quad)).Distances(0), quad, patch); };
   for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
   {
     for (const int next : neighbours.row(q))
@@ -154,10 +154,10 @@ Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi
       }
     }
   }
-  GatherCorners(points, quads, surface.Surface(), features, patchOf);
-  OpenPinches(
-    quads, RingsOfCorners(surface.Surface(), features),
-    [&](int quad, int patch) { return locators[patch].Find(middles.row(quad)).Distances(0); },
+  MatchCornerValences(points, quads, surface.GetSurface(), features, patchOf);
+  SplitPinches(
+    quads, FindCornerRings(surface.GetSurface(), features),
+    [&](int quad, int patch) { return locators[patch].Find(midpoints.row(quad)).Distances(0); },
     patchOf);
   std::vector<char> present(features.Patches, 0);
   for (const int patch : patchOf)

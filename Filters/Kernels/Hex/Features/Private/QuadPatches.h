@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Search/ClosestPoint.h"
 #include "Remesh/SurfaceFeatures.h"
+#include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
 
@@ -12,10 +12,10 @@ namespace shape
  * The patch of a surface for each quad (q) of a closed quad mesh near it: the one that is closest
  * to its middle, as far as the quads of a patch hang together by edges; the others are reached from
  * these, closest first. Then quads that stick out into another patch with three edges join it,
- * corners are gathered (GatherCorners) and pinches opened (OpenPinches). Empty where a patch has no
- * quad, or a component of the quads no patch.
+ * corners are gathered (MatchCornerValences) and pinches opened (SplitPinches). Empty where a patch
+ * has no quad, or a component of the quads no patch.
  */
-Eigen::VectorXi QuadPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const SurfaceLocator& surface, const SurfaceFeatures& features);
 
 } // namespace shape

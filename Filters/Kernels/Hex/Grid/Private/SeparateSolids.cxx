@@ -40,27 +40,27 @@ void Append(Eigen::VectorXi& numbers, const Eigen::VectorXi& others, Eigen::Inde
 
 } // namespace
 
-std::vector<Mesh> SeparateSolids(const Mesh& surface, const Progress& progress)
+std::vector<Mesh> SplitSolids(const Mesh& surface, const Progress& progress)
 {
-  const Mesh outward = FacingOutwards(surface);
+  const Mesh outward = OrientOutwards(surface);
   if (RequireClosedSurface(outward, "the surface").Components == 1 ||
-    SolidBoundary(outward, progress.Part(0.0, 0.5)).Crossings > 0 ||
-    OrientedByNesting(outward, "the surface", progress.Part(0.5, 1.0)).Triangles !=
-      outward.Triangles)
+    ExtractSolidBoundary(outward, progress.Part(0.0, 0.5)).Crossings > 0 ||
+    OrientByNesting(outward, "the surface", progress.Part(0.5, 1.0)).Triangles != outward.Triangles)
   {
     return {};
   }
   std::vector<Mesh> outer, voids;
   for (Mesh& component : SplitComponents(outward))
   {
-    (EnclosedVolume(component) > 0.0 ? outer : voids).push_back(std::move(component));
+    (ComputeEnclosedVolume(component) > 0.0 ? outer : voids).push_back(std::move(component));
   }
   if (outer.size() < 2)
   {
     return {};
   }
   std::sort(outer.begin(), outer.end(),
-    [](const Mesh& a, const Mesh& b) { return EnclosedVolume(a) < EnclosedVolume(b); });
+    [](const Mesh& a, const Mesh& b)
+    { return ComputeEnclosedVolume(a) < ComputeEnclosedVolume(b); });
   std::vector<Mesh> solids = outer;
   for (const Mesh& hole : voids)
   {
@@ -68,14 +68,14 @@ std::vector<Mesh> SeparateSolids(const Mesh& surface, const Progress& progress)
       [&](const Mesh& solid)
       {
         constexpr double half = 0.5;
-        return WindingNumber(solid.Points, solid.Triangles, hole.Points.row(0)) > half;
+        return ComputeWindingNumber(solid.Points, solid.Triangles, hole.Points.row(0)) > half;
       });
     Append(solids[around - outer.begin()], hole);
   }
   return solids;
 }
 
-HexFit JoinedFit(const std::vector<HexFit>& fits)
+HexFit JoinFits(const std::vector<HexFit>& fits)
 {
   HexFit joined = fits.front();
   const auto count = [](const HexFit& fit) { return fit.Solid.Hexahedra.rows(); };
@@ -90,7 +90,8 @@ HexFit JoinedFit(const std::vector<HexFit>& fits)
     Append(joined.Quads, fit.Quads, points);
     Append(joined.PatchOf, fit.PatchOf, joined.PatchOf.maxCoeff() + 1);
     Append(joined.RegionOf, fit.RegionOf, 0);
-    joined.LeastScaledJacobian = std::min(joined.LeastScaledJacobian, fit.LeastScaledJacobian);
+    joined.MinimumScaledJacobian =
+      std::min(joined.MinimumScaledJacobian, fit.MinimumScaledJacobian);
     sum += fit.MeanScaledJacobian * static_cast<double>(count(fit));
     joined.Inverted += fit.Inverted;
     joined.Released += fit.Released;
@@ -106,7 +107,7 @@ HexFit JoinedFit(const std::vector<HexFit>& fits)
   return joined;
 }
 
-SurfaceFeatures JoinedFeatures(
+SurfaceFeatures JoinFeatures(
   const std::vector<SurfaceFeatures>& features, const std::vector<Mesh>& solids)
 {
   SurfaceFeatures joined;
@@ -138,7 +139,7 @@ SurfaceFeatures JoinedFeatures(
   return joined;
 }
 
-std::vector<double> SharesOfSolids(const std::vector<Mesh>& solids)
+std::vector<double> ComputeVolumeShares(const std::vector<Mesh>& solids)
 {
   // So many for all that are small.
   constexpr double small = 0.25;
@@ -146,7 +147,7 @@ std::vector<double> SharesOfSolids(const std::vector<Mesh>& solids)
   double sum = 0.0;
   for (const Mesh& solid : solids)
   {
-    shares.push_back(EnclosedVolume(solid));
+    shares.push_back(ComputeEnclosedVolume(solid));
     sum += shares.back();
   }
   double all = 0.0;

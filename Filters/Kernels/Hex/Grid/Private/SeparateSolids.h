@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Hex/Fit/HexFit.h"
+#include "Mesh/Mesh.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <vector>
@@ -13,21 +13,21 @@ namespace shape
 /**
  * The solids that a closed surface bounds, each with the voids in it, where they are apart from one
  * another; empty where there is only one, where the surface crosses itself, or where a component
- * does not face the way of OrientedByNesting.
+ * does not face the way of OrientByNesting.
  *
  * surface: as for RequireClosedSurface. Throws InvalidInput where it is not closed, Aborted.
  */
-std::vector<Mesh> SeparateSolids(const Mesh& surface, const Progress& progress = {});
+std::vector<Mesh> SplitSolids(const Mesh& surface, const Progress& progress = {});
 
 /// The hexahedra of several solids, one after the other: PatchOf counts on. Without interfaces.
-HexFit JoinedFit(const std::vector<HexFit>& fits);
+HexFit JoinFits(const std::vector<HexFit>& fits);
 
 /// The features of several surfaces (the points and triangles of all), one after the other.
 /// solids: one for each of the features.
-SurfaceFeatures JoinedFeatures(
+SurfaceFeatures JoinFeatures(
   const std::vector<SurfaceFeatures>& features, const std::vector<Mesh>& solids);
 
 /// The share of the hexahedra that each solid may have: by its volume, and at least some.
-std::vector<double> SharesOfSolids(const std::vector<Mesh>& solids);
+std::vector<double> ComputeVolumeShares(const std::vector<Mesh>& solids);
 
 } // namespace shape

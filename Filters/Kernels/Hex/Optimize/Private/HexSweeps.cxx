@@ -39,14 +39,14 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
   step *= length > longest ? longest / length : 1.0;
   for (double share = 1.0; share > 0.02; share *= 0.4)
   {
-    Eigen::Vector3d place = x + share * step;
+    Eigen::Vector3d position = x + share * step;
     if (constraint.Freedom(id) < 3)
     {
-      place = constraint.Nearest(id, place.transpose()).transpose();
+      position = constraint.Nearest(id, position.transpose()).transpose();
     }
-    if (star.Value(place, sharpness) < here.Value)
+    if (star.Value(position, sharpness) < here.Value)
     {
-      point = place;
+      point = position;
       return true;
     }
   }
@@ -57,7 +57,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
 
 HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
   : Hexahedra(mesh.Hexahedra)
-  , LeastSquares(StarEnergy::LeastSquares(mesh))
+  , MinimumSquares(StarEnergy::MinimumSquares(mesh))
   , Points(mesh.Points.transpose())
   , Constraint(constraint)
   , Around(mesh.Points.rows())
@@ -203,7 +203,7 @@ void HexSweeps::MoveTowardsMean(int point)
 void HexSweeps::Move(int point, double sharpness)
 {
   const Eigen::Vector3d x = this->Points.col(point);
-  const StarEnergy star(this->Points, this->Hexahedra, this->LeastSquares, this->Around[point]);
+  const StarEnergy star(this->Points, this->Hexahedra, this->MinimumSquares, this->Around[point]);
   const StarEnergy::Expansion here = star.Expand(x, sharpness);
   const bool free = this->Constraint.Freedom(point) == 3;
   const PointDirections all = Eigen::Matrix3d::Identity();

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Mesh/HexMesh.h"
 #include "Base/Progress.h"
 #include "Hex/Optimize/Private/StarEnergy.h"
+#include "Mesh/HexMesh.h"
 #include "Untangle/SimplexPatch.h"
 
 #include <Eigen/Core>
@@ -34,7 +34,7 @@ public:
   /// Puts every point where it may be.
   void Project();
 
-  Eigen::MatrixXd Places() const { return this->Points.transpose(); }
+  Eigen::MatrixXd Positions() const { return this->Points.transpose(); }
 
 private:
   void FindIndependentSets();
@@ -47,7 +47,7 @@ private:
   bool IsAtRest(int point) const;
 
   const StarEnergy::Corners Hexahedra;
-  const Eigen::VectorXd LeastSquares; ///< of each hexahedron, see StarEnergy
+  const Eigen::VectorXd MinimumSquares; ///< of each hexahedron, see StarEnergy
   Eigen::Matrix3Xd Points;
   const PointConstraint& Constraint;
   std::vector<std::vector<std::array<int, 2>>> Around;

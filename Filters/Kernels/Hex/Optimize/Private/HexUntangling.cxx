@@ -15,7 +15,7 @@ namespace
 
 constexpr int Rings[] = { 1, 2, 3, 4, 6 };
 /// After so many rounds that turned few, the rest is left.
-constexpr int MostIdle = 2;
+constexpr int MaximumIdleSteps = 2;
 
 /// The hexahedra around each point.
 std::vector<std::vector<int>> HexahedraAround(const HexMesh& mesh)
@@ -73,7 +73,8 @@ SimplexPatch PatchOf(const HexMesh& mesh, const std::vector<int>& hexahedra,
   for (const int hex : hexahedra)
   {
     const auto points = mesh.Hexahedra.row(hex);
-    const auto gradients = HatGradients(MeanEdge(mesh, hex) * Eigen::Matrix3d::Identity());
+    const auto gradients =
+      ComputeHatGradients(ComputeMeanEdgeLength(mesh, hex) * Eigen::Matrix3d::Identity());
     for (int corner = 0; corner < 8; ++corner)
     {
       const int* ends = HexNeighbours[corner];
@@ -94,7 +95,7 @@ SimplexPatch PatchOf(const HexMesh& mesh, const std::vector<int>& hexahedra,
 int CountInverted(const HexMesh& mesh, const std::vector<int>& hexahedra)
 {
   const Eigen::VectorXd values =
-    ScaledJacobians({ mesh.Points, mesh.Hexahedra(hexahedra, Eigen::all) });
+    ComputeScaledJacobians({ mesh.Points, mesh.Hexahedra(hexahedra, Eigen::all) });
   return static_cast<int>((values.array() <= 0.0).count());
 }
 
@@ -104,9 +105,9 @@ void Untangle(HexMesh& mesh, const std::vector<int>& hexahedra, const PointConst
 {
   const SimplexPatch patch = PatchOf(mesh, hexahedra, constraint, marked);
   // What does not turn in a few steps needs more points around it, not more steps.
-  constexpr std::size_t most = 20000;
+  constexpr std::size_t maximum = 20000;
   constexpr int steps = 40;
-  if (patch.FreePoints.empty() || patch.FreePoints.size() > most)
+  if (patch.FreePoints.empty() || patch.FreePoints.size() > maximum)
   {
     return;
   }
@@ -114,7 +115,7 @@ void Untangle(HexMesh& mesh, const std::vector<int>& hexahedra, const PointConst
   const Eigen::MatrixXd kept = mesh.Points(patch.FreePoints, Eigen::all);
   PatchOptions options;
   options.MaximumSteps = steps;
-  LowerEnergy(mesh.Points, patch, &constraint, options, progress);
+  MinimizeEnergy(mesh.Points, patch, &constraint, options, progress);
   if (CountInverted(mesh, hexahedra) > before)
   {
     mesh.Points(patch.FreePoints, Eigen::all) = kept;
@@ -126,7 +127,7 @@ void Untangle(HexMesh& mesh, const std::vector<int>& hexahedra, const PointConst
 int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
 {
   const std::vector<std::vector<int>> around = HexahedraAround(mesh);
-  Eigen::VectorXd values = ScaledJacobians(mesh);
+  Eigen::VectorXd values = ComputeScaledJacobians(mesh);
   const auto inverted = [&] { return static_cast<int>((values.array() <= 0.0).count()); };
   int idle = 0; // rounds that turned few
   for (const int& rings : Rings)
@@ -154,10 +155,10 @@ int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Pr
       const double begin = done + static_cast<double>(i) * share;
       Untangle(mesh, pieces[i], constraint, marked, progress.Part(begin, begin + share));
     }
-    values = ScaledJacobians(mesh);
+    values = ComputeScaledJacobians(mesh);
     constexpr double worthwhile = 0.8;
     idle = inverted() > worthwhile * before ? idle + 1 : 0;
-    if (idle == MostIdle)
+    if (idle == MaximumIdleSteps)
     {
       break;
     }

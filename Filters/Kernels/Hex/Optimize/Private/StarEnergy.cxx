@@ -40,18 +40,18 @@ constexpr auto Across = CornersAcross();
 /// The edges of a corner and what they come to.
 struct CornerEdges
 {
-  CornerEdges(const Vector3d& a, const Vector3d& b, const Vector3d& c, double least)
+  CornerEdges(const Vector3d& a, const Vector3d& b, const Vector3d& c, double minimum)
     : A(a)
     , B(b)
     , C(c)
     , Normal(b.cross(c))
-    , Least(a.dot(this->Normal) < 0.0 ? 0.0 : least)
+    , Minimum(a.dot(this->Normal) < 0.0 ? 0.0 : minimum)
     , Lengths(std::sqrt(this->Square(a) * this->Square(b) * this->Square(c)))
     , Scaled(a.dot(this->Normal) / this->Lengths)
   {
   }
 
-  double Square(const Vector3d& edge) const { return edge.squaredNorm() + this->Least; }
+  double Square(const Vector3d& edge) const { return edge.squaredNorm() + this->Minimum; }
 
   /// The derivative of the scaled determinant by the first edge.
   Vector3d Slope() const { return this->Normal / this->Lengths - this->Along(this->A); }
@@ -64,7 +64,7 @@ struct CornerEdges
   Vector3d Along(const Vector3d& edge) const { return this->Scaled / this->Square(edge) * edge; }
 
   Vector3d A, B, C, Normal;
-  double Least, Lengths, Scaled;
+  double Minimum, Lengths, Scaled;
 };
 
 void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares, double sharpness,
@@ -75,9 +75,9 @@ void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares,
   sum.Gradient -= sharpness * term * slope;
   sum.Curvature.noalias() += sharpness * sharpness * term * slope * slope.transpose();
   // Of the second derivative of s: near a right corner it is -1 / length^2 across the edge.
-  constexpr double share = 0.7, least = 0.1;
+  constexpr double share = 0.7, minimum = 0.1;
   sum.Curvature.diagonal().array() +=
-    sharpness * term * share * std::max(least, edges.Scaled) * inverseSquares;
+    sharpness * term * share * std::max(minimum, edges.Scaled) * inverseSquares;
 }
 
 } // namespace
@@ -94,18 +94,18 @@ StarEnergy::StarEnergy(const Eigen::Matrix3Xd& points, const Corners& hexahedra,
       view.Ends[k] = points.col(hexahedra(hex, HexNeighbours[corner][k]));
       view.Across[k] = points.col(hexahedra(hex, shape::Across[corner][k]));
     }
-    view.LeastSquare = leastSquares(hex);
+    view.MinimumSquare = leastSquares(hex);
   }
 }
 
-Eigen::VectorXd StarEnergy::LeastSquares(const HexMesh& mesh)
+Eigen::VectorXd StarEnergy::MinimumSquares(const HexMesh& mesh)
 {
   constexpr double share = 0.05;
   Eigen::VectorXd squares(mesh.Hexahedra.rows());
   for (Eigen::Index hex = 0; hex < squares.size(); ++hex)
   {
-    const double least = share * MeanEdge(mesh, hex);
-    squares(hex) = std::max(least * least, std::numeric_limits<double>::min());
+    const double minimum = share * ComputeMeanEdgeLength(mesh, hex);
+    squares(hex) = std::max(minimum * minimum, std::numeric_limits<double>::min());
   }
   return squares;
 }
@@ -115,13 +115,13 @@ double StarEnergy::Value(const Vector3d& x, double sharpness) const
   double sum = 0.0;
   for (const View& view : this->Views)
   {
-    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.LeastSquare);
+    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.MinimumSquare);
     sum += std::exp(sharpness * (1.0 - own.Scaled));
     for (int k = 0; k < 3; ++k)
     {
       const Vector3d& end = view.Ends[k];
-      const CornerEdges beside(
-        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end, view.LeastSquare);
+      const CornerEdges beside(x - end, view.Across[(k + 1) % 3] - end,
+        view.Across[(k + 2) % 3] - end, view.MinimumSquare);
       sum += std::exp(sharpness * (1.0 - beside.Scaled));
     }
   }
@@ -133,14 +133,14 @@ StarEnergy::Expansion StarEnergy::Expand(const Vector3d& x, double sharpness) co
   Expansion sum;
   for (const View& view : this->Views)
   {
-    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.LeastSquare);
+    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.MinimumSquare);
     Add(own, own.SlopeAtCorner(),
       1.0 / own.Square(own.A) + 1.0 / own.Square(own.B) + 1.0 / own.Square(own.C), sharpness, sum);
     for (int k = 0; k < 3; ++k)
     {
       const Vector3d& end = view.Ends[k];
-      const CornerEdges beside(
-        x - end, view.Across[(k + 1) % 3] - end, view.Across[(k + 2) % 3] - end, view.LeastSquare);
+      const CornerEdges beside(x - end, view.Across[(k + 1) % 3] - end,
+        view.Across[(k + 2) % 3] - end, view.MinimumSquare);
       Add(beside, beside.Slope(), 1.0 / beside.Square(beside.A), sharpness, sum);
     }
   }

@@ -36,7 +36,7 @@ public:
     const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around);
 
   /// least^2 of each hexahedron.
-  static Eigen::VectorXd LeastSquares(const HexMesh& mesh);
+  static Eigen::VectorXd MinimumSquares(const HexMesh& mesh);
 
   double Value(const Eigen::Vector3d& x, double sharpness) const;
 
@@ -58,7 +58,7 @@ private:
   struct View
   {
     std::array<Eigen::Vector3d, 3> Ends, Across;
-    double LeastSquare;
+    double MinimumSquare;
   };
   boost::container::small_vector<View, 12> Views; // 8 at most points
 };

@@ -20,14 +20,14 @@ namespace
 {
 
 constexpr int RotationTrials = 400;
-constexpr double LeastRotationGain = 0.01;
+constexpr double MinimumRotationGain = 0.01;
 constexpr int AlignmentRounds = 16;
 constexpr int FlatteningRounds = 6;
 /// How far the wish of a triangle reaches along the surface, in edges: from the first round to the
 /// last.
-constexpr double FarthestReach = 8.0, NearestReach = 1.0;
+constexpr double MaximumReach = 8.0, NearestReach = 1.0;
 /// The weight of flatness against rigidity, in units of the one over an edge.
-constexpr double LeastFlatness = 0.2, GreatestFlatness = 100.0;
+constexpr double MinimumFlatness = 0.2, MaximumFlatness = 100.0;
 constexpr int AlignmentGrain = 512;
 
 /// The rotation closest to a matrix.
@@ -75,7 +75,7 @@ public:
     for (int t = 0; t < tetrahedra; ++t)
     {
       const Eigen::Matrix3d edges = this->EdgesOf(t, solid.Points);
-      this->Hats[t] = HatGradients(edges);
+      this->Hats[t] = ComputeHatGradients(edges);
       this->Volumes(t) = edges.determinant() / 6.0;
       for (int a = 0; a < 4; ++a)
       {
@@ -97,15 +97,15 @@ public:
     this->EdgeLength = length / static_cast<double>(solid.Triangles.rows());
   }
 
-  Eigen::Matrix3d JacobianOf(int t, const Eigen::MatrixXd& places) const
+  Eigen::Matrix3d JacobianOf(int t, const Eigen::MatrixXd& positions) const
   {
-    return this->EdgesOf(t, places) * this->Hats[t].bottomRows<3>();
+    return this->EdgesOf(t, positions) * this->Hats[t].bottomRows<3>();
   }
 
   /// The rotations closest to the Jacobians, times one more each, as the right side of the
   /// equations for the shape that has them.
   Eigen::MatrixXd RightSide(
-    const Eigen::MatrixXd& places, const std::function<Eigen::Matrix3d(int)>& further) const
+    const Eigen::MatrixXd& positions, const std::function<Eigen::Matrix3d(int)>& further) const
   {
     const int tetrahedra = static_cast<int>(this->Hats.size());
     std::vector<Eigen::Matrix<double, 4, 3>> parts(tetrahedra);
@@ -114,11 +114,11 @@ public:
       {
         for (int t = begin; t < end; ++t)
         {
-          const Eigen::Matrix3d wanted = further(t) * Rotation(this->JacobianOf(t, places));
+          const Eigen::Matrix3d wanted = further(t) * Rotation(this->JacobianOf(t, positions));
           parts[t] = this->Volumes(t) * this->Hats[t] * wanted.transpose();
         }
       });
-    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(places.rows(), 3);
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(positions.rows(), 3);
     for (int t = 0; t < tetrahedra; ++t)
     {
       for (int a = 0; a < 4; ++a)
@@ -136,14 +136,14 @@ public:
   double EdgeLength = 0.0;
 
 private:
-  Eigen::Matrix3d EdgesOf(int t, const Eigen::MatrixXd& places) const
+  Eigen::Matrix3d EdgesOf(int t, const Eigen::MatrixXd& positions) const
   {
     Eigen::Matrix3d edges;
     for (int k = 0; k < 3; ++k)
     {
-      edges.col(k) =
-        (places.row(this->Solid.Tetrahedra(t, k + 1)) - places.row(this->Solid.Tetrahedra(t, 0)))
-          .transpose();
+      edges.col(k) = (positions.row(this->Solid.Tetrahedra(t, k + 1)) -
+        positions.row(this->Solid.Tetrahedra(t, 0)))
+                       .transpose();
     }
     return edges;
   }
@@ -151,10 +151,11 @@ private:
 
 /// The sum of area-weighted wishes of the triangles at the points.
 Eigen::MatrixXd Wishes(
-  const WorkingSolid& solid, const Eigen::MatrixXd& places, const Eigen::VectorXd& areas)
+  const WorkingSolid& solid, const Eigen::MatrixXd& positions, const Eigen::VectorXd& areas)
 {
-  const Eigen::MatrixXd normals = AreaVectors(solid.Surface(places)).rowwise().normalized();
-  Eigen::MatrixXd wishes = Eigen::MatrixXd::Zero(places.rows(), 3);
+  const Eigen::MatrixXd normals =
+    ComputeAreaVectors(solid.Surface(positions)).rowwise().normalized();
+  Eigen::MatrixXd wishes = Eigen::MatrixXd::Zero(positions.rows(), 3);
   for (Eigen::Index f = 0; f < normals.rows(); ++f)
   {
     const Eigen::Vector3d normal = normals.row(f).transpose();
@@ -189,17 +190,17 @@ double Misalignment(const Eigen::MatrixXd& vectors, const Eigen::Matrix3d& rotat
 
 } // namespace
 
-Eigen::RowVector3d LabelAxis(int label)
+Eigen::RowVector3d GetLabelAxis(int label)
 {
   return Eigen::RowVector3d::Unit(label / 2) * (label % 2 == 0 ? 1.0 : -1.0);
 }
 
-Eigen::Matrix3d AxisRotation(const Mesh& surface)
+Eigen::Matrix3d FindAxisRotation(const Mesh& surface)
 {
-  const Eigen::MatrixXd vectors = AreaVectors(surface);
+  const Eigen::MatrixXd vectors = ComputeAreaVectors(surface);
   Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
   const double before = Misalignment(vectors, best);
-  double least = before;
+  double minimum = before;
   // Rotations spread evenly (a Halton sequence through Shoemake's uniform quaternions), then ever
   // smaller ones around the best.
   const auto halton = [](int i, int base)
@@ -220,9 +221,9 @@ Eigen::Matrix3d AxisRotation(const Mesh& surface)
       std::sqrt(u) * std::sin(w), std::sqrt(u) * std::cos(w));
     const Eigen::Matrix3d rotation = q.toRotationMatrix();
     const double value = Misalignment(vectors, rotation);
-    if (value < least)
+    if (value < minimum)
     {
-      least = value;
+      minimum = value;
       best = rotation;
     }
   }
@@ -230,40 +231,41 @@ Eigen::Matrix3d AxisRotation(const Mesh& surface)
   {
     for (int k = 0; k < 6; ++k)
     {
-      const Eigen::Matrix3d rotation = FromVector(angle * LabelAxis(k).transpose()) * best;
+      const Eigen::Matrix3d rotation = FromVector(angle * GetLabelAxis(k).transpose()) * best;
       const double value = Misalignment(vectors, rotation);
-      if (value < least)
+      if (value < minimum)
       {
-        least = value;
+        minimum = value;
         best = rotation;
       }
     }
   }
-  return least < (1.0 - LeastRotationGain) * before ? best
-                                                    : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  return minimum < (1.0 - MinimumRotationGain) * before
+    ? best
+    : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
 Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progress)
 {
   const Shape shape(solid);
-  const Eigen::VectorXd areas = 0.5 * AreaVectors(solid.Surface()).rowwise().norm();
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(solid.Surface()).rowwise().norm();
   Eigen::VectorXd pointAreas = Eigen::VectorXd::Zero(solid.Points.rows());
-  pointAreas.head(solid.SurfacePoints) = PointAreas(solid.Surface());
+  pointAreas.head(solid.SurfacePointCount) = ComputePointAreas(solid.Surface());
   Eigen::VectorXd pin = Eigen::VectorXd::Zero(solid.Points.rows());
   pin.array() += 1e-9 * shape.Stiffness.diagonal().mean();
   SparseCholesky poisson;
   const Eigen::SparseMatrix<double> pinned = shape.Stiffness + Diagonal(pin);
   poisson.Factorize(pinned);
   SparseCholesky smoothing;
-  Eigen::MatrixXd places = solid.Points;
+  Eigen::MatrixXd positions = solid.Points;
   for (int round = 0; round < AlignmentRounds; ++round)
   {
     progress(static_cast<double>(round) / AlignmentRounds);
     const double reach =
-      shape.EdgeLength * std::max(NearestReach, FarthestReach * std::pow(0.85, round));
+      shape.EdgeLength * std::max(NearestReach, MaximumReach * std::pow(0.85, round));
     const Eigen::SparseMatrix<double> smooth = pinned + Diagonal(pointAreas / reach);
     smoothing.Factorize(smooth);
-    const Eigen::MatrixXd turns = smoothing.Solve(Wishes(solid, places, areas) / reach);
+    const Eigen::MatrixXd turns = smoothing.Solve(Wishes(solid, positions, areas) / reach);
     const auto further = [&](int t)
     {
       Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -273,16 +275,16 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
       }
       return FromVector(mean);
     };
-    places = poisson.Solve(shape.RightSide(places, further) + pin.asDiagonal() * places);
+    positions = poisson.Solve(shape.RightSide(positions, further) + pin.asDiagonal() * positions);
   }
-  return places;
+  return positions;
 }
 
 Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress)
 {
   const Shape shape(solid);
-  const Eigen::VectorXd areas = 0.5 * AreaVectors(solid.Surface()).rowwise().norm();
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(solid.Surface()).rowwise().norm();
   std::array<std::vector<Eigen::Triplet<double>>, 3> flat;
   for (Eigen::Index f = 0; f < solid.Triangles.rows(); ++f)
   {
@@ -307,23 +309,23 @@ Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorX
     penalties[axis].resize(solid.Points.rows(), solid.Points.rows());
     penalties[axis].setFromTriplets(flat[axis].begin(), flat[axis].end());
   }
-  Eigen::MatrixXd places = start;
+  Eigen::MatrixXd positions = start;
   const auto none = [](int) { return Eigen::Matrix3d(Eigen::Matrix3d::Identity()); };
   for (int round = 0; round < FlatteningRounds; ++round)
   {
     progress(static_cast<double>(round) / FlatteningRounds);
-    const double flatness = shape.EdgeLength * LeastFlatness *
-      std::pow(GreatestFlatness / LeastFlatness, round / (FlatteningRounds - 1.0));
-    const Eigen::MatrixXd right = shape.RightSide(places, none) + pin.asDiagonal() * places;
+    const double flatness = shape.EdgeLength * MinimumFlatness *
+      std::pow(MaximumFlatness / MinimumFlatness, round / (FlatteningRounds - 1.0));
+    const Eigen::MatrixXd right = shape.RightSide(positions, none) + pin.asDiagonal() * positions;
     for (int axis = 0; axis < 3; ++axis)
     {
       const Eigen::SparseMatrix<double> matrix =
         shape.Stiffness + Diagonal(pin) + flatness * penalties[axis];
       factors[axis].Factorize(matrix);
-      places.col(axis) = factors[axis].Solve(right.col(axis));
+      positions.col(axis) = factors[axis].Solve(right.col(axis));
     }
   }
-  return places;
+  return positions;
 }
 
 } // namespace shape

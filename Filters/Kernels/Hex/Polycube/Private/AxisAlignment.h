@@ -9,11 +9,11 @@ namespace shape
 {
 
 /// The unit vector of a label: +x, -x, +y, -y, +z, -z.
-Eigen::RowVector3d LabelAxis(int label);
+Eigen::RowVector3d GetLabelAxis(int label);
 
 /// A rotation after which the normals of a surface are closest to the axes: it minimises the sum of
 /// |nx| + |ny| + |nz| over the area. The identity where nothing is better by a hundredth.
-Eigen::Matrix3d AxisRotation(const Mesh& surface);
+Eigen::Matrix3d FindAxisRotation(const Mesh& surface);
 
 /**
  * Bends a solid so that the normals of its surface come close to the axes, with little distortion:

@@ -17,7 +17,7 @@ namespace shape
  *
  * places (n x 3): where the normals are taken. further (m x 6): added to the costs, or empty.
  */
-Eigen::VectorXi FindAxisLabels(const WorkingSolid& solid, const Eigen::MatrixXd& places,
+Eigen::VectorXi FindAxisLabels(const WorkingSolid& solid, const Eigen::MatrixXd& positions,
   double compactness, const Eigen::MatrixXd& further = {});
 
 } // namespace shape

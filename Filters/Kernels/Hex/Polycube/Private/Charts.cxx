@@ -28,7 +28,7 @@ std::string LabelName(int label)
 }
 
 /// The borders' edges from point to point, each with its left chart on the left.
-std::vector<Charts::Border> TraceBorders(
+std::vector<Charts::Border> TraceBoundaries(
   const Charts& charts, const std::vector<HalfEdge>& edges, const std::vector<int>& right)
 {
   std::unordered_map<int, std::vector<int>> from;
@@ -37,22 +37,23 @@ std::vector<Charts::Border> TraceBorders(
     from[edges[i].Begin].push_back(static_cast<int>(i));
   }
   std::vector<char> used(edges.size(), 0);
-  std::vector<Charts::Border> borders;
+  std::vector<Charts::Border> boundaries;
   const auto trace = [&](int first)
   {
-    Charts::Border border{ charts.Of(edges[first].Triangle), right[first], { edges[first].Begin } };
+    Charts::Border boundary{ charts.Of(edges[first].Triangle), right[first],
+      { edges[first].Begin } };
     for (int edge = first; edge >= 0;)
     {
       used[edge] = 1;
       const int end = edges[edge].End;
-      border.Points.push_back(end);
+      boundary.Points.push_back(end);
       edge = -1;
       if (charts.AtPoint[end].size() == 2)
       {
         for (const int next : from[end])
         {
-          if (!used[next] && charts.Of(edges[next].Triangle) == border.First &&
-            right[next] == border.Second)
+          if (!used[next] && charts.Of(edges[next].Triangle) == boundary.First &&
+            right[next] == boundary.Second)
           {
             edge = next;
             break;
@@ -60,7 +61,7 @@ std::vector<Charts::Border> TraceBorders(
         }
       }
     }
-    borders.push_back(std::move(border));
+    boundaries.push_back(std::move(boundary));
   };
   for (const bool corners : { true, false })
   {
@@ -72,7 +73,7 @@ std::vector<Charts::Border> TraceBorders(
       }
     }
   }
-  return borders;
+  return boundaries;
 }
 
 } // namespace
@@ -80,7 +81,7 @@ std::vector<Charts::Border> TraceBorders(
 Charts FindCharts(const Mesh& surface, const Eigen::VectorXi& labels)
 {
   const int count = static_cast<int>(surface.Triangles.rows());
-  const std::vector<HalfEdge> sides = SortedHalfEdges(surface.Triangles, surface.Points.rows());
+  const std::vector<HalfEdge> sides = SortHalfEdges(surface.Triangles, surface.Points.rows());
   DisjointSets charted(count);
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
   {
@@ -105,7 +106,7 @@ Charts FindCharts(const Mesh& surface, const Eigen::VectorXi& labels)
   }
   charts.Areas = Eigen::VectorXd::Zero(charts.Count());
   charts.AtPoint.resize(surface.Points.rows());
-  const Eigen::VectorXd areas = 0.5 * AreaVectors(surface).rowwise().norm();
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(surface).rowwise().norm();
   for (int t = 0; t < count; ++t)
   {
     charts.Areas(charts.Of(t)) += areas(t);
@@ -130,12 +131,12 @@ Charts FindCharts(const Mesh& surface, const Eigen::VectorXi& labels)
     }
   }
   std::for_each(charts.Neighbours.begin(), charts.Neighbours.end(), MakeUnique);
-  charts.Borders = TraceBorders(charts, edges, right);
+  charts.Borders = TraceBoundaries(charts, edges, right);
   return charts;
 }
 
 std::vector<ChartFault> FindChartFaults(
-  const Charts& charts, const Eigen::MatrixXd& places, double slack)
+  const Charts& charts, const Eigen::MatrixXd& positions, double slack)
 {
   using Kind = ChartFault::Kind;
   std::vector<ChartFault> faults;
@@ -166,23 +167,24 @@ std::vector<ChartFault> FindChartFaults(
       faults.push_back({ Kind::Corner, around[0], around[1], static_cast<int>(v) });
     }
   }
-  for (const Charts::Border& border : charts.Borders)
+  for (const Charts::Border& boundary : charts.Borders)
   {
-    const int first = charts.Labels[border.First] / 2, second = charts.Labels[border.Second] / 2;
+    const int first = charts.Labels[boundary.First] / 2,
+              second = charts.Labels[boundary.Second] / 2;
     if (first == second)
     {
       continue;
     }
     const int axis = 3 - first - second;
-    const auto at = [&](int v) { return places(v, axis); };
-    const double way = at(border.Points.back()) - at(border.Points.front());
+    const auto at = [&](int v) { return positions(v, axis); };
+    const double way = at(boundary.Points.back()) - at(boundary.Points.front());
     const double sign = way < 0.0 ? -1.0 : 1.0;
-    double farthest = sign * at(border.Points.front());
-    for (const int v : border.Points)
+    double farthest = sign * at(boundary.Points.front());
+    for (const int v : boundary.Points)
     {
       if (sign * at(v) < farthest - slack)
       {
-        faults.push_back({ Kind::Turn, border.First, border.Second, v });
+        faults.push_back({ Kind::Turn, boundary.First, boundary.Second, v });
         break;
       }
       farthest = std::max(farthest, sign * at(v));
@@ -200,11 +202,11 @@ std::string DescribeChart(const Charts& charts, int chart)
   return text.str();
 }
 
-std::string Describe(const std::vector<ChartFault>& faults, const Charts& charts)
+std::string DescribeFaults(const std::vector<ChartFault>& faults, const Charts& charts)
 {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t maximum = 3;
   std::ostringstream text;
-  for (std::size_t i = 0; i < std::min(most, faults.size()); ++i)
+  for (std::size_t i = 0; i < std::min(maximum, faults.size()); ++i)
   {
     const ChartFault& fault = faults[i];
     text << (i > 0 ? "; " : "");
@@ -227,14 +229,14 @@ std::string Describe(const std::vector<ChartFault>& faults, const Charts& charts
         break;
     }
   }
-  if (faults.size() > most)
+  if (faults.size() > maximum)
   {
-    text << "; and " << faults.size() - most << " more";
+    text << "; and " << faults.size() - maximum << " more";
   }
   return text.str();
 }
 
-TiedCoordinates TieCharts(const Charts& charts, Eigen::Index points)
+ConstrainedCoordinates ConstrainCharts(const Charts& charts, Eigen::Index points)
 {
   DisjointSets joined(charts.Count());
   for (const std::vector<int>& around : charts.AtPoint)
@@ -250,7 +252,7 @@ TiedCoordinates TieCharts(const Charts& charts, Eigen::Index points)
       }
     }
   }
-  TiedCoordinates tied;
+  ConstrainedCoordinates tied;
   tied.Unknowns = Eigen::VectorXi::Constant(3 * points, -1);
   for (std::size_t v = 0; v < charts.AtPoint.size(); ++v)
   {
@@ -276,12 +278,12 @@ TiedCoordinates TieCharts(const Charts& charts, Eigen::Index points)
   return tied;
 }
 
-std::vector<std::pair<int, int>> TiedEdges(
-  const Eigen::MatrixXi& triangles, const Charts& charts, const TiedCoordinates& tied)
+std::vector<std::pair<int, int>> FindConstrainedEdges(
+  const Eigen::MatrixXi& triangles, const Charts& charts, const ConstrainedCoordinates& tied)
 {
   std::vector<std::pair<int, int>> edges;
   const std::vector<HalfEdge> sides =
-    SortedHalfEdges(triangles, static_cast<Eigen::Index>(charts.AtPoint.size()));
+    SortHalfEdges(triangles, static_cast<Eigen::Index>(charts.AtPoint.size()));
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
   {
     const int chart = charts.Of(sides[i].Triangle);

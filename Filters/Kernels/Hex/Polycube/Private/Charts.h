@@ -1,7 +1,7 @@
 #pragma once
 
+#include "Hex/Polycube/Private/ConstrainedEnergy.h"
 #include "Mesh/Mesh.h"
-#include "Hex/Polycube/Private/TiedEnergy.h"
 
 #include <Eigen/Core>
 
@@ -60,21 +60,21 @@ struct ChartFault
  * places (n x 3): where along the axes turns are looked for; going back by up to `slack` is none.
  */
 std::vector<ChartFault> FindChartFaults(
-  const Charts& charts, const Eigen::MatrixXd& places, double slack);
+  const Charts& charts, const Eigen::MatrixXd& positions, double slack);
 
 /// "chart 3 (+x, 0.2 % of the area) has 2 neighbours, 4 are needed; ..." for the first few.
-std::string Describe(const std::vector<ChartFault>& faults, const Charts& charts);
+std::string DescribeFaults(const std::vector<ChartFault>& faults, const Charts& charts);
 
 /// As "chart 3 (+x, 5.8 % of the area)".
 std::string DescribeChart(const Charts& charts, int chart);
 
 /// The unknowns of points whose surface has these charts: one for each chart, along its axis, and
 /// one for every other coordinate. Charts of one axis that share a point share the unknown.
-TiedCoordinates TieCharts(const Charts& charts, Eigen::Index points);
+ConstrainedCoordinates ConstrainCharts(const Charts& charts, Eigen::Index points);
 
 /// Edges inside a chart between points that share an unknown of another axis: with a third such
 /// point they would be a triangle that the ties make flat.
-std::vector<std::pair<int, int>> TiedEdges(
-  const Eigen::MatrixXi& triangles, const Charts& charts, const TiedCoordinates& tied);
+std::vector<std::pair<int, int>> FindConstrainedEdges(
+  const Eigen::MatrixXi& triangles, const Charts& charts, const ConstrainedCoordinates& tied);
 
 } // namespace shape

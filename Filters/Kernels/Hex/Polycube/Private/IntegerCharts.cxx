@@ -28,15 +28,15 @@ std::array<int, 3> Sorted(std::array<int, 3> corners)
 /// Charts of one axis with a polycube edge between them.
 void AddEnds(const Charts& charts, std::set<Pair>& pairs)
 {
-  for (const Charts::Border& border : charts.Borders)
+  for (const Charts::Border& boundary : charts.Borders)
   {
-    for (const int a : charts.AtPoint[border.Points.front()])
+    for (const int a : charts.AtPoint[boundary.Points.front()])
     {
-      for (const int b : charts.AtPoint[border.Points.back()])
+      for (const int b : charts.AtPoint[boundary.Points.back()])
       {
         const int axis = charts.Labels[a] / 2;
-        if (a != b && axis == charts.Labels[b] / 2 && axis != charts.Labels[border.First] / 2 &&
-          axis != charts.Labels[border.Second] / 2)
+        if (a != b && axis == charts.Labels[b] / 2 && axis != charts.Labels[boundary.First] / 2 &&
+          axis != charts.Labels[boundary.Second] / 2)
         {
           pairs.insert({ a, b });
         }
@@ -46,11 +46,11 @@ void AddEnds(const Charts& charts, std::set<Pair>& pairs)
 }
 
 /// Charts that are met first from a triangle, straight through the solid.
-void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::MatrixXd& places,
+void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::MatrixXd& positions,
   std::set<Pair>& pairs)
 {
-  const TetrahedralWalk walk(places, solid.Tetrahedra);
-  const Eigen::RowVector3d size = places.colwise().maxCoeff() - places.colwise().minCoeff();
+  const TetrahedralWalk walk(positions, solid.Tetrahedra);
+  const Eigen::RowVector3d size = positions.colwise().maxCoeff() - positions.colwise().minCoeff();
   std::map<std::array<int, 3>, int> triangles;
   for (int f = 0; f < solid.Triangles.rows(); ++f)
   {
@@ -67,9 +67,11 @@ void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::Mat
         continue;
       }
       const int chart = charts.Of(found->second);
-      const Eigen::RowVector3d from = (0.01 * places.row(c(k)) + 0.33 * places.row(c((k + 1) % 4)) +
-        0.33 * places.row(c((k + 2) % 4)) + 0.33 * places.row(c((k + 3) % 4)));
-      const Eigen::RowVector3d to = from - 2.0 * size.maxCoeff() * LabelAxis(charts.Labels[chart]);
+      const Eigen::RowVector3d from =
+        (0.01 * positions.row(c(k)) + 0.33 * positions.row(c((k + 1) % 4)) +
+          0.33 * positions.row(c((k + 2) % 4)) + 0.33 * positions.row(c((k + 3) % 4)));
+      const Eigen::RowVector3d to =
+        from - 2.0 * size.maxCoeff() * GetLabelAxis(charts.Labels[chart]);
       const auto end = walk.Go(t, from.transpose(), to.transpose());
       if (end.Arrived || end.Face < 0)
       {
@@ -89,12 +91,12 @@ void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::Mat
 
 } // namespace
 
-Eigen::VectorXi IntegerCharts(const WorkingSolid& solid, const Charts& charts,
-  const TiedCoordinates& tied, const Eigen::MatrixXd& places)
+Eigen::VectorXi RoundCharts(const WorkingSolid& solid, const Charts& charts,
+  const ConstrainedCoordinates& tied, const Eigen::MatrixXd& positions)
 {
   std::set<Pair> pairs;
   AddEnds(charts, pairs);
-  AddFacing(solid, charts, places, pairs);
+  AddFacing(solid, charts, positions, pairs);
   // Charts that are tied together have one number.
   std::vector<int> unknown(charts.Count(), -1);
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(charts.Count());
@@ -104,7 +106,7 @@ Eigen::VectorXi IntegerCharts(const WorkingSolid& solid, const Charts& charts,
     {
       const int axis = charts.Labels[chart] / 2;
       unknown[chart] = tied.Unknowns(3 * v + axis);
-      wanted(chart) = places(v, axis);
+      wanted(chart) = positions(v, axis);
     }
   }
   std::map<int, std::vector<int>> below; // of each unknown: those that are less

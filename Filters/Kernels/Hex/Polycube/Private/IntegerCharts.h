@@ -16,7 +16,7 @@ namespace shape
  * places (n x 3): the points of the solid on the polycube, positive on its tetrahedra, in units of
  * the cells. Returns one number for each chart, along its axis.
  */
-Eigen::VectorXi IntegerCharts(const WorkingSolid& solid, const Charts& charts,
-  const TiedCoordinates& tied, const Eigen::MatrixXd& places);
+Eigen::VectorXi RoundCharts(const WorkingSolid& solid, const Charts& charts,
+  const ConstrainedCoordinates& tied, const Eigen::MatrixXd& positions);
 
 } // namespace shape

@@ -20,7 +20,7 @@ namespace
 const Eigen::Vector3d Offset(1.1e-4, 1.7e-4, 2.3e-4);
 
 /// The corners of a cell in the order of HexMesh.
-constexpr int CornerPlaces[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+constexpr int CornerPositions[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
   { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
 
 using Cell = std::array<int, 3>;
@@ -82,16 +82,16 @@ int CellBeside(
 {
   Cell next = visit.Where;
   ++next[axis];
-  const auto place = walk.Go(visit.Tetrahedron, Centre(visit.Where), Centre(next));
-  if (!place.Arrived)
+  const auto position = walk.Go(visit.Tetrahedron, Centre(visit.Where), Centre(next));
+  if (!position.Arrived)
   {
     return -1;
   }
   const auto found =
-    std::lower_bound(visits.begin(), visits.end(), Visit{ next, place.Tetrahedron },
+    std::lower_bound(visits.begin(), visits.end(), Visit{ next, position.Tetrahedron },
       [](const Visit& a, const Visit& b)
       { return std::tie(a.Where, a.Tetrahedron) < std::tie(b.Where, b.Tetrahedron); });
-  if (found != visits.end() && found->Where == next && found->Tetrahedron == place.Tetrahedron)
+  if (found != visits.end() && found->Where == next && found->Tetrahedron == position.Tetrahedron)
   {
     return static_cast<int>(found - visits.begin());
   }
@@ -100,7 +100,7 @@ int CellBeside(
 
 } // namespace
 
-IntegerMapHexesResult IntegerMapHexes(
+IntegerMapHexesResult ExtractIntegerMapHexahedra(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const Eigen::MatrixXi& tetrahedra)
 {
   const TetrahedralWalk walk(images, tetrahedra);
@@ -118,15 +118,15 @@ IntegerMapHexesResult IntegerMapHexes(
       const int other = CellBeside(visits, visits[cell], axis, walk);
       for (int corner = 0; other >= 0 && corner < 8; ++corner)
       {
-        if (CornerPlaces[corner][axis] == 1)
+        if (CornerPositions[corner][axis] == 1)
         {
-          Cell opposite = { CornerPlaces[corner][0], CornerPlaces[corner][1],
-            CornerPlaces[corner][2] };
+          Cell opposite = { CornerPositions[corner][0], CornerPositions[corner][1],
+            CornerPositions[corner][2] };
           opposite[axis] = 0;
           const int same = static_cast<int>(
-            std::find_if(std::begin(CornerPlaces), std::end(CornerPlaces),
+            std::find_if(std::begin(CornerPositions), std::end(CornerPositions),
               [&](const int* at) { return std::equal(opposite.begin(), opposite.end(), at); }) -
-            std::begin(CornerPlaces));
+            std::begin(CornerPositions));
           joined.Merge(8 * other + same, 8 * cell + corner);
         }
       }
@@ -148,19 +148,19 @@ IntegerMapHexesResult IntegerMapHexes(
   }
   const Eigen::Index count = static_cast<Eigen::Index>(corners.size());
   result.Solid.Points.resize(count, 3);
-  result.Places.resize(count, 3);
+  result.Positions.resize(count, 3);
   result.Tetrahedra.resize(count);
   result.Weights.resize(count, 4);
   for (Eigen::Index i = 0; i < count; ++i)
   {
     const auto [cell, corner] = corners[i];
-    Eigen::Vector3d place;
+    Eigen::Vector3d position;
     for (int k = 0; k < 3; ++k)
     {
-      place(k) = visits[cell].Where[k] + CornerPlaces[corner][k];
+      position(k) = visits[cell].Where[k] + CornerPositions[corner][k];
     }
-    const auto there = walk.Go(visits[cell].Tetrahedron, Centre(visits[cell].Where), place);
-    result.Places.row(i) = place.transpose();
+    const auto there = walk.Go(visits[cell].Tetrahedron, Centre(visits[cell].Where), position);
+    result.Positions.row(i) = position.transpose();
     result.Tetrahedra(i) = there.Tetrahedron;
     result.Weights.row(i) = there.Weights.transpose();
     result.Solid.Points.row(i).setZero();

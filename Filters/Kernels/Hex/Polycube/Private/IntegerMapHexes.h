@@ -11,7 +11,7 @@ namespace shape
 struct IntegerMapHexesResult
 {
   HexMesh Solid;
-  Eigen::MatrixXd Places;     ///< n x 3: integers
+  Eigen::MatrixXd Positions;  ///< n x 3: integers
   Eigen::VectorXi Tetrahedra; ///< n: the tetrahedron that the point is in
   Eigen::MatrixXd Weights;    ///< n x 4: of the tetrahedron's points
   bool Overlaps = false;      ///< some cells of the grid are there several times
@@ -26,7 +26,7 @@ struct IntegerMapHexesResult
  * points, images (n x 3), tetrahedra (m x 4). Throws SolveFailure where there is no cell, or walks
  * do not agree with one another.
  */
-IntegerMapHexesResult IntegerMapHexes(
+IntegerMapHexesResult ExtractIntegerMapHexahedra(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const Eigen::MatrixXi& tetrahedra);
 
 } // namespace shape

@@ -1,11 +1,11 @@
 #include "Hex/Polycube/Private/PolycubeMap.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"
 #include "Hex/Polycube/Private/IntegerCharts.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -37,11 +37,11 @@ constexpr int Repairs = 2;
 /// Newton steps after which a deformation with as many negative tetrahedra is given up.
 constexpr int FirstSteps = 8, Hopeless = 60;
 /// No more trials are begun after so many deformed tetrahedra.
-constexpr int MostWork = 150000;
+constexpr int MaximumWork = 150000;
 /// What a label costs more where it did not work, for a triangle of the mean area.
 constexpr double Dearer = 1.0, Forbidden = 50.0;
 /// Charts of a greater share of the area are not given up.
-constexpr double GreatestGivenUp = 0.03;
+constexpr double MaximumGivenUp = 0.03;
 /// A chart of which a greater share is turned over is folded.
 constexpr double Folded = 0.1;
 constexpr int QuantisationAttempts = 4;
@@ -51,19 +51,19 @@ constexpr double QuantisationShrinkage = 0.75;
 struct Attempt
 {
   WorkingSolid Solid;
-  Eigen::MatrixXd Places;
+  Eigen::MatrixXd Positions;
   Eigen::VectorXi Labels;
   shape::Charts Charts;
-  TiedCoordinates Tied;
+  ConstrainedCoordinates Tied;
   std::vector<ChartFault> Faults;
   PatchResult Result;
   Eigen::Matrix3d Rotation; ///< of the solid from the surface's place
 };
 
-double MeanEdge(const WorkingSolid& solid)
+double ComputeMeanEdgeLength(const WorkingSolid& solid)
 {
   return std::sqrt(
-    4.0 / std::sqrt(3.0) * 0.5 * AreaVectors(solid.Surface()).rowwise().norm().mean());
+    4.0 / std::sqrt(3.0) * 0.5 * ComputeAreaVectors(solid.Surface()).rowwise().norm().mean());
 }
 
 PatchOptions TiedOptions()
@@ -76,24 +76,25 @@ PatchOptions TiedOptions()
 }
 
 /// Makes tied coordinates equal: their mean.
-void Tie(const TiedCoordinates& tied, Eigen::MatrixXd& places)
+void Tie(const ConstrainedCoordinates& tied, Eigen::MatrixXd& positions)
 {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(tied.Count), counts = sums;
   for (Eigen::Index i = 0; i < tied.Unknowns.size(); ++i)
   {
-    sums(tied.Unknowns(i)) += places(i / 3, i % 3);
+    sums(tied.Unknowns(i)) += positions(i / 3, i % 3);
     counts(tied.Unknowns(i)) += 1.0;
   }
   for (Eigen::Index i = 0; i < tied.Unknowns.size(); ++i)
   {
-    places(i / 3, i % 3) = sums(tied.Unknowns(i)) / counts(tied.Unknowns(i));
+    positions(i / 3, i % 3) = sums(tied.Unknowns(i)) / counts(tied.Unknowns(i));
   }
 }
 
 /// The triangles of charts that are folded over: of others, a few may be turned still.
 std::vector<char> FoldedOver(const Attempt& attempt)
 {
-  std::vector<char> turned = TurnedOver(attempt.Solid.Surface(attempt.Places), attempt.Labels);
+  std::vector<char> turned =
+    FindInvertedTriangles(attempt.Solid.Surface(attempt.Positions), attempt.Labels);
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(attempt.Charts.Count()), all = counts;
   for (Eigen::Index f = 0; f < attempt.Labels.size(); ++f)
   {
@@ -119,31 +120,33 @@ Attempt Deform(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress)
 {
   Attempt attempt{ solid, start, labels, FindCharts(solid.Surface(), labels), {}, {}, {}, {} };
-  attempt.Tied = TieCharts(attempt.Charts, solid.Points.rows());
-  attempt.Faults = FindChartFaults(attempt.Charts, start, 0.5 * MeanEdge(solid));
-  SplitSurfaceEdges(attempt.Solid, TiedEdges(solid.Triangles, attempt.Charts, attempt.Tied),
-    attempt.Places, attempt.Labels);
+  attempt.Tied = ConstrainCharts(attempt.Charts, solid.Points.rows());
+  attempt.Faults = FindChartFaults(attempt.Charts, start, 0.5 * ComputeMeanEdgeLength(solid));
+  SplitSurfaceEdges(attempt.Solid,
+    FindConstrainedEdges(solid.Triangles, attempt.Charts, attempt.Tied), attempt.Positions,
+    attempt.Labels);
   attempt.Charts = FindCharts(attempt.Solid.Surface(), attempt.Labels);
-  attempt.Tied = TieCharts(attempt.Charts, attempt.Solid.Points.rows());
-  Tie(attempt.Tied, attempt.Places);
+  attempt.Tied = ConstrainCharts(attempt.Charts, attempt.Solid.Points.rows());
+  Tie(attempt.Tied, attempt.Positions);
   PatchOptions options = TiedOptions();
   options.MaximumSteps = FirstSteps;
-  attempt.Result = LowerTiedEnergy(attempt.Places, attempt.Solid, attempt.Tied, options, progress);
+  attempt.Result =
+    MinimizeConstrainedEnergy(attempt.Positions, attempt.Solid, attempt.Tied, options, progress);
   if (attempt.Result.Negative > 0 && attempt.Result.Negative < Hopeless)
   {
-    attempt.Result =
-      LowerTiedEnergy(attempt.Places, attempt.Solid, attempt.Tied, TiedOptions(), progress);
+    attempt.Result = MinimizeConstrainedEnergy(
+      attempt.Positions, attempt.Solid, attempt.Tied, TiedOptions(), progress);
   }
   return attempt;
 }
 
-bool IsPositive(const WorkingSolid& solid, const Eigen::MatrixXd& places, Eigen::Index t)
+bool IsPositive(const WorkingSolid& solid, const Eigen::MatrixXd& positions, Eigen::Index t)
 {
   const auto c = solid.Tetrahedra.row(t);
   Eigen::Matrix3d edges;
   for (int k = 0; k < 3; ++k)
   {
-    edges.col(k) = (places.row(c(k + 1)) - places.row(c(0))).transpose();
+    edges.col(k) = (positions.row(c(k + 1)) - positions.row(c(0))).transpose();
   }
   return edges.determinant() > 0.0;
 }
@@ -160,9 +163,9 @@ void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const 
   for (const ChartFault& fault : attempt.Faults)
   {
     givenUp[fault.Chart] |= fault.What == ChartFault::Kind::FewNeighbours &&
-      charts.Areas(fault.Chart) < GreatestGivenUp * area;
+      charts.Areas(fault.Chart) < MaximumGivenUp * area;
   }
-  std::vector<char> near(attempt.Solid.SurfacePoints, 0);
+  std::vector<char> near(attempt.Solid.SurfacePointCount, 0);
   if (isFacing)
   {
     const std::vector<char> folded = FoldedOver(attempt);
@@ -176,11 +179,11 @@ void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const 
   }
   for (Eigen::Index t = 0; t < attempt.Solid.Tetrahedra.rows(); ++t)
   {
-    if (!IsPositive(attempt.Solid, attempt.Places, t))
+    if (!IsPositive(attempt.Solid, attempt.Positions, t))
     {
       for (const int v : attempt.Solid.Tetrahedra.row(t))
       {
-        if (v < attempt.Solid.SurfacePoints)
+        if (v < attempt.Solid.SurfacePointCount)
         {
           near[v] = 1;
         }
@@ -206,21 +209,21 @@ Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned
   double compactness, bool isFacing, int& work, const Progress& progress)
 {
   Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(solid.Triangles.rows(), 6);
-  Eigen::MatrixXd places = aligned;
-  Eigen::VectorXi labels = FindAxisLabels(solid, places, compactness);
+  Eigen::MatrixXd positions = aligned;
+  Eigen::VectorXi labels = FindAxisLabels(solid, positions, compactness);
   for (int round = 0; round < Flattenings; ++round)
   {
-    places = FlattenAlongAxes(solid, labels, places, progress);
+    positions = FlattenAlongAxes(solid, labels, positions, progress);
     if (round + 1 < Flattenings)
     {
-      labels = FindAxisLabels(solid, places, compactness);
+      labels = FindAxisLabels(solid, positions, compactness);
     }
   }
   Attempt best;
   best.Result.Negative = std::numeric_limits<int>::max();
   for (int repair = 0; repair <= Repairs; ++repair)
   {
-    Attempt attempt = Deform(solid, labels, places, progress);
+    Attempt attempt = Deform(solid, labels, positions, progress);
     work += static_cast<int>(attempt.Solid.Tetrahedra.rows());
     RaiseCosts(solid, labels, attempt, isFacing, costs);
     attempt.Result.Negative += isFacing ? CountFolded(attempt) : 0;
@@ -232,9 +235,9 @@ Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned
     {
       break;
     }
-    const Eigen::VectorXi next = FindAxisLabels(solid, places, compactness, costs);
+    const Eigen::VectorXi next = FindAxisLabels(solid, positions, compactness, costs);
     labels = next;
-    places = FlattenAlongAxes(solid, labels, places, progress);
+    positions = FlattenAlongAxes(solid, labels, positions, progress);
   }
   return best;
 }
@@ -243,14 +246,14 @@ Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned
 bool MoveToIntegers(Attempt& attempt, const Progress& progress)
 {
   const Eigen::VectorXi numbers =
-    IntegerCharts(attempt.Solid, attempt.Charts, attempt.Tied, attempt.Places);
-  TiedCoordinates fixed = attempt.Tied;
+    RoundCharts(attempt.Solid, attempt.Charts, attempt.Tied, attempt.Positions);
+  ConstrainedCoordinates fixed = attempt.Tied;
   for (std::size_t v = 0; v < attempt.Charts.AtPoint.size(); ++v)
   {
     for (const int chart : attempt.Charts.AtPoint[v])
     {
       const int axis = attempt.Charts.Labels[chart] / 2;
-      attempt.Places(v, axis) = numbers(chart);
+      attempt.Positions(v, axis) = numbers(chart);
       fixed.Unknowns(3 * v + axis) = -1;
     }
   }
@@ -265,19 +268,20 @@ bool MoveToIntegers(Attempt& attempt, const Progress& progress)
       unknown = number;
     }
   }
-  attempt.Result = LowerTiedEnergy(attempt.Places, attempt.Solid, fixed, TiedOptions(), progress);
+  attempt.Result =
+    MinimizeConstrainedEnergy(attempt.Positions, attempt.Solid, fixed, TiedOptions(), progress);
   return attempt.Result.Negative == 0;
 }
 
 } // namespace
 
-std::vector<char> TurnedOver(const Mesh& polycube, const Eigen::VectorXi& labels)
+std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::VectorXi& labels)
 {
-  const Eigen::MatrixXd vectors = AreaVectors(polycube);
+  const Eigen::MatrixXd vectors = ComputeAreaVectors(polycube);
   std::vector<char> turned(labels.size());
   for (Eigen::Index f = 0; f < labels.size(); ++f)
   {
-    turned[f] = !(vectors.row(f).dot(LabelAxis(labels(f))) > 0.0);
+    turned[f] = !(vectors.row(f).dot(GetLabelAxis(labels(f))) > 0.0);
   }
   return turned;
 }
@@ -294,9 +298,9 @@ PolycubeMap FindPolycubeMap(
     throw InvalidInput("the cell size must be positive, or 0 for an automatic one");
   }
   RequireClosedSurface(surface, "the surface");
-  WorkingSolid solid = MakeWorkingSolid(surface, options.Triangles, progress.Part(0.0, 0.1));
-  const Eigen::MatrixXd places = solid.Points;
-  const Eigen::Matrix3d straight = AxisRotation(solid.Surface());
+  WorkingSolid solid = BuildWorkingSolid(surface, options.Triangles, progress.Part(0.0, 0.1));
+  const Eigen::MatrixXd positions = solid.Points;
+  const Eigen::Matrix3d straight = FindAxisRotation(solid.Surface());
   Attempt best;
   best.Result.Negative = std::numeric_limits<int>::max();
   int work = 0;
@@ -305,11 +309,11 @@ PolycubeMap FindPolycubeMap(
     const Eigen::Matrix3d rotation = turned
       ? Eigen::AngleAxisd(Turn.norm(), Turn.normalized()).toRotationMatrix() * straight
       : straight;
-    solid.Points = places * rotation.transpose();
+    solid.Points = positions * rotation.transpose();
     const Eigen::MatrixXd aligned = AlignWithAxes(solid, progress.Part(0.1, 0.2));
     for (const Trial& trial : Trials)
     {
-      if (trial.Turned != turned || best.Result.Negative == 0 || work > MostWork)
+      if (trial.Turned != turned || best.Result.Negative == 0 || work > MaximumWork)
       {
         continue;
       }
@@ -326,26 +330,27 @@ PolycubeMap FindPolycubeMap(
   {
     throw SolveFailure("no valid polycube was found: of " + std::to_string(best.Charts.Count()) +
       " charts, " +
-      (best.Faults.empty() ? "none is at fault by itself" : Describe(best.Faults, best.Charts)) +
+      (best.Faults.empty() ? "none is at fault by itself"
+                           : DescribeFaults(best.Faults, best.Charts)) +
       "; " + std::to_string(best.Result.Negative) + " of " +
       std::to_string(best.Solid.Tetrahedra.rows()) + " tetrahedra stay inverted" +
       (options.Facing ? " or are under folded charts" : "") + "; try another Compactness");
   }
   double size = options.CellSize > 0.0
     ? options.CellSize
-    : std::cbrt(EnclosedVolume(best.Solid.Surface()) / AutomaticCells);
+    : std::cbrt(ComputeEnclosedVolume(best.Solid.Surface()) / AutomaticCells);
   for (int attempt = 0; attempt < QuantisationAttempts; ++attempt, size *= QuantisationShrinkage)
   {
     Attempt whole = best;
     whole.Solid.Points /= size;
-    whole.Places /= size;
+    whole.Positions /= size;
     if (MoveToIntegers(whole, progress.Part(0.8, 1.0)) &&
       (!options.Facing || CountFolded(whole) == 0))
     {
       PolycubeMap map;
       map.Solid = std::move(whole.Solid);
       map.Solid.Points = size * map.Solid.Points * whole.Rotation;
-      map.Places = std::move(whole.Places);
+      map.Positions = std::move(whole.Positions);
       map.Labels = std::move(whole.Labels);
       map.Charts = std::move(whole.Charts);
       map.CellSize = size;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
 #include "Hex/Polycube/Private/Charts.h"
 #include "Hex/Polycube/Private/WorkingSolid.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -27,14 +27,14 @@ struct PolycubeMapOptions
 };
 
 /// Marks the triangles of a polycube that do not face the way of their label.
-std::vector<char> TurnedOver(const Mesh& polycube, const Eigen::VectorXi& labels);
+std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::VectorXi& labels);
 
 /// A solid and the polycube it is mapped to.
 struct PolycubeMap
 {
-  WorkingSolid Solid;     ///< close to the solid of the surface; its own places
-  Eigen::MatrixXd Places; ///< n x 3: on the polycube, in cells; charts are at whole numbers
-  Eigen::VectorXi Labels; ///< of the solid's triangles: 0..5 = +x, -x, +y, -y, +z, -z
+  WorkingSolid Solid;        ///< close to the solid of the surface; its own places
+  Eigen::MatrixXd Positions; ///< n x 3: on the polycube, in cells; charts are at whole numbers
+  Eigen::VectorXi Labels;    ///< of the solid's triangles: 0..5 = +x, -x, +y, -y, +z, -z
   shape::Charts Charts;
   double CellSize = 0.0;
   double Distortion = 0.0; ///< the mean elliptic energy; 1 is the least
@@ -45,10 +45,10 @@ struct PolycubeMap
  * tetrahedron of a coarse solid close to it.
  *
  * The solid is bent until its normals come close to the axes (AlignWithAxes), labelled
- * (FindAxisLabels), and deformed with one coordinate for each chart (LowerTiedEnergy). Charts that
- * no polycube can have (FindChartFaults), and labels around tetrahedra that stay negative, are
- * made dearer and cut again; then other compactnesses are tried. At last the charts go to whole
- * numbers (IntegerCharts), in smaller cells where that leaves no room.
+ * (FindAxisLabels), and deformed with one coordinate for each chart (MinimizeConstrainedEnergy).
+ * Charts that no polycube can have (FindChartFaults), and labels around tetrahedra that stay
+ * negative, are made dearer and cut again; then other compactnesses are tried. At last the charts
+ * go to whole numbers (RoundCharts), in smaller cells where that leaves no room.
  *
  * Throws as Tetrahedralize; InvalidInput where options are out of range; SolveFailure where no
  * polycube is found, with the faults of the best try; Aborted.

@@ -45,7 +45,7 @@ TetrahedralWalk::TetrahedralWalk(const Eigen::MatrixXd& points, const Eigen::Mat
   }
 }
 
-Eigen::Vector4d TetrahedralWalk::Weights(int tetrahedron, const Eigen::Vector3d& place) const
+Eigen::Vector4d TetrahedralWalk::Weights(int tetrahedron, const Eigen::Vector3d& position) const
 {
   const auto c = this->Tetrahedra.row(tetrahedron);
   const Eigen::Vector3d origin = this->Points.row(c(0)).transpose();
@@ -55,12 +55,12 @@ Eigen::Vector4d TetrahedralWalk::Weights(int tetrahedron, const Eigen::Vector3d&
     edges.col(k) = this->Points.row(c(k + 1)).transpose() - origin;
   }
   Eigen::Vector4d weights;
-  weights.tail<3>() = edges.inverse() * (place - origin);
+  weights.tail<3>() = edges.inverse() * (position - origin);
   weights(0) = 1.0 - weights.tail<3>().sum();
   return weights;
 }
 
-TetrahedralWalk::Place TetrahedralWalk::Go(
+TetrahedralWalk::Position TetrahedralWalk::Go(
   int tetrahedron, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const
 {
   int entered = -2; // nowhere, which is not the outside
@@ -70,15 +70,15 @@ TetrahedralWalk::Place TetrahedralWalk::Go(
     const Eigen::Vector4d end = this->Weights(tetrahedron, to);
     const Eigen::Vector4d begin = this->Weights(tetrahedron, from);
     int exit = -1;
-    double least = 2.0;
+    double minimum = 2.0;
     for (int k = 0; k < 4; ++k)
     {
       if (end(k) < -Rounding && this->Neighbours[tetrahedron][k] != entered)
       {
         const double share = begin(k) / (begin(k) - end(k));
-        if (end(k) < begin(k) && share < least)
+        if (end(k) < begin(k) && share < minimum)
         {
-          least = share;
+          minimum = share;
           exit = k;
         }
       }
@@ -88,7 +88,7 @@ TetrahedralWalk::Place TetrahedralWalk::Go(
     if (next < 0)
     {
       Eigen::Vector4d weights =
-        arrived ? end : Eigen::Vector4d(begin + std::clamp(least, 0.0, 1.0) * (end - begin));
+        arrived ? end : Eigen::Vector4d(begin + std::clamp(minimum, 0.0, 1.0) * (end - begin));
       weights = weights.cwiseMax(0.0);
       return { tetrahedron, weights / weights.sum(), arrived, exit };
     }

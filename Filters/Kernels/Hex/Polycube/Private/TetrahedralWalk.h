@@ -18,7 +18,7 @@ public:
   /// Keeps references.
   TetrahedralWalk(const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra);
 
-  struct Place
+  struct Position
   {
     int Tetrahedron;
     Eigen::Vector4d Weights; ///< of its corners: >= 0, their sum is 1
@@ -27,10 +27,10 @@ public:
   };
 
   /// From a place in a tetrahedron to another place.
-  Place Go(int tetrahedron, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+  Position Go(int tetrahedron, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   /// Barycentric coordinates.
-  Eigen::Vector4d Weights(int tetrahedron, const Eigen::Vector3d& place) const;
+  Eigen::Vector4d Weights(int tetrahedron, const Eigen::Vector3d& position) const;
 
 private:
   const Eigen::MatrixXd& Points;

@@ -1,14 +1,14 @@
 #include "Hex/Polycube/Private/VoxelPolycube.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
-#include "Search/CellLocator.h"
 #include "Distance/SignedDistance.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"
-#include "Hex/Voxels/VoxelSolid.h"
 #include "Hex/Polycube/Private/WorkingSolid.h"
+#include "Hex/Voxels/WellComposedVoxels.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
+#include "Search/CellLocator.h"
 
 #include <Eigen/Geometry>
 
@@ -30,18 +30,18 @@ constexpr double Reaches[] = { 0.1, 0.0, 0.25, -0.1 };
 constexpr double CellShrinkage = 0.85;
 constexpr int OffsetTrials = 16;
 /// The share of the volume that may be turned inside out: it is mended when all is back.
-constexpr double MostFolded = 0.02;
+constexpr double MaximumFolded = 0.02;
 
 /// Where the lines of a grid should be, in cells: as far from the surface's flat parts as can be
 /// in the middle of cells, so that these are not cut into steps.
 Eigen::RowVector3d BestOffset(const Mesh& surface, const Eigen::VectorXi& labels, double size)
 {
-  const Eigen::VectorXd areas = AreaVectors(surface).rowwise().norm();
-  const Eigen::MatrixXd centroids = Centroids(surface) / size;
+  const Eigen::VectorXd areas = ComputeAreaVectors(surface).rowwise().norm();
+  const Eigen::MatrixXd centroids = ComputeCentroids(surface) / size;
   Eigen::RowVector3d best;
   for (int axis = 0; axis < 3; ++axis)
   {
-    double least = std::numeric_limits<double>::max();
+    double minimum = std::numeric_limits<double>::max();
     for (int trial = 0; trial < OffsetTrials; ++trial)
     {
       const double offset = static_cast<double>(trial) / OffsetTrials;
@@ -50,14 +50,14 @@ Eigen::RowVector3d BestOffset(const Mesh& surface, const Eigen::VectorXi& labels
       {
         if (labels(f) / 2 == axis)
         {
-          const double place = centroids(f, axis) - offset;
-          const double off = place - std::round(place);
+          const double position = centroids(f, axis) - offset;
+          const double off = position - std::round(position);
           sum += areas(f) * off * off;
         }
       }
-      if (sum < least)
+      if (sum < minimum)
       {
-        least = sum;
+        minimum = sum;
         best(axis) = offset;
       }
     }
@@ -68,7 +68,7 @@ Eigen::RowVector3d BestOffset(const Mesh& surface, const Eigen::VectorXi& labels
 SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVector3d& offset,
   double size, const Progress& progress)
 {
-  const Eigen::MatrixXd& points = distance.Locator().Surface().Points;
+  const Eigen::MatrixXd& points = distance.Locator().GetSurface().Points();
   const Eigen::RowVector3d low =
     (points.colwise().minCoeff() / size - offset).array().floor().matrix();
   const Eigen::RowVector3d high =
@@ -99,16 +99,17 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wan
   {
     SampledGrid levels = distances;
     levels.Values.array() -= reach * levels.Spacing;
-    VoxelSolid solid = FindVoxelSolid(levels);
+    WellComposedVoxels solid = FindVoxelSolid(levels);
     if (solid.Pinched > 0)
     {
       continue;
     }
     KeepLargestParts(levels, wanted.Components, solid.Inside);
-    HexMesh cubes = VoxelHexahedra(levels, solid.Inside);
+    HexMesh cubes = BuildVoxelHexahedra(levels, solid.Inside);
     if (cubes.Hexahedra.rows() > 0)
     {
-      const Topology topology = SurfaceTopology({ cubes.Points, SplitQuads(BoundaryQuads(cubes)) });
+      const Topology topology =
+        ComputeTopology({ cubes.Points, SplitQuads(FindBoundaryQuads(cubes)) });
       if (topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components)
       {
         return cubes;
@@ -119,7 +120,7 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wan
 }
 
 /// The volume of tetrahedra that are turned inside out, as a share of what they have at rest.
-double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& places)
+double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
 {
   double folded = 0.0, all = 0.0;
   for (const auto& c : solid.Tetrahedra.rowwise())
@@ -133,7 +134,7 @@ double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& places)
     };
     const double rest = volume(solid.Points);
     all += rest;
-    folded += volume(places) <= 0.0 ? rest : 0.0;
+    folded += volume(positions) <= 0.0 ? rest : 0.0;
   }
   return folded / all;
 }
@@ -143,18 +144,18 @@ Eigen::MatrixXd Bent(
   const WorkingSolid& solid, double compactness, Eigen::VectorXi& labels, const Progress& progress)
 {
   const Eigen::MatrixXd aligned = AlignWithAxes(solid, progress.Part(0.0, 0.5));
-  Eigen::MatrixXd places = aligned;
+  Eigen::MatrixXd positions = aligned;
   for (int round = 0; round < VoxelFlattenings; ++round)
   {
-    labels = FindAxisLabels(solid, places, compactness);
-    places = FlattenAlongAxes(solid, labels, places, progress.Part(0.5, 1.0));
+    labels = FindAxisLabels(solid, positions, compactness);
+    positions = FlattenAlongAxes(solid, labels, positions, progress.Part(0.5, 1.0));
   }
-  if (FoldedShare(solid, places) <= MostFolded)
+  if (FoldedShare(solid, positions) <= MaximumFolded)
   {
-    return places;
+    return positions;
   }
   const double folded = FoldedShare(solid, aligned);
-  if (folded > MostFolded)
+  if (folded > MaximumFolded)
   {
     throw SolveFailure("the solid cannot be bent towards the axes: " +
       std::to_string(100.0 * folded) + " % of it would be turned inside out");
@@ -163,11 +164,11 @@ Eigen::MatrixXd Bent(
   return aligned;
 }
 
-Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& places)
+Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
 {
   const Eigen::Index count = solid.Tetrahedra.rows();
   Cells cells;
-  cells.Points = places;
+  cells.Points = positions;
   cells.Kinds = Eigen::VectorXi::Constant(count, 10);
   cells.Offsets = Eigen::VectorXi::LinSpaced(count + 1, 0, static_cast<int>(4 * count));
   const Eigen::MatrixXi corners = solid.Tetrahedra.transpose();
@@ -178,27 +179,27 @@ Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& places)
 } // namespace
 
 VoxelPolycube FindVoxelPolycube(
-  const Mesh& surface, double compactness, int cells, int most, const Progress& progress)
+  const Mesh& surface, double compactness, int cells, int maximum, const Progress& progress)
 {
   const Topology topology = RequireClosedSurface(surface, "the surface");
   const WorkingSolid original =
-    MakeWorkingSolid(surface, WorkingTriangles, progress.Part(0.0, 0.2));
+    BuildWorkingSolid(surface, WorkingTriangles, progress.Part(0.0, 0.2));
   WorkingSolid solid = original;
-  solid.Points = original.Points * AxisRotation(original.Surface()).transpose();
+  solid.Points = original.Points * FindAxisRotation(original.Surface()).transpose();
   Eigen::VectorXi labels;
-  const Eigen::MatrixXd places = Bent(solid, compactness, labels, progress.Part(0.2, 0.7));
-  const Mesh bent = solid.Surface(places);
-  const double volume = EnclosedVolume(bent);
+  const Eigen::MatrixXd positions = Bent(solid, compactness, labels, progress.Part(0.2, 0.7));
+  const Mesh bent = solid.Surface(positions);
+  const double volume = ComputeEnclosedVolume(bent);
   const SignedDistance distance(bent);
   double size = std::cbrt(volume / cells);
-  const double least = std::cbrt(volume / most);
+  const double minimum = std::cbrt(volume / maximum);
   std::optional<HexMesh> cubes;
   SampledGrid grid;
   for (; !cubes; size *= CellShrinkage)
   {
-    if (size < least)
+    if (size < minimum)
     {
-      throw SolveFailure("no grid of " + std::to_string(most) +
+      throw SolveFailure("no grid of " + std::to_string(maximum) +
         " cells in the solid bent towards the axes has the surface's topology (Euler number " +
         std::to_string(topology.EulerNumber) + ")");
     }
@@ -208,11 +209,11 @@ VoxelPolycube FindVoxelPolycube(
   VoxelPolycube result;
   result.CellSize = size / CellShrinkage;
   result.Solid = std::move(*cubes);
-  const CellPlaces found =
-    CellLocator(TetrahedraAt(solid, places)).Find(result.Solid.Points, progress.Part(0.9, 1.0));
+  const CellPoints found =
+    CellLocator(TetrahedraAt(solid, positions)).Find(result.Solid.Points, progress.Part(0.9, 1.0));
   // Corners are half a cell off the samples.
-  result.Places = ((result.Solid.Points.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
-  result.Places = result.Places.array().round().matrix().eval();
+  result.Positions = ((result.Solid.Points.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
+  result.Positions = result.Positions.array().round().matrix().eval();
   result.Solid.Points = found.Weights * original.Points;
   return result;
 }

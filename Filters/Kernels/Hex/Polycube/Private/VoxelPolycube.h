@@ -1,8 +1,8 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Mesh.h"
-#include "Base/Progress.h"
 
 #include <Eigen/Core>
 
@@ -13,7 +13,7 @@ namespace shape
 struct VoxelPolycube
 {
   HexMesh Solid;
-  Eigen::MatrixXd Places; ///< n x 3: whole numbers
+  Eigen::MatrixXd Positions; ///< n x 3: whole numbers
   double CellSize = 0.0;
 };
 
@@ -28,6 +28,6 @@ struct VoxelPolycube
  * no such grid has the topology, Aborted.
  */
 VoxelPolycube FindVoxelPolycube(
-  const Mesh& surface, double compactness, int cells, int most, const Progress& progress = {});
+  const Mesh& surface, double compactness, int cells, int maximum, const Progress& progress = {});
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #include "Hex/Polycube/Private/WorkingSolid.h"
 
 #include "Base/Errors.h"
-#include "Geometry/Crossings.h"
+#include "Geometry/SelfIntersections.h"
 #include "Remesh/IsotropicRemesh.h"
 #include "Tetrahedra/Tetrahedralize.h"
 
@@ -30,8 +30,8 @@ Mesh CoarseSurface(const Mesh& surface, double length, const Progress& progress)
   {
     IsotropicRemeshOptions options;
     options.EdgeLength = length;
-    Mesh coarse = IsotropicRemesh(surface, options, progress);
-    if (FlatTriangles(coarse).empty() && FindCrossings(coarse, progress).empty())
+    Mesh coarse = RemeshIsotropically(surface, options, progress);
+    if (FindDegenerateTriangles(coarse).empty() && FindSelfIntersections(coarse, progress).empty())
     {
       return coarse;
     }
@@ -164,7 +164,7 @@ void AddInnerPoints(WorkingSolid& solid)
   EdgeSplits splits(solid.Tetrahedra, solid.Points.rows());
   for (const auto& [a, b] : EdgesOf(solid.Tetrahedra))
   {
-    if (std::max(a, b) < solid.SurfacePoints &&
+    if (std::max(a, b) < solid.SurfacePointCount &&
       !std::binary_search(outer.begin(), outer.end(), std::make_pair(a, b)))
     {
       splits.Split(a, b, static_cast<int>(solid.Points.rows()));
@@ -175,7 +175,7 @@ void AddInnerPoints(WorkingSolid& solid)
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::vector<int> corners = splits.All[i];
-    if (*std::max_element(corners.begin(), corners.end()) < solid.SurfacePoints)
+    if (*std::max_element(corners.begin(), corners.end()) < solid.SurfacePointCount)
     {
       splits.Fill(static_cast<int>(i), static_cast<int>(solid.Points.rows()));
       AppendMean(solid.Points, corners);
@@ -193,10 +193,10 @@ Mesh WorkingSolid::Surface() const
 
 Mesh WorkingSolid::Surface(const Eigen::MatrixXd& points) const
 {
-  return { points.topRows(this->SurfacePoints), this->Triangles };
+  return { points.topRows(this->SurfacePointCount), this->Triangles };
 }
 
-WorkingSolid MakeWorkingSolid(const Mesh& surface, int triangles, const Progress& progress)
+WorkingSolid BuildWorkingSolid(const Mesh& surface, int triangles, const Progress& progress)
 {
   const double area = ComputeArea(surface);
   const double length = std::sqrt(area / triangles * 4.0 / std::sqrt(3.0));
@@ -209,18 +209,18 @@ WorkingSolid MakeWorkingSolid(const Mesh& surface, int triangles, const Progress
   solid.Points = tetrahedra.Points;
   solid.Tetrahedra = tetrahedra.Tetrahedra;
   solid.Triangles = coarse.Triangles;
-  solid.SurfacePoints = static_cast<int>(coarse.Points.rows());
+  solid.SurfacePointCount = static_cast<int>(coarse.Points.rows());
   AddInnerPoints(solid);
   return solid;
 }
 
 void SplitSurfaceEdges(WorkingSolid& solid, const std::vector<std::pair<int, int>>& edges,
-  Eigen::MatrixXd& places, Eigen::VectorXi& labels)
+  Eigen::MatrixXd& positions, Eigen::VectorXi& labels)
 {
-  const int before = solid.SurfacePoints, more = static_cast<int>(edges.size());
+  const int before = solid.SurfacePointCount, more = static_cast<int>(edges.size());
   // The new points follow those of the surface.
   const auto moved = [&](int point) { return point < before ? point : point + more; };
-  for (Eigen::MatrixXd* all : { &solid.Points, &places })
+  for (Eigen::MatrixXd* all : { &solid.Points, &positions })
   {
     Eigen::MatrixXd wider(all->rows() + more, 3);
     wider.topRows(before) = all->topRows(before);
@@ -243,7 +243,7 @@ void SplitSurfaceEdges(WorkingSolid& solid, const std::vector<std::pair<int, int
   solid.Triangles = triangles.Result();
   labels = Eigen::Map<const Eigen::VectorXi>(
     triangles.Marks.data(), static_cast<Eigen::Index>(triangles.Marks.size()));
-  solid.SurfacePoints += more;
+  solid.SurfacePointCount += more;
 }
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
 #include "Base/Progress.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -17,7 +17,7 @@ struct WorkingSolid
   Eigen::MatrixXd Points;     ///< n x 3; those of the surface come first
   Eigen::MatrixXi Tetrahedra; ///< m x 4, positive
   Eigen::MatrixXi Triangles;  ///< k x 3: the surface, facing outwards
-  int SurfacePoints = 0;
+  int SurfacePointCount = 0;
 
   Mesh Surface() const;
   Mesh Surface(const Eigen::MatrixXd& points) const; ///< with the points elsewhere
@@ -30,11 +30,11 @@ struct WorkingSolid
  *
  * Where the coarse surface would cross itself, it becomes finer. Throws as Tetrahedralize.
  */
-WorkingSolid MakeWorkingSolid(const Mesh& surface, int triangles, const Progress& progress = {});
+WorkingSolid BuildWorkingSolid(const Mesh& surface, int triangles, const Progress& progress = {});
 
 /// Puts a point into each of these edges of the surface (each once), in `places`, too; the parts of
 /// a triangle have its label.
 void SplitSurfaceEdges(WorkingSolid& solid, const std::vector<std::pair<int, int>>& edges,
-  Eigen::MatrixXd& places, Eigen::VectorXi& labels);
+  Eigen::MatrixXd& positions, Eigen::VectorXi& labels);
 
 } // namespace shape

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Mesh/Mesh.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * What a feature stands on: the surface under it, laid out in the plane by the exponential map
+ * around a seed, as it is where the feature was cut and the hole filled. Where that map makes the
+ * loop cross itself the layout is conformal instead (FlattenPatchConformally).
+ */
+struct FeatureFootprint
+{
+  std::vector<int> Loop;         ///< n points of the feature, as its triangles run through them
+  Eigen::MatrixXd LoopPositions; ///< n x 2: where they are in the plane; the seed is the origin
+  Eigen::MatrixXd Normals;       ///< n x 3: of the surface under the feature, at the loop
+  Eigen::RowVector3d Normal;     ///< of the plane, where the feature is
+  Eigen::RowVector3d XAxis;      ///< of the plane, likewise
+  /// Of the patch that was laid out conformally; 0 where the layout is the exponential map's.
+  double ConformalRadius = 0.0;
+  bool IsRefined = false; ///< whether that layout is the one with the least distortion
+  /// Whether the loop, set down here on the surface that it is from, comes back to its place: tried
+  /// out. Not where that is no manifold, or no layout brings it back.
+  bool ReturnsInPlace = false;
+};
+
+/// Whether a closed polygon (n x 2) neither crosses nor touches itself.
+bool IsSimplePolygon(const Eigen::MatrixXd& polygon);
+
+/// The middle of a part of a surface: the place of its triangles closest to its centroid.
+Eigen::RowVector3d FindCenterOfTriangles(const Mesh& surface, const std::vector<int>& triangles);
+
+/**
+ * The base of a feature that was cut from a surface whose hole was filled.
+ *
+ * filled: the surface with the fill; seed: a place on the fill, its middle. loop: points of the
+ * feature as its triangles run through them; on: those of `filled` at the same places. Throws
+ * InvalidInput where the loop is on another component than the seed, Aborted.
+ */
+FeatureFootprint BuildFeatureBaseOnSurface(const Mesh& filled, const Eigen::RowVector3d& seed,
+  std::vector<int> loop, const std::vector<int>& on, const Progress& progress = {});
+
+/**
+ * The base of a feature of which nothing more is known: a surface that goes on from its own at the
+ * loop fills the hole there, and it stands on that. Throws as SurfaceFiller.
+ */
+FeatureFootprint BuildFeatureBaseOnOwnFill(
+  const Mesh& feature, const std::vector<int>& loop, const Progress& progress = {});
+
+} // namespace shape

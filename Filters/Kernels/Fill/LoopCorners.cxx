@@ -1,0 +1,113 @@
+#include "Fill/LoopCorners.h"
+
+#include "Mesh/CoincidentPoints.h"
+
+#include <algorithm>
+
+namespace shape
+{
+
+LoopCorners FindRimCorners(const std::vector<int>& loop, const Eigen::MatrixXd& points)
+{
+  const std::size_t count = loop.size();
+  const auto isSame = [&](int a, int b) { return points.row(a) == points.row(b); };
+  const auto point = [&](std::size_t i) { return loop[i % count]; };
+  std::size_t first = 0;
+  while (first + 1 < count && isSame(point(first), point(first + count - 1)))
+  {
+    ++first;
+  }
+  LoopCorners corners;
+  std::vector<Eigen::RowVector3i> slivers;
+  const bool isOnePosition =
+    std::all_of(loop.begin(), loop.end(), [&](int point) { return isSame(point, loop.front()); });
+  if (isOnePosition)
+  {
+    corners.Points = { loop.front() };
+    for (std::size_t i = 1; i + 1 < count; ++i)
+    {
+      slivers.emplace_back(point(0), point(i), point(i + 1));
+    }
+  }
+  for (std::size_t i = first; !isOnePosition && i < first + count; ++i)
+  {
+    if (i == first || !isSame(point(i), point(i - 1)))
+    {
+      corners.Points.push_back(point(i));
+      continue;
+    }
+    // The fill's side to the next place begins at the first of the doubled points.
+    std::size_t next = i + 1;
+    while (isSame(point(next), point(i)) && next < i + count)
+    {
+      ++next;
+    }
+    slivers.emplace_back(point(i - 1), point(i), point(next));
+  }
+  corners.Slivers.resize(static_cast<Eigen::Index>(slivers.size()), 3);
+  for (std::size_t i = 0; i < slivers.size(); ++i)
+  {
+    corners.Slivers.row(static_cast<Eigen::Index>(i)) = slivers[i];
+  }
+  return corners;
+}
+
+UsedEdges::UsedEdges(const Mesh& surface, const std::vector<std::vector<int>>& loops)
+  : Position(FindCoincidentPoints(surface.Points))
+  , LoopsOf(surface.Points.rows())
+  , Joined(surface.Points.rows())
+{
+  for (int loop = 0; loop < static_cast<int>(loops.size()); ++loop)
+  {
+    for (const int point : loops[loop])
+    {
+      std::vector<int>& there = this->LoopsOf[this->Position[point]];
+      if (there.empty() || there.back() != loop)
+      {
+        there.push_back(loop);
+      }
+    }
+  }
+  for (const auto& triangle : surface.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = this->Position[triangle(k)], b = this->Position[triangle((k + 1) % 3)];
+      if (!this->LoopsOf[a].empty() && !this->LoopsOf[b].empty())
+      {
+        this->Joined[a].push_back(b);
+        this->Joined[b].push_back(a);
+      }
+    }
+  }
+  for (std::vector<int>& others : this->Joined)
+  {
+    std::sort(others.begin(), others.end());
+  }
+}
+
+std::function<bool(int, int)> UsedEdges::Of(int loop, const std::vector<int>& corners) const
+{
+  const auto isOnBoth = [this, loop](int a, int b)
+  {
+    return std::any_of(this->LoopsOf[a].begin(), this->LoopsOf[a].end(),
+      [&](int other)
+      {
+        return other != loop &&
+          std::binary_search(this->LoopsOf[b].begin(), this->LoopsOf[b].end(), other);
+      });
+  };
+  std::vector<int> positions;
+  for (const int corner : corners)
+  {
+    positions.push_back(this->Position[corner]);
+  }
+  return [this, isOnBoth, positions](int i, int j)
+  {
+    const std::vector<int>& others = this->Joined[positions[i]];
+    return std::binary_search(others.begin(), others.end(), positions[j]) ||
+      isOnBoth(positions[i], positions[j]);
+  };
+}
+
+} // namespace shape

@@ -1,0 +1,339 @@
+#include "Harmonic/PiecewiseHarmonicMap.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Topology.h"
+#include "Solids/Nesting.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace shape
+{
+
+namespace
+{
+
+using Eigen::RowVector3d;
+
+/// The triangles in some of the regions over the points that they use.
+template <typename Wanted>
+Mesh Part(const Mesh& surface, const Eigen::VectorXi& regions, const Wanted& wanted)
+{
+  std::vector<int> triangles, points;
+  std::vector<int> newId(surface.Points.rows(), -1);
+  for (int t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    if (wanted(regions.size() == 0 ? 0 : regions(t)))
+    {
+      triangles.push_back(t);
+    }
+  }
+  Mesh part;
+  part.Triangles = surface.Triangles(triangles, Eigen::all);
+  for (int& corner : part.Triangles.reshaped())
+  {
+    if (newId[corner] == -1)
+    {
+      newId[corner] = static_cast<int>(points.size());
+      points.push_back(corner);
+    }
+    corner = newId[corner];
+  }
+  part.Points = surface.Points(points, Eigen::all);
+  return part;
+}
+
+Mesh Joined(const Mesh& a, const Mesh& b)
+{
+  Mesh all{ Eigen::MatrixXd(a.Points.rows() + b.Points.rows(), 3),
+    Eigen::MatrixXi(a.Triangles.rows() + b.Triangles.rows(), 3) };
+  all.Points << a.Points, b.Points;
+  all.Triangles << a.Triangles, b.Triangles.array() + static_cast<int>(a.Points.rows());
+  return all;
+}
+
+void RequireSupportedFeatures(const PiecewiseCharges& charges)
+{
+  const auto count = static_cast<Eigen::Index>(charges.Maps.size());
+  const Eigen::Index m = charges.Surface.Triangles.rows();
+  const bool regionsFit =
+    charges.Regions.size() == m || (charges.Regions.size() == 0 && count == 1);
+  if (count == 0 || !regionsFit ||
+    (charges.Skins.size() != 0 &&
+      (charges.Skins.size() != count || charges.Skins.minCoeff() < 0.0)))
+  {
+    throw InvalidInput("the map has " + std::to_string(count) + " regions, " + std::to_string(m) +
+      " triangles with " + std::to_string(charges.Regions.size()) + " regions, and " +
+      std::to_string(charges.Skins.size()) +
+      " skins; give one region a triangle and no negative skin");
+  }
+  for (Eigen::Index r = 0; r < count && charges.Regions.size() > 0; ++r)
+  {
+    if ((charges.Regions.array() == static_cast<int>(r)).count() == 0)
+    {
+      throw InvalidInput("no triangle of the map's surface bounds region " + std::to_string(r) +
+        "; number regions from 0 without gaps");
+    }
+  }
+  if (charges.Regions.size() > 0 &&
+    (charges.Regions.maxCoeff() >= count || charges.Regions.minCoeff() < PiecewiseCharges::Void))
+  {
+    throw InvalidInput("a triangle of the map's surface bounds region " +
+      std::to_string(charges.Regions.maxCoeff()) + ", but there are " + std::to_string(count) +
+      " regions; number them from 0, and the walls of voids -1");
+  }
+}
+
+} // namespace
+
+PiecewiseHarmonicMap::PiecewiseHarmonicMap(
+  const PiecewiseCharges& charges, const Progress& progress)
+  : Maps(charges.Maps)
+  , Skins(charges.Skins.size() > 0 ? charges.Skins : Eigen::VectorXd::Zero(charges.Maps.size()))
+  , FarthestOutside(charges.Farthest)
+  , Borders(charges.Maps.size())
+  , Parents(charges.Maps.size(), 0)
+  , Walls(charges.Maps.size(), Mesh{ Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) })
+{
+  RequireSupportedFeatures(charges);
+  const std::string name = "the surface of the Map";
+  if (this->Maps.size() > 1)
+  {
+    // All at once: no two components may meet.
+    OrientByNesting(charges.Surface, name, progress.Part(0.0, 0.5));
+  }
+  const Mesh solid = Part(charges.Surface, charges.Regions, [](int region) { return region <= 0; });
+  this->Solid =
+    std::make_unique<SignedDistance>(OrientByNesting(solid, name, progress.Part(0.5, 1.0)));
+  for (int r = 1; r < this->RegionCount(); ++r)
+  {
+    const Mesh border =
+      Part(charges.Surface, charges.Regions, [r](int region) { return region == r; });
+    this->Borders[r] = std::make_unique<SignedDistance>(OrientByNesting(border, name));
+  }
+  this->FindParents();
+  const Mesh walls = Part(
+    charges.Surface, charges.Regions, [](int region) { return region == PiecewiseCharges::Void; });
+  if (walls.Triangles.rows() > 0)
+  {
+    for (const Mesh& wall : SplitComponents(walls))
+    {
+      Mesh& known = this->Walls[this->RegionsAt(ComputeCentroids(wall).topRows(1))(0)];
+      known = Joined(known, wall);
+    }
+  }
+}
+
+void PiecewiseHarmonicMap::FindParents()
+{
+  const int count = this->RegionCount();
+  const auto within = [&](int inner, int outer)
+  {
+    const Eigen::MatrixXd position =
+      ComputeCentroids(this->Borders[inner]->Locator().GetSurface()).topRows(1);
+    return this->Borders[outer]->Evaluate(position).Distances(0) < 0.0;
+  };
+  std::vector<int> depths(count, 0);
+  for (int r = 1; r < count; ++r)
+  {
+    for (int other = 1; other < count; ++other)
+    {
+      depths[r] += other != r && within(r, other);
+    }
+  }
+  for (int r = 1; r < count; ++r)
+  {
+    this->Order.push_back(r);
+    for (int other = 1; other < count; ++other)
+    {
+      if (other != r && within(r, other) &&
+        (this->Parents[r] == 0 || depths[other] > depths[this->Parents[r]]))
+      {
+        this->Parents[r] = other;
+      }
+    }
+  }
+  std::stable_sort(
+    this->Order.begin(), this->Order.end(), [&](int a, int b) { return depths[a] < depths[b]; });
+}
+
+Mesh PiecewiseHarmonicMap::BoundaryOf(int region) const
+{
+  Mesh boundary = this->Walls[region];
+  if (region == 0)
+  {
+    boundary = this->Solid->Locator().GetSurface();
+    // The walls of voids in inner regions are theirs.
+    if (this->RegionCount() > 1)
+    {
+      const Topology topology = ComputeTopology(boundary);
+      const std::vector<Mesh> parts = SplitComponents(boundary);
+      boundary = { Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) };
+      for (const Mesh& part : parts)
+      {
+        if (this->RegionsAt(ComputeCentroids(part).topRows(1))(0) == 0)
+        {
+          boundary = Joined(boundary, part);
+        }
+      }
+    }
+  }
+  else
+  {
+    boundary = Joined(this->Borders[region]->Locator().GetSurface(), boundary);
+  }
+  for (const int other : this->Order)
+  {
+    if (this->Parents[other] == region)
+    {
+      boundary = Joined(boundary, this->Borders[other]->Locator().GetSurface());
+    }
+  }
+  return boundary;
+}
+
+PiecewiseHarmonicMap::Positions PiecewiseHarmonicMap::Locate(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  const Eigen::Index n = points.rows();
+  Positions positions{ Eigen::VectorXi::Zero(n), Eigen::VectorXd::Zero(n),
+    Eigen::MatrixXd::Zero(n, 3) };
+  double done = 0.0;
+  for (const int region : this->Order)
+  {
+    const double next = done + 1.0 / static_cast<double>(this->Order.size());
+    const SignedDistance& border = *this->Borders[region];
+    const Mesh& surface = border.Locator().GetSurface();
+    const RowVector3d low = surface.Points.colwise().minCoeff();
+    const RowVector3d high = surface.Points.colwise().maxCoeff();
+    std::vector<int> near;
+    for (int i = 0; i < n; ++i)
+    {
+      if (positions.Regions(i) == this->Parents[region] &&
+        (points.row(i).array() >= low.array()).all() &&
+        (points.row(i).array() <= high.array()).all())
+      {
+        near.push_back(i);
+      }
+    }
+    const SignedDistance::Result at =
+      border.Evaluate(points(near, Eigen::all), progress.Part(done, next));
+    for (std::size_t k = 0; k < near.size(); ++k)
+    {
+      const int i = near[k];
+      if (!(at.Distances(k) < 0.0))
+      {
+        continue;
+      }
+      positions.Regions(i) = region;
+      positions.Shares(i) = 0.0;
+      positions.Slopes.row(i).setZero();
+      const double depth = -at.Distances(k), skin = this->Skins(region), u = depth / skin;
+      if (depth < skin)
+      {
+        positions.Shares(i) = (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u);
+        positions.Slopes.row(i) =
+          -6.0 * u * (1.0 - u) / (skin * depth) * (points.row(i) - at.Closest.Positions.row(k));
+      }
+    }
+    done = next;
+  }
+  return positions;
+}
+
+Eigen::VectorXi PiecewiseHarmonicMap::RegionsAt(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  return this->Locate(points, progress).Regions;
+}
+
+namespace
+{
+
+/// Which points need the map of `region`: theirs, or that of a skin that they lie in.
+std::vector<int> Needing(
+  const PiecewiseHarmonicMap& map, const PiecewiseHarmonicMap::Positions& positions, int region)
+{
+  std::vector<int> rows;
+  for (int i = 0; i < positions.Regions.size(); ++i)
+  {
+    const int own = positions.Regions(i);
+    if (own == region || (positions.Shares(i) > 0.0 && map.Parent(own) == region))
+    {
+      rows.push_back(i);
+    }
+  }
+  return rows;
+}
+
+double ShareOf(const PiecewiseHarmonicMap::Positions& positions, int i, int region)
+{
+  return positions.Regions(i) == region ? 1.0 - positions.Shares(i) : positions.Shares(i);
+}
+
+} // namespace
+
+Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  if (this->RegionCount() == 1)
+  {
+    return shape::Evaluate(this->Maps[0], points, progress);
+  }
+  const Positions positions = this->Locate(points, progress.Part(0.0, 0.3));
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(points.rows(), 3);
+  for (int r = 0; r < this->RegionCount(); ++r)
+  {
+    const double part = 0.7 / this->RegionCount();
+    const std::vector<int> rows = Needing(*this, positions, r);
+    const Eigen::MatrixXd own = shape::Evaluate(
+      this->Maps[r], points(rows, Eigen::all), progress.Part(0.3 + part * r, 0.3 + part * (r + 1)));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+    {
+      values.row(rows[k]) += ShareOf(positions, rows[k], r) * own.row(k);
+    }
+  }
+  return values;
+}
+
+Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  if (this->RegionCount() == 1)
+  {
+    return shape::EvaluateJacobians(this->Maps[0], points, progress);
+  }
+  const Positions positions = this->Locate(points, progress.Part(0.0, 0.3));
+  Eigen::MatrixXd jacobians = Eigen::MatrixXd::Zero(points.rows(), 9);
+  for (int r = 0; r < this->RegionCount(); ++r)
+  {
+    const double part = 0.7 / this->RegionCount();
+    const std::vector<int> rows = Needing(*this, positions, r);
+    const Eigen::MatrixXd own = shape::EvaluateJacobians(
+      this->Maps[r], points(rows, Eigen::all), progress.Part(0.3 + part * r, 0.3 + part * (r + 1)));
+    std::vector<int> blended;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+    {
+      jacobians.row(rows[k]) += ShareOf(positions, rows[k], r) * own.row(k);
+      if (positions.Shares(rows[k]) > 0.0)
+      {
+        blended.push_back(rows[k]);
+      }
+    }
+    // The share's own slope.
+    const Eigen::MatrixXd values = shape::Evaluate(this->Maps[r], points(blended, Eigen::all));
+    for (std::size_t k = 0; k < blended.size(); ++k)
+    {
+      const int i = blended[k];
+      const double sign = positions.Regions(i) == r ? -1.0 : 1.0;
+      for (int row = 0; row < 3; ++row)
+      {
+        jacobians.block<1, 3>(i, 3 * row) += sign * values(k, row) * positions.Slopes.row(i);
+      }
+    }
+  }
+  return jacobians;
+}
+
+} // namespace shape

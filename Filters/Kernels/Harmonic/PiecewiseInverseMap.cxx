@@ -1,0 +1,88 @@
+#include "Harmonic/PiecewiseInverseMap.h"
+
+#include "Distance/OutsideDomain.h"
+#include "Harmonic/Private/InverseSearch.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace shape
+{
+
+PiecewiseInverseMap::PiecewiseInverseMap(std::shared_ptr<const PiecewiseHarmonicMap> map,
+  const InverseMapOptions& options, const Progress& progress)
+  : Map(std::move(map))
+  , Iterations(options.MaximumIterations)
+{
+  const int count = this->Map->RegionCount();
+  for (int r = 0; r < count; ++r)
+  {
+    this->Inverses.emplace_back(this->Map->Map(r), this->Map->BoundaryOf(r), this->Map->Farthest(),
+      options, progress.Part(static_cast<double>(r) / count, static_cast<double>(r + 1) / count));
+  }
+  const Eigen::MatrixXd& points = this->Map->Domain().Locator().GetSurface().Points();
+  this->Goal = options.Tolerance * ComputeLongestBoxEdge(this->Map->Evaluate(points));
+  this->MaxStep = 0.25 * ComputeLongestBoxEdge(points);
+}
+
+InverseMap::Result PiecewiseInverseMap::Find(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  if (this->Inverses.size() == 1)
+  {
+    return this->Inverses.front().Find(points, progress);
+  }
+  using State = InverseMap::State;
+  InverseMap::Result result{ points,
+    Eigen::VectorXi::Constant(points.rows(), static_cast<int>(State::Outside)) };
+  std::vector<int> open(points.rows());
+  std::iota(open.begin(), open.end(), 0);
+  for (std::size_t r = 0; r < this->Inverses.size() && !open.empty(); ++r)
+  {
+    const double share = 1.0 / static_cast<double>(this->Inverses.size());
+    const Progress part = progress.Part(share * r, share * (r + 1));
+    const InverseMap::Result own =
+      this->Inverses[r].Find(points(open, Eigen::all), part.Part(0.0, 0.8));
+    std::vector<int> candidates, left;
+    for (std::size_t k = 0; k < open.size(); ++k)
+    {
+      if (own.States(k) == static_cast<int>(State::Found))
+      {
+        candidates.push_back(static_cast<int>(k));
+        continue;
+      }
+      left.push_back(open[k]);
+      result.States(open[k]) = std::max(result.States(open[k]), own.States(k));
+    }
+    Steps steps(part.Part(0.8, 1.0));
+    std::vector<int> ids;
+    for (const int k : candidates)
+    {
+      ids.push_back(open[k]);
+    }
+    Search search = StartSearch(
+      *this->Map, own.Points(candidates, Eigen::all), points(ids, Eigen::all), steps.Next());
+    IterateNewton(*this->Map, search, { this->Goal, this->MaxStep, this->Iterations }, steps);
+    const Eigen::VectorXi outside = FindPointsOutsideDomain(
+      this->Map->Domain(), search.Positions, this->Map->Farthest(), steps.Next());
+    for (std::size_t k = 0; k < ids.size(); ++k)
+    {
+      if (search.Misses(k) <= this->Goal && !outside(k))
+      {
+        result.Points.row(ids[k]) = search.Positions.row(k);
+        result.States(ids[k]) = static_cast<int>(State::Found);
+      }
+      else
+      {
+        left.push_back(ids[k]);
+        result.States(ids[k]) = static_cast<int>(State::Missed);
+      }
+    }
+    std::sort(left.begin(), left.end());
+    open = std::move(left);
+  }
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,335 @@
+#include "Harmonic/PiecewiseVolumeMap.h"
+
+#include "Base/Errors.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
+#include "Search/ClosestPoint.h"
+#include "Solids/Nesting.h"
+#include "Solids/SolidRegions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace shape
+{
+
+namespace
+{
+
+/// A surface with the image of each of its points.
+struct Mapped
+{
+  Mesh Surface;
+  Eigen::MatrixXd Targets;
+};
+
+void Append(Mapped& all, const Mapped& part)
+{
+  const Eigen::Index points = all.Surface.Points.rows(), triangles = all.Surface.Triangles.rows();
+  const Eigen::Index morePoints = part.Surface.Points.rows();
+  const Eigen::Index moreTriangles = part.Surface.Triangles.rows();
+  all.Surface.Points.conservativeResize(points + morePoints, 3);
+  all.Surface.Points.bottomRows(morePoints) = part.Surface.Points;
+  all.Surface.Triangles.conservativeResize(triangles + moreTriangles, 3);
+  all.Surface.Triangles.bottomRows(moreTriangles) =
+    part.Surface.Triangles.array() + static_cast<int>(points);
+  all.Targets.conservativeResize(points + morePoints, 3);
+  all.Targets.bottomRows(morePoints) = part.Targets;
+}
+
+Mapped Nothing()
+{
+  return { { Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) }, Eigen::MatrixXd(0, 3) };
+}
+
+/// Every triangle cut into four at the middles of its edges.
+Mesh Refined(const Mesh& mesh)
+{
+  std::map<std::pair<int, int>, int> midpoints;
+  std::vector<std::pair<int, int>> edges;
+  const auto n = static_cast<int>(mesh.Points.rows());
+  const auto middle = [&](int a, int b)
+  {
+    const auto [found, isNew] =
+      midpoints.try_emplace(std::minmax(a, b), n + static_cast<int>(edges.size()));
+    if (isNew)
+    {
+      edges.push_back(std::minmax(a, b));
+    }
+    return found->second;
+  };
+  Mesh refined;
+  refined.Triangles.resize(4 * mesh.Triangles.rows(), 3);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corner = mesh.Triangles.row(t);
+    const int a = middle(corner(1), corner(2)), b = middle(corner(2), corner(0));
+    const int c = middle(corner(0), corner(1));
+    refined.Triangles.middleRows<4>(4 * t) << corner(0), c, b, c, corner(1), a, b, a, corner(2), a,
+      b, c;
+  }
+  refined.Points.resize(n + static_cast<Eigen::Index>(edges.size()), 3);
+  refined.Points.topRows(n) = mesh.Points;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+  {
+    refined.Points.row(n + static_cast<Eigen::Index>(e)) =
+      0.5 * (mesh.Points.row(edges[e].first) + mesh.Points.row(edges[e].second));
+  }
+  return refined;
+}
+
+/// The layers of a solid: what bounds each, and where the images of those points are.
+struct Layer
+{
+  int Region = 0;
+  int Parent = -1;           ///< the layer around it, by its place in the list
+  Mapped Around;             ///< facing outwards
+  Mapped Within = Nothing(); ///< borders of layers inside, and walls of voids
+  Mapped Voids = Nothing();  ///< the walls alone
+};
+
+std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const Progress& progress)
+{
+  std::vector<Mesh> meshes;
+  std::vector<std::string> names;
+  std::vector<Topology> topologies;
+  for (const ExactSurface& surface : surfaces)
+  {
+    topologies.push_back(RequireClosedSurface(surface.Surface, surface.Name));
+    RequireFinite(surface.Targets, "the list of images of " + surface.Name);
+    if (surface.Targets.rows() != surface.Surface.Points.rows() || surface.Targets.cols() != 3)
+    {
+      throw InvalidInput(surface.Name + " has " + std::to_string(surface.Surface.Points.rows()) +
+        " points and " + std::to_string(surface.Targets.rows()) +
+        " images; give each point three coordinates");
+    }
+    meshes.push_back(surface.Surface);
+    names.push_back(surface.Name);
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < meshes.size(); ++j)
+    {
+      Mapped both{ meshes[i], surfaces[i].Targets };
+      Append(both, { meshes[j], surfaces[j].Targets });
+      OrientByNesting(
+        both.Surface, "what " + names[i] + " and " + names[j] + " make together", progress);
+    }
+  }
+  const SolidRegions regions(meshes, names, progress);
+  const std::vector<SolidRegions::Component>& pieces = regions.Pieces();
+  std::vector<Layer> layers;
+  std::vector<int> layerOf(pieces.size(), -1);
+  int next = static_cast<int>(surfaces.size());
+  std::vector<bool> taken(surfaces.size(), false);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    const SolidRegions::Component& piece = pieces[i];
+    const ExactSurface& owner = surfaces[piece.Owner];
+    const Eigen::VectorXi& ids = topologies[piece.Owner].ComponentId;
+    std::vector<int> rows;
+    for (int p = 0; p < ids.size(); ++p)
+    {
+      if (ids(p) == ids(piece.FirstPoint))
+      {
+        rows.push_back(p);
+      }
+    }
+    const Mapped mapped{ piece.Surface, owner.Targets(rows, Eigen::all) };
+    const int parent = piece.Parent == -1 ? -1 : layerOf[piece.Parent];
+    if (parent != -1)
+    {
+      Append(layers[parent].Within, mapped);
+    }
+    if (piece.Region == SolidRegions::Void)
+    {
+      Append(layers[parent].Voids, mapped);
+      continue;
+    }
+    if (parent == -1 && i > 0)
+    {
+      throw InvalidInput("the boundary bounds several solids that do not touch; map each by itself "
+                         "(Connectivity separates them)");
+    }
+    Layer layer;
+    layer.Region = taken[piece.Region] ? next++ : piece.Region;
+    taken[piece.Region] = true;
+    layer.Parent = parent;
+    layer.Around = mapped;
+    layerOf[i] = static_cast<int>(layers.size());
+    layers.push_back(std::move(layer));
+  }
+  return layers;
+}
+
+/// What the layers' surfaces are together, each triangle with the region that it encloses.
+PiecewiseCharges WithoutCharges(const std::vector<Layer>& layers)
+{
+  PiecewiseCharges charges;
+  charges.Maps.resize(layers.size());
+  Mapped all = Nothing();
+  std::vector<std::pair<Eigen::Index, int>> runs;
+  for (const Layer& layer : layers)
+  {
+    Append(all, layer.Around);
+    runs.emplace_back(layer.Around.Surface.Triangles.rows(), layer.Region);
+    Append(all, layer.Voids);
+    runs.emplace_back(layer.Voids.Surface.Triangles.rows(), PiecewiseCharges::Void);
+  }
+  charges.Surface = all.Surface;
+  charges.Regions.resize(all.Surface.Triangles.rows());
+  Eigen::Index first = 0;
+  for (const auto& [count, region] : runs)
+  {
+    charges.Regions.segment(first, count).setConstant(region);
+    first += count;
+  }
+  charges.Skins = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(layers.size()));
+  return charges;
+}
+
+VolumeFeatures Select(const VolumeFeatures& features, const Eigen::VectorXi& regions, int region)
+{
+  std::vector<int> rows;
+  for (int i = 0; i < regions.size(); ++i)
+  {
+    if (regions(i) == region)
+    {
+      rows.push_back(i);
+    }
+  }
+  VolumeFeatures selected{ features.Points(rows, Eigen::all), features.Targets(rows, Eigen::all),
+    {} };
+  if (features.Weights.size() > 0)
+  {
+    selected.Weights = features.Weights(rows);
+  }
+  return selected;
+}
+
+} // namespace
+
+namespace
+{
+
+/// What one layer's map is fitted to, and what it leaves over.
+struct LayerProblem
+{
+  Mapped Boundary;
+  VolumeFeatures Features;
+  Eigen::MatrixXd Positions; ///< random, on the border around
+  Eigen::MatrixXd Wanted;    ///< the values there of the map outside
+};
+
+/// The thickest skin inside a border: not beyond where the map of the layer around holds, nor
+/// into the skins of borders further inside.
+double ThickestSkin(const Layer& layer, double chargesDistance)
+{
+  double gap = chargesDistance;
+  if (layer.Within.Surface.Points.rows() > 0)
+  {
+    gap = std::min(gap,
+      SurfaceLocator(layer.Around.Surface).Find(layer.Within.Surface.Points).Distances.minCoeff());
+  }
+  return 0.5 * gap;
+}
+
+/// The errors of a map at a surface with given images.
+PiecewiseVolumeMapResult::Border ErrorsAt(const Mapped& surface, const ChargeSet& map, double size)
+{
+  const Eigen::VectorXd vertices =
+    (Evaluate(map, surface.Surface.Points) - surface.Targets).rowwise().norm() / size;
+  const Eigen::VectorXd inside = (Evaluate(map, ComputeOffCentres(surface.Surface)) -
+                                   InterpolateAtOffCentres(surface.Surface, surface.Targets))
+                                   .rowwise()
+                                   .norm() /
+    size;
+  PiecewiseVolumeMapResult::Border border;
+  border.RMSEVertices = std::sqrt(vertices.squaredNorm() / vertices.size());
+  border.RMSEInside = std::sqrt(inside.squaredNorm() / inside.size());
+  border.Maximum = std::max(vertices.maxCoeff(), inside.maxCoeff());
+  return border;
+}
+
+} // namespace
+
+PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Mesh& boundary,
+  const Eigen::MatrixXd& targets, const std::vector<ExactSurface>& surfaces,
+  const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
+  const PiecewiseVolumeMapOptions& layered, const Progress& progress)
+{
+  if (layered.InterfaceRefinement < 0 || !(layered.SkinPerJump >= 0.0))
+  {
+    throw InvalidInput("InterfaceRefinement and SkinPerJump must not be negative");
+  }
+  std::vector<ExactSurface> all{ { boundary, targets, "the Boundary" } };
+  all.insert(all.end(), surfaces.begin(), surfaces.end());
+  const std::vector<Layer> layers = FindLayers(all, progress.Part(0.0, 0.05));
+  const auto count = static_cast<int>(layers.size());
+
+  PiecewiseVolumeMapResult result;
+  result.Charges = WithoutCharges(layers);
+  result.Layers.resize(count);
+  result.Borders.resize(count);
+  result.OffsetDistance = 1.0;
+  const PiecewiseHarmonicMap positions(result.Charges, progress.Part(0.05, 0.1));
+  const Eigen::VectorXi featureRegions = positions.RegionsAt(features.Points);
+  const double size = ComputeLongestBoxEdge(boundary.Points),
+               targetSize = ComputeLongestBoxEdge(targets);
+  std::vector<double> offsets(count, 0.0); // of the nearest charges, in the layers' order
+  double featureSquares = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    const Progress part = progress.Part(0.1 + 0.9 * i / count, 0.1 + 0.9 * (i + 1) / count);
+    const Layer& layer = layers[i];
+    LayerProblem problem{ layer.Around, Select(features, featureRegions, layer.Region), {}, {} };
+    const ChargeSet* around =
+      layer.Parent < 0 ? nullptr : &result.Charges.Maps[layers[layer.Parent].Region];
+    if (around)
+    {
+      for (int k = 0; k < layered.InterfaceRefinement; ++k)
+      {
+        problem.Boundary.Surface = Refined(problem.Boundary.Surface);
+      }
+      problem.Boundary.Targets = Evaluate(*around, problem.Boundary.Surface.Points);
+      constexpr int fewest = 2000;
+      problem.Positions = SampleRandomly(layer.Around.Surface,
+        std::max(fewest, static_cast<int>(layer.Around.Surface.Triangles.rows())), options.Seed);
+      problem.Wanted = Evaluate(*around, problem.Positions);
+    }
+    Append(problem.Boundary, layer.Within);
+    HarmonicVolumeMapResult& own = result.Layers[layer.Region];
+    own = ComputeHarmonicVolumeMap(
+      problem.Boundary.Surface, problem.Boundary.Targets, problem.Features, options, part);
+    offsets[i] = own.OffsetDistance * ComputeLongestBoxEdge(problem.Boundary.Surface.Points);
+    result.OffsetDistance = std::min(result.OffsetDistance, offsets[i] / size);
+    PiecewiseVolumeMapResult::Border& border = result.Borders[layer.Region];
+    Mapped surface = layer.Around;
+    Append(surface, layer.Parent < 0 ? layer.Voids : Nothing());
+    border = ErrorsAt(surface, around ? *around : own.Map, targetSize);
+    if (around)
+    {
+      const Eigen::VectorXd jumps =
+        (problem.Wanted - Evaluate(own.Map, problem.Positions)).rowwise().norm() / targetSize;
+      border.JumpRMS = std::sqrt(jumps.squaredNorm() / jumps.size());
+      border.JumpMaximum = jumps.maxCoeff();
+      result.Charges.Skins(layer.Region) = std::min(layered.SkinPerJump * border.JumpMaximum * size,
+        ThickestSkin(layer, offsets[layer.Parent]));
+    }
+    featureSquares +=
+      (Evaluate(own.Map, problem.Features.Points) - problem.Features.Targets).squaredNorm() /
+      (targetSize * targetSize);
+    result.Charges.Maps[layer.Region] = own.Map;
+  }
+  result.Charges.Farthest = 0.5 * result.OffsetDistance * size;
+  if (features.Points.rows() > 0)
+  {
+    result.RMSEFeatures = std::sqrt(featureSquares / features.Points.rows());
+  }
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

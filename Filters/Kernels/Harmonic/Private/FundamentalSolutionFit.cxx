@@ -1,0 +1,300 @@
+#include "Harmonic/Private/FundamentalSolutionFit.h"
+
+#include "Base/Errors.h"
+#include "Distance/OutsideDomain.h"
+#include "Geometry/Sampling.h"
+#include "Linear/DenseSolve.h"
+#include "Mesh/Topology.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace shape
+{
+
+namespace
+{
+
+/// [A b]: the least-squares affine map from `points` to `targets`, weighted.
+Eigen::Matrix<double, 3, 4> AffineFit(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXd& targets, const Eigen::VectorXd& weights)
+{
+  const Eigen::VectorXd roots = weights.cwiseSqrt();
+  Eigen::MatrixXd rows(points.rows(), 4);
+  rows << points, Eigen::VectorXd::Ones(points.rows());
+  const Eigen::MatrixXd solution = (roots.asDiagonal() * rows)
+                                     .completeOrthogonalDecomposition()
+                                     .solve(roots.asDiagonal() * targets);
+  return solution.transpose();
+}
+
+/// The same field with one charge where several sit at the same place.
+ChargeSet WithEachPlaceOnce(const ChargeSet& set)
+{
+  std::map<std::array<double, 3>, int> places;
+  std::vector<int> first;
+  Eigen::VectorXi position(set.Points.rows());
+  for (int i = 0; i < set.Points.rows(); ++i)
+  {
+    const std::array<double, 3> point{ set.Points(i, 0), set.Points(i, 1), set.Points(i, 2) };
+    const auto [found, isNew] = places.try_emplace(point, static_cast<int>(first.size()));
+    position(i) = found->second;
+    if (isNew)
+    {
+      first.push_back(i);
+    }
+  }
+  ChargeSet merged{ set.Points(first, Eigen::all), Eigen::MatrixXd::Zero(first.size(), 3) };
+  merged.Affine = set.Affine;
+  for (Eigen::Index i = 0; i < position.size(); ++i)
+  {
+    merged.Charges.row(position(i)) += set.Charges.row(i);
+  }
+  return merged;
+}
+
+/// What SingularValues takes for an m x n matrix, in GiB: the matrix, the triangle with its U and
+/// V^T, and gesdd's own room.
+double DecompositionMemory(double rows, double columns)
+{
+  const double shorter = std::min(rows, columns);
+  return 8.0 * (rows * columns + 7.0 * shorter * shorter) / (1024.0 * 1024.0 * 1024.0);
+}
+
+} // namespace
+
+FundamentalSolutionFit::FundamentalSolutionFit(const ScaledBoundary& scaled,
+  const VolumeFeatures& features, const HarmonicVolumeMapOptions& options, const Progress& progress)
+  : Scaled(scaled)
+  , Field(scaled.Surface)
+  , Components(ComputeTopology(scaled.Surface).ComponentId)
+  , SumError(std::clamp(0.03 * options.Tolerance, 1e-10, 1e-5))
+  , Threshold(options.SingularValueThreshold)
+  , MaximumMemory(options.MaximumMemory)
+{
+  const Eigen::Index count = features.Points.rows();
+  this->RootWeights = features.Weights.size() == count
+    ? Eigen::VectorXd(features.Weights.cwiseSqrt())
+    : Eigen::VectorXd::Constant(count, std::sqrt(options.FeatureWeight));
+  const Eigen::MatrixXd places = (features.Points.rowwise() - scaled.Origin) / scaled.Size;
+  const Eigen::VectorXi outside =
+    FindPointsOutsideDomain(this->Field, places, 0.5 * options.OffsetDistance, progress);
+  if (count > 0 && outside.maxCoeff() > 0)
+  {
+    Eigen::Index first = 0;
+    outside.maxCoeff(&first);
+    throw InvalidInput(std::to_string(outside.sum()) +
+      (outside.sum() == 1 ? " feature lies" : " features lie") +
+      " outside the boundary (first at feature point " + std::to_string(first) +
+      "); leave them out or correct their positions");
+  }
+
+  const Mesh& surface = scaled.Surface;
+  const Eigen::Index n = surface.Points.rows(), m = surface.Triangles.rows();
+  this->Probes.resize(n + m + count, 3);
+  this->Probes << surface.Points, ComputeOffCentres(surface), places;
+  this->Residual.resize(n + m + count, 3);
+  this->Residual << scaled.Targets, InterpolateAtOffCentres(surface, scaled.Targets),
+    (features.Targets.rowwise() - scaled.TargetOrigin) / scaled.TargetSize;
+  this->Sum.Affine = AffineFit(surface.Points, scaled.Targets, ComputePointAreas(surface));
+  this->Residual -= Evaluate(this->Sum, this->Probes);
+  this->Positions.resize(0, 3);
+  this->CollocationResidual.resize(0, 3);
+}
+
+Eigen::MatrixXd FundamentalSolutionFit::Left(
+  const Eigen::MatrixXd& places, const Eigen::MatrixXd& targets, const Progress& progress) const
+{
+  return targets - Evaluate(this->Sum, places, progress, this->SumError);
+}
+
+void FundamentalSolutionFit::Collocate(const Eigen::MatrixXd& points, const Progress& progress)
+{
+  const ClosestPoints places = this->Field.Locator().Find(points, progress.Part(0.0, 0.5));
+  const Eigen::Index before = this->Positions.rows();
+  this->Positions.conservativeResize(before + points.rows(), 3);
+  this->Positions.bottomRows(points.rows()) = places.Positions;
+  for (const int triangle : places.Triangles)
+  {
+    this->CollocationComponents.push_back(
+      this->Components(this->Scaled.Surface.Triangles(triangle, 0)));
+  }
+  this->CollocationResidual.conservativeResize(before + points.rows(), 3);
+  this->CollocationResidual.bottomRows(points.rows()) =
+    PullBack(places, this->Scaled.Surface.Triangles, this->Scaled.Targets) -
+    Evaluate(this->Sum, places.Positions, progress.Part(0.5, 1.0), this->SumError);
+}
+
+void FundamentalSolutionFit::RequireMemory(int boundaryRows, int sources) const
+{
+  const Eigen::Index rows = boundaryRows + this->RootWeights.size();
+  const double memory = DecompositionMemory(static_cast<double>(rows), sources);
+  // LAPACK counts its own room, 4 times the square of the shorter side, in 32 bits.
+  constexpr Eigen::Index maximum = 23000;
+  if (memory > this->MaximumMemory || std::min<Eigen::Index>(rows, sources) > maximum)
+  {
+    std::ostringstream message;
+    message << "the system of " << rows << " x " << sources << " would take " << memory
+            << " GiB to decompose; " << this->MaximumMemory << " GiB and a shorter side of "
+            << maximum
+            << " are the most; lower CollocationRatio and SourceRatio, or use MultiLevel with more "
+               "subsets";
+    throw InvalidInput(message.str());
+  }
+}
+
+Eigen::VectorXd FundamentalSolutionFit::GetCollocationAreas(int count) const
+{
+  std::vector<std::vector<int>> rows(this->Components.maxCoeff() + 1);
+  for (int i = 0; i < count; ++i)
+  {
+    rows[this->CollocationComponents[i]].push_back(i);
+  }
+  Eigen::VectorXd areas(count);
+  for (const std::vector<int>& component : rows)
+  {
+    if (!component.empty())
+    {
+      areas(component) = ComputeSampledAreas(this->Positions(component, Eigen::all));
+    }
+  }
+  return areas;
+}
+
+FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
+  int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const
+{
+  const Eigen::Index featureRows = this->RootWeights.size();
+  const Eigen::Index rows = boundaryRows + featureRows;
+  this->RequireMemory(boundaryRows, static_cast<int>(sources.rows()));
+  Eigen::MatrixXd points(rows, 3), rightSide(rows, 3);
+  points << this->Positions.topRows(boundaryRows), this->Probes.bottomRows(featureRows);
+  rightSide << this->CollocationResidual.topRows(boundaryRows),
+    this->Residual.bottomRows(featureRows);
+  Eigen::MatrixXd matrix = BuildPotentialMatrix(points, sources, progress.Part(0.0, 0.1));
+  Eigen::VectorXd roots(rows);
+  roots << this->GetCollocationAreas(boundaryRows).cwiseSqrt(), this->RootWeights;
+  matrix = roots.asDiagonal() * matrix;
+  const SingularValues decomposition(std::move(matrix));
+  progress(0.95);
+
+  Fit fit;
+  fit.Rows = static_cast<int>(rows);
+  fit.Charges = decomposition.Solve(roots.asDiagonal() * rightSide, this->Threshold);
+  std::set<int> redundant;
+  const Eigen::MatrixXd vectors = decomposition.RightVectors(decomposition.Rank(this->Threshold));
+  for (const auto& vector : vectors.colwise())
+  {
+    int source = 0;
+    vector.cwiseAbs().maxCoeff(&source);
+    redundant.insert(source);
+  }
+  fit.Redundant.assign(redundant.begin(), redundant.end());
+  return fit;
+}
+
+double FundamentalSolutionFit::Add(
+  const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress)
+{
+  const Eigen::Index n = this->Scaled.Surface.Points.rows();
+  const Eigen::Index m = this->Scaled.Surface.Triangles.rows();
+  ChargeSet step{ sources, charges };
+  step.Affine.setZero();
+  const Eigen::MatrixXd change =
+    Evaluate(step, this->Probes, progress.Part(0.0, 0.8), this->SumError);
+
+  // The least-squares factor of the step for each coordinate, over the weighted probes.
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(this->Probes.rows());
+  weights.segment(n, m).setConstant(
+    static_cast<double>(std::max<Eigen::Index>(1, this->Positions.rows())) / m);
+  weights.tail(this->RootWeights.size()) = this->RootWeights.cwiseAbs2();
+  const auto inner = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+  { return Eigen::RowVector3d(weights.transpose() * a.cwiseProduct(b)); };
+  const Eigen::RowVector3d squares = inner(change, change);
+  const Eigen::RowVector3d factors =
+    (squares.array() > 0.0)
+      .select(inner(change, this->Residual).array() / squares.array(), 0.0)
+      .max(0.0);
+  if (factors.maxCoeff() == 0.0)
+  {
+    return 0.0;
+  }
+  const double left = inner(this->Residual, this->Residual).sum();
+  this->Residual -= change * factors.asDiagonal();
+  this->CollocationResidual -=
+    Evaluate(step, this->Positions, progress.Part(0.8, 1.0), this->SumError) * factors.asDiagonal();
+  const Eigen::Index before = this->Sum.Points.rows();
+  this->Sum.Points.conservativeResize(before + sources.rows(), 3);
+  this->Sum.Charges.conservativeResize(before + sources.rows(), 3);
+  this->Sum.Points.bottomRows(sources.rows()) = sources;
+  this->Sum.Charges.bottomRows(sources.rows()) = charges * factors.asDiagonal();
+  return 1.0 - std::sqrt(inner(this->Residual, this->Residual).sum() / left);
+}
+
+Eigen::MatrixXd FundamentalSolutionFit::WorstPoints(int count, double spacing) const
+{
+  const Eigen::Index probes = this->Probes.rows() - this->RootWeights.size();
+  const Eigen::VectorXd errors = this->Residual.topRows(probes).rowwise().squaredNorm();
+  std::vector<int> order(probes);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors(a) > errors(b); });
+  Eigen::MatrixXd worst(count, 3);
+  int found = 0;
+  // Far fewer are wanted than there are: the list of those taken is short enough to search.
+  for (const int candidate : order)
+  {
+    if (found == count)
+    {
+      break;
+    }
+    const Eigen::RowVector3d point = this->Probes.row(candidate);
+    if (found == 0 ||
+      (worst.topRows(found).rowwise() - point).rowwise().squaredNorm().minCoeff() >
+        spacing * spacing)
+    {
+      worst.row(found++) = point;
+    }
+  }
+  return worst.topRows(found);
+}
+
+HarmonicVolumeMapResult::Level FundamentalSolutionFit::Errors() const
+{
+  const Eigen::Index n = this->Scaled.Surface.Points.rows();
+  const Eigen::Index m = this->Scaled.Surface.Triangles.rows();
+  HarmonicVolumeMapResult::Level level;
+  level.RMSEVertices = std::sqrt(this->Residual.topRows(n).squaredNorm() / n);
+  level.RMSEInside = std::sqrt(this->Residual.middleRows(n, m).squaredNorm() / m);
+  level.Maximum = this->Residual.topRows(n + m).rowwise().norm().maxCoeff();
+  return level;
+}
+
+double FundamentalSolutionFit::FeatureError() const
+{
+  const Eigen::Index count = this->RootWeights.size();
+  return count == 0 ? 0.0 : std::sqrt(this->Residual.bottomRows(count).squaredNorm() / count);
+}
+
+ChargeSet FundamentalSolutionFit::Map() const
+{
+  // With y' = (y - o) / s and f = o' + s' f'(y'), a potential of y' is s times that of y.
+  const ScaledBoundary& scaled = this->Scaled;
+  ChargeSet map = WithEachPlaceOnce(this->Sum);
+  map.Points = (scaled.Size * map.Points).rowwise() + scaled.Origin;
+  map.Charges *= scaled.Size * scaled.TargetSize;
+  const Eigen::Matrix3d linear = scaled.TargetSize / scaled.Size * this->Sum.Affine.leftCols<3>();
+  map.Affine.leftCols<3>() = linear;
+  map.Affine.col(3) = scaled.TargetOrigin.transpose() +
+    scaled.TargetSize * this->Sum.Affine.col(3) - linear * scaled.Origin.transpose();
+  return map;
+}
+
+} // namespace shape

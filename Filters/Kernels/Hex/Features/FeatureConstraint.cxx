@@ -1,0 +1,116 @@
+#include "Hex/Features/FeatureConstraint.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace shape
+{
+namespace
+{
+
+struct PolylinePosition
+{
+  Eigen::RowVector3d Position;
+  Eigen::Index Segment;
+};
+
+/// The place of a polyline (k x 3, k >= 1) closest to another one.
+PolylinePosition NearestOn(const Eigen::MatrixXd& line, const Eigen::RowVector3d& place)
+{
+  PolylinePosition nearest{ line.row(0), 0 };
+  double minimum = (line.row(0) - place).squaredNorm();
+  for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
+  {
+    const Eigen::RowVector3d along = line.row(i + 1) - line.row(i);
+    const double length = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
+    const double share = std::clamp((place - line.row(i)).dot(along) / length, 0.0, 1.0);
+    const Eigen::RowVector3d position = line.row(i) + share * along;
+    if (const double distance = (position - place).squaredNorm(); distance < minimum)
+    {
+      minimum = distance;
+      nearest = { position, i };
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+FeatureConstraint::FeatureConstraint(const Mesh& surface, const SurfaceFeatures& features,
+  const PatchedBoundary& boundary, Eigen::Index points)
+  : PositionOf(points, Free)
+  , FreedomOf(points, 3)
+  , Guesses(points, -1)
+{
+  for (const Mesh& patch : SplitIntoPatches(surface, features))
+  {
+    this->Positions.emplace_back(patch);
+    this->Normals.emplace_back(ComputeAreaVectors(patch).rowwise().normalized());
+  }
+  for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
+  {
+    for (const int point : boundary.Quads.row(q))
+    {
+      this->FreedomOf[point] = 2;
+      this->PositionOf[point] = boundary.PatchOf(q);
+    }
+  }
+  const auto put = [&](int point, const Eigen::MatrixXd& span)
+  {
+    this->FreedomOf[point] = span.rows() > 1 ? 1 : 0;
+    this->PositionOf[point] = static_cast<int>(this->Spans.size());
+    this->Spans.push_back(span);
+  };
+  for (const auto& [point, span] : boundary.Spans)
+  {
+    put(point, span);
+  }
+  for (int point = 0; point < static_cast<int>(boundary.CornerOf.size()); ++point)
+  {
+    if (const int corner = boundary.CornerOf[point]; corner >= 0)
+    {
+      put(point, surface.Points.row(features.Corners[corner]));
+    }
+  }
+}
+
+int FeatureConstraint::Freedom(int point) const
+{
+  return this->FreedomOf[point];
+}
+
+PointDirections FeatureConstraint::Directions(int point, const Eigen::RowVector3d& place) const
+{
+  const int id = this->PositionOf[point];
+  if (this->FreedomOf[point] == 1)
+  {
+    const Eigen::MatrixXd& span = this->Spans[id];
+    const Eigen::Index segment = NearestOn(span, place).Segment;
+    return (span.row(segment + 1) - span.row(segment)).normalized().transpose();
+  }
+  const Eigen::Vector3d normal =
+    this->Normals[id].row(this->FindOnPatch(point, place).Triangle).transpose();
+  const Eigen::Vector3d one = normal.unitOrthogonal();
+  Eigen::Matrix<double, 3, 2> directions;
+  directions << one, normal.cross(one);
+  return directions;
+}
+
+Eigen::RowVector3d FeatureConstraint::Nearest(int point, const Eigen::RowVector3d& place) const
+{
+  const int id = this->PositionOf[point];
+  return this->FreedomOf[point] < 2 ? NearestOn(this->Spans[id], place).Position
+                                    : this->FindOnPatch(point, place).Position;
+}
+
+ClosestPoint FeatureConstraint::FindOnPatch(int point, const Eigen::RowVector3d& place) const
+{
+  const ClosestPoint found =
+    this->Positions[this->PositionOf[point]].FindOne(place, this->Guesses[point]);
+  this->Guesses[point] = found.Triangle;
+  return found;
+}
+
+} // namespace shape

@@ -1,0 +1,478 @@
+#include "Hex/Features/Private/CornerValenceMatching.h"
+
+#include "Hex/Features/CornerRings.h"
+#include "Hex/Features/PatchedBoundary.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// As many paths of least cost as asked for from one node to others, each of which ends one path;
+/// no other node is on two of them. By successive shortest paths in the graph whose nodes are split
+/// into an entry (2 i) and an exit (2 i + 1).
+class DisjointPaths
+{
+public:
+  explicit DisjointPaths(int nodes)
+    : Arcs(2 * static_cast<std::size_t>(nodes) + 1)
+  {
+  }
+
+  void AddNode(int node, double cost) { this->AddArc(2 * node, 2 * node + 1, cost); }
+  void AddEdge(int a, int b, double cost)
+  {
+    this->AddArc(2 * a + 1, 2 * b, cost);
+    this->AddArc(2 * b + 1, 2 * a, cost);
+  }
+  void AddEnd(int node) { this->AddArc(2 * node + 1, this->Sink(), 0.0); }
+
+  /// The successors on the paths of the nodes on them; nothing where there are fewer paths.
+  std::optional<std::vector<std::pair<int, int>>> Find(int from, int paths)
+  {
+    for (int i = 0; i < paths; ++i)
+    {
+      if (!this->Augment(2 * from + 1))
+      {
+        return std::nullopt;
+      }
+    }
+    std::vector<std::pair<int, int>> steps;
+    for (int node = 1; node < this->Sink(); node += 2)
+    {
+      for (const Arc& arc : this->Arcs[node])
+      {
+        if (arc.IsForward && arc.Capacity == 0 && arc.To != this->Sink())
+        {
+          steps.emplace_back(node / 2, arc.To / 2);
+        }
+      }
+    }
+    return steps;
+  }
+
+private:
+  struct Arc
+  {
+    int To, Back, Capacity;
+    double Cost;
+    bool IsForward;
+  };
+
+  int Sink() const { return static_cast<int>(this->Arcs.size()) - 1; }
+
+  void AddArc(int from, int to, double cost)
+  {
+    const auto ahead = static_cast<int>(this->Arcs[from].size());
+    const auto back = static_cast<int>(this->Arcs[to].size());
+    this->Arcs[from].push_back({ to, back, 1, cost, true });
+    this->Arcs[to].push_back({ from, ahead, 0, -cost, false });
+  }
+
+  /// One more unit along the path of least cost (Bellman and Ford).
+  bool Augment(int from)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> cost(this->Arcs.size(), infinity);
+    std::vector<std::pair<int, int>> by(this->Arcs.size(), { -1, -1 });
+    cost[from] = 0.0;
+    bool changed = true;
+    for (std::size_t round = 0; changed && round < this->Arcs.size(); ++round)
+    {
+      changed = false;
+      for (int node = 0; node < static_cast<int>(this->Arcs.size()); ++node)
+      {
+        for (int i = 0; cost[node] < infinity && i < static_cast<int>(this->Arcs[node].size()); ++i)
+        {
+          const Arc& arc = this->Arcs[node][i];
+          // Less by more than rounding, or a cycle of cost 0 could be taken for a gain.
+          if (arc.Capacity > 0 && cost[node] + arc.Cost < cost[arc.To] * (1.0 - 1e-12))
+          {
+            cost[arc.To] = cost[node] + arc.Cost;
+            by[arc.To] = { node, i };
+            changed = true;
+          }
+        }
+      }
+    }
+    if (cost[this->Sink()] == infinity)
+    {
+      return false;
+    }
+    for (int node = this->Sink(); node != from; node = by[node].first)
+    {
+      Arc& arc = this->Arcs[by[node].first][by[node].second];
+      --arc.Capacity;
+      ++this->Arcs[node][arc.Back].Capacity;
+    }
+    return true;
+  }
+
+  std::vector<std::vector<Arc>> Arcs;
+};
+
+class Gathering
+{
+public:
+  Gathering(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Mesh& surface,
+    const SurfaceFeatures& features, Eigen::VectorXi& patchOf)
+    : Points(points)
+    , Quads(quads)
+    , Surface(surface)
+    , Features(features)
+    , QuadOf(MapEdgesToQuads(quads))
+    , QuadsAt(points.rows())
+    , PatchOf(patchOf)
+    , Taken(points.rows(), 0)
+  {
+    for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+    {
+      for (const int point : quads.row(q))
+      {
+        this->QuadsAt[point].push_back(q);
+      }
+    }
+  }
+
+  void Run()
+  {
+    const std::vector<PatchRing> rings = FindCornerRings(this->Surface, this->Features);
+    std::vector<int> missing;
+    for (int corner = 0; corner < static_cast<int>(rings.size()); ++corner)
+    {
+      if (!this->FindPoint(corner, rings[corner]))
+      {
+        missing.push_back(corner);
+      }
+    }
+    for (const int corner : missing)
+    {
+      this->Gather(corner, rings[corner]);
+    }
+  }
+
+private:
+  Eigen::RowVector3d Position(int corner) const
+  {
+    return this->Surface.Points.row(this->Features.Corners[corner]);
+  }
+
+  /// The points of the quads, those closest to a corner first.
+  std::vector<int> Nearest(int corner) const
+  {
+    std::vector<std::pair<double, int>> order;
+    for (int point = 0; point < static_cast<int>(this->QuadsAt.size()); ++point)
+    {
+      if (!this->QuadsAt[point].empty())
+      {
+        order.emplace_back((this->Points.row(point) - this->Position(corner)).norm(), point);
+      }
+    }
+    constexpr std::size_t maximum = 200;
+    const auto last = order.begin() + static_cast<std::ptrdiff_t>(std::min(maximum, order.size()));
+    std::partial_sort(order.begin(), last, order.end());
+    std::vector<int> nearest;
+    std::transform(order.begin(), last, std::back_inserter(nearest),
+      [](const auto& entry) { return entry.second; });
+    return nearest;
+  }
+
+  /// The quad after `quad` on the way around a point of it, counter-clockwise.
+  int NextAround(int point, int quad) const
+  {
+    return this->QuadOf.at({ point, this->Before(point, quad) });
+  }
+
+  int Before(int point, int quad) const
+  {
+    const auto row = this->Quads.row(quad);
+    const auto k = std::find(row.begin(), row.end(), point) - row.begin();
+    return row((k + 3) % 4);
+  }
+
+  PatchRing RingAt(int point) const
+  {
+    std::vector<int> labels;
+    int quad = this->QuadsAt[point].front();
+    for (std::size_t i = 0; i < this->QuadsAt[point].size(); ++i)
+    {
+      labels.push_back(this->PatchOf(quad));
+      quad = this->NextAround(point, quad);
+    }
+    return BuildPatchRing(labels);
+  }
+
+  bool FindPoint(int corner, const PatchRing& ring)
+  {
+    for (const int point : this->Nearest(corner))
+    {
+      if (!this->Taken[point] && this->RingAt(point) == ring)
+      {
+        this->Taken[point] = 1;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void Gather(int corner, const PatchRing& ring)
+  {
+    constexpr int tries = 40, largest = 6; // points, rings of quads
+    int tried = 0;
+    for (const int point : this->Nearest(corner))
+    {
+      if (this->QuadsAt[point].size() < ring.size() || this->Taken[point])
+      {
+        continue;
+      }
+      std::set<int> disc(this->QuadsAt[point].begin(), this->QuadsAt[point].end());
+      for (int radius = 1; radius <= largest; ++radius)
+      {
+        this->Grow(disc);
+        if (this->Gather(point, disc, ring))
+        {
+          this->Taken[point] = 1;
+          return;
+        }
+      }
+      if (++tried == tries)
+      {
+        return;
+      }
+    }
+  }
+
+  void Grow(std::set<int>& disc) const
+  {
+    const std::set<int> before = disc;
+    for (const int quad : before)
+    {
+      for (const int point : this->Quads.row(quad))
+      {
+        disc.insert(this->QuadsAt[point].begin(), this->QuadsAt[point].end());
+      }
+    }
+  }
+
+  /// The rim of a disc, counter-clockwise; empty where it is not one simple closed chain, or where
+  /// a point inside is a corner's.
+  std::vector<int> LoopOf(const std::set<int>& disc) const
+  {
+    std::map<int, int> next;
+    std::size_t edges = 0;
+    for (const int quad : disc)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const int a = this->Quads(quad, k), b = this->Quads(quad, (k + 1) % 4);
+        if (this->Taken[a])
+        {
+          return {};
+        }
+        if (disc.count(this->QuadOf.at({ b, a })) == 0)
+        {
+          next[a] = b;
+          ++edges;
+        }
+      }
+    }
+    if (next.empty() || next.size() != edges)
+    {
+      return {};
+    }
+    std::vector<int> loop = { next.begin()->first };
+    while (next.at(loop.back()) != loop.front())
+    {
+      loop.push_back(next.at(loop.back()));
+    }
+    return loop.size() == edges ? loop : std::vector<int>();
+  }
+
+  /// The patches on both sides of each rim point outside the disc differ at these; nothing where
+  /// the patches beyond the rim are not those of the ring.
+  std::optional<std::vector<int>> Ends(const std::vector<int>& loop, const PatchRing& ring) const
+  {
+    std::vector<int> ends, labels;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const int before = loop[(i + loop.size() - 1) % loop.size()], point = loop[i];
+      const int after = loop[(i + 1) % loop.size()];
+      const int last = this->QuadOf.at({ after, point });
+      int quad = this->QuadOf.at({ point, before }), changes = 0;
+      labels.push_back(this->PatchOf(quad));
+      while (quad != last)
+      {
+        const int following = this->NextAround(point, quad);
+        changes += this->PatchOf(following) != this->PatchOf(quad);
+        quad = following;
+      }
+      if (changes > 1)
+      {
+        return std::nullopt;
+      }
+      if (changes == 1)
+      {
+        ends.push_back(point);
+      }
+    }
+    return BuildPatchRing(labels) == ring ? std::optional(ends) : std::nullopt;
+  }
+
+  /// Leads chains from the point to the rim and fills the quads between them.
+  bool Gather(int point, const std::set<int>& disc, const PatchRing& ring)
+  {
+    const std::vector<int> loop = this->LoopOf(disc);
+    if (loop.empty())
+    {
+      return false;
+    }
+    const auto ends = this->Ends(loop, ring);
+    if (!ends || ends->size() != ring.size())
+    {
+      return false;
+    }
+    const auto chains = this->Chains(point, disc, loop, *ends);
+    if (!chains)
+    {
+      return false;
+    }
+    this->Fill(disc, *chains);
+    return true;
+  }
+
+  std::optional<std::set<QuadEdge>> Chains(int point, const std::set<int>& disc,
+    const std::vector<int>& loop, const std::vector<int>& ends) const
+  {
+    std::map<int, int> number;
+    std::vector<int> points;
+    for (const int quad : disc)
+    {
+      for (const int own : this->Quads.row(quad))
+      {
+        if (number.emplace(own, static_cast<int>(points.size())).second)
+        {
+          points.push_back(own);
+        }
+      }
+    }
+    const std::set<int> onLoop(loop.begin(), loop.end());
+    DisjointPaths paths(static_cast<int>(points.size()));
+    for (const int own : points)
+    {
+      paths.AddNode(number.at(own), this->DistanceToCurves(own));
+    }
+    for (const int quad : disc)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const int a = this->Quads(quad, k), b = this->Quads(quad, (k + 1) % 4);
+        if (a < b && disc.count(this->QuadOf.at({ b, a })) > 0 &&
+          (onLoop.count(a) == 0 || onLoop.count(b) == 0))
+        {
+          paths.AddEdge(
+            number.at(a), number.at(b), (this->Points.row(a) - this->Points.row(b)).norm());
+        }
+      }
+    }
+    for (const int end : ends)
+    {
+      paths.AddEnd(number.at(end));
+    }
+    const auto steps = paths.Find(number.at(point), static_cast<int>(ends.size()));
+    if (!steps)
+    {
+      return std::nullopt;
+    }
+    std::set<QuadEdge> chains;
+    for (const auto& [a, b] : *steps)
+    {
+      chains.insert({ points[a], points[b] });
+      chains.insert({ points[b], points[a] });
+    }
+    return chains;
+  }
+
+  double DistanceToCurves(int point) const
+  {
+    double minimum = std::numeric_limits<double>::infinity();
+    for (const FeatureCurve& curve : this->Features.Curves)
+    {
+      const std::size_t count = curve.Points.size();
+      for (std::size_t i = 0; i + (curve.Closed ? 0 : 1) < count; ++i)
+      {
+        const Eigen::RowVector3d a = this->Surface.Points.row(curve.Points[i]);
+        const Eigen::RowVector3d along =
+          this->Surface.Points.row(curve.Points[(i + 1) % count]) - a;
+        const Eigen::RowVector3d from = this->Points.row(point) - a;
+        const double share =
+          std::clamp(from.dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
+        minimum = std::min(minimum, (from - share * along).norm());
+      }
+    }
+    return minimum;
+  }
+
+  void Fill(const std::set<int>& disc, const std::set<QuadEdge>& chains)
+  {
+    std::map<int, int> label;
+    std::vector<int> open;
+    for (const int quad : disc)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        const int beyond =
+          this->QuadOf.at({ this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) });
+        if (disc.count(beyond) == 0 && label.emplace(quad, this->PatchOf(beyond)).second)
+        {
+          open.push_back(quad);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < open.size(); ++i)
+    {
+      const int quad = open[i];
+      for (int k = 0; k < 4; ++k)
+      {
+        const QuadEdge edge = { this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) };
+        const int beyond = this->QuadOf.at(edge);
+        if (disc.count(beyond) > 0 && chains.count(edge) == 0 &&
+          label.emplace(beyond, label.at(quad)).second)
+        {
+          open.push_back(beyond);
+        }
+      }
+    }
+    for (const auto& [quad, patch] : label)
+    {
+      this->PatchOf(quad) = patch;
+    }
+  }
+
+  const Eigen::MatrixXd& Points;
+  const Eigen::MatrixXi& Quads;
+  const Mesh& Surface;
+  const SurfaceFeatures& Features;
+  const std::map<QuadEdge, int> QuadOf;
+  std::vector<std::vector<int>> QuadsAt;
+  Eigen::VectorXi& PatchOf;
+  std::vector<char> Taken; ///< points that are corners
+};
+
+} // namespace
+
+void MatchCornerValences(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+  const Mesh& surface, const SurfaceFeatures& features, Eigen::VectorXi& patchOf)
+{
+  Gathering(points, quads, surface, features, patchOf).Run();
+}
+
+} // namespace shape

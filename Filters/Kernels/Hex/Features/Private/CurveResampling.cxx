@@ -1,0 +1,299 @@
+#include "Hex/Features/Private/CurveResampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// A polyline by the length along it.
+class ArcLength
+{
+public:
+  ArcLength(const Mesh& surface, const FeatureCurve& curve)
+    : Points(surface.Points(curve.Points, Eigen::all))
+    , Closed(curve.Closed)
+  {
+    const Eigen::Index count = this->Points.rows();
+    this->Lengths = { 0.0 };
+    for (Eigen::Index i = 1; i < count + (this->Closed ? 1 : 0); ++i)
+    {
+      this->Lengths.push_back(
+        this->Lengths.back() + (this->Points.row(i % count) - this->Points.row(i - 1)).norm());
+    }
+  }
+
+  double Length() const { return this->Lengths.back(); }
+
+  /// The lengths to where it turns by more than an angle, the sharpest turns first.
+  std::vector<double> Turns(double degrees) const
+  {
+    const Eigen::Index count = this->Points.rows();
+    std::vector<std::pair<double, double>> turns; // cosine, length
+    for (Eigen::Index i = this->Closed ? 0 : 1; i < count - (this->Closed ? 0 : 1); ++i)
+    {
+      const Eigen::RowVector3d before =
+        (this->Points.row(i) - this->Points.row((i + count - 1) % count)).normalized();
+      const Eigen::RowVector3d after =
+        (this->Points.row((i + 1) % count) - this->Points.row(i)).normalized();
+      if (const double cosine = before.dot(after); cosine < std::cos(degrees * M_PI / 180.0))
+      {
+        turns.emplace_back(cosine, this->Lengths[i]);
+      }
+    }
+    std::sort(turns.begin(), turns.end());
+    std::vector<double> lengths;
+    for (const auto& [cosine, length] : turns)
+    {
+      lengths.push_back(length);
+    }
+    return lengths;
+  }
+
+  /// The part between two lengths; of a closed one they may lie before 0 or beyond its length.
+  Eigen::MatrixXd Part(double begin, double end) const
+  {
+    std::vector<double> lengths = { begin };
+    for (const double turn : { -this->Length(), 0.0, this->Length() })
+    {
+      for (std::size_t i = 0; i < this->Lengths.size() && (this->Closed || turn == 0.0); ++i)
+      {
+        const double length = this->Lengths[i] + turn;
+        if (length > lengths.back() && length < end)
+        {
+          lengths.push_back(length);
+        }
+      }
+    }
+    if (end > begin)
+    {
+      lengths.push_back(end);
+    }
+    Eigen::MatrixXd part(static_cast<Eigen::Index>(lengths.size()), 3);
+    for (Eigen::Index i = 0; i < part.rows(); ++i)
+    {
+      part.row(i) = this->At(lengths[i]);
+    }
+    return part;
+  }
+
+  /// The length to its point closest to a place.
+  double Nearest(const Eigen::RowVector3d& position) const
+  {
+    Eigen::Index nearest = 0;
+    (this->Points.rowwise() - position).rowwise().squaredNorm().minCoeff(&nearest);
+    return this->Lengths[nearest];
+  }
+
+  Eigen::RowVector3d At(double length) const
+  {
+    length = this->Closed ? length - this->Length() * std::floor(length / this->Length())
+                          : std::clamp(length, 0.0, this->Length());
+    const auto next = std::clamp<std::ptrdiff_t>(
+      std::upper_bound(this->Lengths.begin(), this->Lengths.end(), length) - this->Lengths.begin(),
+      1, static_cast<std::ptrdiff_t>(this->Lengths.size()) - 1);
+    const double step = this->Lengths[next] - this->Lengths[next - 1];
+    const double share = step > 0.0 ? (length - this->Lengths[next - 1]) / step : 0.0;
+    return (1.0 - share) * this->Points.row(next - 1) +
+      share * this->Points.row(next % this->Points.rows());
+  }
+
+private:
+  Eigen::MatrixXd Points;
+  bool Closed;
+  std::vector<double> Lengths; ///< to each point; of a closed one, to the first again, too
+};
+
+/// Points of a chain by the length along a curve, some of which are fixed where it turns.
+class Spread
+{
+public:
+  /// own: to each point along the chain. first: where the curve's part of the chain begins.
+  Spread(const ArcLength& along, std::vector<double> own, double whole, double first,
+    double direction, bool isClosed)
+    : Along(along)
+    , Own(std::move(own))
+    , Scale(direction * along.Length() / whole)
+    , Closed(isClosed)
+  {
+    for (const double length : this->Own)
+    {
+      this->Lengths.push_back(first + this->Scale * length);
+    }
+    this->Unmoved = this->Lengths;
+    this->Fixed.assign(this->Own.size(), 0);
+    if (!isClosed)
+    {
+      this->Fixed.front() = this->Fixed.back() = 1;
+    }
+    constexpr double sharp = 20.0; // degrees
+    for (const double turn : along.Turns(sharp))
+    {
+      this->FixAt(turn);
+    }
+    this->Share();
+  }
+
+  CurvePositions Result() const
+  {
+    CurvePositions result;
+    result.Positions.resize(static_cast<Eigen::Index>(this->Lengths.size()), 3);
+    for (std::size_t i = 0; i < this->Lengths.size(); ++i)
+    {
+      const double here = this->Lengths[i];
+      double low = here, high = here;
+      if (!this->Fixed[i])
+      {
+        constexpr double reach = 4.0; // mean steps
+        const double maximum = reach * this->Step();
+        low = std::max(here - maximum, this->Bound(i, this->Scale > 0.0 ? -1 : 1, -1.0));
+        high = std::min(here + maximum, this->Bound(i, this->Scale > 0.0 ? 1 : -1, 1.0));
+      }
+      result.Positions.row(static_cast<Eigen::Index>(i)) = this->Along.At(here);
+      result.Spans.push_back(this->Along.Part(low, high));
+    }
+    return result;
+  }
+
+private:
+  double Step() const
+  {
+    return this->Along.Length() / static_cast<double>(this->Own.size() - (this->Closed ? 0 : 1));
+  }
+
+  /// Of a closed curve, the length to the same place that is closest to another length.
+  double NextTo(double length, double other) const
+  {
+    return this->Closed
+      ? length + this->Along.Length() * std::round((other - length) / this->Along.Length())
+      : length;
+  }
+
+  /// The closest free point goes to a turn of the curve, unless the steps between it and other
+  /// fixed points would become less than half of what they are, or more than twice.
+  void FixAt(double turn)
+  {
+    std::size_t nearest = 0;
+    double minimum = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < this->Lengths.size(); ++i)
+    {
+      const double distance = std::abs(this->NextTo(turn, this->Unmoved[i]) - this->Unmoved[i]);
+      if (distance < minimum)
+      {
+        minimum = distance;
+        nearest = i;
+      }
+    }
+    const double position = this->NextTo(turn, this->Unmoved[nearest]);
+    if (this->Fixed[nearest])
+    {
+      return;
+    }
+    for (std::size_t i = 0; i < this->Lengths.size(); ++i)
+    {
+      const double before =
+        this->Unmoved[nearest] - this->NextTo(this->Unmoved[i], this->Unmoved[nearest]);
+      const double after = position - this->NextTo(this->Lengths[i], position);
+      if (this->Fixed[i] && (after / before < 0.5 || after / before > 2.0))
+      {
+        return;
+      }
+    }
+    this->Fixed[nearest] = 1;
+    this->Lengths[nearest] = position;
+  }
+
+  /// Points between fixed ones keep their shares of the way between these.
+  void Share()
+  {
+    const std::size_t count = this->Lengths.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (this->Fixed[i])
+      {
+        continue;
+      }
+      const auto [low, lowShift] = this->FixedBeside(i, -1);
+      const auto [high, highShift] = this->FixedBeside(i, 1);
+      if (low < 0 || high < 0)
+      {
+        continue; // a closed curve without a sharp turn
+      }
+      const double begin = this->Unmoved[low] + lowShift, end = this->Unmoved[high] + highShift;
+      const double share = (this->Unmoved[i] - begin) / (end - begin);
+      this->Lengths[i] =
+        (1.0 - share) * (this->Lengths[low] + lowShift) + share * (this->Lengths[high] + highShift);
+    }
+  }
+
+  /// The next fixed point in a direction, or -1; and what is to be added to its length, where the
+  /// chain is closed and it lies beyond its beginning.
+  std::pair<int, double> FixedBeside(std::size_t i, int step) const
+  {
+    const auto count = static_cast<int>(this->Lengths.size());
+    for (int k = 1; k <= count; ++k)
+    {
+      const int at = static_cast<int>(i) + k * step;
+      const int wrapped = (at % count + count) % count;
+      if (this->Fixed[wrapped])
+      {
+        const double turns = at < 0 ? -1.0 : (at >= count ? 1.0 : 0.0);
+        return { wrapped, turns * this->Along.Length() * (this->Scale > 0.0 ? 1.0 : -1.0) };
+      }
+    }
+    return { -1, 0.0 };
+  }
+
+  double Bound(std::size_t i, int step, double side) const
+  {
+    const auto [fixed, shift] = this->FixedBeside(i, step);
+    return fixed < 0 ? side * std::numeric_limits<double>::infinity()
+                     : this->Lengths[fixed] + shift;
+  }
+
+  const ArcLength& Along;
+  const std::vector<double> Own;
+  const double Scale;
+  const bool Closed;
+  std::vector<double> Lengths; ///< along the curve
+  std::vector<double> Unmoved; ///< these, before any was fixed
+  std::vector<char> Fixed;
+};
+
+} // namespace
+
+CurvePositions DistributeAlongCurve(
+  const Eigen::MatrixXd& chain, const Mesh& surface, const FeatureCurve& curve)
+{
+  const ArcLength along(surface, curve);
+  const Eigen::Index count = chain.rows();
+  std::vector<double> lengths = { 0.0 };
+  for (Eigen::Index i = 1; i < count; ++i)
+  {
+    lengths.push_back(lengths.back() + (chain.row(i) - chain.row(i - 1)).norm());
+  }
+  const double whole =
+    lengths.back() + (curve.Closed ? (chain.row(0) - chain.row(count - 1)).norm() : 0.0);
+  const double nearest = curve.Closed ? along.Nearest(chain.row(0)) : 0.0;
+  CurvePositions best;
+  double minimum = std::numeric_limits<double>::infinity();
+  for (const double direction : { 1.0, -1.0 })
+  {
+    const double first = curve.Closed || direction > 0.0 ? nearest : along.Length();
+    CurvePositions positions =
+      Spread(along, lengths, whole, first, direction, curve.Closed).Result();
+    if (const double sum = (positions.Positions - chain).rowwise().norm().sum(); sum < minimum)
+    {
+      minimum = sum;
+      best = std::move(positions);
+    }
+  }
+  return best;
+}
+
+} // namespace shape

@@ -1,0 +1,101 @@
+#include "Hex/Fit/Private/Pillowing.h"
+
+#include "Hex/Fit/Private/Padding.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace shape
+{
+
+namespace
+{
+
+void RememberCopies(const std::vector<int>& copyOf, PatchedBoundary& boundary)
+{
+  for (int point = 0; point < static_cast<int>(copyOf.size()); ++point)
+  {
+    if (copyOf[point] >= 0)
+    {
+      boundary.Copies.emplace_back(point, copyOf[point]);
+    }
+  }
+}
+
+} // namespace
+
+void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary& boundary)
+{
+  const std::map<QuadEdge, int> quadOf = MapEdgesToQuads(boundary.Quads);
+  const auto isPadded = [&](int patch)
+  { return std::find(patches.begin(), patches.end(), patch) != patches.end(); };
+  std::vector<int> own;
+  for (int q = 0; q < static_cast<int>(boundary.Quads.rows()); ++q)
+  {
+    if (isPadded(boundary.PatchOf(q)))
+    {
+      own.push_back(q);
+    }
+  }
+  const Eigen::MatrixXi quads = boundary.Quads(own, Eigen::all);
+  const std::vector<int> copyOf = PadQuads(mesh, quads);
+  RememberCopies(copyOf, boundary);
+  // Beyond the border the copies take the place of the points that they were made of.
+  for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
+  {
+    if (!isPadded(boundary.PatchOf(q)))
+    {
+      for (int& point : boundary.Quads.row(q))
+      {
+        point = copyOf[point] >= 0 ? copyOf[point] : point;
+      }
+    }
+  }
+  std::vector<std::pair<Eigen::RowVector4i, int>> sides;
+  for (const auto& [edge, quad] : quadOf)
+  {
+    const int beyond = boundary.PatchOf(quadOf.at({ edge.second, edge.first }));
+    if (isPadded(boundary.PatchOf(quad)) && !isPadded(beyond))
+    {
+      sides.emplace_back(
+        Eigen::RowVector4i(edge.second, edge.first, copyOf[edge.first], copyOf[edge.second]),
+        beyond);
+    }
+  }
+  Eigen::Index row = boundary.Quads.rows();
+  boundary.Quads.conservativeResize(row + static_cast<Eigen::Index>(sides.size()), 4);
+  boundary.PatchOf.conservativeResize(boundary.Quads.rows());
+  for (const auto& [quad, patch] : sides)
+  {
+    boundary.Quads.row(row) = quad;
+    boundary.PatchOf(row++) = patch;
+  }
+}
+
+void PillowBoundary(HexMesh& mesh, PatchedBoundary& boundary)
+{
+  RememberCopies(PadQuads(mesh, boundary.Quads), boundary);
+  boundary.CurveOf.resize(mesh.Points.rows(), -1);
+  boundary.CornerOf.resize(mesh.Points.rows(), -1);
+}
+
+void SmoothPillows(const PatchedBoundary& boundary, Eigen::MatrixXd& points)
+{
+  std::map<int, std::vector<int>> stacks;
+  for (const auto& [point, copy] : boundary.Copies)
+  {
+    stacks[point].push_back(copy);
+  }
+  for (const auto& [point, stack] : stacks)
+  {
+    const Eigen::RowVector3d low = points.row(stack[0]), high = points.row(point);
+    for (std::size_t i = 1; i < stack.size(); ++i)
+    {
+      const double share = static_cast<double>(i) / static_cast<double>(stack.size());
+      points.row(stack[i]) = (1.0 - share) * low + share * high;
+    }
+  }
+}
+
+} // namespace shape

@@ -1,0 +1,94 @@
+#include "Hex/Optimize/BoundaryRelaxation.h"
+
+#include "Hex/Optimize/HexOptimization.h"
+#include "Quality/ScaledJacobian.h"
+
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+constexpr int MaximumRings = 4;
+/// The scaled Jacobian below which hexahedra are taken for inverted, once some are.
+constexpr double Bad = 0.2;
+
+bool HasInverted(const HexMesh& mesh)
+{
+  return ComputeScaledJacobians(mesh).minCoeff() <= 0.0;
+}
+
+} // namespace
+
+void RelaxBoundaryOfInverted(
+  HexMesh& mesh, OverridableConstraint& freedoms, const Progress& progress)
+{
+  if (!HasInverted(mesh))
+  {
+    return;
+  }
+  const Eigen::MatrixXd before = mesh.Points;
+  const std::vector<char> given = freedoms.Freedoms;
+  for (int rings = 0; rings <= MaximumRings; ++rings)
+  {
+    std::vector<char> marked = MarkPointsOfBadHexahedra(mesh, Bad);
+    if (marked.empty())
+    {
+      break;
+    }
+    GrowRings(mesh.Hexahedra, rings, marked);
+    for (std::size_t point = 0; point < marked.size(); ++point)
+    {
+      freedoms.Freedoms[point] = marked[point] ? 3 : freedoms.Freedoms[point];
+    }
+    const Progress part =
+      progress.Part(rings / (MaximumRings + 1.0), (rings + 1.0) / (MaximumRings + 1.0));
+    constexpr int around = 2;
+    GrowRings(mesh.Hexahedra, around, marked);
+    HexOptimizationOptions options;
+    options.Marked = std::move(marked);
+    OptimizeHexahedra(mesh, freedoms, options, part);
+  }
+  progress(1.0);
+  if (HasInverted(mesh))
+  {
+    mesh.Points = before;
+    freedoms.Freedoms = given;
+  }
+}
+
+void RelaxBoundaryOfWorst(HexMesh& mesh, OverridableConstraint& freedoms, double wanted,
+  const std::function<bool(const HexMesh& mesh)>& accepts, const Progress& progress)
+{
+  for (int rings = 0; rings <= MaximumRings; ++rings)
+  {
+    std::vector<char> marked = MarkPointsOfBadHexahedra(mesh, wanted);
+    if (marked.empty())
+    {
+      break;
+    }
+    const Eigen::MatrixXd before = mesh.Points;
+    const std::vector<char> given = freedoms.Freedoms;
+    GrowRings(mesh.Hexahedra, rings, marked);
+    for (std::size_t point = 0; point < marked.size(); ++point)
+    {
+      const bool isOnSurface = freedoms.Freedoms[point] == 2;
+      freedoms.Freedoms[point] = marked[point] && isOnSurface ? 3 : freedoms.Freedoms[point];
+    }
+    HexOptimizationOptions options;
+    options.Sweeps = 0; // over all: those near the worst are enough, and stay nearer to the surface
+    options.RaiseTo = wanted;
+    const HexOptimizationResult result = OptimizeHexahedra(mesh, freedoms, options,
+      progress.Part(rings / (MaximumRings + 1.0), (rings + 1.0) / (MaximumRings + 1.0)));
+    if (result.MinimumAfter <= result.MinimumBefore || !accepts(mesh))
+    {
+      mesh.Points = before;
+      freedoms.Freedoms = given;
+    }
+  }
+  progress(1.0);
+}
+
+} // namespace shape

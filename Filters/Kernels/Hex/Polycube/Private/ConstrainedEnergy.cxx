@@ -1,0 +1,286 @@
+#include "Hex/Polycube/Private/ConstrainedEnergy.h"
+
+#include "Base/Errors.h"
+#include "Base/Parallel.h"
+#include "Geometry/Orientation.h"
+#include "Linear/SparseSolve.h"
+#include "Untangle/EnergyProblem.h"
+
+#include <Eigen/LU>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+constexpr int EnergyGrain = 1024;
+/// Tetrahedra weigh as if they had at least this share of the mean volume.
+constexpr double MinimumWeight = 0.1;
+
+class TiedProblem : public EnergyProblem
+{
+public:
+  TiedProblem(const WorkingSolid& solid, const ConstrainedCoordinates& tied)
+    : Solid(solid)
+    , Tied(tied)
+    , Weights(solid.Tetrahedra.rows())
+  {
+    for (int t = 0; t < solid.Tetrahedra.rows(); ++t)
+    {
+      const Eigen::Matrix3d edges = this->EdgesOf(t, solid.Points.transpose());
+      this->Hats.push_back(ComputeHatGradients(edges));
+      this->Weights(t) = edges.determinant();
+    }
+    this->Weights = (this->Weights / this->Weights.mean()).cwiseMax(MinimumWeight);
+    this->Weights /= this->Weights.sum();
+    this->MakePattern();
+  }
+
+  int CountNegative(const Eigen::Matrix3Xd& x) const override
+  {
+    int negative = 0;
+    for (const auto& c : this->Solid.Tetrahedra.rowwise())
+    {
+      negative += EvaluateOrientation(x.col(c(0)).transpose(), x.col(c(1)).transpose(),
+                    x.col(c(2)).transpose(), x.col(c(3)).transpose()) <= 0;
+    }
+    return negative;
+  }
+
+  State Evaluate(const Eigen::Matrix3Xd& x, double epsilon) const override
+  {
+    const int count = static_cast<int>(this->Hats.size());
+    std::vector<State> parts(count / EnergyGrain + 1);
+    ParallelFor(count, EnergyGrain,
+      [&](int begin, int end)
+      {
+        State& sum = parts[begin / EnergyGrain];
+        for (int t = begin; t < end; ++t)
+        {
+          const EllipticEnergy energy(this->JacobianOf(t, x), epsilon);
+          sum.Energy += this->Weights(t) * energy.Value();
+          sum.MinimumDeterminant = std::min(sum.MinimumDeterminant, energy.Determinant());
+        }
+      });
+    State all;
+    for (const State& sum : parts)
+    {
+      all.Energy += sum.Energy;
+      all.MinimumDeterminant = std::min(all.MinimumDeterminant, sum.MinimumDeterminant);
+    }
+    return all;
+  }
+
+  Descent NewtonDirection(const Eigen::Matrix3Xd& x, double epsilon) override
+  {
+    const int count = static_cast<int>(this->Hats.size());
+    std::vector<Eigen::Matrix<double, 12, 12>> blocks(count);
+    std::vector<Eigen::Matrix<double, 12, 1>> slopes(count);
+    ParallelFor(count, EnergyGrain,
+      [&](int begin, int end)
+      {
+        for (int t = begin; t < end; ++t)
+        {
+          this->Expand(t, x, epsilon, blocks[t], slopes[t]);
+        }
+      });
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(this->Tied.Count);
+    std::fill_n(this->Matrix.valuePtr(), this->Matrix.nonZeros(), 0.0);
+    for (int t = 0; t < count; ++t)
+    {
+      const std::array<int, 12> unknowns = this->UnknownsOf(t);
+      for (int b = 0; b < 12; ++b)
+      {
+        if (unknowns[b] < 0)
+        {
+          continue;
+        }
+        gradient(unknowns[b]) += slopes[t](b);
+        for (int a = 0; a < 12; ++a)
+        {
+          if (unknowns[a] >= 0)
+          {
+            this->Matrix.valuePtr()[this->Slots[t][12 * b + a]] += blocks[t](a, b);
+          }
+        }
+      }
+    }
+    return this->Solve(gradient);
+  }
+
+  void Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const override
+  {
+    x += step * direction;
+  }
+
+private:
+  Eigen::Matrix3d EdgesOf(int t, const Eigen::Matrix3Xd& x) const
+  {
+    const auto c = this->Solid.Tetrahedra.row(t);
+    Eigen::Matrix3d edges;
+    edges << x.col(c(1)) - x.col(c(0)), x.col(c(2)) - x.col(c(0)), x.col(c(3)) - x.col(c(0));
+    return edges;
+  }
+
+  Eigen::Matrix3d JacobianOf(int t, const Eigen::Matrix3Xd& x) const
+  {
+    return this->EdgesOf(t, x) * this->Hats[t].bottomRows<3>();
+  }
+
+  std::array<int, 12> UnknownsOf(int t) const
+  {
+    std::array<int, 12> unknowns;
+    for (int i = 0; i < 12; ++i)
+    {
+      unknowns[i] = this->Tied.Unknowns(3 * this->Solid.Tetrahedra(t, i / 3) + i % 3);
+    }
+    return unknowns;
+  }
+
+  void MakePattern()
+  {
+    const int count = static_cast<int>(this->Hats.size());
+    std::vector<std::vector<int>> rows(this->Tied.Count);
+    for (int t = 0; t < count; ++t)
+    {
+      const std::array<int, 12> unknowns = this->UnknownsOf(t);
+      for (const int column : unknowns)
+      {
+        for (const int row : unknowns)
+        {
+          if (column >= 0 && row >= 0)
+          {
+            rows[column].push_back(row);
+          }
+        }
+      }
+    }
+    this->Matrix.resize(this->Tied.Count, this->Tied.Count);
+    std::vector<int> inner;
+    for (int column = 0; column < this->Tied.Count; ++column)
+    {
+      std::vector<int>& all = rows[column];
+      std::sort(all.begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
+      inner.insert(inner.end(), all.begin(), all.end());
+      this->Matrix.outerIndexPtr()[column + 1] = static_cast<int>(inner.size());
+    }
+    this->Matrix.resizeNonZeros(static_cast<Eigen::Index>(inner.size()));
+    std::copy(inner.begin(), inner.end(), this->Matrix.innerIndexPtr());
+    this->Slots.resize(count);
+    for (int t = 0; t < count; ++t)
+    {
+      const std::array<int, 12> unknowns = this->UnknownsOf(t);
+      for (int b = 0; b < 12; ++b)
+      {
+        for (int a = 0; a < 12; ++a)
+        {
+          this->Slots[t][12 * b + a] = -1;
+          if (unknowns[a] >= 0 && unknowns[b] >= 0)
+          {
+            const int* first = inner.data() + this->Matrix.outerIndexPtr()[unknowns[b]];
+            const int* last = inner.data() + this->Matrix.outerIndexPtr()[unknowns[b] + 1];
+            this->Slots[t][12 * b + a] =
+              static_cast<int>(std::lower_bound(first, last, unknowns[a]) - inner.data());
+          }
+        }
+      }
+    }
+  }
+
+  /// The second derivative and the gradient by the twelve coordinates of a tetrahedron.
+  void Expand(int t, const Eigen::Matrix3Xd& x, double epsilon,
+    Eigen::Matrix<double, 12, 12>& block, Eigen::Matrix<double, 12, 1>& slope) const
+  {
+    const EllipticEnergy energy(this->JacobianOf(t, x), epsilon);
+    const Eigen::Matrix<double, 4, 3>& hats = this->Hats[t];
+    const auto [identity, mixed, rank] = energy.SecondDerivative();
+    const Eigen::Matrix<double, 3, 4> slopes = energy.Gradient() * hats.transpose();
+    const Eigen::Matrix<double, 3, 4> jacobian = energy.Jacobian() * hats.transpose();
+    const Eigen::Matrix<double, 3, 4> cofactors = energy.Cofactors() * hats.transpose();
+    const Eigen::Map<const Eigen::Matrix<double, 12, 1>> byJ(jacobian.data());
+    const Eigen::Map<const Eigen::Matrix<double, 12, 1>> byC(cofactors.data());
+    block.noalias() = byC * (mixed * byJ + rank * byC).transpose();
+    block.noalias() += mixed * byJ * byC.transpose();
+    for (int a = 0; a < 4; ++a)
+    {
+      for (int b = 0; b < 4; ++b)
+      {
+        block.block<3, 3>(3 * a, 3 * b).diagonal().array() +=
+          identity * hats.row(a).dot(hats.row(b));
+      }
+    }
+    block *= this->Weights(t);
+    slope = this->Weights(t) * Eigen::Map<const Eigen::Matrix<double, 12, 1>>(slopes.data());
+  }
+
+  Descent Solve(const Eigen::VectorXd& gradient)
+  {
+    // Unknowns in units of their own, so that a ridge means the same to all of them.
+    const Eigen::VectorXd diagonal = this->Matrix.diagonal();
+    const Eigen::VectorXd scale =
+      diagonal.array().max(1e-300 + 1e-30 * diagonal.maxCoeff()).sqrt().inverse().matrix();
+    for (int column = 0; column < this->Matrix.cols(); ++column)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Matrix, column); entry; ++entry)
+      {
+        entry.valueRef() *= scale(column) * scale(entry.row());
+      }
+    }
+    Descent descent;
+    descent.Direction = Eigen::Matrix3Xd::Zero(3, this->Solid.Points.rows());
+    for (double ridge = 1e-10; ridge < 1.0; ridge *= 1e2)
+    {
+      this->Matrix.diagonal().array() += ridge;
+      try
+      {
+        this->Cholesky.Factorize(this->Matrix);
+      }
+      catch (const SolveFailure&)
+      {
+        continue;
+      }
+      const Eigen::VectorXd step =
+        -scale.cwiseProduct(this->Cholesky.Solve(scale.cwiseProduct(gradient)).col(0));
+      if (!step.allFinite())
+      {
+        continue;
+      }
+      descent.Slope = -step.dot(gradient);
+      for (Eigen::Index i = 0; i < this->Tied.Unknowns.size(); ++i)
+      {
+        const int unknown = this->Tied.Unknowns(i);
+        descent.Direction.data()[i] = unknown >= 0 ? step(unknown) : 0.0;
+      }
+      break;
+    }
+    return descent;
+  }
+
+  const WorkingSolid& Solid;
+  const ConstrainedCoordinates& Tied;
+  std::vector<Eigen::Matrix<double, 4, 3>> Hats;
+  Eigen::VectorXd Weights;
+  std::vector<std::array<int, 144>> Slots; ///< where a tetrahedron's derivatives go; -1: nowhere
+  Eigen::SparseMatrix<double> Matrix;
+  SparseCholesky Cholesky;
+};
+
+} // namespace
+
+PatchResult MinimizeConstrainedEnergy(Eigen::MatrixXd& positions, const WorkingSolid& solid,
+  const ConstrainedCoordinates& tied, const PatchOptions& options, const Progress& progress)
+{
+  TiedProblem problem(solid, tied);
+  Eigen::Matrix3Xd x = positions.transpose();
+  const PatchResult result = MinimizeEnergy(x, problem, options, progress);
+  positions = x.transpose();
+  return result;
+}
+
+} // namespace shape

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Hex/Voxels/GridDensity.h"
+#include "Mesh/HexMesh.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
+#include "Solids/IsoSurface.h"
+#include "Solids/SolidBoundary.h"
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * The cells of grids that fill a solid and have its topology: what a closed surface winds around at
+ * least once.
+ *
+ * The topology of a surface that crosses itself is not known: it is the Euler number and number of
+ * components that two successive grids agree on; where none do, any after TakeAnyTopology.
+ */
+class TopologyPreservingVoxels
+{
+public:
+  /// surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface, Aborted.
+  explicit TopologyPreservingVoxels(const Mesh& surface, const Progress& progress = {});
+
+  /// The surface, facing outwards.
+  const Mesh& Surface() const { return this->Whole; }
+  /// What of it bounds the solid, and how often it crosses itself.
+  const SolidBoundaryResult& Boundary() const { return this->Bounding; }
+  /// Of the surface: what the solid has to have where it does not cross itself.
+  const Topology& SurfaceTopology() const { return this->Wanted; }
+
+  /// Takes any manifold from now on where the surface crosses itself.
+  void TakeAnyTopology() { this->TakesAny = true; }
+
+  /// The size of cells in the warped space that make about so many hexahedra, those of a layer
+  /// around them included.
+  double CellSizeFor(double hexahedra, const GridDensity& warp) const;
+
+  /// The cells of a uniform grid in the warped space, carried back; nothing where none of the
+  /// choices of cells on the boundary has the solid's topology. Throws as SampleSolidDistances.
+  std::optional<HexMesh> Fill(double size, const GridDensity& warp, const Progress& progress = {});
+
+  /// The grid that Fill uses, in the warped space; without values.
+  SampledGrid Grid(double size, const GridDensity& warp) const;
+
+  /// The cells of a grid in the warped space around the surface that are inside, and accepted;
+  /// nothing where none of the choices of cells on the boundary has the solid's topology and is.
+  std::optional<std::vector<char>> CellsInside(const SampledGrid& grid, const GridDensity& warp,
+    const std::function<bool(const std::vector<char>& inside)>& accepts,
+    const Progress& progress = {});
+
+private:
+  bool HasTopology(const HexMesh& cubes);
+
+  Mesh Whole;
+  Topology Wanted;
+  int Solids; ///< components that bound solids from outside
+  SolidBoundaryResult Bounding;
+  bool TakesAny = false;
+  std::optional<std::pair<int, int>> Before; ///< Euler number and components of the last grid
+};
+
+} // namespace shape

@@ -1,0 +1,373 @@
+#include "Hex/Voxels/WellComposedVoxels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+namespace shape
+{
+namespace
+{
+
+/// Whether the marked ones of eight cells around a corner hang together by faces: cells that
+/// differ in one bit have a common one.
+bool HangTogether(unsigned int cells)
+{
+  if (cells == 0)
+  {
+    return true;
+  }
+  unsigned int reached = cells & (~cells + 1), before = 0;
+  while (reached != before)
+  {
+    before = reached;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      constexpr unsigned int low[] = { 0x55, 0x33, 0x0f };
+      const int step = 1 << axis;
+      reached |= (((reached & low[axis]) << step) | ((reached >> step) & low[axis])) & cells;
+    }
+  }
+  return reached == cells;
+}
+
+bool IsManifold(unsigned int cells)
+{
+  return HangTogether(cells) && HangTogether(~cells & 0xff);
+}
+
+/// The eight cells around the corner that cell (x, y, z) has towards the origin.
+std::array<int, 8> CellsAround(const SampledGrid& grid, int x, int y, int z)
+{
+  std::array<int, 8> cells{};
+  for (int k = 0; k < 8; ++k)
+  {
+    cells[k] = grid.Index(x - 1 + (k & 1), y - 1 + (k >> 1 & 1), z - 1 + (k >> 2));
+  }
+  return cells;
+}
+
+unsigned int PatternOf(const std::array<int, 8>& cells, const std::vector<char>& inside)
+{
+  unsigned int pattern = 0;
+  for (int k = 0; k < 8; ++k)
+  {
+    pattern |= static_cast<unsigned int>(inside[cells[k]]) << k;
+  }
+  return pattern;
+}
+
+/// Of eight cells around a pinched corner, the one that is to change sides: one that mends it where
+/// there is such, -1 where all have changed before. Cells that change once only come to an end.
+int CellToChange(unsigned int pattern, const std::array<int, 8>& cells,
+  const Eigen::VectorXd& levels, const std::vector<char>& changed)
+{
+  int best = -1;
+  for (const bool mending : { true, false })
+  {
+    double minimum = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 8; ++k)
+    {
+      if (!changed[cells[k]] && (!mending || IsManifold(pattern ^ (1U << k))) &&
+        std::abs(levels(cells[k])) < minimum)
+      {
+        minimum = std::abs(levels(cells[k]));
+        best = cells[k];
+      }
+    }
+    if (best >= 0)
+    {
+      break;
+    }
+  }
+  return best;
+}
+
+/// Changes single cells of a solid, whose boundary is a manifold, without changing its topology.
+class CellFlipper
+{
+public:
+  CellFlipper(const SampledGrid& grid, std::vector<char>& inside)
+    : Grid(grid)
+    , Inside(inside)
+    , Changed(inside.size(), 0)
+  {
+  }
+
+  int Count() const { return this->Flips; }
+
+  /// Changes a cell where that is allowed.
+  bool Flip(const Eigen::RowVector3i& cell)
+  {
+    const int index = this->Grid.Index(cell(0), cell(1), cell(2));
+    if (this->Changed[index] || !this->SharesADisc(cell))
+    {
+      return false;
+    }
+    this->Inside[index] ^= 1;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const std::array<int, 8> cells = CellsAround(
+        this->Grid, cell(0) + (corner & 1), cell(1) + (corner >> 1 & 1), cell(2) + (corner >> 2));
+      if (!IsManifold(PatternOf(cells, this->Inside)))
+      {
+        this->Inside[index] ^= 1;
+        return false;
+      }
+    }
+    this->Changed[index] = 1;
+    ++this->Flips;
+    return true;
+  }
+
+private:
+  /// Whether the faces that a cell has in common with the solid make up a disc.
+  bool SharesADisc(const Eigen::RowVector3i& cell) const
+  {
+    std::array<int, 3> shared{}; // of the two faces across each axis
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (cell(axis) < 1 || cell(axis) + 2 > this->Grid.Counts(axis) - 1)
+      {
+        return false; // the outermost cells stay outside
+      }
+      for (const int step : { -1, 1 })
+      {
+        Eigen::RowVector3i next = cell;
+        next(axis) += step;
+        shared[axis] += this->Inside[this->Grid.Index(next(0), next(1), next(2))];
+      }
+    }
+    const int faces = shared[0] + shared[1] + shared[2];
+    const bool pair = std::find(shared.begin(), shared.end(), 2) != shared.end();
+    const bool gap = std::find(shared.begin(), shared.end(), 0) != shared.end();
+    return faces > 0 && faces < 6 && !(faces == 2 && pair) && !(faces == 4 && gap);
+  }
+
+  const SampledGrid& Grid;
+  std::vector<char>& Inside;
+  std::vector<char> Changed;
+  int Flips = 0;
+};
+
+/// How far a place, in a cell's own coordinates in [0, 1], is from the nearest of the cells around
+/// that is on the other side; 2 where none is.
+double DistanceToOtherSide(const SampledGrid& grid, const std::vector<char>& inside,
+  const Eigen::RowVector3i& cell, const Eigen::RowVector3d& position)
+{
+  const char here = inside[grid.Index(cell(0), cell(1), cell(2))];
+  double minimum = 4.0;
+  for (int z = -1; z <= 1; ++z)
+  {
+    for (int y = -1; y <= 1; ++y)
+    {
+      for (int x = -1; x <= 1; ++x)
+      {
+        if (inside[grid.Index(cell(0) + x, cell(1) + y, cell(2) + z)] != here)
+        {
+          const Eigen::Array3d step(x, y, z), at = position.transpose().array();
+          const Eigen::Array3d gap = (step > 0).select(1.0 - at, (step < 0).select(at, 0.0));
+          minimum = std::min(minimum, gap.square().sum());
+        }
+      }
+    }
+  }
+  return std::sqrt(minimum);
+}
+
+/// Marks the cells on the grid's sides.
+std::vector<char> OnSides(const SampledGrid& grid)
+{
+  std::vector<char> marked(grid.Values.size(), 0);
+  for (int z = 0; z < grid.Counts(2); ++z)
+  {
+    for (int y = 0; y < grid.Counts(1); ++y)
+    {
+      for (int x = 0; x < grid.Counts(0); ++x)
+      {
+        const Eigen::Array3i cell(x, y, z);
+        marked[grid.Index(x, y, z)] =
+          (cell == 0 || cell == grid.Counts.transpose().array() - 1).any();
+      }
+    }
+  }
+  return marked;
+}
+
+} // namespace
+
+WellComposedVoxels FindVoxelSolid(const SampledGrid& grid)
+{
+  WellComposedVoxels solid;
+  std::vector<char> changed = OnSides(grid); // these stay outside
+  solid.Inside.resize(grid.Values.size());
+  std::transform(grid.Values.begin(), grid.Values.end(), changed.begin(), solid.Inside.begin(),
+    [](double level, char side) { return static_cast<char>(level < 0.0 && !side); });
+  for (int before = -1; before < solid.Changed;)
+  {
+    before = solid.Changed;
+    solid.Pinched = 0;
+    for (int z = 1; z < grid.Counts(2); ++z)
+    {
+      for (int y = 1; y < grid.Counts(1); ++y)
+      {
+        for (int x = 1; x < grid.Counts(0); ++x)
+        {
+          const std::array<int, 8> cells = CellsAround(grid, x, y, z);
+          const unsigned int pattern = PatternOf(cells, solid.Inside);
+          if (!IsManifold(pattern))
+          {
+            ++solid.Pinched;
+            const int cell = CellToChange(pattern, cells, grid.Values, changed);
+            if (cell >= 0)
+            {
+              solid.Inside[cell] ^= 1;
+              changed[cell] = 1;
+              ++solid.Changed;
+            }
+          }
+        }
+      }
+    }
+  }
+  return solid;
+}
+
+int CoverSurface(const SampledGrid& grid, const Eigen::MatrixXd& positions, double reach,
+  std::vector<char>& inside)
+{
+  // The places in the coordinates of the cells, cell by cell.
+  const Eigen::MatrixXd scaled = ((positions.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
+  const Eigen::MatrixXi cells = scaled.array().floor().cast<int>();
+  std::vector<int> order(positions.rows());
+  std::iota(order.begin(), order.end(), 0);
+  const auto cellOf = [&](int i) { return grid.Index(cells(i, 0), cells(i, 1), cells(i, 2)); };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return cellOf(a) < cellOf(b); });
+  CellFlipper flipper(grid, inside);
+  const auto flipNeighbour = [&](const Eigen::RowVector3i& cell)
+  {
+    std::array<Eigen::RowVector3i, 6> around;
+    for (int k = 0; k < 6; ++k)
+    {
+      around[k] = cell;
+      around[k](k / 2) += k % 2 == 0 ? -1 : 1;
+    }
+    const char here = inside[grid.Index(cell(0), cell(1), cell(2))];
+    const auto levelOf = [&](const Eigen::RowVector3i& at)
+    { return std::abs(grid.Values(grid.Index(at(0), at(1), at(2)))); };
+    std::stable_sort(around.begin(), around.end(),
+      [&](const Eigen::RowVector3i& a, const Eigen::RowVector3i& b)
+      { return levelOf(a) < levelOf(b); });
+    return std::any_of(around.begin(), around.end(),
+      [&](const Eigen::RowVector3i& at)
+      { return inside[grid.Index(at(0), at(1), at(2))] == here && flipper.Flip(at); });
+  };
+  for (int before = -1; before < flipper.Count();)
+  {
+    before = flipper.Count();
+    for (std::size_t first = 0, end = 0; first < order.size(); first = end)
+    {
+      const Eigen::RowVector3i cell = cells.row(order[first]);
+      double farthest = 0.0;
+      for (end = first; end < order.size() && cellOf(order[end]) == cellOf(order[first]); ++end)
+      {
+        const Eigen::RowVector3d within = scaled.row(order[end]) - cell.cast<double>();
+        farthest = std::max(farthest, DistanceToOtherSide(grid, inside, cell, within));
+      }
+      if (farthest > reach && !flipper.Flip(cell))
+      {
+        flipNeighbour(cell);
+      }
+    }
+  }
+  return flipper.Count();
+}
+
+void KeepLargestParts(const SampledGrid& grid, int count, std::vector<char>& inside)
+{
+  const int strides[] = { 1, grid.Counts(0), grid.Counts(0) * grid.Counts(1) };
+  std::vector<int> part(inside.size(), -1);
+  std::vector<std::size_t> sizes;
+  for (std::size_t first = 0; first < inside.size(); ++first)
+  {
+    if (!inside[first] || part[first] >= 0)
+    {
+      continue;
+    }
+    std::vector<int> cells = { static_cast<int>(first) };
+    part[first] = static_cast<int>(sizes.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      for (const int stride : strides)
+      {
+        for (const int next : { cells[i] - stride, cells[i] + stride })
+        {
+          if (inside[next] && part[next] < 0)
+          {
+            part[next] = static_cast<int>(sizes.size());
+            cells.push_back(next);
+          }
+        }
+      }
+    }
+    sizes.push_back(cells.size());
+  }
+  std::vector<int> order(sizes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return sizes[a] > sizes[b]; });
+  std::vector<char> kept(sizes.size(), 0);
+  for (int i = 0; i < std::min(count, static_cast<int>(order.size())); ++i)
+  {
+    kept[order[i]] = 1;
+  }
+  std::transform(part.begin(), part.end(), inside.begin(),
+    [&](int id) { return static_cast<char>(id >= 0 && kept[id]); });
+}
+
+HexMesh BuildVoxelHexahedra(const SampledGrid& grid, const std::vector<char>& inside)
+{
+  constexpr int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  const Eigen::RowVector3i counts = grid.Counts.array() + 1;
+  std::vector<int> pointOf(static_cast<std::size_t>(counts.prod()), -1);
+  std::vector<Eigen::RowVector3d> points;
+  HexMesh mesh;
+  mesh.Hexahedra.resize(std::count(inside.begin(), inside.end(), 1), 8);
+  Eigen::Index hex = 0;
+  for (int z = 0; z < grid.Counts(2); ++z)
+  {
+    for (int y = 0; y < grid.Counts(1); ++y)
+    {
+      for (int x = 0; x < grid.Counts(0); ++x)
+      {
+        if (!inside[grid.Index(x, y, z)])
+        {
+          continue;
+        }
+        for (int k = 0; k < 8; ++k)
+        {
+          const int i = x + corners[k][0], j = y + corners[k][1], l = z + corners[k][2];
+          int& point = pointOf[i + static_cast<std::size_t>(counts(0)) * (j + counts(1) * l)];
+          if (point < 0)
+          {
+            point = static_cast<int>(points.size());
+            points.push_back(grid.Point(i, j, l).array() - 0.5 * grid.Spacing);
+          }
+          mesh.Hexahedra(hex, k) = point;
+        }
+        ++hex;
+      }
+    }
+  }
+  mesh.Points.resize(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh.Points.row(static_cast<Eigen::Index>(i)) = points[i];
+  }
+  return mesh;
+}
+
+} // namespace shape

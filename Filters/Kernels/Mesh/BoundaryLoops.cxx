@@ -1,0 +1,264 @@
+#include "Mesh/BoundaryLoops.h"
+
+#include "Base/Errors.h"
+#include "Mesh/CoincidentPoints.h"
+#include "Mesh/HalfEdges.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+constexpr int None = -1;
+constexpr int Tangled = -2;
+
+/// The sides of triangles, and what lies beside them.
+class BoundaryWalk
+{
+public:
+  explicit BoundaryWalk(const Mesh& surface)
+    : Surface(surface)
+    , Position(FindCoincidentPoints(surface.Points))
+    , Twins(3 * surface.Triangles.rows(), Tangled)
+    , Used(this->Twins.size(), false)
+  {
+    std::vector<int> sides;
+    for (int t = 0; t < static_cast<int>(surface.Triangles.rows()); ++t)
+    {
+      const Eigen::RowVector3i c = surface.Triangles.row(t);
+      if (c(0) != c(1) && c(1) != c(2) && c(2) != c(0))
+      {
+        sides.insert(sides.end(), { 3 * t, 3 * t + 1, 3 * t + 2 });
+      }
+    }
+    this->FindTwins(sides, [&](int side) { return this->Begin(side); });
+    // Seams whose points are doubled.
+    sides.erase(std::remove_if(
+                  sides.begin(), sides.end(), [&](int side) { return this->Twins[side] != None; }),
+      sides.end());
+    this->FindTwins(sides, [&](int side) { return this->BeginPosition(side); });
+  }
+
+  BoundaryLoops Find()
+  {
+    BoundaryLoops boundary;
+    std::vector<int> open;
+    for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
+    {
+      if (this->Twins[side] == None)
+      {
+        this->Leaving[this->BeginPosition(side)].push_back(side);
+        open.push_back(side);
+      }
+    }
+    for (const int side : open)
+    {
+      if (!this->Used[side])
+      {
+        this->Split(this->Walk(side), boundary);
+      }
+    }
+    this->Sort(boundary.Loops);
+    return boundary;
+  }
+
+private:
+  int Begin(int side) const { return this->Surface.Triangles(side / 3, side % 3); }
+  int End(int side) const { return this->Begin(NextHalfEdge(side)); }
+  int BeginPosition(int side) const { return this->Position[this->Begin(side)]; }
+  int EndPosition(int side) const { return this->Position[this->End(side)]; }
+
+  /// Of sides between the same two points, two that run against each other are twins; one alone is
+  /// on the border; what is beside the others is unclear.
+  template <typename PointOf>
+  void FindTwins(const std::vector<int>& sides, const PointOf& pointOf)
+  {
+    struct Ends
+    {
+      int Low, High, Side;
+      bool operator<(const Ends& other) const
+      {
+        return this->High != other.High ? this->High < other.High : this->Side < other.Side;
+      }
+    };
+    // Few share their lower point: counted first, they are sorted in no time.
+    std::vector<int> first(this->Position.size() + 1, 0);
+    const auto endsOf = [&](int side)
+    {
+      const int begin = pointOf(side), end = pointOf(NextHalfEdge(side));
+      return Ends{ std::min(begin, end), std::max(begin, end), side };
+    };
+    for (const int side : sides)
+    {
+      ++first[endsOf(side).Low + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Ends> ends(sides.size());
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for (const int side : sides)
+    {
+      const Ends is = endsOf(side);
+      ends[next[is.Low]++] = is;
+    }
+    for (std::size_t low = 0; low + 1 < first.size(); ++low)
+    {
+      std::sort(ends.begin() + first[low], ends.begin() + first[low + 1]);
+    }
+    for (std::size_t i = 0, end = 0; i < ends.size(); i = end)
+    {
+      while (end < ends.size() && ends[end].Low == ends[i].Low && ends[end].High == ends[i].High)
+      {
+        ++end;
+      }
+      const int side = ends[i].Side, other = end - i == 2 ? ends[i + 1].Side : side;
+      if (end - i == 1)
+      {
+        this->Twins[side] = None;
+      }
+      else if (end - i == 2 && pointOf(side) != pointOf(other))
+      {
+        this->Twins[side] = other;
+        this->Twins[other] = side;
+      }
+      else if (ends[i].Low != ends[i].High)
+      {
+        for (std::size_t k = i; k < end; ++k)
+        {
+          this->Twins[ends[k].Side] = Tangled;
+        }
+      }
+    }
+  }
+
+  /// The side of the border after this one: around the same fan of triangles, where that is tangled
+  /// the first one left at the place, or None.
+  int Next(int side)
+  {
+    int next = NextHalfEdge(side);
+    while (this->Twins[next] >= 0)
+    {
+      next = NextHalfEdge(this->Twins[next]);
+    }
+    if (this->Twins[next] == None && !this->Used[next])
+    {
+      return next;
+    }
+    for (const int other : this->Leaving[this->EndPosition(side)])
+    {
+      if (!this->Used[other])
+      {
+        return other;
+      }
+    }
+    return None;
+  }
+
+  std::vector<int> Walk(int first)
+  {
+    std::vector<int> chain;
+    for (int side = first; side != None; side = this->Next(side))
+    {
+      this->Used[side] = true;
+      chain.push_back(side);
+    }
+    return chain;
+  }
+
+  /// Takes the closed loops without a place twice out of a chain.
+  void Split(const std::vector<int>& chain, BoundaryLoops& boundary)
+  {
+    std::vector<int> open;                // sides
+    std::unordered_map<int, int> visited; // place -> where in `open` a side leaves it
+    for (const int side : chain)
+    {
+      visited.try_emplace(this->BeginPosition(side), static_cast<int>(open.size()));
+      open.push_back(side);
+      const auto position = visited.find(this->EndPosition(side));
+      if (position == visited.end() || this->EndPosition(side) == this->BeginPosition(side))
+      {
+        continue;
+      }
+      const int begin = position->second;
+      const std::vector<int> sides(open.begin() + begin, open.end());
+      open.resize(begin);
+      for (const int closed : sides)
+      {
+        visited.erase(this->BeginPosition(closed));
+      }
+      this->Add(sides, boundary);
+    }
+    boundary.UnclosedSides += static_cast<int>(open.size());
+  }
+
+  /// Sides that close a loop; both of doubled points are in it.
+  void Add(const std::vector<int>& sides, BoundaryLoops& boundary) const
+  {
+    std::vector<int> loop;
+    std::set<int> positions;
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      loop.push_back(this->Begin(sides[i]));
+      positions.insert(this->BeginPosition(sides[i]));
+      if (this->End(sides[i]) != this->Begin(sides[(i + 1) % sides.size()]))
+      {
+        loop.push_back(this->End(sides[i]));
+      }
+    }
+    if (positions.size() < 3)
+    {
+      boundary.UnclosedSides += static_cast<int>(sides.size());
+      return;
+    }
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+    boundary.Loops.push_back(std::move(loop));
+  }
+
+  void Sort(std::vector<std::vector<int>>& loops) const
+  {
+    std::vector<std::pair<double, std::vector<int>>> byLength;
+    for (std::vector<int>& loop : loops)
+    {
+      double length = 0.0;
+      for (std::size_t i = 0; i < loop.size(); ++i)
+      {
+        length += (this->Surface.Points.row(loop[(i + 1) % loop.size()]) -
+          this->Surface.Points.row(loop[i]))
+                    .norm();
+      }
+      byLength.emplace_back(-length, std::move(loop));
+    }
+    std::sort(byLength.begin(), byLength.end());
+    std::transform(byLength.begin(), byLength.end(), loops.begin(),
+      [](std::pair<double, std::vector<int>>& loop) { return std::move(loop.second); });
+  }
+
+  const Mesh& Surface;
+  std::vector<int> Position;                         ///< of each point
+  std::vector<int> Twins;                            ///< of each side
+  std::vector<bool> Used;                            ///< sides
+  std::unordered_map<int, std::vector<int>> Leaving; ///< place -> sides of the border
+};
+
+} // namespace
+
+BoundaryLoops FindBoundaryLoops(const Mesh& surface)
+{
+  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    if (surface.Triangles.row(t).minCoeff() < 0 ||
+      surface.Triangles.row(t).maxCoeff() >= surface.Points.rows())
+    {
+      throw InvalidInput("triangle " + std::to_string(t) + " names a point that does not exist");
+    }
+  }
+  return BoundaryWalk(surface).Find();
+}
+
+} // namespace shape

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+
+#include <vector>
+
+namespace shape
+{
+
+/// The border of a set of triangles.
+struct BoundaryLoops
+{
+  /// The points of each closed loop as the triangles run through them, with the surface to the
+  /// left; no loop has a point twice. The longest first, equally long ones in the order of their
+  /// first points; each starts at its first point by number.
+  std::vector<std::vector<int>> Loops;
+  int UnclosedSides = 0; ///< sides of triangles on the border that are part of no closed loop
+};
+
+/**
+ * The loops of border around the holes of any triangles, manifold or not: FindManifoldBoundaryLoops
+ * for surfaces of which nothing is known. A side is on the border where no other triangle has the
+ * edge, nor one between points at the same places: a seam whose points are doubled is no border.
+ * Where the border meets itself at a point (two holes that share it) it goes on along the same fan
+ * of triangles, and is split there into loops that touch: filled, they leave a manifold. Where the
+ * points there are doubled, both are in the loop, one after the other, so that the fills match
+ * theirs by number. Triangles with a point twice count as if they were not there.
+ *
+ * Throws InvalidInput where an index is out of range.
+ */
+BoundaryLoops FindBoundaryLoops(const Mesh& surface);
+
+} // namespace shape

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+namespace shape
+{
+
+/// The place of a triangle nearest to a point, in any number of dimensions, by products alone: a, b
+/// and c those of its edges e and f from the first corner (e e, e f, f f), u and v of these with
+/// the point as seen from there. Returns the coordinates along e and f, each >= 0 and their sum
+/// <= 1.
+inline std::array<double, 2> ProjectOntoTriangle(double a, double b, double c, double u, double v)
+{
+  const double determinant = a * c - b * b;
+  if (determinant > 0.0)
+  {
+    const double s = (c * u - b * v) / determinant, t = (a * v - b * u) / determinant;
+    if (s >= 0.0 && t >= 0.0 && s + t <= 1.0)
+    {
+      return { s, t };
+    }
+  }
+  // Else on one of the edges: the nearest of the three places.
+  const auto share = [](double along, double length)
+  { return length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0; };
+  const double across = share(v - u + a - b, a - 2.0 * b + c);
+  const std::array<std::array<double, 2>, 3> positions = { { { share(u, a), 0.0 },
+    { 0.0, share(v, c) }, { 1.0 - across, across } } };
+  const auto farther = [&](const std::array<double, 2>& position)
+  {
+    const auto [s, t] = position;
+    return s * (s * a + 2.0 * t * b - 2.0 * u) + t * (t * c - 2.0 * v);
+  };
+  return *std::min_element(positions.begin(), positions.end(),
+    [&](const auto& one, const auto& other) { return farther(one) < farther(other); });
+}
+
+} // namespace shape

@@ -1,0 +1,74 @@
+#include "Spectrum/Private/ClassicalMds.h"
+
+#include "Base/Errors.h"
+#include "Geodesics/FarthestPoints.h"
+#include "Geodesics/HeatGeodesics.h"
+#include "Linear/SymmetricEigen.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace shape
+{
+
+Eigen::MatrixXd ComputeScalingAxes(const Eigen::MatrixXd& squares, int dimensions)
+{
+  const Eigen::VectorXd means = squares.rowwise().mean();
+  const Eigen::MatrixXd products =
+    -0.5 * ((squares.colwise() - means).rowwise() - means.transpose()).array() - 0.5 * means.mean();
+  const Eigenpairs largest =
+    FindLargestEigenpairs(products, std::min<int>(dimensions, static_cast<int>(products.rows())));
+  Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(squares.rows(), dimensions);
+  for (Eigen::Index k = 0; k < largest.Values.size(); ++k)
+  {
+    constexpr double minimum = 1e-9; // of the largest; others are of rounding, or there are none
+    const double value = largest.Values(k);
+    if (value > minimum * largest.Values(0))
+    {
+      axes.col(k) = largest.Vectors.col(k) / std::sqrt(value);
+    }
+  }
+  return axes;
+}
+
+Eigen::MatrixXd EmbedByClassicalMds(
+  const Mesh& mesh, int dimensions, int samples, const Progress& progress)
+{
+  const Topology topology = RequireManifold(mesh, "the surface");
+  if (topology.Components > 1)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
+      " components, between which there are no distances; give one of them, or use the spectral "
+      "embedding");
+  }
+  const std::vector<int> points = SampleFarthestPoints(mesh, samples, progress.Part(0.0, 0.2));
+  Eigen::MatrixXd squares =
+    ComputeHeatDistances(mesh, points, progress.Part(0.2, 0.9)).array().square();
+  squares = squares.array().isFinite().select(squares, 0.0);
+  Eigen::MatrixXd between = squares(points, Eigen::all);
+  between = 0.5 * (between + between.transpose()).eval();
+  const Eigen::RowVectorXd means = between.colwise().mean();
+  Eigen::MatrixXd result =
+    -0.5 * ((squares.rowwise() - means) * ComputeScalingAxes(between, dimensions));
+  for (Eigen::Index k = 0; k < result.cols(); ++k)
+  {
+    Eigen::Index largest = 0;
+    result.col(k).cwiseAbs().maxCoeff(&largest);
+    result.col(k) *= result(largest, k) < 0.0 ? -1.0 : 1.0;
+  }
+  for (Eigen::Index i = 0; i < result.rows(); ++i)
+  {
+    if (topology.ComponentId(i) < 0)
+    {
+      result.row(i).setZero();
+    }
+  }
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

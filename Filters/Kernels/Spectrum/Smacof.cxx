@@ -1,0 +1,168 @@
+#include "Spectrum/Smacof.h"
+
+#include "Base/Errors.h"
+#include "Geodesics/FarthestPoints.h"
+#include "Geodesics/HeatGeodesics.h"
+#include "Laplacian/CotangentWeights.h"
+#include "Laplacian/IntrinsicDelaunay.h"
+#include "Linear/SparseSolve.h"
+#include "Mesh/Surface.h"
+#include "Mesh/Topology.h"
+#include "Spectrum/Private/ClassicalMds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// Scales positions (s x d) to the least stress, which it returns, and finds their Guttman
+/// transform: where majorisation sends them.
+double Transform(
+  const Eigen::MatrixXd& distances, Eigen::MatrixXd& positions, Eigen::MatrixXd& transformed)
+{
+  const Eigen::Index count = positions.rows(), dimensions = positions.cols();
+  transformed.setZero(count, dimensions);
+  double products = 0.0, lengths = 0.0; // of distances wanted and now, and of those now
+  Eigen::ArrayXd squares(count), now(count), ratios(count), ways(count);
+  for (Eigen::Index j = 1; j < count; ++j)
+  {
+    // Each pair once: those before j.
+    squares.head(j).setZero();
+    for (Eigen::Index k = 0; k < dimensions; ++k)
+    {
+      squares.head(j) += (positions.col(k).head(j).array() - positions(j, k)).square();
+    }
+    now.head(j) = squares.head(j).sqrt();
+    const auto wanted = distances.col(j).head(j).array();
+    products += 2.0 * (wanted * now.head(j)).sum();
+    lengths += 2.0 * squares.head(j).sum();
+    // Points at the same place pull in no direction.
+    ratios.head(j) = (now.head(j) > 0.0).select(wanted / now.head(j), 0.0);
+    for (Eigen::Index k = 0; k < dimensions; ++k)
+    {
+      ways.head(j) = ratios.head(j) * (positions(j, k) - positions.col(k).head(j).array());
+      transformed(j, k) += ways.head(j).sum();
+      transformed.col(k).head(j).array() -= ways.head(j);
+    }
+  }
+  transformed /= static_cast<double>(count);
+  if (lengths <= 0.0)
+  {
+    return distances.squaredNorm();
+  }
+  positions *= products / lengths;
+  return distances.squaredNorm() - products * products / lengths;
+}
+
+/// Positions of s samples with these distances (s x s).
+Eigen::MatrixXd Majorised(
+  const Eigen::MatrixXd& distances, const SmacofOptions& options, const Progress& progress)
+{
+  const Eigen::MatrixXd squares = distances.array().square();
+  const Eigen::RowVectorXd means = squares.colwise().mean();
+  Eigen::MatrixXd positions =
+    -0.5 * ((squares.rowwise() - means) * ComputeScalingAxes(squares, options.Dimensions));
+  Eigen::MatrixXd transformed;
+  double before = 0.0;
+  for (int k = 0;; ++k)
+  {
+    progress(static_cast<double>(k) / (options.Iterations + 1));
+    const double stress = Transform(distances, positions, transformed);
+    if (k >= options.Iterations || (k > 0 && before - stress <= options.Tolerance * stress))
+    {
+      return positions;
+    }
+    before = stress;
+    // Twice the step is still downhill and needs half as many (de Leeuw and Heiser 1980).
+    positions = 2.0 * transformed - positions;
+  }
+}
+
+} // namespace
+
+EmbeddedSamples EmbedSamples(
+  const Mesh& mesh, const SmacofOptions& options, const Progress& progress)
+{
+  const Topology topology = RequireManifold(mesh, "the surface");
+  if (topology.Components > 1)
+  {
+    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
+      " components, between which there are no distances; give one of them");
+  }
+  const std::vector<int> points =
+    SampleFarthestPoints(mesh, options.Samples, progress.Part(0.0, 0.2));
+  const Eigen::MatrixXd all = ComputeHeatDistances(mesh, points, progress.Part(0.2, 0.7));
+  const Eigen::MatrixXd between = all(points, Eigen::all);
+  return { points,
+    Majorised(0.5 * (between + between.transpose()), options, progress.Part(0.7, 1.0)) };
+}
+
+Eigen::MatrixXd ExtendBiharmonically(const Mesh& mesh, const EmbeddedSamples& samples)
+{
+  const Eigen::Index n = mesh.Points.rows();
+  const IntrinsicTriangles flat = BuildIntrinsicDelaunay(mesh);
+  const TriangleAngles angles = ComputeAnglesFromLengths(flat.Sides);
+  const Eigen::SparseMatrix<double> stiffness =
+    BuildCotangentStiffness(flat.Triangles, angles.Cotangents, n);
+  const Eigen::VectorXd masses = ComputeLumpedMasses(flat.Triangles, angles.Areas, n);
+  const Eigen::VectorXd inverse = (masses.array() > 0.0).select(1.0 / masses.array(), 0.0);
+  const Eigen::SparseMatrix<double> energy = stiffness * inverse.asDiagonal() * stiffness;
+
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, samples.Positions.cols());
+  result(samples.Points, Eigen::all) = samples.Positions;
+  std::vector<char> free(n, 1);
+  for (const int point : samples.Points)
+  {
+    free[point] = 0;
+  }
+  std::vector<int> position(n, -1);
+  std::vector<int> unknowns;
+  for (int i = 0; i < static_cast<int>(n); ++i)
+  {
+    if (free[i] != 0 && masses(i) > 0.0)
+    {
+      position[i] = static_cast<int>(unknowns.size());
+      unknowns.push_back(i);
+    }
+  }
+  if (unknowns.empty())
+  {
+    return result;
+  }
+  const Eigen::MatrixXd load = -(energy * result);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(energy.nonZeros());
+  for (Eigen::Index column = 0; column < n; ++column)
+  {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(energy, column); entry; ++entry)
+    {
+      if (position[entry.row()] >= 0 && position[column] >= 0)
+      {
+        entries.emplace_back(position[entry.row()], position[column], entry.value());
+      }
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(unknowns.size());
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  SparseCholesky factor;
+  factor.Factorize(matrix);
+  result(unknowns, Eigen::all) = factor.Solve(load(unknowns, Eigen::all));
+  return result;
+}
+
+Eigen::MatrixXd EmbedBySmacof(
+  const Mesh& mesh, const SmacofOptions& options, const Progress& progress)
+{
+  const EmbeddedSamples samples = EmbedSamples(mesh, options, progress.Part(0.0, 0.9));
+  Eigen::MatrixXd result = ExtendBiharmonically(mesh, samples);
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

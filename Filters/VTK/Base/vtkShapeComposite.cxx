@@ -1,0 +1,171 @@
+#include "vtkShapeComposite.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTypes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+
+namespace
+{
+
+/// The active normals, and what is called so.
+void RemoveNormals(vtkDataSetAttributes* attributes)
+{
+  for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (array == attributes->GetNormals() || name == "Normals")
+    {
+      attributes->RemoveArray(i);
+    }
+  }
+}
+
+} // namespace
+
+std::vector<vtkDataSet*> vtkShapeComposite::Of(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> leaves;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+      {
+        leaves.push_back(leaf);
+      }
+    }
+  }
+  else if (auto* leaf = vtkDataSet::SafeDownCast(data))
+  {
+    leaves.push_back(leaf);
+  }
+  return leaves;
+}
+
+std::string vtkShapeComposite::FindOutputType(vtkDataObject* input, Points points)
+{
+  if (vtkCompositeDataSet::SafeDownCast(input))
+  {
+    return vtkDataObjectTree::SafeDownCast(input) ? input->GetClassName() : "vtkMultiBlockDataSet";
+  }
+  const bool keeps = points == Points::Kept || vtkPointSet::SafeDownCast(input);
+  return keeps ? input->GetClassName() : "vtkStructuredGrid";
+}
+
+void vtkShapeComposite::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output)
+{
+  auto* moved = vtkPointSet::SafeDownCast(output);
+  if (auto* image = vtkImageData::SafeDownCast(input))
+  {
+    vtkStructuredGrid::SafeDownCast(output)->SetExtent(image->GetExtent());
+  }
+  else if (auto* grid = vtkRectilinearGrid::SafeDownCast(input))
+  {
+    vtkStructuredGrid::SafeDownCast(output)->SetExtent(grid->GetExtent());
+  }
+  else
+  {
+    moved->CopyStructure(input);
+  }
+  vtkNew<vtkPoints> positions;
+  positions->SetData(vtkShapeConvert::ToArray(points, "Points"));
+  moved->SetPoints(positions);
+  moved->GetPointData()->PassData(input->GetPointData());
+  moved->GetCellData()->PassData(input->GetCellData());
+  moved->GetFieldData()->PassData(input->GetFieldData());
+  RemoveNormals(moved->GetPointData());
+  RemoveNormals(moved->GetCellData());
+}
+
+void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Points points,
+  const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    fill(vtkDataSet::SafeDownCast(input), vtkDataSet::SafeDownCast(output));
+    return;
+  }
+  auto* tree = vtkDataObjectTree::SafeDownCast(output);
+  const bool sameTree = input->IsA(output->GetClassName());
+  if (sameTree)
+  {
+    tree->CopyStructure(composite);
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> it;
+  it.TakeReference(composite->NewIterator());
+  unsigned int block = 0;
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
+    if (!leaf)
+    {
+      throw shape::InvalidInput(std::string("a block is a ") +
+        it->GetCurrentDataObject()->GetClassName() +
+        ", which has no points; leave it out with Extract Block");
+    }
+    vtkSmartPointer<vtkDataSet> filled;
+    filled.TakeReference(vtkDataSet::SafeDownCast(
+      vtkDataObjectTypes::NewDataObject(FindOutputType(leaf, points).c_str())));
+    fill(leaf, filled);
+    if (sameTree)
+    {
+      tree->SetDataSet(it, filled);
+    }
+    else
+    {
+      vtkMultiBlockDataSet::SafeDownCast(output)->SetBlock(block++, filled);
+    }
+  }
+  output->GetFieldData()->PassData(input->GetFieldData());
+}
+
+void vtkShapeComposite::AddPointFields(
+  vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields)
+{
+  vtkIdType first = 0;
+  ForEach(input, output, Points::Kept,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      const vtkIdType count = from->GetNumberOfPoints();
+      to->ShallowCopy(from);
+      for (const PointField& field : fields)
+      {
+        const Eigen::MatrixXd own = field.Values.middleRows(first, count);
+        if (!field.AreIds)
+        {
+          to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, field.Name));
+          continue;
+        }
+        vtkNew<vtkIdTypeArray> ids;
+        ids->SetName(field.Name.c_str());
+        ids->SetNumberOfTuples(count);
+        std::transform(own.col(0).begin(), own.col(0).end(), ids->GetPointer(0),
+          [](double id) { return static_cast<vtkIdType>(id); });
+        to->GetPointData()->AddArray(ids);
+      }
+      first += count;
+    });
+}
