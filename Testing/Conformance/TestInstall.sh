@@ -3,7 +3,7 @@
 # the system's Python, the CMake package in somebody else's project. TestInstall.sh BUILD
 set -euo pipefail
 build=$1
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 prefix=$(mktemp -d)
 trap 'rm -rf "$prefix"' EXIT
 unset PV_PLUGIN_PATH PYTHONPATH LD_LIBRARY_PATH
@@ -31,13 +31,14 @@ assert sphere.GetOutputDataObject(1).GetNumberOfPoints() == 50
 print(shapemap.__file__.split('/')[-2], 'imported and run')
 PY
 
-echo "the CMake package:"
-cmake -G Ninja -S "$here/Consumer" -B "$prefix/consumer" -DCMAKE_PREFIX_PATH="$prefix" \
+echo "the CMake package, for the examples in C++:"
+cmake -G Ninja -S "$root/Examples/CPlusPlus" -B "$prefix/examples" -DCMAKE_PREFIX_PATH="$prefix" \
   >"$prefix/log" 2>&1 || { cat "$prefix/log"; exit 1; }
-cmake --build "$prefix/consumer" >"$prefix/log" 2>&1 || { cat "$prefix/log"; exit 1; }
-"$prefix/consumer/Consumer"
+cmake --build "$prefix/examples" >"$prefix/log" 2>&1 || { cat "$prefix/log"; exit 1; }
+"$prefix/examples/FillWithHexahedra" "$root/Data/BentBarSmall.vtp" "$prefix/examples/Bar.mesh"
+"$prefix/examples/MapPointIntoBall" "$root/Data/DentedSphere600.vtp"
 
-if grep -rl --exclude-dir=consumer --exclude=log "$build" "$prefix"; then
+if grep -rl --exclude-dir=examples --exclude=log "$build" "$prefix"; then
   echo "these installed files name the build folder"
   exit 1
 fi

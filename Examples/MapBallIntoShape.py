@@ -1,0 +1,35 @@
+"""Maps a ball of hexahedra into a cow by the harmonic map that extends a map of its surface."""
+import os
+import sys
+
+from paraview.simple import *
+
+root = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..')
+sys.path.append(os.path.join(root, 'Utilities'))
+import off  # reads .off files
+
+folder = sys.argv[1] if len(sys.argv) > 1 else '.'
+models = os.environ.get('SHAPEMAP_MODELS', os.path.join(root, 'build', 'models'))
+
+cow = TrivialProducer()
+cow.GetClientSideObject().SetOutput(off.read(os.path.join(models, 'cow.off')))
+sphere = ShapeParameterize(Input=cow, AreaWeight=3.0)
+
+# The boundary of the domain is the sphere; its array SourcePosition leads back to the cow. The ball
+# is shrunk to lie within the sphere's triangles: points outside would stay where they are.
+ball = Transform(Input=OpenDataFile(os.path.join(root, 'Data', 'BallSmall.vtu')))
+ball.Transform.Scale = [0.97, 0.97, 0.97]
+solid = ShapeHarmonicVolumeMap(
+    Domain=ball, Boundary=OutputPort(sphere, 1), MapArray='SourcePosition')
+solid.UpdatePipeline()
+
+assert solid.FieldData['HarmonicVolumeMap.OutsidePoints'].GetRange() == (0, 0)
+error = solid.FieldData['HarmonicVolumeMap.RMSEInside'].GetRange()[0]
+print('the boundary is met within %.2f %% of the cow\'s size' % (100 * error))
+assert error < 0.01
+for axis in range(3):
+    image, surface = (proxy.GetDataInformation().GetBounds()[2 * axis:2 * axis + 2]
+                      for proxy in (solid, cow))
+    print('%s: cow %.3f to %.3f, image of the ball %.3f to %.3f' % ('xyz'[axis], *surface, *image))
+    assert image[1] - image[0] > 0.5 * (surface[1] - surface[0])
+SaveData(os.path.join(folder, 'Cow.vtu'), solid, DataMode='Binary')

@@ -1,0 +1,25 @@
+"""Maps a surface that comes in blocks: the filter joins them, and each gets its part back."""
+import os
+
+from paraview.simple import *
+
+data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
+surface = OpenDataFile(data + 'DentedSphere600.vtp')
+
+# Two blocks: neither is closed, both together are.
+numbered = GenerateIds(Input=surface, CellIdsArrayName='Triangle')
+halves = [ExtractSurface(Input=Threshold(Input=numbered, Scalars=['CELLS', 'Triangle'],
+                                         LowerThreshold=first, UpperThreshold=first + 639))
+          for first in (0, 640)]
+sphere = ShapeParameterize(Input=GroupDatasets(Input=halves))
+sphere.UpdatePipeline()
+
+flipped = sphere.FieldData['Parameterize.FlippedTriangles'].GetRange()[0]
+low, high = sphere.PointData['TargetPosition'].GetRange(0)
+print('flipped triangles: %d, sphere from x = %.3f to %.3f' % (flipped, low, high))
+assert flipped == 0 and -1.0 <= low < -0.99 and 0.99 < high <= 1.0
+
+blocks = servermanager.Fetch(sphere)
+for number in range(2):
+    print('block %d: %d triangles' % (number, blocks.GetBlock(number).GetNumberOfCells()))
+    assert blocks.GetBlock(number).GetNumberOfCells() > 400
