@@ -54,8 +54,9 @@ def picture():
     """The rooms as a Mermaid diagram: an arrow leads from a room to one that it uses."""
     lines = ['```mermaid', 'flowchart BT']
     for room, used in used_rooms().items():
-        inner = [other.split('/')[1] for other in rooms() if other.startswith(room + '/')]
-        lines.append('  %s["%s%s"]' % (room, room, '<br/>' + '<br/>'.join(inner) if inner else ''))
+        inner = ', '.join(other.split('/')[1] for other in rooms() if other.startswith(room + '/'))
+        lines.append('  %s["%s"]' % (room, textwrap.fill(room + (': ' + inner if inner else ''), 40)
+                                     .replace('\n', '<br/>')))
         lines += ['  %s --> %s' % (room, other) for other in used]
     return '\n'.join(lines + ['```'])
 
