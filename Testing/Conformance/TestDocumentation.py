@@ -25,7 +25,8 @@ texts = {page: documentation.read(page) for page in pages}
 
 def prose(text):
     """Without blocks of code, code in a line, and the targets of links."""
-    text = re.sub(r'```.*?```|^    .*$', '', text, flags=re.DOTALL | re.MULTILINE)
+    text = re.sub(r'```.*?```', '', text, flags=re.DOTALL)
+    text = re.sub(r'^    .*$', '', text, flags=re.MULTILINE)
     return re.sub(r'`[^`]*`|\]\([^)]*\)', ' ', text)
 
 
