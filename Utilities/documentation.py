@@ -29,7 +29,7 @@ def files(*folder, ends=('.h', '.cxx')):
 def rooms():
     """The rooms in their order, which the test of the folders holds."""
     for node in ast.parse(read('Testing', 'Conformance', 'TestFolders.py')).body:
-        if isinstance(node, ast.Assign) and node.targets[0].id == 'ORDER':
+        if isinstance(node, ast.Assign) and getattr(node.targets[0], 'id', '') == 'ORDER':
             return ast.literal_eval(node.value)
     raise AssertionError('TestFolders.py has no ORDER')
 
