@@ -8,13 +8,13 @@ shapes, on demo models and on what other filters make of them, with its default 
 value of each enumeration and switch, one at a time. FOLDER gets a file for each case, with points,
 connectivity, all arrays and field data, or the error messages. Durations are left out. It takes about
 four CPU minutes with VTK_SMP_MAX_THREADS=1 OMP_NUM_THREADS=1. Cases are in FilterCases.py,
-new names in FilterRenames.py.
+new names and differences that are meant in FilterChanges.py.
 
 `compare` prints the cases that differ (with --all: every case), then a row for each filter. Size is
 the diagonal of the box for points, the largest magnitude for other arrays. It exits with 1 if a
 difference exceeds LIMIT of the size, if a number of points, a cell, a word or an array's type differs,
-if a case, array or fact is gone, or if only one of both is an error. New cases, arrays and facts, and
-the wording of errors, are reported only.
+if a case, array or fact is gone, or if only one of both is an error. New cases, arrays and facts, the
+wording of errors and what FilterChanges.EXPECTED names are reported only.
 """
 import argparse
 import glob
@@ -25,7 +25,7 @@ import sys
 
 import numpy
 
-import FilterRenames
+import FilterChanges
 
 LIMIT = 1e-10  # largest difference / size
 DURATION = re.compile('Seconds|Memory')  # in the name of an array: no result
@@ -106,8 +106,8 @@ def write_outputs(arguments):
         kept = {'filter': numpy.array(name), 'case': numpy.array(case)}
         try:
             outputs, messages = run()
-        except RuntimeError as error:
-            outputs, messages = [], [str(error)]
+        except Exception as error:  # of an input that another filter makes: this case's outcome
+            outputs, messages = [], ['%s: %s' % (type(error).__name__, error)]
         if isinstance(outputs, bytes):
             kept['content'] = numpy.array(outputs.decode())
         elif not messages:
@@ -116,7 +116,7 @@ def write_outputs(arguments):
         # Messages begin with where in the code they come from.
         text = ' '.join(re.sub(r'(?s)^.*?\(0x[0-9a-f]+\): ', '', each).strip() for each in messages
                         if 'returned failure for request' not in each)
-        if text:
+        if messages:
             kept['error'] = numpy.array(text)
         spent = cpu_time() - begin
         seconds[name] = seconds.get(name, 0.0) + spent
@@ -139,21 +139,19 @@ def renamed(text, renames):
 
 
 def text_difference(before, after):
-    """(largest difference of numbers, their size), or None if words differ."""
-    if before == after:
-        return 0.0, 1.0
-    number = r'[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?|[-+]?\.\d+(?:[eE][-+]?\d+)?'
+    """(largest difference of numbers with a point, their size), or None if anything else differs."""
+    number = r'[-+]?(?:\d+\.\d*|\.\d+)(?:[eE][-+]?\d+)?'
     if re.sub(number, '#', before) != re.sub(number, '#', after):
         return None
     a, b = (numpy.array(re.findall(number, text), float) for text in (before, after))
-    return abs(a - b).max(), abs(a).max()
+    return (abs(a - b).max(), abs(a).max()) if a.size else (0.0, 1.0)
 
 
 def array_difference(key, before, after):
     """(largest difference, size, what else differs)."""
     if key == 'content':
         found = text_difference(str(before), str(after))
-        return (found + ('',)) if found else (math.inf, 1.0, 'other words')
+        return found + ('',) if found else (math.inf, 1.0, 'other words')
     if before.dtype.kind != after.dtype.kind or (
             before.dtype != after.dtype and before.dtype.kind not in 'U'):
         return math.inf, 1.0, '%s became %s' % (before.dtype, after.dtype)
@@ -175,31 +173,43 @@ def array_difference(key, before, after):
     return difference, size, '%d of %d values' % ((~same).sum(), same.size)
 
 
-def case_difference(before, after):
+def reason(names, key):
+    """Why an array is meant to be gone or to differ, or None."""
+    for case, array, why in FilterChanges.EXPECTED:
+        if re.search(case, ': '.join(names)) and re.search(array, key):
+            return why
+    return None
+
+
+def case_difference(names, before, after):
     """(number of arrays, largest difference / size, whether the bits are the same, remarks, failed)."""
     remarks, worst, failed, same = [], 0.0, False, True
     if ('error' in before) != ('error' in after):
         message = str((before.get('error') if 'error' in before else after['error']))
         return 0, math.inf, False, [('error before: ' if 'error' in before else 'error now: ') +
                                     message[:200]], True
-    before = {renamed(key, FilterRenames.ARRAYS): value for key, value in before.items()}
+    before = {renamed(key, FilterChanges.ARRAY_NAMES): value for key, value in before.items()}
     if 'error' in before and str(before['error']) != str(after['error']):
         remarks.append('the message was: %s; is: %s' % (before['error'], after['error']))
     skipped = {'filter', 'case', 'error'}
     keys = before.keys() - skipped
     for key in sorted(keys - after.keys()):
-        remarks.append('gone: ' + key)
-        failed, same = True, False
+        why = reason(names, key)
+        remarks.append('gone: ' + key + (' (%s)' % why if why else ''))
+        failed, same = failed or not why, False
     for key in sorted(after.keys() - skipped - keys):
         remarks.append('new: ' + key)
     for key in sorted(keys & after.keys()):
         difference, size, words = array_difference(key, before[key], after[key])
+        if difference == 0.0 and not words:
+            continue
+        same = False
         ratio = difference / size if size else (math.inf if difference else 0.0)
-        if ratio > 0.0:
-            remarks.append('%s: %s / %s = %.1e, %s' % (
-                key, format(difference, '.3g'), format(size, '.3g'), ratio, words))
-        same = same and ratio == 0.0 and not words
-        worst = max(worst, ratio)
+        why = reason(names, key)
+        if not why:
+            worst = max(worst, ratio)
+        remarks.append('%s: %.3g / %.3g = %.1e %s%s' % (
+            key, difference, size, ratio, words, ' (%s)' % why if why else ''))
     return len(keys), worst, same, remarks, failed or worst > LIMIT
 
 
@@ -209,7 +219,8 @@ def read_folder(folder):
     for path in sorted(glob.glob(os.path.join(folder, '*.npz'))):
         with numpy.load(path) as held:
             name, case = str(held['filter']), str(held['case'])
-        found[FilterRenames.FILTERS.get(name, name), renamed(case, FilterRenames.PROPERTIES)] = path
+        name = FilterChanges.FILTER_NAMES.get(name, name)
+        found[name, renamed(case, FilterChanges.PROPERTY_NAMES)] = path
     assert found, 'there are no outputs in ' + folder
     return found
 
@@ -233,7 +244,7 @@ def compare_outputs(arguments):
             row['failed'] += gone
             continue
         old, new = load(before[names]), load(after[names])
-        arrays, worst, same, remarks, failed = case_difference(old, new)
+        arrays, worst, same, remarks, failed = case_difference(names, old, new)
         row['cases'] += 1
         row['errors'] += 'error' in new
         row['arrays'] += arrays

@@ -22,7 +22,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 sys.path += [os.path.join(ROOT, 'Utilities'), os.path.join(ROOT, 'Testing'),
              os.path.join(ROOT, 'Testing', 'Conformance')]
 
-import FilterRenames
+import FilterChanges
 import filters
 import off
 import shapetesting
@@ -241,7 +241,7 @@ def in_blocks(data):
 
 # Running a filter.
 PRESENT = set(filters.names())
-OLD_NAMES = {new: old for renames in (FilterRenames.FILTERS, FilterRenames.PROPERTIES)
+OLD_NAMES = {new: old for renames in (FilterChanges.FILTER_NAMES, FilterChanges.PROPERTY_NAMES)
              for old, new in renames.items()}
 
 
@@ -293,6 +293,7 @@ def chained(name, inputs, settings):
         raise RuntimeError('%s in a chain: %s' % (name, ' '.join(messages)))
     return outputs
 
+
 port_of = of(lambda outputs, port: outputs[port])
 
 
@@ -313,9 +314,7 @@ def file_lines(name, inputs, settings):
         path = os.path.join(folder, 'file')
         writer.SetFileName(path)
         writer.SetInputDataObject(0, inputs[0]())
-        messages = []
-        writer.AddObserver('ErrorEvent', lambda *_: messages.append('error'))
-        writer.Write()
+        messages = shapetesting.run(writer)
         content = open(path, 'rb').read() if os.path.exists(path) else b''
     return content, messages
 
@@ -323,7 +322,7 @@ def file_lines(name, inputs, settings):
 def alternatives(smproxy, settings):
     """(property's new name, value) of each other value of its enumerations and switches."""
     for key, held in filters.properties(smproxy):
-        key = FilterRenames.PROPERTIES.get(key, key)
+        key = FilterChanges.PROPERTY_NAMES.get(key, key)
         if key == 'Dragging' or held.GetInformationOnly() or held.IsA('vtkSMInputProperty'):
             continue
         current = settings.get(key, held.GetElement(0) if held.GetNumberOfElements() == 1 else None)
@@ -657,6 +656,6 @@ def all_cases():
             words = ''.join(', %s=%s' % item for item in variant.items())
             yield name, case + words, functools.partial(
                 file_lines if is_writer else execute, name, inputs, {**settings, **variant})
-    missing = {FilterRenames.FILTERS.get(name, name) for name in PRESENT} | set(writers)
+    missing = {FilterChanges.FILTER_NAMES.get(name, name) for name in PRESENT} | set(writers)
     missing -= known
     assert not missing, 'there are no cases of ' + ', '.join(sorted(missing))
