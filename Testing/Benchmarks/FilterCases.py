@@ -634,6 +634,13 @@ def options():
                           ('SegmentArray', 'Mark')):
         yield 'ShapeDeform', 'eight, ' + option, [shape('eight'), handle(shape('eight'))], {
             option: array}, False
+    for name in ('camel', 'bear'):
+        for value in (0, 1, 2):
+            yield 'ShapeDeform', '%s, multiresolution %d' % (name, value), [
+                shape(name), handle(shape(name))], {'Multiresolution': value}, False
+    for name in ('mushroom', 'three_peaks'):
+        yield 'ShapeFillHoles', name + ', multiresolution', [shape(name)], {
+            'FillMethod': 1, 'Multiresolution': 1}, False
 
 
 CASES = (distances, parameterizations, spectra, cuts_and_fills, pastes, deformations, solids,
