@@ -7,8 +7,9 @@
 shapes, on demo models and on what other filters make of them, with its default options and with each
 value of each enumeration and switch, one at a time. FOLDER gets a file for each case, with points,
 connectivity, all arrays and field data, or the error messages. Durations are left out. It takes about
-four CPU minutes with VTK_SMP_MAX_THREADS=1 OMP_NUM_THREADS=1. Cases are in FilterCases.py,
-new names and differences that are meant in FilterChanges.py.
+four CPU minutes. Set VTK_SMP_MAX_THREADS=1 OMP_NUM_THREADS=1 for both builds: the last bits of Shape
+Laplace Spectrum depend on the number of threads. Cases are in FilterCases.py, new names and
+differences that are meant in FilterChanges.py.
 
 `compare` prints the cases that differ (with --all: every case), then a row for each filter. Size is
 the diagonal of the box for points, the largest magnitude for other arrays. It exits with 1 if a
