@@ -189,7 +189,6 @@ def case_difference(names, before, after):
         message = str((before.get('error') if 'error' in before else after['error']))
         return 0, math.inf, False, [('error before: ' if 'error' in before else 'error now: ') +
                                     message[:200]], True
-    before = {renamed(key, FilterChanges.ARRAY_NAMES): value for key, value in before.items()}
     if 'error' in before and str(before['error']) != str(after['error']):
         remarks.append('the message was: %s; is: %s' % (before['error'], after['error']))
     skipped = {'filter', 'case', 'error'}
@@ -228,7 +227,7 @@ def read_folder(folder):
 
 def load(path):
     with numpy.load(path) as held:
-        return {key: held[key] for key in held.files}
+        return {renamed(key, FilterChanges.ARRAY_NAMES): held[key] for key in held.files}
 
 
 def compare_outputs(arguments):
