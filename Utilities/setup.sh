@@ -9,7 +9,7 @@ packages=(
   g++ cmake ninja-build ccache git ca-certificates
   # ParaView and what its CMake package asks for
   paraview paraview-dev python3-paraview qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
-  libqt5opengl5-dev libopenmpi-dev libdouble-conversion-dev libglew-dev
+  libqt5opengl5-dev libqt5svg5 libopenmpi-dev libdouble-conversion-dev libglew-dev
   # libraries
   libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
   libsuitesparse-dev libtet1.5-dev libboost-dev

@@ -136,6 +136,21 @@ class Window:
 
             shapemap_step(%r)''' % self.file('step%d' % self.steps)))
 
+    def fill_screen(self):
+        """The window covers the screen, so that the screen's pixels are its own."""
+        self.python('''
+            import subprocess
+            subprocess.check_call(['xdotool', 'search', '--onlyvisible', '--name', 'ParaView',
+                                   'windowmove', '0', '0', 'windowsize', '1600', '1000'])''')
+        self.wait(1000)
+
+    def screenshot(self, path):
+        """Writes a PNG file of the screen: the window, with its menus and dialogs."""
+        self.wait(1000)
+        self.python('''
+            import subprocess
+            subprocess.check_call(['import', '-window', 'root', %r])''' % path)
+
     def picture(self, baseline):
         """The active view looks like Testing/Baselines/`baseline`."""
         picture = os.path.join(shapetesting.BUILD, 'Testing', 'Temporary', baseline)
