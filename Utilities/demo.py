@@ -5,7 +5,8 @@
    part, like the bunny's ears, exponentially with its length, until next to nothing of the sphere is
    left for it; Area Weight keeps it large enough.
 3. The surface with its sphere positions as its map array is the boundary of the solid: Shape Harmonic
-   Volume Map carries the hexahedra into the ball, and brings its distance field back to them.
+   Volume Map carries the hexahedra into the ball, untangles those that the map inverts (Fold Free), and
+   the ball's distance field is brought back to the model.
 4. What came out is written and drawn.
 
 It raises where a hexahedron is inverted, a triangle of the sphere is flipped or a filter fails.
@@ -138,7 +139,7 @@ def main(model_path, folder):
     save(simple.OutputPort(parameterize, 1), path('sphere.vtp'))
 
     # The solid into the ball.
-    harmonic = simple.ShapeHarmonicVolumeMap(Domain=remesh, Boundary=parameterize)
+    harmonic = simple.ShapeHarmonicVolumeMap(Domain=remesh, Boundary=parameterize, FoldFree=1)
     outputs, map_seconds = update(harmonic, 'harmonic map into the ball')
     errors = [fact(outputs[0], 'HarmonicVolumeMap.' + name)
               for name in ('RMSEVertices', 'RMSEInside', 'Maximum')]
@@ -146,11 +147,18 @@ def main(model_path, folder):
         raise RuntimeError('%d points of the hexahedra are not in the map\'s domain' % fact(
             outputs[0], 'HarmonicVolumeMap.OutsidePoints'))
 
-    # The ball's distance field, which each point of the hexahedra brings back with it.
-    in_ball = simple.Calculator(Input=harmonic, Function='1 - mag(coords)',
-                                ResultArrayName='BoundaryDistance')
-    back = simple.Calculator(Input=in_ball, Function='SourcePosition', CoordinateResults=1)
-    save(in_ball, path('ball.vtu'))
+    in_ball = vtk_to_numpy(outputs[0].GetCellData().GetArray('ScaledJacobian'))
+    by_map = simple.ShapeApplyVolumeMap(Input=remesh, Map=simple.OutputPort(harmonic, 1))
+    folded = update(by_map, 'the map alone')[0][0].GetCellData().GetArray('ScaledJacobian')
+    folded = vtk_to_numpy(folded)
+    if in_ball.min() <= 0.0:
+        raise RuntimeError('%d hexahedra of the ball are inverted' % (in_ball <= 0.0).sum())
+
+    # The ball's distance field, and the model's hexahedra with it: the points are the same ones.
+    ball = simple.Calculator(Input=harmonic, Function='1 - mag(coords)', ResultArrayName='BoundaryDistance')
+    field = simple.PassArrays(Input=ball, PointDataArrays=['BoundaryDistance'], CellDataArrays=[])
+    back = simple.AppendAttributes(Input=[remesh, field])
+    save(ball, path('ball.vtu'))
     save(back, path('hexahedra.vtu'))
     save(simple.OutputPort(harmonic, 1), path('charges.vtp'))
     simple.SaveData(path('levels.csv'), proxy=simple.OutputPort(harmonic, 2))
@@ -168,6 +176,8 @@ Hexahedra    %d, by method %s; scaled Jacobian %.2f at least, %.3f in the mean, 
              %.2f %% of the diagonal from the surface at most
 Sphere map   %d triangles flipped; the 5 %% of the surface shrunk most have %.1e of the sphere
              (%.1e of it in the conformal map, area weight 0)
+Ball         by the map alone: scaled Jacobian %.3f at least, %.3f in the mean, %d hexahedra inverted;
+             with Fold Free: %.1e at least, %.3f in the mean, %d inverted
 Volume map   error on the sphere %.2e at points, %.2e inside triangles, at most %.2e
              (of the longest side; root mean square, root mean square, largest)
 Charges      %d in %d levels
@@ -175,7 +185,8 @@ Seconds      hexahedra %.1f, sphere map %.1f, volume map %.1f, pictures %.1f, al
 Results      %s''' % (
         len(model), len(corners), len(jacobians), fact(solid, 'HexRemesh.Method'), jacobians.min(),
         jacobians.mean(), 100.0 * fact(solid, 'HexRemesh.Distance') / surface.GetLength(),
-        flipped, share, conformal_share, *errors, charges, outputs[2].GetNumberOfRows() - 1,
+        flipped, share, conformal_share, folded.min(), folded.mean(), (folded <= 0.0).sum(),
+        in_ball.min(), in_ball.mean(), (in_ball <= 0.0).sum(), *errors, charges, outputs[2].GetNumberOfRows() - 1,
         remesh_seconds, sphere_seconds, map_seconds, picture_seconds, time.time() - START, folder),
         flush=True)
 

@@ -26,17 +26,11 @@ w.python('''
     Render()  # the first picture of a view resets its camera
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [1.5, 1, 5], [0, 0, 0], [0, 1, 0]
     view.ResetCamera()
-    view.GetActiveCamera().Zoom(1.7)
-    import subprocess
-    subprocess.check_call(['xdotool', 'search', '--onlyvisible', '--name', 'ParaView',
-                           'windowmove', '0', '0', 'windowsize', '1600', '1000'])''' % (
+    view.GetActiveCamera().Zoom(1.7)''' % (
     shapetesting.data_file('DentedSphere3k.vtp'), shapetesting.data_file('Ball.vtu')))
 w.select('/0/0/0/1|0')  # the sphere: an input that suits every filter
-w.event('menubar', 'process_events', '1000')
+w.fill_screen()
 w.event('menubar', 'activate', 'menuFilters')
 w.event('menubar/menuFilters', 'activate', 'ShapeMap')
-w.event('menubar', 'process_events', '1000')
-w.python('''
-    import subprocess
-    subprocess.check_call(['import', '-window', 'root', %r])''' % picture)
+w.screenshot(picture)
 w.run()

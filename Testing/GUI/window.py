@@ -1,6 +1,6 @@
 """Drives the real ParaView window as a user does: menus, buttons, dialogs, and questions put to its
 Python shell. Steps are collected, then run() plays them in a fresh window that knows no settings of
-any user, and raises if a widget is missing, a check differs, a step raises or the window hangs.
+any user unless it is given a home, and raises if a widget is missing, a check differs, a step raises or the window hangs.
 
 Widgets are named by their path of Qt object names; a missing one is reported with those that exist."""
 import os
@@ -10,6 +10,8 @@ import subprocess
 import tempfile
 import textwrap
 from xml.etree import ElementTree
+
+from paraview.servermanager import vtkSMProxyManager
 
 import shapetesting
 
@@ -27,10 +29,27 @@ ESCAPE, ENTER, BACKSPACE, DELETE = 0x01000000, 0x01000004, 0x01000003, 0x0100000
 
 
 class Window:
-    def __init__(self, port=None):
-        """port: of the server to connect to; None is the built-in one."""
-        self.server = [] if port is None else ['--server-url=cs://localhost:%d' % port]
+    def __init__(self, port=None, options=(), finds_plugin=True, home=None):
+        """port: of the server to connect to; None is the built-in one. options: more of them for the
+        command. finds_plugin: whether PV_PLUGIN_PATH names the plugin's folder. home: the user's folder,
+        whose settings are read and written; None is an empty one, and settings are not used."""
         self.folder = tempfile.mkdtemp(prefix='shapemap-window-')
+        self.command = ['paraview', *options]
+        if port is not None:
+            self.command.append('--server-url=cs://localhost:%d' % port)
+        if home is None:
+            self.command.append('--dr')
+            home = self.folder
+        else:
+            # The welcome dialog would have to be closed before the window can be.
+            version = [getattr(vtkSMProxyManager, 'GetVersion' + part)() for part in ('Major', 'Minor', 'Patch')]
+            settings = os.path.join(home, 'ParaView', 'ParaView%d.%d.%d.ini' % tuple(version))
+            if not os.path.exists(settings):
+                os.makedirs(os.path.dirname(settings), exist_ok=True)
+                with open(settings, 'w') as file:
+                    file.write('[General]\nGeneralSettings.ShowWelcomeDialog=false\n')
+        self.finds_plugin = finds_plugin
+        self.home = home
         self.events = ElementTree.Element('pqevents')
         self.steps = 0
 
@@ -136,6 +155,21 @@ class Window:
 
             shapemap_step(%r)''' % self.file('step%d' % self.steps)))
 
+    def fill_screen(self):
+        """The window covers the screen, so that the screen's pixels are its own."""
+        self.python('''
+            import subprocess
+            subprocess.check_call(['xdotool', 'search', '--onlyvisible', '--name', 'ParaView',
+                                   'windowmove', '0', '0', 'windowsize', '1600', '1000'])''')
+        self.wait(1000)
+
+    def screenshot(self, path):
+        """Writes a PNG file of the screen: the window, with its menus and dialogs."""
+        self.wait(1000)
+        self.python('''
+            import subprocess
+            subprocess.check_call(['import', '-window', 'root', %r])''' % path)
+
     def picture(self, baseline):
         """The active view looks like Testing/Baselines/`baseline`."""
         picture = os.path.join(shapetesting.BUILD, 'Testing', 'Temporary', baseline)
@@ -151,10 +185,12 @@ class Window:
         ElementTree.ElementTree(self.events).write(script)
         environment = dict(
             os.environ, PYTHONPATH=os.pathsep.join([os.path.dirname(__file__), os.environ.get('PYTHONPATH', '')]),
-            HOME=self.folder, XDG_CONFIG_HOME=self.folder, XDG_RUNTIME_DIR=self.folder)
+            HOME=self.home, XDG_CONFIG_HOME=self.home, XDG_RUNTIME_DIR=self.folder)
+        if not self.finds_plugin:
+            environment.pop('PV_PLUGIN_PATH')
         with open(self.file('output.txt'), 'w+') as output:
             window = subprocess.Popen(
-                ['paraview', '--dr', *self.server, '--test-script=' + script, '--exit'], env=environment,
+                [*self.command, '--test-script=' + script, '--exit'], env=environment,
                 stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
                 start_new_session=True)
             try:

@@ -3,6 +3,7 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeMeasures.h"
 
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -102,6 +103,11 @@ void vtkShapeAlgorithm::DeclareMovedOutput()
 {
   this->MovedOutputs.insert(static_cast<int>(this->OutputTypes.size()));
   this->DeclareOutput("");
+}
+
+void vtkShapeAlgorithm::DeclareMeasures(const std::set<std::string>& names)
+{
+  this->MadeMeasures = names;
 }
 
 int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -307,6 +313,29 @@ void vtkShapeAlgorithm::WriteCounts(vtkInformationVector* outputs)
   }
 }
 
+void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
+{
+  vtkShapeMeasures::Filter filter;
+  filter.Name = std::string(this->GetClassName()).substr(std::string("vtkShape").size());
+  filter.Made = this->MadeMeasures;
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      filter.Inputs.push_back(this->GetInputDataObject(port, i));
+    }
+    for (const GatheredInput& whole : this->GatheredInputs[port])
+    {
+      filter.Inputs.push_back(
+        whole.Data ? whole.Data.Get() : static_cast<vtkDataObject*>(whole.Grid));
+    }
+  }
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkShapeMeasures::Renew(filter, vtkDataObject::GetData(outputs, port));
+  }
+}
+
 int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
 {
   bool stopped = true;
@@ -317,6 +346,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
     this->Counts.clear();
     this->PrepareInputs();
     this->Execute(this->MakeProgress());
+    this->RenewMeasures(outputs);
     stopped = false;
   }
   catch (const shape::Aborted&)

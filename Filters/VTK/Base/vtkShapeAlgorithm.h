@@ -14,6 +14,8 @@
  *   whose text starts with the filter's label; every output is left empty and the pipeline is told
  *   that the request failed. Where one process fails, all of them do.
  * - An output like an input has its type.
+ * - An output with points of its own keeps no measure of its inputs' geometry: see
+ * vtkShapeMeasures.
  */
 #ifndef vtkShapeAlgorithm_h
 #define vtkShapeAlgorithm_h
@@ -150,6 +152,10 @@ protected:
   void DeclareMovedOutput();
   ///@}
 
+  /// Says which measures Execute computes of the outputs. Other measures on an output with points
+  /// of its own are the inputs', and are removed or computed again after Execute.
+  void DeclareMeasures(const std::set<std::string>& names);
+
   /// During Execute: field data of an output, the sum of the processes' numbers. Every process
   /// calls it for the same facts in the same order.
   void AddCount(int port, const std::string& name, double own);
@@ -195,6 +201,7 @@ private:
   void RequestOwnExtents(vtkInformationVector** inputs);
   int Run(vtkInformationVector* outputs);
   void WriteCounts(vtkInformationVector* outputs);
+  void RenewMeasures(vtkInformationVector* outputs);
   void PrepareInputs();
   shape::Progress MakeProgress();
 
@@ -202,6 +209,7 @@ private:
   std::vector<std::string> OutputTypes; ///< empty: like an input
   std::map<int, int> LikeInput;         ///< which input, for outputs that are not like the first
   std::set<int> MovedOutputs;
+  std::set<std::string> MadeMeasures;
   std::vector<std::vector<GatheredInput>> GatheredInputs;
   std::vector<Count> Counts;
   vtkMultiProcessController* Controller = nullptr;

@@ -23,25 +23,6 @@
 
 #include <algorithm>
 
-namespace
-{
-
-/// The active normals, and what is called so.
-void RemoveNormals(vtkDataSetAttributes* attributes)
-{
-  for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    vtkAbstractArray* array = attributes->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if (array == attributes->GetNormals() || name == "Normals")
-    {
-      attributes->RemoveArray(i);
-    }
-  }
-}
-
-} // namespace
-
 std::vector<vtkDataSet*> vtkShapeComposite::Of(vtkDataObject* data)
 {
   std::vector<vtkDataSet*> leaves;
@@ -95,8 +76,6 @@ void vtkShapeComposite::Move(vtkDataSet* input, const Eigen::MatrixXd& points, v
   moved->GetPointData()->PassData(input->GetPointData());
   moved->GetCellData()->PassData(input->GetCellData());
   moved->GetFieldData()->PassData(input->GetFieldData());
-  RemoveNormals(moved->GetPointData());
-  RemoveNormals(moved->GetCellData());
 }
 
 void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Points points,

@@ -27,9 +27,9 @@ enum class Points
 std::string FindOutputType(vtkDataObject* input, Points points);
 
 /**
- * Makes `output` the data set `input` with its points at `points` and its attributes passed on,
- * without Normals, which no longer fit. Image data and rectilinear grids become structured grids:
- * see vtkShapeAlgorithm.
+ * Makes `output` the data set `input` with its points at `points` and its attributes passed on;
+ * vtkShapeMeasures removes those that no longer hold. Image data and rectilinear grids become
+ * structured grids: see vtkShapeAlgorithm.
  */
 void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
 

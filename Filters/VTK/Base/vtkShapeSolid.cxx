@@ -175,7 +175,6 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
     to->InterpolatePoint(from, i, parents, shares.data());
     pointIds->SetValue(i, -1);
   }
-  to->RemoveArray("Normals"); // which no longer fit
   to->AddArray(pointIds);
   to->AddArray(vtkShapeConvert::ToArray(positions, "SourcePosition"));
   vtkCellData* cells = output->GetCellData();
@@ -187,7 +186,6 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
     cells->CopyData(input->GetCellData(), result.OriginalCell(cell), cell);
     cellIds->SetValue(cell, result.OriginalCell(cell));
   }
-  cells->RemoveArray("Normals");
   cells->AddArray(cellIds);
   cells->AddArray(vtkShapeConvert::ToIntegers(result.Inverted, "Inverted"));
   output->GetFieldData()->PassData(input->GetFieldData());

@@ -42,6 +42,7 @@ vtkShapeCutFeature::vtkShapeCutFeature()
     "Selection", PortData::Selection, PortUse::Optional, { "vtkSelection", "vtkDataSet" });
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkPolyData");
+  this->DeclareMeasures({ "Normals" });
 }
 
 vtkShapeCutFeature::~vtkShapeCutFeature() = default;

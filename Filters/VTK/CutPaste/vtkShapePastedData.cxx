@@ -72,7 +72,7 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
   const auto append = [&](vtkAbstractArray* like, vtkAbstractArray* one, vtkAbstractArray* other)
   {
     const std::string name = like->GetName() ? like->GetName() : "";
-    if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() || name == "Normals" ||
+    if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
       like == first->GetGlobalIds() || like == second->GetGlobalIds() ||
       result->HasArray(name.c_str()))
     {

@@ -26,6 +26,8 @@ vtkShapeExponentialMap::vtkShapeExponentialMap()
 {
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutput("vtkPolyData");
+  this->DeclareMeasures({ "Normals", "GeodesicDistance", "ConformalDistortion",
+    "SymmetricDirichlet", "Flipped", "Torn" });
 }
 
 vtkShapeExponentialMap::~vtkShapeExponentialMap() = default;

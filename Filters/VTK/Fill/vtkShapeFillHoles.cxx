@@ -38,6 +38,7 @@ vtkShapeFillHoles::vtkShapeFillHoles()
 {
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutput("vtkPolyData");
+  this->DeclareMeasures({ "Normals" });
 }
 
 vtkShapeFillHoles::~vtkShapeFillHoles() = default;

@@ -46,6 +46,7 @@ vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
   this->DeclareMovedOutput();
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkTable");
+  this->DeclareMeasures({ "Inverted" });
 }
 
 void vtkShapeHarmonicVolumeMap::AddFeatures(vtkAlgorithmOutput* feature)

@@ -2,6 +2,7 @@
 
 #include "vtkShapeConvert.h"
 #include "vtkShapeHexResult.h"
+#include "vtkShapeMeasures.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -26,6 +27,10 @@ vtkShapeHexRemesh::vtkShapeHexRemesh()
     "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareOutput("vtkPolyData");
+  std::set<std::string> measures = { "Distance" };
+  measures.insert(
+    vtkShapeMeasures::NamesOfHexahedra().begin(), vtkShapeMeasures::NamesOfHexahedra().end());
+  this->DeclareMeasures(measures);
 }
 
 void vtkShapeHexRemesh::AddInnerSurfaces(vtkAlgorithmOutput* surface)

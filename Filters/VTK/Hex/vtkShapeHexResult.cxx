@@ -1,6 +1,7 @@
 #include "vtkShapeHexResult.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeMeasures.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -9,7 +10,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkMeshQuality.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -62,19 +62,13 @@ Eigen::VectorXd Distances(
   return shape::SurfaceLocator(surface).Find(midpoints).Distances;
 }
 
-using Setter = void (vtkMeshQuality::*)();
-
-/// What the arrays are called, and how Verdict is asked for them.
-const std::pair<const char*, Setter> Measures[] = {
-  { "Jacobian", &vtkMeshQuality::SetHexQualityMeasureToJacobian },
-  { "Volume", &vtkMeshQuality::SetHexQualityMeasureToVolume },
-  { "EdgeRatio", &vtkMeshQuality::SetHexQualityMeasureToEdgeRatio },
-  { "MaxAspectFrobenius", &vtkMeshQuality::SetHexQualityMeasureToMaxAspectFrobenius },
-  { "EquiangleSkew", &vtkMeshQuality::SetHexQualityMeasureToEquiangleSkew },
-  { "Skew", &vtkMeshQuality::SetHexQualityMeasureToSkew },
-  { "Taper", &vtkMeshQuality::SetHexQualityMeasureToTaper },
-  { "Shape", &vtkMeshQuality::SetHexQualityMeasureToShape },
-};
+/// Verdict's measures but for the scaled Jacobian, of which the kernel takes care.
+std::vector<std::string> Measures()
+{
+  std::vector<std::string> names = vtkShapeMeasures::NamesOfHexahedra();
+  names.erase(std::find(names.begin(), names.end(), "ScaledJacobian"));
+  return names;
+}
 
 /// How many scaled Jacobians lie in each twentieth of [0, 1].
 vtkSmartPointer<vtkIntArray> Histogram(const shape::HexMesh& solid)
@@ -107,23 +101,6 @@ vtkSmartPointer<vtkDoubleArray> Summary(vtkDataArray* values, const std::string&
   return summary;
 }
 
-/// Verdict's measures of each hexahedron.
-void AddMeasures(vtkUnstructuredGrid* hexahedra)
-{
-  vtkNew<vtkUnstructuredGrid> cells;
-  cells->CopyStructure(hexahedra);
-  for (const auto& [name, set] : Measures)
-  {
-    vtkNew<vtkMeshQuality> quality;
-    quality->SetInputData(cells);
-    (quality->*set)();
-    quality->Update();
-    vtkDataArray* values = quality->GetOutput()->GetCellData()->GetArray("Quality");
-    values->SetName(name);
-    hexahedra->GetCellData()->AddArray(values);
-  }
-}
-
 /// The share of quads that are at most 1.2 times as large as wanted, and the median ratio.
 void AddSizeFacts(const Eigen::VectorXd& ratios, vtkDataObject* output)
 {
@@ -145,7 +122,7 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
   output->GetCellData()->AddArray(
     vtkShapeConvert::ToArray(shape::ComputeScaledJacobians(fit.Solid), "ScaledJacobian"));
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(fit.RegionOf, "RegionId"));
-  AddMeasures(output);
+  vtkShapeMeasures::AddToHexahedra(Measures(), output);
 }
 
 void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
@@ -233,9 +210,9 @@ void vtkShapeHexResult::AddFacts(
   {
     AddSizeFacts(result.SizeRatios, output);
   }
-  for (const auto& [name, unused] : Measures)
+  for (const std::string& name : Measures())
   {
     output->GetFieldData()->AddArray(
-      Summary(hexahedra->GetCellData()->GetArray(name), std::string("HexRemesh.") + name));
+      Summary(hexahedra->GetCellData()->GetArray(name.c_str()), "HexRemesh." + name));
   }
 }

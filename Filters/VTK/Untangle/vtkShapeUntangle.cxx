@@ -22,6 +22,7 @@ vtkShapeUntangle::vtkShapeUntangle()
   this->DeclareInput("Input", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("RestShape", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareOutput("vtkUnstructuredGrid");
+  this->DeclareMeasures({ "Inverted" });
 }
 
 namespace

@@ -294,7 +294,8 @@ std::optional<PatchedBoundary> MatchFeatures(
   PatchedBoundary boundary;
   boundary.Quads = FindBoundaryQuads(mesh);
   boundary.PatchOf = AssignQuadsToPatches(mesh.Points, boundary.Quads, surface, features);
-  if (boundary.PatchOf.size() == 0 || !Matcher(mesh, surface.GetSurface(), features, boundary).Run())
+  if (boundary.PatchOf.size() == 0 ||
+    !Matcher(mesh, surface.GetSurface(), features, boundary).Run())
   {
     return std::nullopt;
   }

@@ -1,0 +1,245 @@
+#include "vtkShapeMeasures.h"
+
+#include "vtkShapeComposite.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkMeshQuality.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace
+{
+
+using Setter = void (vtkMeshQuality::*)();
+
+const std::pair<const char*, Setter> OfHexahedra[] = {
+  { "ScaledJacobian", &vtkMeshQuality::SetHexQualityMeasureToScaledJacobian },
+  { "Jacobian", &vtkMeshQuality::SetHexQualityMeasureToJacobian },
+  { "Volume", &vtkMeshQuality::SetHexQualityMeasureToVolume },
+  { "EdgeRatio", &vtkMeshQuality::SetHexQualityMeasureToEdgeRatio },
+  { "MaxAspectFrobenius", &vtkMeshQuality::SetHexQualityMeasureToMaxAspectFrobenius },
+  { "EquiangleSkew", &vtkMeshQuality::SetHexQualityMeasureToEquiangleSkew },
+  { "Skew", &vtkMeshQuality::SetHexQualityMeasureToSkew },
+  { "Taper", &vtkMeshQuality::SetHexQualityMeasureToTaper },
+  { "Shape", &vtkMeshQuality::SetHexQualityMeasureToShape },
+};
+
+/// Measures with real values. Arrays of integers with these names are labels.
+const std::set<std::string> RealMeasures = {
+  // Verdict's measures of cells, and the arrays of vtkMeshQuality, vtkCellQuality,
+  // vtkCellSizeFilter
+  "Area", "AspectBeta", "AspectFrobenius", "AspectGamma", "AspectRatio", "CollapseRatio",
+  "Condition", "Diagonal", "Dimension", "Distortion", "EdgeRatio", "EquiangleSkew",
+  "EquivolumeSkew", "Jacobian", "MaxAngle", "MaxAspectFrobenius", "MaxEdgeRatio", "MaxStretch",
+  "MeanAspectFrobenius", "MeanRatio", "MedAspectFrobenius", "MinAngle", "NodalJacobianRatio",
+  "NormalizedInradius", "Oddy", "RadiusRatio", "RelativeSizeSquared", "ScaledJacobian", "Shape",
+  "ShapeAndSize", "Shear", "ShearAndSize", "Skew", "SquishIndex", "Stretch", "Taper", "Volume",
+  "Warpage", "Quality", "CellQuality", "Length",
+  // other filters of VTK
+  "Distance", "Gauss_Curvature", "Mean_Curvature", "Maximum_Curvature", "Minimum_Curvature",
+  "Normals", "Tangents",
+  // ShapeMap: distances, distortion of maps, spectra
+  "BoundaryDistance", "GeodesicDistance", "JacobianDeterminant", "Dirichlet", "SymmetricDirichlet",
+  "ConformalDistortion", "ARAP", "AreaDifference", "ConformalDifference", "AreaEigenfunctions",
+  "ConformalEigenfunctions", "Eigenfunctions", "HeatKernelSignature", "WaveKernelSignature",
+  "Embedding"
+};
+
+/// Measures that are counts or yes and no.
+const std::set<std::string> IntegerMeasures = { "Degenerate", "Flipped", "Inverted", "Torn" };
+
+/// What an array is a measure of; empty if it is none. Active normals may have any name.
+std::string MeasureOf(vtkFieldData* data, vtkAbstractArray* array)
+{
+  auto* attributes = vtkDataSetAttributes::SafeDownCast(data);
+  if (attributes && array == attributes->GetNormals())
+  {
+    return "Normals";
+  }
+  const std::string name = array->GetName() ? array->GetName() : "";
+  const int type = array->GetDataType();
+  const bool isReal = type == VTK_DOUBLE || type == VTK_FLOAT;
+  return (isReal && RealMeasures.count(name)) || IntegerMeasures.count(name) ? name : "";
+}
+
+/// The filter whose fact this is, HexRemesh for HexRemesh.CellSize; empty if it is none of
+/// ShapeMap's.
+std::string FilterOf(const std::string& fact)
+{
+  static const std::set<std::string> filters = []
+  {
+    std::istringstream classes(SHAPEMAP_CLASSES);
+    std::set<std::string> names;
+    for (std::string name; classes >> name;)
+    {
+      names.insert(name.substr(std::string("vtkShape").size()));
+    }
+    return names;
+  }();
+  const std::string prefix = fact.substr(0, fact.find('.'));
+  return prefix != fact && filters.count(prefix) ? prefix : "";
+}
+
+/// "Mesh Hexahedron Quality": what vtkMeshQuality sums up in the field data.
+bool IsQualitySummary(const std::string& name)
+{
+  const std::string begin = "Mesh ", end = " Quality";
+  return name.size() > begin.size() + end.size() && name.compare(0, begin.size(), begin) == 0 &&
+    name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Arrays and points of data objects.
+using Parts = std::set<const vtkObject*>;
+
+void AddParts(vtkDataObject* data, Parts& parts)
+{
+  for (const int kind : { vtkDataObject::POINT, vtkDataObject::CELL, vtkDataObject::FIELD })
+  {
+    vtkFieldData* arrays = data->GetAttributesAsFieldData(kind);
+    for (int i = 0; arrays && i < arrays->GetNumberOfArrays(); ++i)
+    {
+      parts.insert(arrays->GetAbstractArray(i));
+    }
+  }
+  auto* set = vtkPointSet::SafeDownCast(data);
+  if (set && set->GetPoints())
+  {
+    parts.insert(set->GetPoints());
+  }
+}
+
+Parts PartsOf(const std::vector<vtkDataObject*>& inputs)
+{
+  Parts parts;
+  for (vtkDataObject* input : inputs)
+  {
+    AddParts(input, parts);
+    for (vtkDataSet* leaf : vtkShapeComposite::Of(input))
+    {
+      AddParts(leaf, parts);
+    }
+  }
+  return parts;
+}
+
+/// Removes the measures that the filter did not make, and returns which they are.
+std::vector<std::string> Remove(
+  const vtkShapeMeasures::Filter& filter, const Parts& inherited, vtkFieldData* data)
+{
+  std::vector<std::string> removed;
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const std::string measure = MeasureOf(data, array);
+    if (!measure.empty() && (inherited.count(array) || !filter.Made.count(measure)))
+    {
+      removed.push_back(measure);
+      data->RemoveArray(i);
+    }
+  }
+  return removed;
+}
+
+/// Removes the facts of other filters, and of this one's last use.
+void RemoveFacts(const vtkShapeMeasures::Filter& filter, const Parts& inherited, vtkFieldData* data)
+{
+  Remove(filter, inherited, data);
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    const std::string from = FilterOf(name);
+    const bool isOwn = from == filter.Name && !inherited.count(array);
+    if ((!from.empty() && !isOwn) || IsQualitySummary(name))
+    {
+      data->RemoveArray(i);
+    }
+  }
+}
+
+bool AreHexahedra(vtkDataSet* data)
+{
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    if (data->GetCellType(cell) != VTK_HEXAHEDRON)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+const std::vector<std::string>& vtkShapeMeasures::NamesOfHexahedra()
+{
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> all;
+    for (const auto& [name, unused] : OfHexahedra)
+    {
+      all.emplace_back(name);
+    }
+    return all;
+  }();
+  return names;
+}
+
+void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtkDataSet* hexahedra)
+{
+  auto cells = vtkSmartPointer<vtkDataSet>::Take(hexahedra->NewInstance());
+  cells->CopyStructure(hexahedra);
+  for (const auto& [name, set] : OfHexahedra)
+  {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+    {
+      continue;
+    }
+    vtkNew<vtkMeshQuality> quality;
+    quality->SetInputData(cells);
+    (quality->*set)();
+    quality->Update();
+    vtkDataArray* values = quality->GetOutput()->GetCellData()->GetArray("Quality");
+    values->SetName(name);
+    hexahedra->GetCellData()->AddArray(values);
+  }
+}
+
+void vtkShapeMeasures::Renew(const Filter& filter, vtkDataObject* output)
+{
+  const Parts inherited = PartsOf(filter.Inputs);
+  bool isMoved = false;
+  for (vtkDataSet* leaf : vtkShapeComposite::Of(output))
+  {
+    auto* points = vtkPointSet::SafeDownCast(leaf);
+    if (!points || inherited.count(points->GetPoints()))
+    {
+      continue;
+    }
+    isMoved = true;
+    Remove(filter, inherited, leaf->GetAttributesAsFieldData(vtkDataObject::POINT));
+    const std::vector<std::string> ofCells =
+      Remove(filter, inherited, leaf->GetAttributesAsFieldData(vtkDataObject::CELL));
+    RemoveFacts(filter, inherited, leaf->GetFieldData());
+    if (AreHexahedra(leaf))
+    {
+      AddToHexahedra(ofCells, leaf);
+    }
+  }
+  if (isMoved)
+  {
+    RemoveFacts(filter, inherited, output->GetFieldData());
+  }
+}
