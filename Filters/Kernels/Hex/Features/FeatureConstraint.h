@@ -16,7 +16,7 @@ class FeatureConstraint : public PointConstraint
 {
 public:
   /// points: how many the hexahedra have.
-  FeatureConstraint(const Mesh& surface, const SurfaceFeatures& features,
+  FeatureConstraint(const Surface& surface, const SurfaceFeatures& features,
     const PatchedBoundary& boundary, Eigen::Index points);
 
   int Freedom(int point) const override;

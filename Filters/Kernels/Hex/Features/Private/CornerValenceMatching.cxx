@@ -1,7 +1,6 @@
 #include "Hex/Features/Private/CornerValenceMatching.h"
 
-#include "Hex/Features/CornerRings.h"
-#include "Hex/Features/PatchedBoundary.h"
+#include "Hex/Features/PatchRings.h"
 
 #include <algorithm>
 #include <iterator>
@@ -123,20 +122,20 @@ private:
 class Gathering
 {
 public:
-  Gathering(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Mesh& surface,
+  Gathering(const Eigen::MatrixXd& points, const QuadSurface& quads, const Mesh& surface,
     const SurfaceFeatures& features, Eigen::VectorXi& patchOf)
     : Points(points)
-    , Quads(quads)
+    , Boundary(quads)
+    , Quads(quads.Quads())
     , Surface(surface)
     , Features(features)
-    , QuadOf(MapEdgesToQuads(quads))
     , QuadsAt(points.rows())
     , PatchOf(patchOf)
     , Taken(points.rows(), 0)
   {
-    for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+    for (int q = 0; q < static_cast<int>(this->Quads.rows()); ++q)
     {
-      for (const int point : quads.row(q))
+      for (const int point : this->Quads.row(q))
       {
         this->QuadsAt[point].push_back(q);
       }
@@ -186,27 +185,12 @@ private:
     return nearest;
   }
 
-  /// The quad after `quad` on the way around a point of it, counter-clockwise.
-  int NextAround(int point, int quad) const
-  {
-    return this->QuadOf.at({ point, this->Before(point, quad) });
-  }
-
-  int Before(int point, int quad) const
-  {
-    const auto row = this->Quads.row(quad);
-    const auto k = std::find(row.begin(), row.end(), point) - row.begin();
-    return row((k + 3) % 4);
-  }
-
   PatchRing RingAt(int point) const
   {
     std::vector<int> labels;
-    int quad = this->QuadsAt[point].front();
-    for (std::size_t i = 0; i < this->QuadsAt[point].size(); ++i)
+    for (const int quad : this->Boundary.QuadsAround(point, this->QuadsAt[point].front()))
     {
       labels.push_back(this->PatchOf(quad));
-      quad = this->NextAround(point, quad);
     }
     return BuildPatchRing(labels);
   }
@@ -278,7 +262,7 @@ private:
         {
           return {};
         }
-        if (disc.count(this->QuadOf.at({ b, a })) == 0)
+        if (disc.count(this->Boundary.QuadAt({ b, a })) == 0)
         {
           next[a] = b;
           ++edges;
@@ -306,12 +290,12 @@ private:
     {
       const int before = loop[(i + loop.size() - 1) % loop.size()], point = loop[i];
       const int after = loop[(i + 1) % loop.size()];
-      const int last = this->QuadOf.at({ after, point });
-      int quad = this->QuadOf.at({ point, before }), changes = 0;
+      const int last = this->Boundary.QuadAt({ after, point });
+      int quad = this->Boundary.QuadAt({ point, before }), changes = 0;
       labels.push_back(this->PatchOf(quad));
       while (quad != last)
       {
-        const int following = this->NextAround(point, quad);
+        const int following = this->Boundary.NextAround(point, quad);
         changes += this->PatchOf(following) != this->PatchOf(quad);
         quad = following;
       }
@@ -375,7 +359,7 @@ private:
       for (int k = 0; k < 4; ++k)
       {
         const int a = this->Quads(quad, k), b = this->Quads(quad, (k + 1) % 4);
-        if (a < b && disc.count(this->QuadOf.at({ b, a })) > 0 &&
+        if (a < b && disc.count(this->Boundary.QuadAt({ b, a })) > 0 &&
           (onLoop.count(a) == 0 || onLoop.count(b) == 0))
         {
           paths.AddEdge(
@@ -430,7 +414,7 @@ private:
       for (int k = 0; k < 4; ++k)
       {
         const int beyond =
-          this->QuadOf.at({ this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) });
+          this->Boundary.QuadAt({ this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) });
         if (disc.count(beyond) == 0 && label.emplace(quad, this->PatchOf(beyond)).second)
         {
           open.push_back(quad);
@@ -443,7 +427,7 @@ private:
       for (int k = 0; k < 4; ++k)
       {
         const QuadEdge edge = { this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) };
-        const int beyond = this->QuadOf.at(edge);
+        const int beyond = this->Boundary.QuadAt(edge);
         if (disc.count(beyond) > 0 && chains.count(edge) == 0 &&
           label.emplace(beyond, label.at(quad)).second)
         {
@@ -458,10 +442,10 @@ private:
   }
 
   const Eigen::MatrixXd& Points;
+  const QuadSurface& Boundary;
   const Eigen::MatrixXi& Quads;
   const Mesh& Surface;
   const SurfaceFeatures& Features;
-  const std::map<QuadEdge, int> QuadOf;
   std::vector<std::vector<int>> QuadsAt;
   Eigen::VectorXi& PatchOf;
   std::vector<char> Taken; ///< points that are corners
@@ -469,7 +453,7 @@ private:
 
 } // namespace
 
-void MatchCornerValences(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+void MatchCornerValences(const Eigen::MatrixXd& points, const QuadSurface& quads,
   const Mesh& surface, const SurfaceFeatures& features, Eigen::VectorXi& patchOf)
 {
   Gathering(points, quads, surface, features, patchOf).Run();

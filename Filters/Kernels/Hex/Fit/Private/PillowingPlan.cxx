@@ -1,6 +1,6 @@
 #include "Hex/Fit/Private/PillowingPlan.h"
 
-#include "Hex/Features/CornerRings.h"
+#include "Hex/Features/PatchRings.h"
 
 #include <Eigen/Geometry>
 
