@@ -1,7 +1,6 @@
 #include "Hex/Fit/InnerInterfaces.h"
 
 #include "Distance/HausdorffDistance.h"
-#include "Hex/Fit/Private/Padding.h"
 #include "Hex/Fit/Private/Pillowing.h"
 
 #include <algorithm>
