@@ -23,7 +23,7 @@ SampledDistances ComputeDistancesToSurface(
 }
 
 HausdorffDistances ComputeHausdorffDistance(
-  const Mesh& first, const Mesh& second, const Progress& progress)
+  const Surface& first, const Surface& second, const Progress& progress)
 {
   return {
     ComputeDistancesToSurface(

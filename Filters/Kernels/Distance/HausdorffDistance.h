@@ -41,6 +41,6 @@ struct HausdorffDistances
  * Throws InvalidInput where a surface has no triangle, Aborted.
  */
 HausdorffDistances ComputeHausdorffDistance(
-  const Mesh& first, const Mesh& second, const Progress& progress = {});
+  const Surface& first, const Surface& second, const Progress& progress = {});
 
 } // namespace shape

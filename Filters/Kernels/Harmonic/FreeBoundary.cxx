@@ -5,7 +5,7 @@
 #include "Quality/MapQuality.h"
 #include "Search/ClosestPoint.h"
 #include "Tetrahedra/Tetrahedralize.h"
-#include "Untangle/SimplexPatch.h"
+#include "Untangle/FoldoverFree.h"
 #include "Untangle/Untangle.h"
 
 #include <Eigen/Geometry>

@@ -52,7 +52,7 @@ HexRemeshResult OfHexes(GridHexesResult result)
     result.Crossings, {}, result.InnerCreasesKept, result.TopologyAgreed };
 }
 
-HexRemeshResult ByGrid(const Mesh& surface, const HexRemeshOptions& options,
+HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
   const Progress& progress, const HexRemeshGuides& guides = {})
 {
   GridHexesOptions grid = OfGrid(options);
@@ -70,12 +70,12 @@ HexRemeshResult ByGrid(const Mesh& surface, const HexRemeshOptions& options,
 
 /// With smaller cells where creases are farther than wanted, if there may be so many and they are
 /// nearer then: the distance falls with the square of the size.
-PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions options,
+PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions options,
   PolycubeHexesResult coarse, const Progress& progress)
 {
   const HexFit& fit = coarse.Fit;
   const double wanted =
-    GridHexesOptions().WantedCreaseDistance * ComputeBoxDiagonal(surface.Points);
+    GridHexesOptions().WantedCreaseDistance * ComputeBoxDiagonal(surface.Points());
   if (!fit.CreasesKept || fit.MinimumScaledJacobian < MinimumScaledJacobian ||
     fit.Creases.Distance <= wanted)
   {
@@ -103,18 +103,18 @@ PolycubeHexesResult WithNearCreases(const Mesh& surface, PolycubeHexesOptions op
 }
 
 /// As grids are, by BuildGridHexahedra.
-void SnapIfFar(HexFit& fit, const Mesh& surface, const Progress& progress)
+void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress)
 {
   SnappingOptions options;
-  options.WantedDistance = GridHexesOptions().WantedDistance * ComputeBoxDiagonal(surface.Points);
+  options.WantedDistance = GridHexesOptions().WantedDistance * ComputeBoxDiagonal(surface.Points());
   if (fit.Inverted == 0 && fit.Distance > options.WantedDistance)
   {
-    SnapToSurface(fit, SurfaceLocator(surface), options, progress);
+    SnapToSurface(fit, surface, options, progress);
   }
 }
 
 HexRemeshResult ByPolycube(
-  const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
+  const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
   PolycubeHexesOptions polycube;
   polycube.CellSize = options.CellSize;
@@ -136,7 +136,7 @@ HexRemeshResult ByPolycube(
     std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {}, true };
 }
 
-HexRemeshResult ByGivenPolycube(const Mesh& surface, const HexRemeshOptions& options,
+HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& options,
   const GivenPolycube& polycube, const Progress& progress)
 {
   const GivenPolycubeCells cells = BuildPolycubeCells(
@@ -146,8 +146,8 @@ HexRemeshResult ByGivenPolycube(const Mesh& surface, const HexRemeshOptions& opt
   result.CellSize = cells.CellSize;
   result.Features =
     FindFeatures(surface, options.FeatureAngle, MinimumPatch * cells.CellSize * cells.CellSize);
-  result.Fit = FitHexahedra(cells.Solid, SurfaceLocator(surface), result.Features,
-    { options.PaddingLayers }, progress.Part(0.4, 0.9));
+  result.Fit = FitHexahedra(
+    cells.Solid, surface, result.Features, { options.PaddingLayers }, progress.Part(0.4, 0.9));
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
   result.Reason = "the given Polycube, carried by the harmonic map of its SourcePosition";
   return result;
@@ -169,9 +169,9 @@ bool IsBetter(const HexFit& one, const HexFit& other)
 }
 
 HexRemeshResult ByTheBetter(
-  const Mesh& surface, const HexRemeshOptions& options, const Progress& progress)
+  const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
-  const double diagonal = ComputeBoxDiagonal(surface.Points);
+  const double diagonal = ComputeBoxDiagonal(surface.Points());
   std::optional<HexRemeshResult> polycube;
   std::string why;
   try
@@ -239,7 +239,7 @@ bool NeedsGrid(const HexRemeshGuides& guides)
 
 /// Throws where options contradict the guides.
 void RequireAgreement(
-  const Mesh& surface, const HexRemeshOptions& options, const HexRemeshGuides& guides)
+  const Surface& surface, const HexRemeshOptions& options, const HexRemeshGuides& guides)
 {
   if (guides.Sizes.size() > 0)
   {
@@ -263,7 +263,7 @@ void RequireAgreement(
   }
 }
 
-HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
+HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
   const HexRemeshGuides& guides, const Progress& progress)
 {
   if (guides.Polycube.Surface.Triangles.rows() > 0)
@@ -303,7 +303,7 @@ HexRemeshResult Made(const Mesh& surface, const HexRemeshOptions& options,
 
 } // namespace
 
-HexRemeshResult RemeshHexahedra(const Mesh& surface, const HexRemeshOptions& given,
+HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& given,
   const Progress& progress, const HexRemeshGuides& guides)
 {
   RequireInRange(given);
@@ -312,7 +312,7 @@ HexRemeshResult RemeshHexahedra(const Mesh& surface, const HexRemeshOptions& giv
   HexRemeshOptions options = given;
   if (given.CellsOnLongestSide > 0)
   {
-    options.CellSize = ComputeLongestBoxEdge(surface.Points) / given.CellsOnLongestSide;
+    options.CellSize = ComputeLongestBoxEdge(surface.Points()) / given.CellsOnLongestSide;
   }
   HexRemeshResult result = Made(surface, options, guides, progress);
   if (result.Fit.Released > 0)

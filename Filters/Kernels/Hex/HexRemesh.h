@@ -4,6 +4,7 @@
 #include "Hex/Fit/HexFit.h"
 #include "Hex/Polycube/GivenPolycube.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <Eigen/Core>
@@ -77,7 +78,7 @@ struct HexRemeshResult
  * is out of its range or contradicts the guides; SolveFailure where a method finds no hexahedra, or
  * leaves some inverted; Aborted.
  */
-HexRemeshResult RemeshHexahedra(const Mesh& surface, const HexRemeshOptions& options = {},
+HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& options = {},
   const Progress& progress = {}, const HexRemeshGuides& guides = {});
 
 } // namespace shape

@@ -37,10 +37,11 @@ long long Key(int a, int b)
 class Remesher
 {
 public:
-  Remesher(const Mesh& surface, const IsotropicRemeshOptions& options)
-    : Original(surface)
+  Remesher(const Surface& original, const IsotropicRemeshOptions& options)
+    : Original(original)
     , Length(options.EdgeLength)
   {
+    const Mesh& surface = original;
     for (Eigen::Index i = 0; i < surface.Points.rows(); ++i)
     {
       this->Points.emplace_back(surface.Points.row(i).transpose());
@@ -478,7 +479,7 @@ private:
 } // namespace
 
 Mesh RemeshIsotropically(
-  const Mesh& surface, const IsotropicRemeshOptions& options, const Progress& progress)
+  const Surface& surface, const IsotropicRemeshOptions& options, const Progress& progress)
 {
   if (!std::isfinite(options.EdgeLength) || options.EdgeLength <= 0.0 || options.Rounds < 1)
   {

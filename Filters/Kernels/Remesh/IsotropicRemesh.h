@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -26,6 +27,6 @@ struct IsotropicRemeshOptions
  * Aborted.
  */
 Mesh RemeshIsotropically(
-  const Mesh& surface, const IsotropicRemeshOptions& options, const Progress& progress = {});
+  const Surface& surface, const IsotropicRemeshOptions& options, const Progress& progress = {});
 
 } // namespace shape

@@ -100,11 +100,13 @@ bool IsFacingOutwards(const Mesh& mesh, const Component& component, const RowVec
 
 } // namespace
 
-Mesh OrientByNesting(const Mesh& mesh, const std::string& name, const Progress& progress)
+Surface OrientByNesting(const Surface& surface, const std::string& name, const Progress& progress)
 {
-  const Topology topology = RequireClosedSurface(mesh, name);
+  const Topology topology = RequireClosedSurface(surface, name);
+  const Mesh& mesh = surface;
   const std::vector<Component> components = Split(mesh, topology);
   Mesh oriented = mesh;
+  bool isOriented = true;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
     const RowVector3d position = mesh.Points.row(mesh.Triangles(components[i].Triangles[0], 0));
@@ -134,6 +136,7 @@ Mesh OrientByNesting(const Mesh& mesh, const std::string& name, const Progress& 
     }
     if (IsFacingOutwards(mesh, components[i], position) != (depth % 2 == 0))
     {
+      isOriented = false;
       for (const int t : components[i].Triangles)
       {
         std::swap(oriented.Triangles(t, 1), oriented.Triangles(t, 2));
@@ -141,7 +144,7 @@ Mesh OrientByNesting(const Mesh& mesh, const std::string& name, const Progress& 
     }
     progress(static_cast<double>(i + 1) / static_cast<double>(components.size()));
   }
-  return oriented;
+  return isOriented ? surface : Surface(std::move(oriented));
 }
 
 } // namespace shape

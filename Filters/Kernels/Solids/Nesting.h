@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <string>
 
@@ -9,7 +9,7 @@ namespace shape
 {
 
 /**
- * The surface of a solid with voids, facing out of the solid.
+ * The surface of a solid with voids, facing out of the solid: the given one itself if it does.
  *
  * Each component of a closed surface bounds the solid from outside, or a void in it, or a solid in
  * that void, and so on: a component that lies within an even number of others is turned to face
@@ -17,10 +17,11 @@ namespace shape
  * Where a component lies is told by the winding number at one of its points (Mesh/Mesh.h), and
  * whether two meet by exact orientations (Geometry/Crossings.h).
  *
- * mesh: as for RequireClosedSurface; `name` is what errors call it. Throws InvalidInput where it is
- * not closed, or where two components touch or cross, so that neither lies within the other;
+ * surface: as for RequireClosedSurface; `name` is what errors call it. Throws InvalidInput where it
+ * is not closed, or where two components touch or cross, so that neither lies within the other;
  * Aborted. A component that touches itself is not noticed.
  */
-Mesh OrientByNesting(const Mesh& mesh, const std::string& name, const Progress& progress = {});
+Surface OrientByNesting(
+  const Surface& surface, const std::string& name, const Progress& progress = {});
 
 } // namespace shape

@@ -14,11 +14,24 @@ namespace shape
 namespace
 {
 
-/// Triangles that are neighbours across an edge.
-std::vector<std::vector<int>> Neighbours(const Mesh& mesh)
+/// What is kept with a surface: it must not hold the surface itself.
+struct KeptBoundary
 {
-  std::vector<std::vector<int>> neighbours(mesh.Triangles.rows());
-  const std::vector<HalfEdge> edges = SortHalfEdges(mesh.Triangles, mesh.Points.rows());
+  int Crossings = 0;
+  Surface Bounding; ///< if there are crossings
+};
+
+/// A surface whose triangles face the other way.
+struct KeptReverse
+{
+  Surface Reversed;
+};
+
+/// Triangles that are neighbours across an edge.
+std::vector<std::vector<int>> Neighbours(const Surface& surface)
+{
+  std::vector<std::vector<int>> neighbours(surface.Triangles().rows());
+  const std::vector<HalfEdge>& edges = surface.HalfEdges();
   for (std::size_t i = 0; i + 1 < edges.size(); ++i)
   {
     if (edges[i].Low() == edges[i + 1].Low() && edges[i].High() == edges[i + 1].High())
@@ -30,11 +43,10 @@ std::vector<std::vector<int>> Neighbours(const Mesh& mesh)
   return neighbours;
 }
 
-} // namespace
-
-SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progress)
+KeptBoundary FindBoundary(const Surface& surface, const Progress& progress)
 {
-  SolidBoundaryResult result{ mesh };
+  const Mesh& mesh = surface;
+  KeptBoundary result;
   const Eigen::Index count = mesh.Triangles.rows();
   // Flat triangles bound nothing, and say nothing about crossings that others do not.
   std::vector<char> apart(count, 0);
@@ -62,7 +74,7 @@ SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progr
     apart[solid[crossing.First]] = apart[solid[crossing.Second]] = 1;
   }
   // All triangles that hang together without crossing others are on one side of them.
-  const std::vector<std::vector<int>> neighbours = Neighbours(mesh);
+  const std::vector<std::vector<int>> neighbours = Neighbours(surface);
   const double step = 1e-6 * ComputeLongestBoxEdge(mesh.Points);
   std::vector<int> kept;
   std::vector<char> seen = apart;
@@ -100,8 +112,27 @@ SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progr
       kept.insert(kept.end(), cluster.begin(), cluster.end());
     }
   }
-  result.Surface.Triangles = mesh.Triangles(kept, Eigen::all);
+  result.Bounding = Surface(mesh.Points, mesh.Triangles(kept, Eigen::all));
   return result;
+}
+
+} // namespace
+
+SolidBoundaryResult ExtractSolidBoundary(const Surface& surface, const Progress& progress)
+{
+  const auto kept = surface.Cached<KeptBoundary>([&]() { return FindBoundary(surface, progress); });
+  return { kept->Crossings > 0 ? kept->Bounding : surface, kept->Crossings };
+}
+
+Surface OrientOutwards(const Surface& surface)
+{
+  if (ComputeEnclosedVolume(surface) >= 0.0)
+  {
+    return surface;
+  }
+  return surface
+    .Cached<KeptReverse>([&]() { return KeptReverse{ OrientOutwards(surface.AsMesh()) }; })
+    ->Reversed;
 }
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -9,7 +9,9 @@ namespace shape
 /// What bounds the solid that a surface winds around.
 struct SolidBoundaryResult
 {
-  Mesh Surface;      ///< the surface's triangles that bound it, with all of the surface's points
+  /// The surface's triangles that bound it, with all of the surface's points; the surface itself
+  /// where all do.
+  shape::Surface Surface;
   int Crossings = 0; ///< pairs of triangles that cross or touch; with none, nothing is left out
 };
 
@@ -17,10 +19,13 @@ struct SolidBoundaryResult
  * The triangles of a closed surface that may cross itself, without those inside the solid that it
  * winds around at least once (Jacobson, Kavan and Sorkine-Hornung, "Robust inside-outside
  * segmentation using generalized winding numbers", 2013). Triangles that cross others are kept
- * whole, so a little of them may lie inside.
+ * whole, so a little of them may lie inside. The result is kept with the surface.
  *
- * mesh: closed, oriented consistently. Throws Aborted.
+ * surface: closed, oriented consistently. Throws Aborted.
  */
-SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progress = {});
+SolidBoundaryResult ExtractSolidBoundary(const Surface& surface, const Progress& progress = {});
+
+/// The closed surface with its normals pointing outwards: itself if they do.
+Surface OrientOutwards(const Surface& surface);
 
 } // namespace shape

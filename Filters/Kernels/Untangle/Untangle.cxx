@@ -8,7 +8,7 @@
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"
 #include "Untangle/Private/TutteEmbedding.h"
-#include "Untangle/SimplexPatch.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <algorithm>
 #include <cmath>

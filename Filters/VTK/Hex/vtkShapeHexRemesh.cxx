@@ -93,7 +93,7 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
     return;
   }
   vtkPolyData* input = this->GetGatheredInput(0).Data;
-  const shape::Mesh surface = vtkShapeConvert::ToMesh(input, "the Surface");
+  const shape::Surface surface = vtkShapeConvert::ToMesh(input, "the Surface");
   const shape::HexRemeshGuides guides = this->ReadGuides();
   const shape::HexRemeshResult result =
     shape::RemeshHexahedra(surface, this->Options, progress.Part(0.0, 0.98), guides);

@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPoints> ToVtkPoints(const Eigen::MatrixXd& points)
 
 /// Distances of the quads' middles to a surface.
 Eigen::VectorXd Distances(
-  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const shape::Mesh& surface)
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const shape::Surface& surface)
 {
   Eigen::MatrixXd midpoints(quads.rows(), 3);
   for (Eigen::Index q = 0; q < quads.rows(); ++q)
@@ -126,7 +126,7 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
 }
 
 void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
-  const shape::Mesh& surface, const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output)
+  const shape::Surface& surface, const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output)
 {
   const shape::HexFit& fit = result.Fit;
   Eigen::Index count = fit.Quads.rows();

@@ -15,7 +15,7 @@ namespace vtkShapeHexResult
 void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
 
 /// The quads of the boundary, then those of the interfaces. innerSurfaces: one for each of these.
-void WriteBoundary(const shape::HexRemeshResult& result, const shape::Mesh& surface,
+void WriteBoundary(const shape::HexRemeshResult& result, const shape::Surface& surface,
   const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output);
 
 /// Field data. hexahedra: as they are written.

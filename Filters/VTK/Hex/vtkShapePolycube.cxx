@@ -46,7 +46,7 @@ vtkSmartPointer<vtkIntArray> Labels(vtkDataSet* data, const Eigen::MatrixXd& pla
 void vtkShapePolycube::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
-  const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   const shape::PolycubeResult map = shape::BuildPolycube(mesh, this->Options, progress);
 
   // This process's points come block by block.

@@ -38,16 +38,16 @@ PolylinePosition NearestOn(const Eigen::MatrixXd& line, const Eigen::RowVector3d
 
 } // namespace
 
-FeatureConstraint::FeatureConstraint(const Mesh& surface, const SurfaceFeatures& features,
+FeatureConstraint::FeatureConstraint(const Surface& surface, const SurfaceFeatures& features,
   const PatchedBoundary& boundary, Eigen::Index points)
   : PositionOf(points, Free)
   , FreedomOf(points, 3)
   , Guesses(points, -1)
 {
-  for (const Mesh& patch : SplitIntoPatches(surface, features))
+  for (const Surface& patch : boundary.Patches)
   {
     this->Positions.emplace_back(patch);
-    this->Normals.emplace_back(ComputeAreaVectors(patch).rowwise().normalized());
+    this->Normals.emplace_back(patch.AreaVectors().rowwise().normalized());
   }
   for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
   {
@@ -71,7 +71,7 @@ FeatureConstraint::FeatureConstraint(const Mesh& surface, const SurfaceFeatures&
   {
     if (const int corner = boundary.CornerOf[point]; corner >= 0)
     {
-      put(point, surface.Points.row(features.Corners[corner]));
+      put(point, surface.Points().row(features.Corners[corner]));
     }
   }
 }

@@ -3,7 +3,7 @@
 #include "Hex/Features/PatchedBoundary.h"
 #include "Remesh/SurfaceFeatures.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/SimplexPatch.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ class FeatureConstraint : public PointConstraint
 {
 public:
   /// points: how many the hexahedra have.
-  FeatureConstraint(const Mesh& surface, const SurfaceFeatures& features,
+  FeatureConstraint(const Surface& surface, const SurfaceFeatures& features,
     const PatchedBoundary& boundary, Eigen::Index points);
 
   int Freedom(int point) const override;

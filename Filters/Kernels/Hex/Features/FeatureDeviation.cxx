@@ -1,7 +1,6 @@
 #include "Hex/Features/FeatureDeviation.h"
 
-#include "Hex/Features/PatchedBoundary.h"
-#include "Mesh/HexMesh.h"
+#include "Mesh/QuadSurface.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
@@ -86,11 +85,11 @@ Segments ChainsOf(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf)
 {
   Segments chains{ points, {} };
-  const std::map<QuadEdge, int> quadOf = MapEdgesToQuads(quads);
-  for (const auto& [edge, quad] : quadOf)
+  const QuadSurface boundary(quads);
+  for (const auto& [edge, quad] : boundary.Edges())
   {
     if (edge.first < edge.second &&
-      patchOf(quad) != patchOf(quadOf.at({ edge.second, edge.first })))
+      patchOf(quad) != patchOf(boundary.QuadAt({ edge.second, edge.first })))
     {
       chains.Ends.push_back({ edge.first, edge.second });
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Untangle/SimplexPatch.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <Eigen/Core>
 

@@ -2,9 +2,11 @@
 
 #include "Hex/Features/Private/CurveResampling.h"
 #include "Hex/Features/Private/QuadPatches.h"
+#include "Mesh/QuadSurface.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -30,17 +32,17 @@ std::vector<std::set<int>> PatchesAround(const PatchedBoundary& boundary, std::s
 
 /// The patches around each corner of a surface.
 std::vector<std::set<int>> PatchesAroundCorners(
-  const Mesh& surface, const SurfaceFeatures& features)
+  const Surface& surface, const SurfaceFeatures& features)
 {
-  std::vector<int> cornerOf(surface.Points.rows(), -1);
+  std::vector<int> cornerOf(surface.Points().rows(), -1);
   for (std::size_t i = 0; i < features.Corners.size(); ++i)
   {
     cornerOf[features.Corners[i]] = static_cast<int>(i);
   }
   std::vector<std::set<int>> around(features.Corners.size());
-  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  for (Eigen::Index t = 0; t < surface.Triangles().rows(); ++t)
   {
-    for (const int point : surface.Triangles.row(t))
+    for (const int point : surface.Triangles().row(t))
     {
       if (cornerOf[point] >= 0)
       {
@@ -49,6 +51,18 @@ std::vector<std::set<int>> PatchesAroundCorners(
     }
   }
   return around;
+}
+
+/// The patches of a surface; where there is one, the surface, whose search tree is then the
+/// patch's.
+std::vector<Surface> PatchesOf(const Surface& surface, const SurfaceFeatures& features)
+{
+  if (features.Patches == 1)
+  {
+    return { surface };
+  }
+  std::vector<Mesh> patches = SplitIntoPatches(surface, features);
+  return { std::make_move_iterator(patches.begin()), std::make_move_iterator(patches.end()) };
 }
 
 /// A chain of edges between two patches of the quads.
@@ -62,7 +76,7 @@ struct Chain
 class Matcher
 {
 public:
-  Matcher(const HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features,
+  Matcher(const HexMesh& mesh, const shape::Surface& surface, const SurfaceFeatures& features,
     PatchedBoundary& boundary)
     : Points(mesh.Points)
     , Surface(surface)
@@ -95,7 +109,7 @@ private:
         if (corners[corner] == this->Around[point])
         {
           const double distance =
-            (this->Points.row(point) - this->Surface.Points.row(this->Features.Corners[corner]))
+            (this->Points.row(point) - this->Surface.Points().row(this->Features.Corners[corner]))
               .norm();
           pairs.push_back({ distance, { point, corner } });
         }
@@ -118,9 +132,9 @@ private:
 
   bool FindChains()
   {
-    const std::map<QuadEdge, int> quads = MapEdgesToQuads(this->Boundary.Quads);
+    const QuadSurface quads(this->Boundary.Quads);
     std::map<QuadEdge, int> patches;
-    for (const auto& [edge, quad] : quads)
+    for (const auto& [edge, quad] : quads.Edges())
     {
       patches[edge] = this->Boundary.PatchOf(quad);
     }
@@ -187,7 +201,7 @@ private:
     double sum = 0.0;
     for (const int point : chain.Points)
     {
-      sum += (this->Surface.Points(curve.Points, Eigen::all).rowwise() - this->Points.row(point))
+      sum += (this->Surface.Points()(curve.Points, Eigen::all).rowwise() - this->Points.row(point))
                .rowwise()
                .norm()
                .minCoeff();
@@ -214,7 +228,7 @@ private:
       else
       {
         this->Boundary.Starts.emplace_back(
-          point, this->Surface.Points.row(this->Features.Corners[corner]));
+          point, this->Surface.Points().row(this->Features.Corners[corner]));
       }
     }
   }
@@ -266,7 +280,7 @@ private:
   }
 
   const Eigen::MatrixXd& Points;
-  const Mesh& Surface;
+  const shape::Surface& Surface;
   const SurfaceFeatures& Features;
   PatchedBoundary& Boundary;
   const std::vector<std::set<int>> Around;
@@ -275,34 +289,22 @@ private:
 
 } // namespace
 
-std::map<QuadEdge, int> MapEdgesToQuads(const Eigen::MatrixXi& quads)
-{
-  std::map<QuadEdge, int> quadOf;
-  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      quadOf[{ quads(q, k), quads(q, (k + 1) % 4) }] = q;
-    }
-  }
-  return quadOf;
-}
-
 std::optional<PatchedBoundary> MatchFeatures(
-  const HexMesh& mesh, const SurfaceLocator& surface, const SurfaceFeatures& features)
+  const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features)
 {
   PatchedBoundary boundary;
   boundary.Quads = FindBoundaryQuads(mesh);
-  boundary.PatchOf = AssignQuadsToPatches(mesh.Points, boundary.Quads, surface, features);
-  if (boundary.PatchOf.size() == 0 ||
-    !Matcher(mesh, surface.GetSurface(), features, boundary).Run())
+  boundary.Patches = PatchesOf(surface, features);
+  boundary.PatchOf = AssignQuadsToPatches(
+    mesh.Points, QuadSurface(boundary.Quads), surface, features, boundary.Patches);
+  if (boundary.PatchOf.size() == 0 || !Matcher(mesh, surface, features, boundary).Run())
   {
     return std::nullopt;
   }
   return boundary;
 }
 
-bool MatchCurves(const HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features,
+bool MatchCurves(const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features,
   PatchedBoundary& boundary)
 {
   return Matcher(mesh, surface, features, boundary).Run();

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Mesh/HexMesh.h"
+#include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
-#include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
 
@@ -26,6 +26,7 @@ struct PatchedBoundary
   /// Points on curves and corners, spread along the curves.
   std::vector<std::pair<int, Eigen::RowVector3d>> Starts;
   std::map<int, Eigen::MatrixXd> Spans; ///< where points on curves may go (CurvePositions)
+  std::vector<Surface> Patches;         ///< of the surface (SplitIntoPatches)
 };
 
 /**
@@ -37,17 +38,11 @@ struct PatchedBoundary
  * mesh: its boundary is a manifold near the surface.
  */
 std::optional<PatchedBoundary> MatchFeatures(
-  const HexMesh& mesh, const SurfaceLocator& surface, const SurfaceFeatures& features);
+  const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features);
 
 /// Finds the curves and corners where the patches of the boundary meet. False where they are not
 /// those of the surface.
-bool MatchCurves(const HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features,
+bool MatchCurves(const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features,
   PatchedBoundary& boundary);
-
-/// An edge of a quad, counter-clockwise around it seen from outside.
-using QuadEdge = std::pair<int, int>;
-
-/// The quad of each edge (quads: q x 4).
-std::map<QuadEdge, int> MapEdgesToQuads(const Eigen::MatrixXi& quads);
 
 } // namespace shape

@@ -26,7 +26,7 @@ constexpr double RaisedTo = 0.55;
 
 /// The layers that creases ask for. False where these are more hexahedra than there may be, or the
 /// creases of the result are not the surface's.
-bool AddLayers(HexMesh& mesh, const Mesh& surface, const SurfaceFeatures& features, int maximum,
+bool AddLayers(HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features, int maximum,
   PatchedBoundary& boundary)
 {
   for (const std::vector<int>& patches : PlanLayers(surface, features, boundary))
@@ -45,15 +45,15 @@ void Judge(HexFit& fit)
   fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
 }
 
-void Measure(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
+void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
 {
-  fit.Distance = ComputeHausdorffDistance(
-    surface.GetSurface(), { fit.Solid.Points, SplitQuads(fit.Quads) }, progress)
-                   .Larger();
+  fit.Distance =
+    ComputeHausdorffDistance(surface, { fit.Solid.Points, SplitQuads(fit.Quads) }, progress)
+      .Larger();
 }
 
 /// With these features, if they are found on the hexahedra.
-std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface,
+std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
   const Progress& progress)
 {
@@ -71,13 +71,13 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
   {
     PillowBoundary(fit.Solid, *boundary);
   }
-  if (!AddLayers(fit.Solid, surface.GetSurface(), features, options.MaximumHexahedra, *boundary))
+  if (!AddLayers(fit.Solid, surface, features, options.MaximumHexahedra, *boundary))
   {
     return std::nullopt;
   }
   const Eigen::Index points = fit.Solid.Points.rows();
   fit.Constraint = std::make_shared<MultiSurfaceConstraint>(
-    FeatureConstraint(surface.GetSurface(), features, *boundary, points), interfaces, points);
+    FeatureConstraint(surface, features, *boundary, points), interfaces, points);
   const PointConstraint& constraint = *fit.Constraint;
   for (const auto& [point, position] : boundary->Starts)
   {
@@ -110,9 +110,8 @@ std::optional<HexFit> FitWith(const HexMesh& core, const SurfaceLocator& surface
 
 } // namespace
 
-HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
-  const SurfaceFeatures& features, const HexFitOptions& options, const Progress& progress,
-  const InnerInterfaces& interfaces)
+HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFeatures& features,
+  const HexFitOptions& options, const Progress& progress, const InnerInterfaces& interfaces)
 {
   std::optional<HexFit> fit =
     FitWith(core, surface, features, options, interfaces, progress.Part(0.0, 0.6));
@@ -127,20 +126,19 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
       fit->CreasesKept = features.Curves.empty();
     }
   }
-  fit->Creases =
-    CompareCreases(surface.GetSurface(), features, fit->Solid.Points, fit->Quads, fit->PatchOf);
+  fit->Creases = CompareCreases(surface, features, fit->Solid.Points, fit->Quads, fit->PatchOf);
   return std::move(fit.value());
 }
 
-void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOptions& options,
-  const Progress& progress)
+void SnapToSurface(
+  HexFit& fit, const Surface& surface, const SnappingOptions& options, const Progress& progress)
 {
   fit.Distance =
     SnapToFarPositions(fit.Solid, fit.Quads, surface, *fit.Constraint, options, progress);
   Judge(fit);
 }
 
-void ImproveWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress)
+void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress)
 {
   if (fit.MinimumScaledJacobian < RaisedTo)
   {
@@ -154,7 +152,7 @@ void ImproveWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& pr
 }
 
 void RelaxBoundaryAroundBad(
-  HexFit& fit, const SurfaceLocator& surface, double maximumDistance, const Progress& progress)
+  HexFit& fit, const Surface& surface, double maximumDistance, const Progress& progress)
 {
   const auto released =
     std::make_shared<OverridableConstraint>(fit.Constraint, fit.Solid.Points.rows());
@@ -168,8 +166,8 @@ void RelaxBoundaryAroundBad(
     const double maximum = std::max(maximumDistance, slack * fit.Distance);
     const auto accepts = [&](const HexMesh& mesh)
     {
-      return ComputeHausdorffDistance(surface.GetSurface(), { mesh.Points, SplitQuads(fit.Quads) })
-               .Larger() <= maximum;
+      return ComputeHausdorffDistance(surface, { mesh.Points, SplitQuads(fit.Quads) }).Larger() <=
+        maximum;
     };
     RelaxBoundaryOfWorst(fit.Solid, freedoms, RaisedTo, accepts, progress.Part(0.45, 0.95));
     Judge(fit);

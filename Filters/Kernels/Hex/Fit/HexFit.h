@@ -5,8 +5,8 @@
 #include "Hex/Fit/InnerInterfaces.h"
 #include "Hex/Fit/Snapping.h"
 #include "Mesh/HexMesh.h"
+#include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
-#include "Search/ClosestPoint.h"
 
 #include <limits>
 #include <memory>
@@ -62,8 +62,8 @@ struct HexFit
  * core: its boundary is a manifold. surface: closed, oriented consistently. features: of it. Throws
  * Aborted.
  */
-HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
-  const SurfaceFeatures& features, const HexFitOptions& options = {}, const Progress& progress = {},
+HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFeatures& features,
+  const HexFitOptions& options = {}, const Progress& progress = {},
   const InnerInterfaces& interfaces = {});
 
 /**
@@ -72,7 +72,7 @@ HexFit FitHexahedra(const HexMesh& core, const SurfaceLocator& surface,
  *
  * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
  */
-void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOptions& options,
+void SnapToSurface(HexFit& fit, const Surface& surface, const SnappingOptions& options,
   const Progress& progress = {});
 
 /**
@@ -80,7 +80,7 @@ void SnapToSurface(HexFit& fit, const SurfaceLocator& surface, const SnappingOpt
  *
  * fit: of FitHexahedra, none inverted, and surface: what it was given. Throws Aborted.
  */
-void ImproveWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& progress = {});
+void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress = {});
 
 /**
  * Frees points around hexahedra of the surface: around those that are inverted
@@ -90,7 +90,7 @@ void ImproveWorst(HexFit& fit, const SurfaceLocator& surface, const Progress& pr
  *
  * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
  */
-void RelaxBoundaryAroundBad(HexFit& fit, const SurfaceLocator& surface, double maximumDistance,
-  const Progress& progress = {});
+void RelaxBoundaryAroundBad(
+  HexFit& fit, const Surface& surface, double maximumDistance, const Progress& progress = {});
 
 } // namespace shape

@@ -1,7 +1,6 @@
 #include "Hex/Fit/InnerInterfaces.h"
 
 #include "Distance/HausdorffDistance.h"
-#include "Hex/Fit/Private/Padding.h"
 #include "Hex/Fit/Private/Pillowing.h"
 
 #include <algorithm>
@@ -125,13 +124,13 @@ MultiSurfaceConstraint::MultiSurfaceConstraint(
 {
   for (std::size_t i = 0; i < interfaces.Count(); ++i)
   {
-    const Mesh& surface = (*interfaces.Surfaces)[i].GetSurface();
+    const Surface& surface = (*interfaces.Surfaces)[i];
     const Eigen::MatrixXi& quads = interfaces.Cells->Interfaces[i];
     SurfaceFeatures features;
     features.Patches = 1;
-    features.PatchOf = Eigen::VectorXi::Zero(surface.Triangles.rows());
+    features.PatchOf = Eigen::VectorXi::Zero(surface.Triangles().rows());
     const PatchedBoundary smooth{ quads, Eigen::VectorXi::Zero(quads.rows()),
-      std::vector<int>(points, -1), std::vector<int>(points, -1), {}, {}, {} };
+      std::vector<int>(points, -1), std::vector<int>(points, -1), {}, {}, {}, { surface } };
     this->Inner.emplace_back(surface, features, smooth, points);
     for (const int point : quads.reshaped())
     {
@@ -164,15 +163,14 @@ Eigen::RowVector3d MultiSurfaceConstraint::Nearest(
 }
 
 double ComputeInterfaceDistance(const Eigen::MatrixXd& points,
-  const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<SurfaceLocator>& surfaces,
+  const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<Surface>& surfaces,
   const Progress& progress)
 {
   double largest = 0.0;
   for (std::size_t i = 0; i < interfaces.size(); ++i)
   {
     largest = std::max(largest,
-      ComputeHausdorffDistance(
-        surfaces[i].GetSurface(), { points, SplitQuads(interfaces[i]) }, progress)
+      ComputeHausdorffDistance(surfaces[i], { points, SplitQuads(interfaces[i]) }, progress)
         .Larger());
   }
   return largest;

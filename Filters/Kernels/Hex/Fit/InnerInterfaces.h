@@ -4,8 +4,8 @@
 #include "Hex/Features/PatchedBoundary.h"
 #include "Hex/Voxels/MultiMaterialVoxels.h"
 #include "Mesh/HexMesh.h"
-#include "Search/ClosestPoint.h"
-#include "Untangle/SimplexPatch.h"
+#include "Mesh/Surface.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <Eigen/Core>
 
@@ -20,7 +20,7 @@ namespace shape
 struct InnerInterfaces
 {
   const RegionCells* Cells = nullptr;
-  const std::vector<SurfaceLocator>* Surfaces = nullptr; ///< one for each of the interfaces
+  const std::vector<Surface>* Surfaces = nullptr; ///< one for each of the interfaces
 
   std::size_t Count() const { return this->Cells ? this->Cells->Interfaces.size() : 0; }
 };
@@ -73,7 +73,7 @@ private:
 /// The larger one-sided Hausdorff distance between interfaces (quads of each) and their surfaces; 0
 /// without any.
 double ComputeInterfaceDistance(const Eigen::MatrixXd& points,
-  const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<SurfaceLocator>& surfaces,
+  const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<Surface>& surfaces,
   const Progress& progress = {});
 
 } // namespace shape

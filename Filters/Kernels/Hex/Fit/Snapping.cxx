@@ -4,6 +4,7 @@
 #include "Hex/Features/OverridableConstraint.h"
 #include "Hex/Optimize/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
+#include "Search/ClosestPoint.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,12 +28,12 @@ struct FarPosition
 class Snapper
 {
 public:
-  Snapper(HexMesh& mesh, const Eigen::MatrixXi& quads, const SurfaceLocator& surface,
+  Snapper(HexMesh& mesh, const Eigen::MatrixXi& quads, const Surface& surface,
     const PointConstraint& constraint, double wanted)
     : Solid(mesh)
     , Quads(quads)
     , Triangles(SplitQuads(quads))
-    , Surface(surface)
+    , Target(surface)
     , Given(constraint)
     , Constraint(constraint, mesh.Points.rows())
     , Share(mesh.Points.rows(), 1.0)
@@ -101,10 +102,10 @@ private:
     this->Far.clear();
     this->Reached = 0.0;
     this->Add(ComputeDistancesToSurface(
-                this->Surface.GetSurface(), boundary, ComparedPositions, progress.Part(0.0, 0.5)),
+                this->Target.GetSurface(), boundary, ComparedPositions, progress.Part(0.0, 0.5)),
       &SampledDistances::Positions, &SampledDistances::Nearest);
     this->Add(ComputeDistancesToSurface(
-                boundary.GetSurface(), this->Surface, ComparedPositions, progress.Part(0.5, 1.0)),
+                boundary.GetSurface(), this->Target, ComparedPositions, progress.Part(0.5, 1.0)),
       &SampledDistances::Nearest, &SampledDistances::Positions);
     std::stable_sort(this->Far.begin(), this->Far.end(),
       [](const FarPosition& a, const FarPosition& b) { return a.Distance > b.Distance; });
@@ -199,7 +200,7 @@ private:
   HexMesh& Solid;
   const Eigen::MatrixXi& Quads;
   const Eigen::MatrixXi Triangles;
-  const SurfaceLocator& Surface;
+  const SurfaceLocator Target;
   const PointConstraint& Given;
   OverridableConstraint Constraint;
   std::vector<double> Share; ///< of the way that a point is put
@@ -211,9 +212,8 @@ private:
 
 } // namespace
 
-double SnapToFarPositions(HexMesh& mesh, const Eigen::MatrixXi& quads,
-  const SurfaceLocator& surface, const PointConstraint& constraint, const SnappingOptions& options,
-  const Progress& progress)
+double SnapToFarPositions(HexMesh& mesh, const Eigen::MatrixXi& quads, const Surface& surface,
+  const PointConstraint& constraint, const SnappingOptions& options, const Progress& progress)
 {
   Snapper snapper(mesh, quads, surface, constraint, options.WantedDistance);
   for (int round = 0; round < options.Rounds && snapper.Distance() > options.WantedDistance;

@@ -2,8 +2,8 @@
 
 #include "Base/Progress.h"
 #include "Mesh/HexMesh.h"
-#include "Search/ClosestPoint.h"
-#include "Untangle/SimplexPatch.h"
+#include "Mesh/Surface.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <array>
 
@@ -31,8 +31,7 @@ struct SnappingOptions
  * constraint: of all points. Returns the larger one-sided Hausdorff distance between the surface
  * and the quads. Throws Aborted.
  */
-double SnapToFarPositions(HexMesh& mesh, const Eigen::MatrixXi& quads,
-  const SurfaceLocator& surface, const PointConstraint& constraint, const SnappingOptions& options,
-  const Progress& progress = {});
+double SnapToFarPositions(HexMesh& mesh, const Eigen::MatrixXi& quads, const Surface& surface,
+  const PointConstraint& constraint, const SnappingOptions& options, const Progress& progress = {});
 
 } // namespace shape

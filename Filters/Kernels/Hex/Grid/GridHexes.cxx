@@ -43,15 +43,15 @@ constexpr int MaximumIdleSteps = 2;
 class GridSearch
 {
 public:
-  GridSearch(const Mesh& surface, const std::vector<Mesh>& innerSurfaces,
+  GridSearch(const Surface& surface, const std::vector<Mesh>& innerSurfaces,
     const GridHexesOptions& options, const Progress& progress)
     : Options(options)
     , Regions(surface, innerSurfaces, progress)
     , Cubes(this->Regions.Outer())
     , Bounding(this->Cubes.Boundary().Surface)
     , Diagonal(options.Diagonal > 0.0 ? options.Diagonal
-                                      : ComputeBoxDiagonal(this->Cubes.Surface().Points))
-    , AllFeatures(FindFeatures(this->Bounding.GetSurface(), options.FeatureAngle, 0.0))
+                                      : ComputeBoxDiagonal(this->Cubes.GetSurface().Points()))
+    , AllFeatures(FindFeatures(this->Bounding, options.FeatureAngle, 0.0))
   {
     for (const TopologyPreservingVoxels& inner : this->Regions.Inner())
     {
@@ -194,14 +194,13 @@ private:
         GridHexesResult result;
         result.CellSize = size;
         result.Crossings = this->Cubes.Boundary().Crossings;
-        result.Features = FindFeatures(
-          this->Bounding.GetSurface(), this->Options.FeatureAngle, MinimumPatch * size * size);
+        result.Features =
+          FindFeatures(this->Bounding, this->Options.FeatureAngle, MinimumPatch * size * size);
         result.InnerCreasesKept =
           std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
-            [&](const SurfaceLocator& inner)
+            [&](const Surface& inner)
             {
-              return FindFeatures(
-                inner.GetSurface(), this->Options.FeatureAngle, MinimumPatch * size * size)
+              return FindFeatures(inner, this->Options.FeatureAngle, MinimumPatch * size * size)
                 .Curves.empty();
             });
         result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, this->FitOptions(),
@@ -361,15 +360,15 @@ private:
         ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
         this->Options.WantedDistance * this->Diagonal);
     };
-    addFarOnSurface(this->Bounding.GetSurface(), result.Fit.Quads);
+    addFarOnSurface(this->Bounding, result.Fit.Quads);
     for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
     {
-      addFarOnSurface(this->InnerBounding[i].GetSurface(), result.Fit.Interfaces[i]);
+      addFarOnSurface(this->InnerBounding[i], result.Fit.Interfaces[i]);
     }
     if (result.Fit.CreasesKept)
     {
-      positions.AddDistant(ComputeDistancesToCurves(this->Bounding.GetSurface(), result.Features,
-                             solid.Points, result.Fit.Quads, result.Fit.PatchOf),
+      positions.AddDistant(ComputeDistancesToCurves(this->Bounding, result.Features, solid.Points,
+                             result.Fit.Quads, result.Fit.PatchOf),
         this->Options.WantedCreaseDistance * this->Diagonal);
     }
     for (const int corner : this->AllFeatures.Corners)
@@ -377,7 +376,7 @@ private:
       if (!result.Features.Curves.empty() &&
         !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
       {
-        positions.Add(this->Bounding.GetSurface().Points().row(corner));
+        positions.Add(this->Bounding.Points().row(corner));
       }
     }
     positions.AddBad(solid, AcceptedScaledJacobian);
@@ -388,8 +387,8 @@ private:
   const GridHexesOptions& Options;
   MultiMaterialVoxels Regions;
   const TopologyPreservingVoxels& Cubes; ///< of the whole solid
-  const SurfaceLocator Bounding;         ///< what bounds it
-  std::vector<SurfaceLocator> InnerBounding;
+  const Surface Bounding;                ///< what bounds it
+  std::vector<Surface> InnerBounding;
   const double Diagonal;
   const SurfaceFeatures AllFeatures; ///< patches of any size
   /// Larger cells did not have the topology.
@@ -414,7 +413,7 @@ void RequireInRange(const GridHexesOptions& options)
   RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
 }
 
-GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
+GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
   GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
@@ -453,7 +452,7 @@ GridHexesResult OfOneGrid(const Mesh& surface, const GridHexesOptions& options,
   return search.Result(progress.Part(0.95, 1.0));
 }
 
-GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& solids,
+GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Mesh>& solids,
   const GridHexesOptions& options, const Progress& progress)
 {
   const std::vector<double> shares = ComputeVolumeShares(solids);
@@ -464,7 +463,7 @@ GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& sol
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
     GridHexesOptions own = options;
-    own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : ComputeBoxDiagonal(surface.Points);
+    own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : ComputeBoxDiagonal(surface.Points());
     own.FirstHexahedra = shares[i] * options.FirstHexahedra;
     own.MaximumHexahedra = std::max(1, static_cast<int>(shares[i] * options.MaximumHexahedra));
     GridHexesResult one = OfOneGrid(solids[i], own, progress.Part(begin, begin + shares[i]), {});
@@ -481,7 +480,7 @@ GridHexesResult OfSeveralGrids(const Mesh& surface, const std::vector<Mesh>& sol
 
 } // namespace
 
-GridHexesResult BuildGridHexahedra(const Mesh& surface, const GridHexesOptions& options,
+GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
   RequireInRange(options);

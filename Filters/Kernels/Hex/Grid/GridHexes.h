@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Hex/Fit/HexFit.h"
 #include "Hex/Voxels/GridDensity.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <vector>
@@ -76,7 +76,7 @@ struct GridHexesResult
  * MultiMaterialVoxels, and where options are out of range; SolveFailure where no grid of so few
  * cells has the topology of the surface, Aborted.
  */
-GridHexesResult BuildGridHexahedra(const Mesh& surface, const GridHexesOptions& options = {},
+GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOptions& options = {},
   const Progress& progress = {}, const std::vector<Mesh>& innerSurfaces = {});
 
 } // namespace shape

@@ -24,22 +24,22 @@ constexpr int MaximumSeeds = 400;
 class SizeFit
 {
 public:
-  SizeFit(const Mesh& surface, const Eigen::VectorXd& sizes)
+  SizeFit(const Surface& surface, const Eigen::VectorXd& sizes)
   {
     constexpr int count = 3000;
     constexpr unsigned int seed = 1;
     const Eigen::MatrixXd spread = SampleRandomly(surface, count, seed);
     // Small parts with small cells have points, if not much area.
-    const Eigen::Index stride = surface.Points.rows() / count + 1;
-    const Eigen::Index points = (surface.Points.rows() + stride - 1) / stride;
+    const Eigen::Index stride = surface.Points().rows() / count + 1;
+    const Eigen::Index points = (surface.Points().rows() + stride - 1) / stride;
     this->Positions.resize(count + points, 3);
     this->Positions.topRows(count) = spread;
     for (Eigen::Index i = 0; i < points; ++i)
     {
-      this->Positions.row(count + i) = surface.Points.row(i * stride);
+      this->Positions.row(count + i) = surface.Points().row(i * stride);
     }
     const ClosestPoints closest = SurfaceLocator(surface).Find(this->Positions);
-    this->Wanted = PullBack(closest, surface.Triangles, sizes).col(0).array().log();
+    this->Wanted = PullBack(closest, surface.Triangles(), sizes).col(0).array().log();
     this->Stretch = Eigen::VectorXd::Zero(this->Wanted.size());
     this->CellSize = this->Wanted.mean();
   }
@@ -169,12 +169,12 @@ private:
 
 } // namespace
 
-void RequireSizes(const Mesh& surface, const Eigen::VectorXd& sizes)
+void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes)
 {
-  if (sizes.size() != surface.Points.rows())
+  if (sizes.size() != surface.Points().rows())
   {
     throw InvalidInput("the SizeArray has " + std::to_string(sizes.size()) +
-      " values for the surface's " + std::to_string(surface.Points.rows()) +
+      " values for the surface's " + std::to_string(surface.Points().rows()) +
       " points; give one for each");
   }
   const auto good = [](double size) { return std::isfinite(size) && size > 0.0; };
@@ -190,11 +190,11 @@ void RequireSizes(const Mesh& surface, const Eigen::VectorXd& sizes)
 }
 
 SizedGrid BuildSizedGrid(
-  const Mesh& surface, const Eigen::VectorXd& sizes, const Progress& progress)
+  const Surface& surface, const Eigen::VectorXd& sizes, const Progress& progress)
 {
   SizeFit fit(surface, sizes);
   constexpr int levels = 7, steps = 3;
-  double radius = 0.5 * ComputeLongestBoxEdge(surface.Points);
+  double radius = 0.5 * ComputeLongestBoxEdge(surface.Points());
   for (int level = 0; level < levels; ++level, radius *= 0.5)
   {
     if (fit.Add(radius))
@@ -211,7 +211,7 @@ SizedGrid BuildSizedGrid(
 }
 
 Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
-  const Mesh& surface, const Eigen::VectorXd& sizes)
+  const Surface& surface, const Eigen::VectorXd& sizes)
 {
   Eigen::MatrixXd midpoints(quads.rows(), 3);
   for (Eigen::Index q = 0; q < quads.rows(); ++q)
@@ -219,7 +219,7 @@ Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::Ma
     midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
   }
   const Eigen::VectorXd wanted =
-    PullBack(SurfaceLocator(surface).Find(midpoints), surface.Triangles, sizes).col(0);
+    PullBack(SurfaceLocator(surface).Find(midpoints), surface.Triangles(), sizes).col(0);
   const Eigen::VectorXd areas =
     0.5 * ComputeAreaVectors({ points, SplitQuads(quads) }).rowwise().norm();
   Eigen::VectorXd ratios(quads.rows());

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Hex/Voxels/GridDensity.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -34,14 +34,14 @@ struct SizedGrid
  * they are linear. Throws Aborted.
  */
 SizedGrid BuildSizedGrid(
-  const Mesh& surface, const Eigen::VectorXd& sizes, const Progress& progress = {});
+  const Surface& surface, const Eigen::VectorXd& sizes, const Progress& progress = {});
 
 /// Throws InvalidInput unless there is a positive, finite size for each of the surface's points.
-void RequireSizes(const Mesh& surface, const Eigen::VectorXd& sizes);
+void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes);
 
 /// The sizes of quads (q: the root of the area of each), divided by the size that is
 /// wanted at the place of the surface closest to its middle.
 Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
-  const Mesh& surface, const Eigen::VectorXd& sizes);
+  const Surface& surface, const Eigen::VectorXd& sizes);
 
 } // namespace shape

@@ -13,7 +13,7 @@ namespace
 
 /// The sizes to ask for at the surface's points, so that what came out of `asked` becomes `sizes`:
 /// less by the mean logarithm of the quads' ratios nearby.
-Eigen::VectorXd Corrected(const Mesh& surface, const Eigen::VectorXd& sizes,
+Eigen::VectorXd Corrected(const Surface& surface, const Eigen::VectorXd& sizes,
   const Eigen::VectorXd& asked, const HexFit& fit, const Eigen::VectorXd& ratios)
 {
   constexpr double reach = 3.0; // sizes
@@ -31,7 +31,7 @@ Eigen::VectorXd Corrected(const Mesh& surface, const Eigen::VectorXd& sizes,
       {
         const double width = reach * sizes(i);
         const Eigen::ArrayXd squared =
-          (midpoints.rowwise() - surface.Points.row(i)).rowwise().squaredNorm() / (width * width);
+          (midpoints.rowwise() - surface.Points().row(i)).rowwise().squaredNorm() / (width * width);
         // The nearest quads count even where all are far away.
         const Eigen::ArrayXd weights = (0.5 * (squared.minCoeff() - squared)).exp();
         corrected(i) *= std::exp(-(weights * logarithms).sum() / weights.sum());
@@ -42,7 +42,7 @@ Eigen::VectorXd Corrected(const Mesh& surface, const Eigen::VectorXd& sizes,
 
 } // namespace
 
-SizedHexesResult BuildSizedHexahedra(const Mesh& surface, const Eigen::VectorXd& sizes,
+SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::VectorXd& sizes,
   GridHexesOptions options, const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
   RequireSizes(surface, sizes);

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Hex/Grid/GridHexes.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -28,7 +28,7 @@ struct SizedHexesResult
  * options: CellSize and Seeds are not used. Throws InvalidInput as RequireSizes, and as
  * BuildGridHexahedra throws.
  */
-SizedHexesResult BuildSizedHexahedra(const Mesh& surface, const Eigen::VectorXd& sizes,
+SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::VectorXd& sizes,
   GridHexesOptions options = {}, const Progress& progress = {},
   const std::vector<Mesh>& innerSurfaces = {});
 

@@ -4,10 +4,12 @@
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Hex/Polycube/Private/PolycubeMap.h"
 #include "Hex/Voxels/WellComposedVoxels.h"
+#include "Mesh/QuadSurface.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/GridWinding.h"
+#include "Solids/SolidBoundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,10 +128,10 @@ std::vector<char> CellsInside(const Mesh& polycube, const SampledGrid& grid)
   return inside;
 }
 
-void RequireTopology(const HexMesh& cells, const Mesh& surface)
+void RequireTopology(const HexMesh& cells, const Surface& surface)
 {
-  const Topology wanted = ComputeTopology(surface);
-  const Topology found = ComputeTopology({ cells.Points, SplitQuads(FindBoundaryQuads(cells)) });
+  const Topology& wanted = surface.Topology();
+  const Topology found = ComputeBoundaryTopology(cells);
   if (found.NonManifoldEdges > 0 || found.NonManifoldPoints > 0)
   {
     throw InvalidInput("the Polycube touches itself in an edge or a point; move its parts apart");
@@ -143,9 +145,9 @@ void RequireTopology(const HexMesh& cells, const Mesh& surface)
   }
 }
 
-void RequireSourcesOn(const Eigen::MatrixXd& sources, const Mesh& surface)
+void RequireSourcesOn(const Eigen::MatrixXd& sources, const Surface& surface)
 {
-  const double diagonal = ComputeBoxDiagonal(surface.Points);
+  const double diagonal = ComputeBoxDiagonal(surface.Points());
   Eigen::Index farthest = 0;
   const double distance = SurfaceLocator(surface).Find(sources).Distances.maxCoeff(&farthest);
   if (distance > MaximumSourceDistance * diagonal)
@@ -158,18 +160,19 @@ void RequireSourcesOn(const Eigen::MatrixXd& sources, const Mesh& surface)
 
 } // namespace
 
-GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Mesh& surface,
+GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surface& surface,
   double cellSize, int maximum, const Progress& progress)
 {
-  RequireClosedSurface(polycube.Surface, "the Polycube");
+  const Surface given = polycube.Surface;
+  RequireClosedSurface(given, "the Polycube");
   if (polycube.Sources.rows() != polycube.Surface.Points.rows() || polycube.Sources.cols() != 3)
   {
     throw InvalidInput("the Polycube's SourcePosition must be 3 numbers for each of its points");
   }
   RequireFinite(polycube.Sources, "the Polycube's SourcePosition");
   RequireSourcesOn(polycube.Sources, surface);
-  const Mesh outer = OrientOutwards(polycube.Surface);
-  const double size = ComputeLongestBoxEdge(outer.Points);
+  const Surface outer = OrientOutwards(given);
+  const double size = ComputeLongestBoxEdge(outer.Points());
   RequireAcrossAxes(outer, size);
   const double unit = UnitOf(outer, size), volume = ComputeEnclosedVolume(outer);
   // The polycube may be drawn at another scale than the surface.
@@ -196,7 +199,7 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Mesh&
   onBoundary.erase(std::unique(onBoundary.begin(), onBoundary.end()), onBoundary.end());
   carried(onBoundary, Eigen::all) =
     PullBack(SurfaceLocator(outer).Find(cells.Solid.Points(onBoundary, Eigen::all)),
-      outer.Triangles, polycube.Sources);
+      outer.Triangles(), polycube.Sources);
   cells.Solid.Points = std::move(carried);
   progress(1.0);
   return cells;

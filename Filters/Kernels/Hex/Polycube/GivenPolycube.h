@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -34,7 +35,7 @@ struct GivenPolycubeCells
  * axis or at no multiples of one length, overlaps itself, has more cells than `most`, sources that
  * are not finite or far from the surface, or another topology; as ComputeHarmonicVolumeMap throws.
  */
-GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Mesh& surface,
+GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surface& surface,
   double cellSize, int maximum, const Progress& progress = {});
 
 } // namespace shape

@@ -5,7 +5,8 @@
 #include "Hex/Polycube/Private/Charts.h"
 #include "Hex/Polycube/Private/PolycubeMap.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/SimplexPatch.h"
+#include "Solids/SolidBoundary.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <Eigen/Geometry>
 
@@ -283,9 +284,9 @@ std::string DescribeTurned(
 } // namespace
 
 PolycubeResult BuildPolycube(
-  const Mesh& given, const PolycubeOptions& options, const Progress& progress)
+  const Surface& given, const PolycubeOptions& options, const Progress& progress)
 {
-  const Mesh surface = OrientOutwards(given);
+  const Surface surface = OrientOutwards(given);
   PolycubeMapOptions mapOptions;
   mapOptions.Compactness = options.Compactness;
   mapOptions.CellSize = options.TargetEdgeLength;
@@ -302,13 +303,13 @@ PolycubeResult BuildPolycube(
   result.Charts = charts.Count();
   result.Corners = static_cast<int>(std::count_if(charts.AtPoint.begin(), charts.AtPoint.end(),
     [](const std::vector<int>& around) { return around.size() > 2; }));
-  Eigen::MatrixXd positions = PullBack(coarse.Find(surface.Points), map.Solid.Triangles,
+  Eigen::MatrixXd positions = PullBack(coarse.Find(surface.Points()), map.Solid.Triangles,
     map.Positions.topRows(map.Solid.SurfacePointCount));
   const std::vector<std::array<bool, 3>> fixed = Snap(surface, charts, positions);
   const auto count = [&]
   {
     const std::vector<char> turned =
-      FindInvertedTriangles({ positions, surface.Triangles }, result.Labels);
+      FindInvertedTriangles({ positions, surface.Triangles() }, result.Labels);
     return std::count(turned.begin(), turned.end(), 1);
   };
   for (const int rings : Rings)
@@ -322,9 +323,9 @@ PolycubeResult BuildPolycube(
   if (turned > 0)
   {
     throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) + " charts turns " +
-      std::to_string(turned) + " of " + std::to_string(surface.Triangles.rows()) +
+      std::to_string(turned) + " of " + std::to_string(surface.Triangles().rows()) +
       " triangles over: " +
-      DescribeTurned({ positions, surface.Triangles }, result.Labels, charts) +
+      DescribeTurned({ positions, surface.Triangles() }, result.Labels, charts) +
       "; refine the surface there, or try another Compactness");
   }
   result.Positions = map.CellSize * positions;

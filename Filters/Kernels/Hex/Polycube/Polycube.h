@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -40,7 +40,7 @@ struct PolycubeResult
  * larger than the polycube's faces.
  */
 PolycubeResult BuildPolycube(
-  const Mesh& surface, const PolycubeOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const PolycubeOptions& options = {}, const Progress& progress = {});
 
 /// The label of a polygon that lies across an axis: the axis that its area vector is closest to. -1
 /// where it has no area. corners: k x 3.

@@ -7,10 +7,11 @@
 #include "Hex/Polycube/Private/IntegerMapHexes.h"
 #include "Hex/Polycube/Private/PolycubeMap.h"
 #include "Hex/Polycube/Private/VoxelPolycube.h"
+#include "Mesh/QuadSurface.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
-#include "Search/ClosestPoint.h"
+#include "Solids/SolidBoundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,15 +89,8 @@ Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
   return cubes;
 }
 
-bool HasTopology(const HexMesh& mesh, const Topology& wanted)
-{
-  const Topology topology = ComputeTopology({ mesh.Points, SplitQuads(FindBoundaryQuads(mesh)) });
-  return topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components &&
-    topology.NonManifoldEdges == 0 && topology.NonManifoldPoints == 0;
-}
-
 /// Those of a polycube with charts; none, and `why`, where there are none that will do.
-std::optional<Cubes> CubesOfCharts(const Mesh& surface, const PolycubeHexesOptions& options,
+std::optional<Cubes> CubesOfCharts(const Surface& surface, const PolycubeHexesOptions& options,
   std::string& why, const Progress& progress)
 {
   const Topology wanted = RequireClosedSurface(surface, "the surface");
@@ -107,7 +101,7 @@ std::optional<Cubes> CubesOfCharts(const Mesh& surface, const PolycubeHexesOptio
     mapOptions.CellSize = options.CellSize;
     const PolycubeMap map = FindPolycubeMap(surface, mapOptions, progress.Part(0.0, 0.8));
     Cubes cubes = CubesOfMap(map, progress.Part(0.8, 1.0));
-    if (HasTopology(cubes.Solid, wanted) &&
+    if (HasBoundaryTopology(cubes.Solid, wanted) &&
       cubes.Solid.Hexahedra.rows() <= options.MaximumHexahedra)
     {
       return cubes;
@@ -122,7 +116,7 @@ std::optional<Cubes> CubesOfCharts(const Mesh& surface, const PolycubeHexesOptio
 }
 
 Cubes CubesOfVoxels(
-  const Mesh& surface, const PolycubeHexesOptions& options, const Progress& progress)
+  const Surface& surface, const PolycubeHexesOptions& options, const Progress& progress)
 {
   const double cells = options.CellSize > 0.0
     ? ComputeEnclosedVolume(surface) / std::pow(options.CellSize, 3)
@@ -152,14 +146,13 @@ Mesh Compacted(const Eigen::MatrixXd& points, Eigen::MatrixXi triangles, Eigen::
   return { points(used, Eigen::all), std::move(triangles) };
 }
 
-PolycubeHexesResult FitCubes(const Cubes& cubes, const SurfaceLocator& locator,
+PolycubeHexesResult FitCubes(const Cubes& cubes, const Surface& surface,
   const PolycubeHexesOptions& options, const Progress& progress)
 {
   PolycubeHexesResult result;
   const double size = cubes.CellSize;
-  result.Features =
-    FindFeatures(locator.GetSurface(), options.FeatureAngle, MinimumPatch * size * size);
-  result.Fit = FitHexahedra(cubes.Solid, locator, result.Features,
+  result.Features = FindFeatures(surface, options.FeatureAngle, MinimumPatch * size * size);
+  result.Fit = FitHexahedra(cubes.Solid, surface, result.Features,
     { options.PaddingLayers, options.MaximumHexahedra }, progress);
   // Points of the boundary stay points of the boundary.
   Eigen::VectorXi points;
@@ -183,27 +176,26 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const SurfaceLocator& locator,
 } // namespace
 
 PolycubeHexesResult BuildPolycubeHexahedra(
-  const Mesh& given, const PolycubeHexesOptions& options, const Progress& progress)
+  const Surface& given, const PolycubeHexesOptions& options, const Progress& progress)
 {
-  const Mesh surface = OrientOutwards(given);
+  const Surface surface = OrientOutwards(given);
   if (options.MaximumHexahedra < 1)
   {
     throw InvalidInput("MaximumHexahedra must be at least 1");
   }
   std::string why;
   const std::optional<Cubes> cubes = CubesOfCharts(surface, options, why, progress.Part(0.0, 0.4));
-  const SurfaceLocator locator(surface);
   std::optional<PolycubeHexesResult> result;
   if (cubes)
   {
-    result = FitCubes(*cubes, locator, options, progress.Part(0.4, 0.7));
+    result = FitCubes(*cubes, surface, options, progress.Part(0.4, 0.7));
   }
   if (!result || result->Fit.MinimumScaledJacobian < MinimumAccepted)
   {
     try
     {
       const Cubes voxels = CubesOfVoxels(surface, options, progress.Part(0.7, 0.8));
-      PolycubeHexesResult other = FitCubes(voxels, locator, options, progress.Part(0.8, 1.0));
+      PolycubeHexesResult other = FitCubes(voxels, surface, options, progress.Part(0.8, 1.0));
       if (!result || other.Fit.MinimumScaledJacobian > result->Fit.MinimumScaledJacobian)
       {
         result = std::move(other);

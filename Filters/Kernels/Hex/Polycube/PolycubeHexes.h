@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Hex/Fit/HexFit.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <Eigen/Core>
@@ -52,6 +53,6 @@ struct PolycubeHexesResult
  * grid of the surface's topology is found; Aborted.
  */
 PolycubeHexesResult BuildPolycubeHexahedra(
-  const Mesh& surface, const PolycubeHexesOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const PolycubeHexesOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

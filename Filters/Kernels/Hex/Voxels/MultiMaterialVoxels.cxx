@@ -95,7 +95,7 @@ std::vector<int> PartSizes(const SampledGrid& grid, const std::vector<char>& ins
 } // namespace
 
 MultiMaterialVoxels::MultiMaterialVoxels(
-  const Mesh& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress)
+  const Surface& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress)
   : Whole(surface, progress.Part(0.0, 0.3))
 {
   if (innerSurfaces.empty())

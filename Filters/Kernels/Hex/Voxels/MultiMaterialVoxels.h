@@ -4,7 +4,7 @@
 #include "Hex/Voxels/GridDensity.h"
 #include "Hex/Voxels/TopologyPreservingVoxels.h"
 #include "Mesh/HexMesh.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -35,7 +35,7 @@ public:
   /// innerSurfaces: closed, inside the solid, also inside one another. Throws InvalidInput where
   /// one is not so, or surfaces cross or touch, or have flat triangles; Aborted.
   MultiMaterialVoxels(
-    const Mesh& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress = {});
+    const Surface& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress = {});
 
   TopologyPreservingVoxels& Outer() { return this->Whole; }
   const TopologyPreservingVoxels& Outer() const { return this->Whole; }

@@ -2,7 +2,7 @@
 
 #include "Hex/Voxels/Private/NarrowBandDistance.h"
 #include "Hex/Voxels/WellComposedVoxels.h"
-#include "Mesh/Surface.h"
+#include "Mesh/QuadSurface.h"
 #include "Remesh/LongestEdgeBisection.h"
 
 #include <algorithm>
@@ -29,37 +29,40 @@ int CountSolids(const Mesh& surface)
     [](const Mesh& component) { return ComputeEnclosedVolume(component) > 0.0; }));
 }
 
-/// A surface in warped space, its edges so short that they may as well be straight there.
-Mesh Warped(Mesh surface, const GridDensity& warp, double size)
+/// A surface in warped space, its edges so short that they may as well be straight there; itself
+/// if the warp is the identity.
+Surface Warp(const Surface& surface, const GridDensity& warp, double size)
 {
-  if (!warp.IsIdentity())
+  if (warp.IsIdentity())
   {
-    constexpr double longest = 3.0; // cells
-    for (bool more = true; more;)
+    return surface;
+  }
+  Mesh fine = surface;
+  constexpr double longest = 3.0; // cells
+  for (bool more = true; more;)
+  {
+    std::vector<char> marked(fine.Triangles.rows(), 0);
+    for (Eigen::Index t = 0; t < fine.Triangles.rows(); ++t)
     {
-      std::vector<char> marked(surface.Triangles.rows(), 0);
-      for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+      const Eigen::Matrix3d corners = GetCorners(fine, t);
+      for (int k = 0; k < 3; ++k)
       {
-        const Eigen::Matrix3d corners = GetCorners(surface, t);
-        for (int k = 0; k < 3; ++k)
-        {
-          marked[t] |= (corners.row(k) - corners.row((k + 1) % 3)).norm() > longest * size;
-        }
-      }
-      more = std::find(marked.begin(), marked.end(), 1) != marked.end();
-      if (more)
-      {
-        BisectLongestEdges(surface, marked);
+        marked[t] |= (corners.row(k) - corners.row((k + 1) % 3)).norm() > longest * size;
       }
     }
-    surface.Points = warp.Forward(surface.Points);
+    more = std::find(marked.begin(), marked.end(), 1) != marked.end();
+    if (more)
+    {
+      BisectLongestEdges(fine, marked);
+    }
   }
-  return surface;
+  fine.Points = warp.Forward(fine.Points);
+  return fine;
 }
 
 } // namespace
 
-TopologyPreservingVoxels::TopologyPreservingVoxels(const Mesh& surface, const Progress& progress)
+TopologyPreservingVoxels::TopologyPreservingVoxels(const Surface& surface, const Progress& progress)
   : Whole(OrientOutwards(surface))
   , Wanted(RequireClosedSurface(this->Whole, "the surface"))
   , Solids(CountSolids(this->Whole))
@@ -69,7 +72,7 @@ TopologyPreservingVoxels::TopologyPreservingVoxels(const Mesh& surface, const Pr
 
 double TopologyPreservingVoxels::CellSizeFor(double hexahedra, const GridDensity& warp) const
 {
-  const Mesh warped{ warp.Forward(this->Whole.Points), this->Whole.Triangles };
+  const Mesh warped{ warp.Forward(this->Whole.Points()), this->Whole.Triangles() };
   const double volume = ComputeEnclosedVolume(warped), area = ComputeArea(warped);
   // The layer has more hexahedra than the cells whose room it takes: half a cell's volume for each
   // cell's area was measured.
@@ -83,7 +86,7 @@ double TopologyPreservingVoxels::CellSizeFor(double hexahedra, const GridDensity
 
 SampledGrid TopologyPreservingVoxels::Grid(double size, const GridDensity& warp) const
 {
-  return BuildGridAround(Warped(this->Whole, warp, size).Points, size);
+  return BuildGridAround(Warp(this->Whole, warp, size).Points(), size);
 }
 
 std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const SampledGrid& grid,
@@ -91,9 +94,9 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
   const Progress& progress)
 {
   const double size = grid.Spacing;
-  const Mesh whole = Warped(this->Whole, warp, size);
-  const Mesh bounding =
-    this->Bounding.Crossings == 0 ? whole : Warped(this->Bounding.Surface, warp, size);
+  const Surface whole = Warp(this->Whole, warp, size);
+  const Surface bounding =
+    this->Bounding.Crossings == 0 ? whole : Warp(this->Bounding.Surface, warp, size);
   SampledGrid levels = grid;
   SampleDistances(whole, SurfaceLocator(bounding), levels, progress.Part(0.0, 0.6));
   const Eigen::VectorXd distances = levels.Values;
@@ -142,13 +145,11 @@ std::optional<HexMesh> TopologyPreservingVoxels::Fill(
 
 bool TopologyPreservingVoxels::HasTopology(const HexMesh& cubes)
 {
-  const Topology found =
-    shape::ComputeTopology({ cubes.Points, SplitQuads(FindBoundaryQuads(cubes)) });
   if (this->Bounding.Crossings == 0)
   {
-    return found.EulerNumber == this->Wanted.EulerNumber &&
-      found.Components == this->Wanted.Components;
+    return HasBoundaryTopology(cubes, this->Wanted);
   }
+  const Topology found = ComputeBoundaryTopology(cubes);
   const std::pair<int, int> now(found.EulerNumber, found.Components);
   const bool again = this->Before == now;
   this->Before = now;

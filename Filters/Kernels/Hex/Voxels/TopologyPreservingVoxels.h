@@ -3,7 +3,6 @@
 #include "Base/Progress.h"
 #include "Hex/Voxels/GridDensity.h"
 #include "Mesh/HexMesh.h"
-#include "Mesh/Mesh.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/IsoSurface.h"
@@ -28,10 +27,10 @@ class TopologyPreservingVoxels
 {
 public:
   /// surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface, Aborted.
-  explicit TopologyPreservingVoxels(const Mesh& surface, const Progress& progress = {});
+  explicit TopologyPreservingVoxels(const Surface& surface, const Progress& progress = {});
 
   /// The surface, facing outwards.
-  const Mesh& Surface() const { return this->Whole; }
+  const Surface& GetSurface() const { return this->Whole; }
   /// What of it bounds the solid, and how often it crosses itself.
   const SolidBoundaryResult& Boundary() const { return this->Bounding; }
   /// Of the surface: what the solid has to have where it does not cross itself.
@@ -60,7 +59,7 @@ public:
 private:
   bool HasTopology(const HexMesh& cubes);
 
-  Mesh Whole;
+  Surface Whole;
   Topology Wanted;
   int Solids; ///< components that bound solids from outside
   SolidBoundaryResult Bounding;

@@ -2,7 +2,7 @@
 
 #include "Mesh/Mesh.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/SimplexPatch.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <Eigen/Core>
 

@@ -37,7 +37,9 @@ Eigen::VectorXi PatchesOfCubes(const Eigen::VectorXd& midpoints)
   {
     AddCube(midpoints(i), 0.1, 8 * i, points, quads);
   }
-  return shape::AssignQuadsToPatches(points, quads, shape::SurfaceLocator(ball), halves);
+  const std::vector<shape::Mesh> patches = shape::SplitIntoPatches(ball, halves);
+  return shape::AssignQuadsToPatches(
+    points, shape::QuadSurface(quads), ball, halves, { patches.begin(), patches.end() });
 }
 
 } // namespace

@@ -131,7 +131,7 @@ TEST(InnerInterfaces, TheirDistanceIsThatAfterTheOuterSurfaceIsSnappedTo)
   EXPECT_NE(snapped.InnerDistance, fit.InnerDistance);
   for (const shape::HexFit* each : { &snapped, &fit })
   {
-    const std::vector<shape::SurfaceLocator> surfaces(inner.begin(), inner.end());
+    const std::vector<shape::Surface> surfaces(inner.begin(), inner.end());
     EXPECT_EQ(each->InnerDistance,
       shape::ComputeInterfaceDistance(each->Solid.Points, each->Interfaces, surfaces));
   }

@@ -2,6 +2,7 @@
 #include "Hex/Fit/HexFit.h"
 #include "Hex/Voxels/MultiMaterialVoxels.h"
 #include "Quality/ScaledJacobian.h"
+#include "Search/ClosestPoint.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -41,15 +42,15 @@ shape::Mesh EllipticDisk()
 
 constexpr double CellSize = 0.09;
 
-shape::HexFit Fit(const shape::SurfaceLocator& box)
+shape::HexFit Fit(const shape::Surface& box)
 {
-  shape::MultiMaterialVoxels cubes(box.Surface(), {});
+  shape::MultiMaterialVoxels cubes(box, {});
   constexpr double noCrease = 180.0;
   return shape::FitHexahedra(cubes.Fill(CellSize, shape::GridDensity()).value().Solid, box,
-    shape::FindFeatures(box.Surface(), noCrease, 0.0));
+    shape::FindFeatures(box, noCrease, 0.0));
 }
 
-double DistanceOf(const shape::HexFit& fit, const shape::Mesh& surface)
+double DistanceOf(const shape::HexFit& fit, const shape::Surface& surface)
 {
   return shape::ComputeHausdorffDistance(
     surface, { fit.Solid.Points, shape::SplitQuads(fit.Quads) })
@@ -60,7 +61,7 @@ double DistanceOf(const shape::HexFit& fit, const shape::Mesh& surface)
 
 TEST(Snapping, CutOffEdgesAreReachedAndNoHexahedronFallsBelowTheFloor)
 {
-  const shape::SurfaceLocator box(TurnedBox());
+  const shape::Surface box = TurnedBox();
   shape::HexFit fit = Fit(box);
   const double before = fit.Distance, minimum = fit.MinimumScaledJacobian;
   ASSERT_GT(minimum, 0.0);
@@ -71,18 +72,18 @@ TEST(Snapping, CutOffEdgesAreReachedAndNoHexahedronFallsBelowTheFloor)
   EXPECT_LT(fit.Distance, 0.7 * before);
   EXPECT_GE(fit.MinimumScaledJacobian, std::min(minimum, options.ScaledJacobians.back()));
   EXPECT_EQ(fit.MinimumScaledJacobian, shape::ComputeScaledJacobians(fit.Solid).minCoeff());
-  EXPECT_EQ(fit.Distance, DistanceOf(fit, box.Surface()));
+  EXPECT_EQ(fit.Distance, DistanceOf(fit, box));
   Eigen::MatrixXd boundary(fit.Quads.size(), 3);
   for (Eigen::Index i = 0; i < fit.Quads.size(); ++i)
   {
     boundary.row(i) = fit.Solid.Points.row(fit.Quads.data()[i]);
   }
-  EXPECT_LT(box.Find(boundary).Distances.maxCoeff(), 1e-12);
+  EXPECT_LT(shape::SurfaceLocator(box).Find(boundary).Distances.maxCoeff(), 1e-12);
 }
 
 TEST(Snapping, WhatIsNearEnoughStaysAsItIs)
 {
-  const shape::SurfaceLocator box(TurnedBox());
+  const shape::Surface box = TurnedBox();
   shape::HexFit fit = Fit(box);
   const Eigen::MatrixXd before = fit.Solid.Points;
   shape::SnappingOptions options;
@@ -93,7 +94,7 @@ TEST(Snapping, WhatIsNearEnoughStaysAsItIs)
 
 TEST(Snapping, AFloorThatCannotBeKeptUndoesAll)
 {
-  const shape::SurfaceLocator box(TurnedBox());
+  const shape::Surface box = TurnedBox();
   shape::HexFit fit = Fit(box);
   const double minimum = fit.MinimumScaledJacobian;
   shape::SnappingOptions options;
@@ -106,17 +107,16 @@ TEST(Snapping, AFloorThatCannotBeKeptUndoesAll)
 
 TEST(Snapping, PointsOnCreasesStay)
 {
-  const shape::Mesh disk = EllipticDisk();
-  const shape::SurfaceLocator locator(disk);
+  const shape::Surface disk = EllipticDisk();
   shape::MultiMaterialVoxels cubes(disk, {});
   constexpr double sharp = 40.0;
   shape::HexFit fit = shape::FitHexahedra(cubes.Fill(0.15, shape::GridDensity()).value().Solid,
-    locator, shape::FindFeatures(disk, sharp, 0.0));
+    disk, shape::FindFeatures(disk, sharp, 0.0));
   ASSERT_TRUE(fit.CreasesKept);
   const Eigen::MatrixXd before = fit.Solid.Points;
   shape::SnappingOptions options;
   options.WantedDistance = 0.3 * fit.Distance;
-  shape::SnapToSurface(fit, locator, options);
+  shape::SnapToSurface(fit, disk, options);
   EXPECT_NE(fit.Solid.Points, before);
   int onCreases = 0;
   for (Eigen::Index point = 0; point < before.rows(); ++point)

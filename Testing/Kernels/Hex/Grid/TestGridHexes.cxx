@@ -1,5 +1,5 @@
 #include "Base/Errors.h"
-#include "Hex/Fit/Private/Padding.h"
+#include "Hex/Fit/Private/Pillowing.h"
 #include "Hex/Grid/GridHexes.h"
 #include "Hex/Voxels/WellComposedVoxels.h"
 #include "Mesh/Surface.h"

@@ -6,6 +6,7 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/GridWinding.h"
+#include "Solids/Nesting.h"
 #include "Solids/SolidBoundary.h"
 #include "Support/TestShapes.h"
 
@@ -70,11 +71,11 @@ TEST(SolidBoundary, LeavesOutWhatLiesInside)
 {
   const shape::SolidBoundaryResult apart = shape::ExtractSolidBoundary(TwoSpheres(3.0));
   EXPECT_EQ(apart.Crossings, 0);
-  EXPECT_EQ(apart.Surface.Triangles.rows(), 2 * 1280);
+  EXPECT_EQ(apart.Surface.Triangles().rows(), 2 * 1280);
   const shape::Mesh surface = TwoSpheres(1.0);
   const shape::SolidBoundaryResult result = shape::ExtractSolidBoundary(surface);
   EXPECT_GT(result.Crossings, 0);
-  EXPECT_LT(result.Surface.Triangles.rows(), surface.Triangles.rows());
+  EXPECT_LT(result.Surface.Triangles().rows(), surface.Triangles.rows());
   // Kept whole at the most: triangles that cross, which are near the plane between the spheres.
   const Eigen::MatrixXd centroids = shape::ComputeCentroids(result.Surface);
   double inside = 0.0;
@@ -84,6 +85,25 @@ TEST(SolidBoundary, LeavesOutWhatLiesInside)
     inside = std::max(inside, 1.0 - std::max(centroid.norm(), other.norm()));
   }
   EXPECT_LT(inside, 0.1);
+}
+
+TEST(TopologyPreservingVoxels, ASurfaceThatFacesOutwardsIsNotCopied)
+{
+  // Then all who ask for its topology or its search tree share them.
+  const shape::Surface surface = TwoSpheres(3.0);
+  const shape::TopologyPreservingVoxels voxels(surface);
+  EXPECT_EQ(&voxels.GetSurface().AsMesh(), &surface.AsMesh());
+  EXPECT_EQ(&voxels.Boundary().Surface.AsMesh(), &surface.AsMesh());
+  EXPECT_EQ(&shape::OrientByNesting(surface, "it").AsMesh(), &surface.AsMesh());
+  // One that faces inwards is turned once.
+  const shape::Surface inwards(surface.Points(), surface.Triangles().rowwise().reverse());
+  EXPECT_EQ(&shape::OrientOutwards(inwards).AsMesh(), &shape::OrientOutwards(inwards).AsMesh());
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(shape::OrientOutwards(inwards)),
+    shape::ComputeEnclosedVolume(surface), 1e-12);
+  // What bounds a solid is found once, too.
+  const shape::Surface crossing = TwoSpheres(1.0);
+  EXPECT_EQ(&shape::ExtractSolidBoundary(crossing).Surface.AsMesh(),
+    &shape::ExtractSolidBoundary(crossing).Surface.AsMesh());
 }
 
 TEST(SolidLevels, AreSignedDistancesNearTheSurface)

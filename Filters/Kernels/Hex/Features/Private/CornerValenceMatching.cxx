@@ -1,9 +1,13 @@
 #include "Hex/Features/Private/CornerValenceMatching.h"
 
-#include "Hex/Features/CornerRings.h"
-#include "Hex/Features/PatchedBoundary.h"
+#include "Hex/Features/PatchRings.h"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/successive_shortest_path_nonnegative_weights.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -17,14 +21,28 @@ namespace shape
 namespace
 {
 
-/// As many paths of least cost as asked for from one node to others, each of which ends one path;
-/// no other node is on two of them. By successive shortest paths in the graph whose nodes are split
-/// into an entry (2 i) and an exit (2 i + 1).
+struct FlowArc;
+using FlowTraits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
+using FlowGraph =
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, FlowArc>;
+
+struct FlowArc
+{
+  int Capacity = 0, Residual = 0;
+  double Cost = 0.0;
+  FlowTraits::edge_descriptor Reverse;
+};
+
+/// Paths of minimum total cost from one node to each of several others; no other node is on two of
+/// them. A minimum-cost flow (Boost.Graph: successive shortest paths) in the graph whose nodes are
+/// split into an entry (2 i) and an exit (2 i + 1).
 class DisjointPaths
 {
 public:
-  explicit DisjointPaths(int nodes)
-    : Arcs(2 * static_cast<std::size_t>(nodes) + 1)
+  /// nodes: how many there are. largest: no cost is greater.
+  DisjointPaths(int nodes, double largest)
+    : Graph(2 * static_cast<std::size_t>(nodes) + 1)
+    , Unit(std::ldexp(largest, -32))
   {
   }
 
@@ -36,107 +54,66 @@ public:
   }
   void AddEnd(int node) { this->AddArc(2 * node + 1, this->Sink(), 0.0); }
 
-  /// The successors on the paths of the nodes on them; nothing where there are fewer paths.
-  std::optional<std::vector<std::pair<int, int>>> Find(int from, int paths)
+  /// The successors on the paths of the nodes on them; nothing if an end is not reached.
+  std::optional<std::vector<std::pair<int, int>>> Find(int from)
   {
-    for (int i = 0; i < paths; ++i)
+    boost::successive_shortest_path_nonnegative_weights(this->Graph, 2 * from + 1, this->Sink(),
+      boost::capacity_map(get(&FlowArc::Capacity, this->Graph))
+        .residual_capacity_map(get(&FlowArc::Residual, this->Graph))
+        .weight_map(get(&FlowArc::Cost, this->Graph))
+        .reverse_edge_map(get(&FlowArc::Reverse, this->Graph)));
+    std::vector<std::pair<int, int>> steps;
+    for (const auto arc : boost::make_iterator_range(edges(this->Graph)))
     {
-      if (!this->Augment(2 * from + 1))
+      const auto begin = static_cast<int>(source(arc, this->Graph)),
+                 end = static_cast<int>(target(arc, this->Graph));
+      const bool isUsed = this->Graph[arc].Capacity > this->Graph[arc].Residual;
+      if (end == this->Sink() && !isUsed)
       {
         return std::nullopt;
       }
-    }
-    std::vector<std::pair<int, int>> steps;
-    for (int node = 1; node < this->Sink(); node += 2)
-    {
-      for (const Arc& arc : this->Arcs[node])
+      if (end != this->Sink() && begin % 2 == 1 && isUsed)
       {
-        if (arc.IsForward && arc.Capacity == 0 && arc.To != this->Sink())
-        {
-          steps.emplace_back(node / 2, arc.To / 2);
-        }
+        steps.emplace_back(begin / 2, end / 2);
       }
     }
     return steps;
   }
 
 private:
-  struct Arc
-  {
-    int To, Back, Capacity;
-    double Cost;
-    bool IsForward;
-  };
-
-  int Sink() const { return static_cast<int>(this->Arcs.size()) - 1; }
+  int Sink() const { return static_cast<int>(num_vertices(this->Graph)) - 1; }
 
   void AddArc(int from, int to, double cost)
   {
-    const auto ahead = static_cast<int>(this->Arcs[from].size());
-    const auto back = static_cast<int>(this->Arcs[to].size());
-    this->Arcs[from].push_back({ to, back, 1, cost, true });
-    this->Arcs[to].push_back({ from, ahead, 0, -cost, false });
+    // Whole numbers: rounding must not make the reduced cost of an arc negative.
+    const double whole = this->Unit > 0.0 ? std::round(cost / this->Unit) : 0.0;
+    const auto ahead = add_edge(from, to, this->Graph).first;
+    const auto back = add_edge(to, from, this->Graph).first;
+    this->Graph[ahead] = { 1, 0, whole, back };
+    this->Graph[back] = { 0, 0, -whole, ahead };
   }
 
-  /// One more unit along the path of least cost (Bellman and Ford).
-  bool Augment(int from)
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<double> cost(this->Arcs.size(), infinity);
-    std::vector<std::pair<int, int>> by(this->Arcs.size(), { -1, -1 });
-    cost[from] = 0.0;
-    bool changed = true;
-    for (std::size_t round = 0; changed && round < this->Arcs.size(); ++round)
-    {
-      changed = false;
-      for (int node = 0; node < static_cast<int>(this->Arcs.size()); ++node)
-      {
-        for (int i = 0; cost[node] < infinity && i < static_cast<int>(this->Arcs[node].size()); ++i)
-        {
-          const Arc& arc = this->Arcs[node][i];
-          // Less by more than rounding, or a cycle of cost 0 could be taken for a gain.
-          if (arc.Capacity > 0 && cost[node] + arc.Cost < cost[arc.To] * (1.0 - 1e-12))
-          {
-            cost[arc.To] = cost[node] + arc.Cost;
-            by[arc.To] = { node, i };
-            changed = true;
-          }
-        }
-      }
-    }
-    if (cost[this->Sink()] == infinity)
-    {
-      return false;
-    }
-    for (int node = this->Sink(); node != from; node = by[node].first)
-    {
-      Arc& arc = this->Arcs[by[node].first][by[node].second];
-      --arc.Capacity;
-      ++this->Arcs[node][arc.Back].Capacity;
-    }
-    return true;
-  }
-
-  std::vector<std::vector<Arc>> Arcs;
+  FlowGraph Graph;
+  const double Unit; ///< of costs
 };
 
 class Gathering
 {
 public:
-  Gathering(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Mesh& surface,
+  Gathering(const Eigen::MatrixXd& points, const QuadSurface& quads, const Mesh& surface,
     const SurfaceFeatures& features, Eigen::VectorXi& patchOf)
     : Points(points)
-    , Quads(quads)
+    , Boundary(quads)
+    , Quads(quads.Quads())
     , Surface(surface)
     , Features(features)
-    , QuadOf(MapEdgesToQuads(quads))
     , QuadsAt(points.rows())
     , PatchOf(patchOf)
     , Taken(points.rows(), 0)
   {
-    for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+    for (int q = 0; q < static_cast<int>(this->Quads.rows()); ++q)
     {
-      for (const int point : quads.row(q))
+      for (const int point : this->Quads.row(q))
       {
         this->QuadsAt[point].push_back(q);
       }
@@ -186,27 +163,12 @@ private:
     return nearest;
   }
 
-  /// The quad after `quad` on the way around a point of it, counter-clockwise.
-  int NextAround(int point, int quad) const
-  {
-    return this->QuadOf.at({ point, this->Before(point, quad) });
-  }
-
-  int Before(int point, int quad) const
-  {
-    const auto row = this->Quads.row(quad);
-    const auto k = std::find(row.begin(), row.end(), point) - row.begin();
-    return row((k + 3) % 4);
-  }
-
   PatchRing RingAt(int point) const
   {
     std::vector<int> labels;
-    int quad = this->QuadsAt[point].front();
-    for (std::size_t i = 0; i < this->QuadsAt[point].size(); ++i)
+    for (const int quad : this->Boundary.QuadsAround(point, this->QuadsAt[point].front()))
     {
       labels.push_back(this->PatchOf(quad));
-      quad = this->NextAround(point, quad);
     }
     return BuildPatchRing(labels);
   }
@@ -278,7 +240,7 @@ private:
         {
           return {};
         }
-        if (disc.count(this->QuadOf.at({ b, a })) == 0)
+        if (disc.count(this->Boundary.QuadAt({ b, a })) == 0)
         {
           next[a] = b;
           ++edges;
@@ -306,12 +268,12 @@ private:
     {
       const int before = loop[(i + loop.size() - 1) % loop.size()], point = loop[i];
       const int after = loop[(i + 1) % loop.size()];
-      const int last = this->QuadOf.at({ after, point });
-      int quad = this->QuadOf.at({ point, before }), changes = 0;
+      const int last = this->Boundary.QuadAt({ after, point });
+      int quad = this->Boundary.QuadAt({ point, before }), changes = 0;
       labels.push_back(this->PatchOf(quad));
       while (quad != last)
       {
-        const int following = this->NextAround(point, quad);
+        const int following = this->Boundary.NextAround(point, quad);
         changes += this->PatchOf(following) != this->PatchOf(quad);
         quad = following;
       }
@@ -365,29 +327,42 @@ private:
       }
     }
     const std::set<int> onLoop(loop.begin(), loop.end());
-    DisjointPaths paths(static_cast<int>(points.size()));
-    for (const int own : points)
-    {
-      paths.AddNode(number.at(own), this->DistanceToCurves(own));
-    }
+    std::vector<double> nodeCosts;
+    std::transform(points.begin(), points.end(), std::back_inserter(nodeCosts),
+      [&](int own) { return this->DistanceToCurves(own); });
+    std::map<QuadEdge, double> edgeCosts;
     for (const int quad : disc)
     {
       for (int k = 0; k < 4; ++k)
       {
         const int a = this->Quads(quad, k), b = this->Quads(quad, (k + 1) % 4);
-        if (a < b && disc.count(this->QuadOf.at({ b, a })) > 0 &&
+        if (a < b && disc.count(this->Boundary.QuadAt({ b, a })) > 0 &&
           (onLoop.count(a) == 0 || onLoop.count(b) == 0))
         {
-          paths.AddEdge(
-            number.at(a), number.at(b), (this->Points.row(a) - this->Points.row(b)).norm());
+          edgeCosts[{ number.at(a), number.at(b) }] =
+            (this->Points.row(a) - this->Points.row(b)).norm();
         }
       }
+    }
+    double largest = *std::max_element(nodeCosts.begin(), nodeCosts.end());
+    for (const auto& [edge, cost] : edgeCosts)
+    {
+      largest = std::max(largest, cost);
+    }
+    DisjointPaths paths(static_cast<int>(points.size()), largest);
+    for (std::size_t node = 0; node < nodeCosts.size(); ++node)
+    {
+      paths.AddNode(static_cast<int>(node), nodeCosts[node]);
+    }
+    for (const auto& [edge, cost] : edgeCosts)
+    {
+      paths.AddEdge(edge.first, edge.second, cost);
     }
     for (const int end : ends)
     {
       paths.AddEnd(number.at(end));
     }
-    const auto steps = paths.Find(number.at(point), static_cast<int>(ends.size()));
+    const auto steps = paths.Find(number.at(point));
     if (!steps)
     {
       return std::nullopt;
@@ -430,7 +405,7 @@ private:
       for (int k = 0; k < 4; ++k)
       {
         const int beyond =
-          this->QuadOf.at({ this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) });
+          this->Boundary.QuadAt({ this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) });
         if (disc.count(beyond) == 0 && label.emplace(quad, this->PatchOf(beyond)).second)
         {
           open.push_back(quad);
@@ -443,7 +418,7 @@ private:
       for (int k = 0; k < 4; ++k)
       {
         const QuadEdge edge = { this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) };
-        const int beyond = this->QuadOf.at(edge);
+        const int beyond = this->Boundary.QuadAt(edge);
         if (disc.count(beyond) > 0 && chains.count(edge) == 0 &&
           label.emplace(beyond, label.at(quad)).second)
         {
@@ -458,10 +433,10 @@ private:
   }
 
   const Eigen::MatrixXd& Points;
+  const QuadSurface& Boundary;
   const Eigen::MatrixXi& Quads;
   const Mesh& Surface;
   const SurfaceFeatures& Features;
-  const std::map<QuadEdge, int> QuadOf;
   std::vector<std::vector<int>> QuadsAt;
   Eigen::VectorXi& PatchOf;
   std::vector<char> Taken; ///< points that are corners
@@ -469,7 +444,7 @@ private:
 
 } // namespace
 
-void MatchCornerValences(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+void MatchCornerValences(const Eigen::MatrixXd& points, const QuadSurface& quads,
   const Mesh& surface, const SurfaceFeatures& features, Eigen::VectorXi& patchOf)
 {
   Gathering(points, quads, surface, features, patchOf).Run();

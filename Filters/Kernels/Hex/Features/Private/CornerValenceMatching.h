@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Mesh/Mesh.h"
+#include "Mesh/QuadSurface.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <Eigen/Core>
@@ -15,14 +16,14 @@ namespace shape
  * patches that have no curve in common.
  *
  * Around a point near the corner with as many edges as the corner has patches, a disc of quads is
- * grown until its rim has the patches of the corner in their order; from where patches meet on the
- * rim as many chains of edges are led to the point, with no point in common and as short and near
- * the curves as can be (a flow of least cost), and the quads between two of them get the rim's
- * patch. Corners for which no such disc is found stay as they are.
+ * grown until its boundary loop has the patches of the corner in their order; from where patches
+ * meet on the boundary loop as many chains of edges are led to the point, with no point in common
+ * and as short and near the curves as can be (a flow of least cost), and the quads between two of
+ * them get the boundary loop's patch. Corners for which no such disc is found stay as they are.
  *
- * points: n x 3. quads: q x 4, counter-clockwise seen from outside. patchOf: q.
+ * points: n x 3. patchOf: of each quad.
  */
-void MatchCornerValences(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+void MatchCornerValences(const Eigen::MatrixXd& points, const QuadSurface& quads,
   const Mesh& surface, const SurfaceFeatures& features, Eigen::VectorXi& patchOf);
 
 } // namespace shape

@@ -1,9 +1,8 @@
 #include "Hex/Features/Private/QuadPatches.h"
 
-#include "Hex/Features/CornerRings.h"
-#include "Hex/Features/PatchedBoundary.h"
+#include "Hex/Features/PatchRings.h"
 #include "Hex/Features/Private/CornerValenceMatching.h"
-#include "Hex/Features/Private/PatchPinches.h"
+#include "Search/ClosestPoint.h"
 
 #include <algorithm>
 #include <array>
@@ -19,15 +18,14 @@ namespace
 {
 
 /// The quads across the four edges of each quad (q x 4).
-Eigen::MatrixXi NeighboursOf(const Eigen::MatrixXi& quads)
+Eigen::MatrixXi NeighboursOf(const QuadSurface& surface)
 {
-  const std::map<QuadEdge, int> quadOf = MapEdgesToQuads(quads);
-  Eigen::MatrixXi neighbours(quads.rows(), 4);
-  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+  Eigen::MatrixXi neighbours(surface.Quads().rows(), 4);
+  for (int q = 0; q < static_cast<int>(neighbours.rows()); ++q)
   {
     for (int k = 0; k < 4; ++k)
     {
-      neighbours(q, k) = quadOf.at({ quads(q, (k + 1) % 4), quads(q, k) });
+      neighbours(q, k) = surface.Across(q, k);
     }
   }
   return neighbours;
@@ -76,9 +74,10 @@ void KeepLargestPieces(const Eigen::MatrixXi& neighbours, int patches, Eigen::Ve
 
 } // namespace
 
-Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
-  const SurfaceLocator& surface, const SurfaceFeatures& features)
+Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSurface& boundary,
+  const Surface& surface, const SurfaceFeatures& features, const std::vector<Surface>& patches)
 {
+  const Eigen::MatrixXi& quads = boundary.Quads();
   if (features.Patches == 1)
   {
     return Eigen::VectorXi::Zero(quads.rows());
@@ -88,15 +87,11 @@ Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const Eigen:
   {
     midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
   }
-  const Eigen::MatrixXi neighbours = NeighboursOf(quads);
-  Eigen::VectorXi patchOf = features.PatchOf(surface.Find(midpoints).Triangles);
+  const Eigen::MatrixXi neighbours = NeighboursOf(boundary);
+  Eigen::VectorXi patchOf = features.PatchOf(SurfaceLocator(surface).Find(midpoints).Triangles);
   KeepLargestPieces(neighbours, features.Patches, patchOf);
   // Distances to single patches, for the quads that are reached from them.
-  std::vector<SurfaceLocator> locators;
-  for (const Mesh& patch : SplitIntoPatches(surface.GetSurface(), features))
-  {
-    locators.emplace_back(patch);
-  }
+  const std::vector<SurfaceLocator> locators(patches.begin(), patches.end());
   using Candidate = std::tuple<double, int, int>; // distance, quad, patch
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
   const auto offer = [&](int quad, int patch)
@@ -154,9 +149,9 @@ Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const Eigen:
       }
     }
   }
-  MatchCornerValences(points, quads, surface.GetSurface(), features, patchOf);
+  MatchCornerValences(points, boundary, surface, features, patchOf);
   SplitPinches(
-    quads, FindCornerRings(surface.GetSurface(), features),
+    boundary, FindCornerRings(surface, features),
     [&](int quad, int patch) { return locators[patch].Find(midpoints.row(quad)).Distances(0); },
     patchOf);
   std::vector<char> present(features.Patches, 0);

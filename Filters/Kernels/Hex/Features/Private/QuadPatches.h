@@ -1,9 +1,12 @@
 #pragma once
 
+#include "Mesh/QuadSurface.h"
+#include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
-#include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace shape
 {
@@ -15,7 +18,7 @@ namespace shape
  * corners are gathered (MatchCornerValences) and pinches opened (SplitPinches). Empty where a patch
  * has no quad, or a component of the quads no patch.
  */
-Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
-  const SurfaceLocator& surface, const SurfaceFeatures& features);
+Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSurface& quads,
+  const Surface& surface, const SurfaceFeatures& features, const std::vector<Surface>& patches);
 
 } // namespace shape

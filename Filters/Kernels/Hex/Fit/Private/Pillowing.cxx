@@ -1,6 +1,6 @@
 #include "Hex/Fit/Private/Pillowing.h"
 
-#include "Hex/Fit/Private/Padding.h"
+#include "Mesh/QuadSurface.h"
 
 #include <algorithm>
 #include <map>
@@ -25,9 +25,46 @@ void RememberCopies(const std::vector<int>& copyOf, PatchedBoundary& boundary)
 
 } // namespace
 
+std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads)
+{
+  std::vector<int> copyOf(mesh.Points.rows(), -1);
+  for (const int point : quads.reshaped())
+  {
+    copyOf[point] = 0;
+  }
+  auto count = static_cast<int>(mesh.Points.rows());
+  for (int& copy : copyOf)
+  {
+    copy = copy < 0 ? -1 : count++;
+  }
+  mesh.Points.conservativeResize(count, 3);
+  for (std::size_t point = 0; point < copyOf.size(); ++point)
+  {
+    if (copyOf[point] >= 0)
+    {
+      mesh.Points.row(copyOf[point]) = mesh.Points.row(static_cast<Eigen::Index>(point));
+    }
+  }
+  for (int& point : mesh.Hexahedra.reshaped())
+  {
+    point = copyOf[point] >= 0 ? copyOf[point] : point;
+  }
+  const Eigen::Index cells = mesh.Hexahedra.rows();
+  mesh.Hexahedra.conservativeResize(cells + quads.rows(), 8);
+  for (Eigen::Index q = 0; q < quads.rows(); ++q)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      mesh.Hexahedra(cells + q, k) = copyOf[quads(q, k)];
+      mesh.Hexahedra(cells + q, k + 4) = quads(q, k);
+    }
+  }
+  return copyOf;
+}
+
 void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary& boundary)
 {
-  const std::map<QuadEdge, int> quadOf = MapEdgesToQuads(boundary.Quads);
+  const QuadSurface before(boundary.Quads);
   const auto isPadded = [&](int patch)
   { return std::find(patches.begin(), patches.end(), patch) != patches.end(); };
   std::vector<int> own;
@@ -41,7 +78,7 @@ void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBounda
   const Eigen::MatrixXi quads = boundary.Quads(own, Eigen::all);
   const std::vector<int> copyOf = PadQuads(mesh, quads);
   RememberCopies(copyOf, boundary);
-  // Beyond the border the copies take the place of the points that they were made of.
+  // Beyond these patches the copies replace the points that they were made of.
   for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
   {
     if (!isPadded(boundary.PatchOf(q)))
@@ -53,9 +90,9 @@ void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBounda
     }
   }
   std::vector<std::pair<Eigen::RowVector4i, int>> sides;
-  for (const auto& [edge, quad] : quadOf)
+  for (const auto& [edge, quad] : before.Edges())
   {
-    const int beyond = boundary.PatchOf(quadOf.at({ edge.second, edge.first }));
+    const int beyond = boundary.PatchOf(before.QuadAt({ edge.second, edge.first }));
     if (isPadded(boundary.PatchOf(quad)) && !isPadded(beyond))
     {
       sides.emplace_back(

@@ -1,6 +1,7 @@
 #include "Hex/Fit/Private/PillowingPlan.h"
 
-#include "Hex/Features/CornerRings.h"
+#include "Hex/Features/PatchRings.h"
+#include "Mesh/QuadSurface.h"
 
 #include <Eigen/Geometry>
 
@@ -218,7 +219,7 @@ private:
   /// a straight angle on the surface.
   std::set<std::pair<int, int>> StraightCorners(const PatchedBoundary& boundary) const
   {
-    const std::map<QuadEdge, int> quads = MapEdgesToQuads(boundary.Quads);
+    const QuadSurface quads(boundary.Quads);
     std::set<std::pair<int, int>> pairs;
     for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
     {
@@ -226,8 +227,7 @@ private:
       std::array<int, 4> beyond{};
       for (int k = 0; k < 4; ++k)
       {
-        const QuadEdge edge = { boundary.Quads(q, (k + 1) % 4), boundary.Quads(q, k) };
-        beyond[k] = boundary.PatchOf(quads.at(edge));
+        beyond[k] = boundary.PatchOf(quads.Across(static_cast<int>(q), k));
       }
       for (int k = 0; k < 4; ++k)
       {

@@ -40,12 +40,13 @@ void Append(Eigen::VectorXi& numbers, const Eigen::VectorXi& others, Eigen::Inde
 
 } // namespace
 
-std::vector<Mesh> SplitSolids(const Mesh& surface, const Progress& progress)
+std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress)
 {
-  const Mesh outward = OrientOutwards(surface);
+  const Surface outward = OrientOutwards(surface);
   if (RequireClosedSurface(outward, "the surface").Components == 1 ||
     ExtractSolidBoundary(outward, progress.Part(0.0, 0.5)).Crossings > 0 ||
-    OrientByNesting(outward, "the surface", progress.Part(0.5, 1.0)).Triangles != outward.Triangles)
+    OrientByNesting(outward, "the surface", progress.Part(0.5, 1.0)).Triangles() !=
+      outward.Triangles())
   {
     return {};
   }

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Hex/Fit/HexFit.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace shape
  *
  * surface: as for RequireClosedSurface. Throws InvalidInput where it is not closed, Aborted.
  */
-std::vector<Mesh> SplitSolids(const Mesh& surface, const Progress& progress = {});
+std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress = {});
 
 /// The hexahedra of several solids, one after the other: PatchOf counts on. Without interfaces.
 HexFit JoinFits(const std::vector<HexFit>& fits);

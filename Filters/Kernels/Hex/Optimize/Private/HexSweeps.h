@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Hex/Optimize/Private/StarEnergy.h"
 #include "Mesh/HexMesh.h"
-#include "Untangle/SimplexPatch.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <Eigen/Core>
 

@@ -1,13 +1,11 @@
 #include "Hex/Polycube/Private/ConstrainedEnergy.h"
 
-#include "Base/Errors.h"
 #include "Base/Parallel.h"
 #include "Geometry/Orientation.h"
-#include "Linear/SparseSolve.h"
-#include "Untangle/EnergyProblem.h"
+#include "Linear/NewtonSystem.h"
+#include "Untangle/FoldoverFree.h"
 
 #include <Eigen/LU>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
@@ -22,13 +20,15 @@ constexpr int EnergyGrain = 1024;
 /// Tetrahedra weigh as if they had at least this share of the mean volume.
 constexpr double MinimumWeight = 0.1;
 
-class TiedProblem : public EnergyProblem
+/// The energy of a solid as a function of its unknown coordinates: each is a block of NewtonSystem.
+class ConstrainedEnergy : public EnergyProblem
 {
 public:
-  TiedProblem(const WorkingSolid& solid, const ConstrainedCoordinates& tied)
+  ConstrainedEnergy(const WorkingSolid& solid, const ConstrainedCoordinates& tied)
     : Solid(solid)
     , Tied(tied)
     , Weights(solid.Tetrahedra.rows())
+    , System(std::vector<int>(tied.Count, 1), this->UnknownsOfAll(), 12)
   {
     for (int t = 0; t < solid.Tetrahedra.rows(); ++t)
     {
@@ -38,7 +38,6 @@ public:
     }
     this->Weights = (this->Weights / this->Weights.mean()).cwiseMax(MinimumWeight);
     this->Weights /= this->Weights.sum();
-    this->MakePattern();
   }
 
   int CountNegative(const Eigen::Matrix3Xd& x) const override
@@ -89,8 +88,7 @@ public:
           this->Expand(t, x, epsilon, blocks[t], slopes[t]);
         }
       });
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(this->Tied.Count);
-    std::fill_n(this->Matrix.valuePtr(), this->Matrix.nonZeros(), 0.0);
+    this->System.Clear();
     for (int t = 0; t < count; ++t)
     {
       const std::array<int, 12> unknowns = this->UnknownsOf(t);
@@ -100,17 +98,24 @@ public:
         {
           continue;
         }
-        gradient(unknowns[b]) += slopes[t](b);
+        this->System.AddGradient(t, b, slopes[t].segment<1>(b));
         for (int a = 0; a < 12; ++a)
         {
           if (unknowns[a] >= 0)
           {
-            this->Matrix.valuePtr()[this->Slots[t][12 * b + a]] += blocks[t](a, b);
+            this->System.AddCurvature(t, a, b, blocks[t].block<1, 1>(a, b));
           }
         }
       }
     }
-    return this->Solve(gradient);
+    const NewtonSystem::Step step = this->System.Solve();
+    Descent descent{ Eigen::Matrix3Xd::Zero(3, this->Solid.Points.rows()), step.Slope };
+    for (Eigen::Index i = 0; i < this->Tied.Unknowns.size(); ++i)
+    {
+      const int unknown = this->Tied.Unknowns(i);
+      descent.Direction.data()[i] = unknown >= 0 ? step.Values(unknown) : 0.0;
+    }
+    return descent;
   }
 
   void Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const override
@@ -142,55 +147,15 @@ private:
     return unknowns;
   }
 
-  void MakePattern()
+  std::vector<int> UnknownsOfAll() const
   {
-    const int count = static_cast<int>(this->Hats.size());
-    std::vector<std::vector<int>> rows(this->Tied.Count);
-    for (int t = 0; t < count; ++t)
+    std::vector<int> all;
+    for (int t = 0; t < static_cast<int>(this->Solid.Tetrahedra.rows()); ++t)
     {
       const std::array<int, 12> unknowns = this->UnknownsOf(t);
-      for (const int column : unknowns)
-      {
-        for (const int row : unknowns)
-        {
-          if (column >= 0 && row >= 0)
-          {
-            rows[column].push_back(row);
-          }
-        }
-      }
+      all.insert(all.end(), unknowns.begin(), unknowns.end());
     }
-    this->Matrix.resize(this->Tied.Count, this->Tied.Count);
-    std::vector<int> inner;
-    for (int column = 0; column < this->Tied.Count; ++column)
-    {
-      std::vector<int>& all = rows[column];
-      std::sort(all.begin(), all.end());
-      all.erase(std::unique(all.begin(), all.end()), all.end());
-      inner.insert(inner.end(), all.begin(), all.end());
-      this->Matrix.outerIndexPtr()[column + 1] = static_cast<int>(inner.size());
-    }
-    this->Matrix.resizeNonZeros(static_cast<Eigen::Index>(inner.size()));
-    std::copy(inner.begin(), inner.end(), this->Matrix.innerIndexPtr());
-    this->Slots.resize(count);
-    for (int t = 0; t < count; ++t)
-    {
-      const std::array<int, 12> unknowns = this->UnknownsOf(t);
-      for (int b = 0; b < 12; ++b)
-      {
-        for (int a = 0; a < 12; ++a)
-        {
-          this->Slots[t][12 * b + a] = -1;
-          if (unknowns[a] >= 0 && unknowns[b] >= 0)
-          {
-            const int* first = inner.data() + this->Matrix.outerIndexPtr()[unknowns[b]];
-            const int* last = inner.data() + this->Matrix.outerIndexPtr()[unknowns[b] + 1];
-            this->Slots[t][12 * b + a] =
-              static_cast<int>(std::lower_bound(first, last, unknowns[a]) - inner.data());
-          }
-        }
-      }
-    }
+    return all;
   }
 
   /// The second derivative and the gradient by the twelve coordinates of a tetrahedron.
@@ -219,56 +184,11 @@ private:
     slope = this->Weights(t) * Eigen::Map<const Eigen::Matrix<double, 12, 1>>(slopes.data());
   }
 
-  Descent Solve(const Eigen::VectorXd& gradient)
-  {
-    // Unknowns in units of their own, so that a ridge means the same to all of them.
-    const Eigen::VectorXd diagonal = this->Matrix.diagonal();
-    const Eigen::VectorXd scale =
-      diagonal.array().max(1e-300 + 1e-30 * diagonal.maxCoeff()).sqrt().inverse().matrix();
-    for (int column = 0; column < this->Matrix.cols(); ++column)
-    {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Matrix, column); entry; ++entry)
-      {
-        entry.valueRef() *= scale(column) * scale(entry.row());
-      }
-    }
-    Descent descent;
-    descent.Direction = Eigen::Matrix3Xd::Zero(3, this->Solid.Points.rows());
-    for (double ridge = 1e-10; ridge < 1.0; ridge *= 1e2)
-    {
-      this->Matrix.diagonal().array() += ridge;
-      try
-      {
-        this->Cholesky.Factorize(this->Matrix);
-      }
-      catch (const SolveFailure&)
-      {
-        continue;
-      }
-      const Eigen::VectorXd step =
-        -scale.cwiseProduct(this->Cholesky.Solve(scale.cwiseProduct(gradient)).col(0));
-      if (!step.allFinite())
-      {
-        continue;
-      }
-      descent.Slope = -step.dot(gradient);
-      for (Eigen::Index i = 0; i < this->Tied.Unknowns.size(); ++i)
-      {
-        const int unknown = this->Tied.Unknowns(i);
-        descent.Direction.data()[i] = unknown >= 0 ? step(unknown) : 0.0;
-      }
-      break;
-    }
-    return descent;
-  }
-
   const WorkingSolid& Solid;
   const ConstrainedCoordinates& Tied;
   std::vector<Eigen::Matrix<double, 4, 3>> Hats;
   Eigen::VectorXd Weights;
-  std::vector<std::array<int, 144>> Slots; ///< where a tetrahedron's derivatives go; -1: nowhere
-  Eigen::SparseMatrix<double> Matrix;
-  SparseCholesky Cholesky;
+  NewtonSystem System;
 };
 
 } // namespace
@@ -276,7 +196,7 @@ private:
 PatchResult MinimizeConstrainedEnergy(Eigen::MatrixXd& positions, const WorkingSolid& solid,
   const ConstrainedCoordinates& tied, const PatchOptions& options, const Progress& progress)
 {
-  TiedProblem problem(solid, tied);
+  ConstrainedEnergy problem(solid, tied);
   Eigen::Matrix3Xd x = positions.transpose();
   const PatchResult result = MinimizeEnergy(x, problem, options, progress);
   positions = x.transpose();

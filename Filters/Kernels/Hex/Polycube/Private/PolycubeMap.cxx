@@ -287,7 +287,7 @@ std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::Vecto
 }
 
 PolycubeMap FindPolycubeMap(
-  const Mesh& surface, const PolycubeMapOptions& options, const Progress& progress)
+  const Surface& surface, const PolycubeMapOptions& options, const Progress& progress)
 {
   if (!(options.Compactness > 0.0) || !std::isfinite(options.Compactness))
   {

@@ -4,6 +4,7 @@
 #include "Hex/Polycube/Private/Charts.h"
 #include "Hex/Polycube/Private/WorkingSolid.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -54,6 +55,6 @@ struct PolycubeMap
  * polycube is found, with the faults of the best try; Aborted.
  */
 PolycubeMap FindPolycubeMap(
-  const Mesh& surface, const PolycubeMapOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const PolycubeMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -6,6 +6,7 @@
 #include "Hex/Polycube/Private/AxisLabels.h"
 #include "Hex/Polycube/Private/WorkingSolid.h"
 #include "Hex/Voxels/WellComposedVoxels.h"
+#include "Mesh/QuadSurface.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/CellLocator.h"
@@ -34,9 +35,9 @@ constexpr double MaximumFolded = 0.02;
 
 /// Where the lines of a grid should be, in cells: as far from the surface's flat parts as can be
 /// in the middle of cells, so that these are not cut into steps.
-Eigen::RowVector3d BestOffset(const Mesh& surface, const Eigen::VectorXi& labels, double size)
+Eigen::RowVector3d BestOffset(const Surface& surface, const Eigen::VectorXi& labels, double size)
 {
-  const Eigen::VectorXd areas = ComputeAreaVectors(surface).rowwise().norm();
+  const Eigen::VectorXd areas = surface.AreaVectors().rowwise().norm();
   const Eigen::MatrixXd centroids = ComputeCentroids(surface) / size;
   Eigen::RowVector3d best;
   for (int axis = 0; axis < 3; ++axis)
@@ -106,14 +107,9 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wan
     }
     KeepLargestParts(levels, wanted.Components, solid.Inside);
     HexMesh cubes = BuildVoxelHexahedra(levels, solid.Inside);
-    if (cubes.Hexahedra.rows() > 0)
+    if (cubes.Hexahedra.rows() > 0 && HasBoundaryTopology(cubes, wanted))
     {
-      const Topology topology =
-        ComputeTopology({ cubes.Points, SplitQuads(FindBoundaryQuads(cubes)) });
-      if (topology.EulerNumber == wanted.EulerNumber && topology.Components == wanted.Components)
-      {
-        return cubes;
-      }
+      return cubes;
     }
   }
   return std::nullopt;
@@ -179,7 +175,7 @@ Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
 } // namespace
 
 VoxelPolycube FindVoxelPolycube(
-  const Mesh& surface, double compactness, int cells, int maximum, const Progress& progress)
+  const Surface& surface, double compactness, int cells, int maximum, const Progress& progress)
 {
   const Topology topology = RequireClosedSurface(surface, "the surface");
   const WorkingSolid original =

@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -27,7 +28,7 @@ struct VoxelPolycube
  * are tried, up to `most`, until the topology agrees. Throws as Tetrahedralize; SolveFailure where
  * no such grid has the topology, Aborted.
  */
-VoxelPolycube FindVoxelPolycube(
-  const Mesh& surface, double compactness, int cells, int maximum, const Progress& progress = {});
+VoxelPolycube FindVoxelPolycube(const Surface& surface, double compactness, int cells, int maximum,
+  const Progress& progress = {});
 
 } // namespace shape

@@ -24,7 +24,7 @@ double RegularVolume(double edge)
   return edge * edge * edge / (6.0 * std::sqrt(2.0));
 }
 
-Mesh CoarseSurface(const Mesh& surface, double length, const Progress& progress)
+Mesh CoarseSurface(const Surface& surface, double length, const Progress& progress)
 {
   for (int attempt = 0; attempt < Attempts; ++attempt, length *= LengthShrinkage)
   {
@@ -196,7 +196,7 @@ Mesh WorkingSolid::Surface(const Eigen::MatrixXd& points) const
   return { points.topRows(this->SurfacePointCount), this->Triangles };
 }
 
-WorkingSolid BuildWorkingSolid(const Mesh& surface, int triangles, const Progress& progress)
+WorkingSolid BuildWorkingSolid(const Surface& surface, int triangles, const Progress& progress)
 {
   const double area = ComputeArea(surface);
   const double length = std::sqrt(area / triangles * 4.0 / std::sqrt(3.0));

@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -30,7 +31,8 @@ struct WorkingSolid
  *
  * Where the coarse surface would cross itself, it becomes finer. Throws as Tetrahedralize.
  */
-WorkingSolid BuildWorkingSolid(const Mesh& surface, int triangles, const Progress& progress = {});
+WorkingSolid BuildWorkingSolid(
+  const Surface& surface, int triangles, const Progress& progress = {});
 
 /// Puts a point into each of these edges of the surface (each once), in `places`, too; the parts of
 /// a triangle have its label.

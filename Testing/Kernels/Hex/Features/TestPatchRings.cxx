@@ -1,14 +1,15 @@
-#include "Hex/Features/Private/PatchPinches.h"
+#include "Hex/Features/PatchRings.h"
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace
 {
 
 /// A torus of n x n quads; that of column i and row j is i n + j.
-Eigen::MatrixXi TorusQuads(int n)
+shape::QuadSurface TorusQuads(int n)
 {
   Eigen::MatrixXi quads(n * n, 4);
   for (int i = 0; i < n; ++i)
@@ -19,7 +20,7 @@ Eigen::MatrixXi TorusQuads(int n)
       quads.row(i * n + j) << i * n + j, right * n + j, right * n + up, i * n + up;
     }
   }
-  return quads;
+  return shape::QuadSurface(std::move(quads));
 }
 
 constexpr int Side = 6;
@@ -35,9 +36,9 @@ Eigen::VectorXi Touching()
 
 } // namespace
 
-TEST(PatchPinches, TheClosestArcJoinsItsNeighbour)
+TEST(PatchRings, ThePinchesClosestArcJoinsItsNeighbour)
 {
-  const Eigen::MatrixXi quads = TorusQuads(Side);
+  const shape::QuadSurface quads = TorusQuads(Side);
   for (const int closest : { 2 * Side + 2, 3 * Side + 3 })
   {
     Eigen::VectorXi patchOf = Touching();
@@ -49,9 +50,25 @@ TEST(PatchPinches, TheClosestArcJoinsItsNeighbour)
   }
 }
 
-TEST(PatchPinches, CornersWhereAPatchIsPassedTwiceStay)
+TEST(QuadSurface, KnowsTheQuadsAcrossEdgesAndAroundPoints)
 {
-  const Eigen::MatrixXi quads = TorusQuads(Side);
+  const shape::QuadSurface torus = TorusQuads(Side);
+  EXPECT_EQ(torus.Edges().size(), 4U * Side * Side);
+  for (int quad = 0; quad < Side * Side; ++quad)
+  {
+    const int i = quad / Side, j = quad % Side;
+    const int below = i * Side + (j + Side - 1) % Side, left = (i + Side - 1) % Side * Side + j;
+    EXPECT_EQ(torus.Across(quad, 0), below);
+    EXPECT_EQ(torus.Across(quad, 3), left);
+    // Counter-clockwise around the lower left corner.
+    const int both = (i + Side - 1) % Side * Side + (j + Side - 1) % Side;
+    EXPECT_EQ(torus.QuadsAround(quad, quad), (std::vector<int>{ quad, left, both, below }));
+  }
+}
+
+TEST(PatchRings, CornersWhereAPatchIsPassedTwiceStay)
+{
+  const shape::QuadSurface quads = TorusQuads(Side);
   Eigen::VectorXi patchOf = Touching();
   const shape::PatchRing corner = shape::BuildPatchRing({ 0, 1, 0, 2 });
   shape::SplitPinches(

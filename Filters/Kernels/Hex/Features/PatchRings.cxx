@@ -1,54 +1,35 @@
-#include "Hex/Features/Private/PatchPinches.h"
-
-#include "Hex/Features/PatchedBoundary.h"
+#include "Hex/Features/PatchRings.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <set>
-#include <vector>
+#include <utility>
 
 namespace shape
 {
 namespace
 {
 
-/// The quads around each point, counter-clockwise.
-std::map<int, std::vector<int>> QuadsAround(const Eigen::MatrixXi& quads)
-{
-  const std::map<QuadEdge, int> quadOf = MapEdgesToQuads(quads);
-  std::map<int, std::vector<int>> around;
-  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      const int point = quads(q, k);
-      std::vector<int>& fan = around[point];
-      if (!fan.empty())
-      {
-        continue;
-      }
-      int quad = q;
-      do
-      {
-        fan.push_back(quad);
-        const auto corner = std::find(quads.row(quad).begin(), quads.row(quad).end(), point) -
-          quads.row(quad).begin();
-        quad = quadOf.at({ point, quads(quad, (corner + 3) % 4) });
-      } while (quad != q);
-    }
-  }
-  return around;
-}
-
+/// The points at which patches touch themselves.
 class Pinches
 {
 public:
-  Pinches(const Eigen::MatrixXi& quads, const std::vector<PatchRing>& corners)
-    : Around(QuadsAround(quads))
-    , Corners(corners.begin(), corners.end())
+  Pinches(const QuadSurface& surface, const std::vector<PatchRing>& corners)
+    : Corners(corners.begin(), corners.end())
   {
+    for (int quad = 0; quad < static_cast<int>(surface.Quads().rows()); ++quad)
+    {
+      for (const int point : surface.Quads().row(quad))
+      {
+        std::vector<int>& fan = this->Around[point];
+        if (fan.empty())
+        {
+          fan = surface.QuadsAround(point, quad);
+        }
+      }
+    }
   }
 
   void Open(const DistanceToPatch& distance, Eigen::VectorXi& patchOf) const
@@ -119,13 +100,72 @@ private:
     }
   }
 
-  const std::map<int, std::vector<int>> Around;
+  std::map<int, std::vector<int>> Around; ///< the quads around each point, counter-clockwise
   const std::set<PatchRing> Corners;
 };
 
 } // namespace
 
-void SplitPinches(const Eigen::MatrixXi& quads, const std::vector<PatchRing>& corners,
+PatchRing BuildPatchRing(const std::vector<int>& patches)
+{
+  PatchRing ring;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    if (patches[i] != patches[(i + 1) % patches.size()])
+    {
+      ring.push_back(patches[i]);
+    }
+  }
+  PatchRing minimum = ring;
+  for (std::size_t turn = 1; turn < ring.size(); ++turn)
+  {
+    std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+    minimum = std::min(minimum, ring);
+  }
+  return minimum;
+}
+
+std::vector<PatchRing> FindCornerRings(const Mesh& surface, const SurfaceFeatures& features)
+{
+  // Of each corner, by the edge of a triangle that leaves it: the next edge, and the patch between.
+  std::map<int, std::map<int, std::pair<int, int>>> fans;
+  for (const int corner : features.Corners)
+  {
+    fans[corner];
+  }
+  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (const auto fan = fans.find(surface.Triangles(t, k)); fan != fans.end())
+      {
+        const int edge = surface.Triangles(t, (k + 1) % 3),
+                  next = surface.Triangles(t, (k + 2) % 3);
+        fan->second[edge] = { next, features.PatchOf(t) };
+      }
+    }
+  }
+  std::vector<PatchRing> rings;
+  for (const int corner : features.Corners)
+  {
+    const auto& fan = fans.at(corner);
+    std::vector<int> patches;
+    auto edge = fan.begin();
+    for (std::size_t i = 0; i < fan.size() && edge != fan.end(); ++i)
+    {
+      patches.push_back(edge->second.second);
+      edge = fan.find(edge->second.first);
+    }
+    if (edge == fan.end())
+    {
+      patches.clear(); // on a boundary loop, as if a surface crosses itself
+    }
+    rings.push_back(BuildPatchRing(patches));
+  }
+  return rings;
+}
+
+void SplitPinches(const QuadSurface& quads, const std::vector<PatchRing>& corners,
   const DistanceToPatch& distance, Eigen::VectorXi& patchOf)
 {
   Pinches(quads, corners).Open(distance, patchOf);
