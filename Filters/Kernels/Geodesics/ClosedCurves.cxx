@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// A polyline's places, none twice in a row.
+/// A polyline's positions, none twice in a row.
 std::vector<int> GetLoopPositions(const std::vector<int>& polyline, const std::vector<int>& first)
 {
   std::vector<int> positions;
@@ -26,7 +26,7 @@ std::vector<int> GetLoopPositions(const std::vector<int>& polyline, const std::v
   return positions;
 }
 
-/// Polylines that are open, and which of them end at each place.
+/// Polylines that are open, and which of them end at each position.
 class OpenLines
 {
 public:
@@ -41,8 +41,8 @@ public:
     }
   }
 
-  /// The closed way from a line over others back to where it begins, each used once; the place
-  /// where it cannot go on is its last otherwise.
+  /// The closed way from a line over others back to where it begins, each used once; else its last
+  /// position is the one where it cannot go on.
   std::vector<int> WayFrom(std::size_t line)
   {
     std::vector<int> way = this->Lines[line];

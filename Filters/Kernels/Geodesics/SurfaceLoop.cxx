@@ -10,7 +10,7 @@ namespace shape
 SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
   SurfacePaths& paths, const Progress& progress)
 {
-  std::vector<SurfacePoint> places;
+  std::vector<SurfacePoint> stops;
   std::vector<Eigen::RowVector3d> positions;
   int guess = -1;
   for (const auto& point : points.rowwise())
@@ -19,24 +19,24 @@ SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator
     guess = position.Triangle;
     if (positions.empty() || positions.back() != position.Position)
     {
-      places.push_back({ position.Triangle, position.Barycentric });
+      stops.push_back({ position.Triangle, position.Barycentric });
       positions.push_back(position.Position);
     }
   }
-  if (places.size() > 1 && positions.front() == positions.back())
+  if (stops.size() > 1 && positions.front() == positions.back())
   {
-    places.pop_back();
+    stops.pop_back();
   }
-  if (places.size() < 3)
+  if (stops.size() < 3)
   {
-    throw InvalidInput("the loop has " + std::to_string(places.size()) +
-      " different places on the surface; draw a closed curve through at least 3");
+    throw InvalidInput("the loop has " + std::to_string(stops.size()) +
+      " different positions on the surface; draw a closed curve through at least 3");
   }
   SurfaceLoop loop;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < stops.size(); ++i)
   {
-    const double done = static_cast<double>(i) / static_cast<double>(places.size());
-    const SurfacePath path = paths.Find(places[i], places[(i + 1) % places.size()],
+    const double done = static_cast<double>(i) / static_cast<double>(stops.size());
+    const SurfacePath path = paths.Find(stops[i], stops[(i + 1) % stops.size()],
       Progress(
         [&](double)
         {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -27,6 +27,6 @@ namespace shape
  * Throws InvalidInput as RequireSurfaceWithBoundary with LoopCount::AtLeastOne, SolveFailure where
  * the factorisation breaks down, Aborted.
  */
-Eigen::MatrixXd FlattenConformally(const Mesh& surface, const Progress& progress = {});
+Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progress = {});
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Parameterize/ConvexCombination.h"
 
 #include <vector>
@@ -56,6 +56,6 @@ struct DiskMapResult
  * call that cannot be interrupted. Throws Aborted.
  */
 DiskMapResult MapToDisk(
-  const Mesh& surface, const DiskMapOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const DiskMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Parameterize/InjectiveRefinement.h"
 
 #include <string>
@@ -39,7 +39,7 @@ struct FreeBoundaryMapResult
  * Throws InvalidInput as RequireSurfaceWithBoundary, SolveFailure with the count where a triangle
  * of the conformal map, or of Tutte's, is not counter-clockwise; Aborted.
  */
-FreeBoundaryMapResult MapWithFreeBoundary(
-  const Mesh& surface, const FreeBoundaryMapOptions& options = {}, const Progress& progress = {});
+FreeBoundaryMapResult MapWithFreeBoundary(const Surface& surface,
+  const FreeBoundaryMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

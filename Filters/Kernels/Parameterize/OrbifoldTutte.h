@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfaceCut.h"
 #include "Parameterize/OrbifoldTile.h"
 
@@ -38,8 +38,8 @@ struct OrbifoldImage
  * orientation: a limb shrinks exponentially with its length over its girth. The factorisation is
  * one library call that cannot be interrupted. Throws Aborted.
  */
-OrbifoldImage MapToOrbifold(const Mesh& surface, const std::vector<int>& cones, OrbifoldType type,
-  const Progress& progress = {});
+OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cones,
+  OrbifoldType type, const Progress& progress = {});
 
 /// Of an image on a Rectangle: stretched and sheared to the parallelogram on which it is most
 /// conformal, of the same area, its first two cones along y as they were. Any linear map keeps what

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfaceCut.h"
 #include "Parameterize/DiskMap.h"
 #include "Parameterize/OrbifoldTile.h"
@@ -67,11 +67,11 @@ struct ParameterizeResult
  * Throws InvalidInput where the surface is not of the kind that the domain needs, or the landmarks
  * are not; SolveFailure where a triangle would be flipped, Aborted.
  */
-ParameterizeResult Parameterize(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+ParameterizeResult Parameterize(const Surface& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options = {}, const Progress& progress = {});
 
 /// The same without landmarks.
 ParameterizeResult Parameterize(
-  const Mesh& surface, const ParameterizeOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const ParameterizeOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -67,6 +67,6 @@ struct SphereMapResult
  * triangles remain: with their count.
  */
 SphereMapResult MapToSphere(
-  const Mesh& surface, const SphereMapOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const SphereMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -93,6 +93,7 @@ public:
 
   CoarseSurface Result()
   {
+    Mesh mesh;
     CoarseSurface coarse{ {}, {}, std::move(this->Positions) };
     std::vector<int> number(this->Around.size(), -1), row(this->Triangles.size(), -1);
     for (int i = 0; i < static_cast<int>(this->Around.size()); ++i)
@@ -103,8 +104,8 @@ public:
         coarse.Points.push_back(i);
       }
     }
-    coarse.Surface.Points = this->Points(Eigen::all, coarse.Points).transpose();
-    coarse.Surface.Triangles.resize(static_cast<Eigen::Index>(this->Triangles.size()), 3);
+    mesh.Points = this->Points(Eigen::all, coarse.Points).transpose();
+    mesh.Triangles.resize(static_cast<Eigen::Index>(this->Triangles.size()), 3);
     int count = 0;
     for (std::size_t t = 0; t < this->Triangles.size(); ++t)
     {
@@ -112,11 +113,11 @@ public:
       if (corners[0] >= 0)
       {
         row[t] = count;
-        coarse.Surface.Triangles.row(count++) << number[corners[0]], number[corners[1]],
-          number[corners[2]];
+        mesh.Triangles.row(count++) << number[corners[0]], number[corners[1]], number[corners[2]];
       }
     }
-    coarse.Surface.Triangles.conservativeResize(count, 3);
+    mesh.Triangles.conservativeResize(count, 3);
+    coarse.Surface = std::move(mesh);
     for (int i = 0; i < static_cast<int>(this->Around.size()); ++i)
     {
       if (this->Around[i].empty())
@@ -385,10 +386,10 @@ private:
 } // namespace
 
 CoarseSurface CoarsenSurface(
-  const Mesh& mesh, int points, const std::vector<int>& kept, const Progress& progress)
+  const Surface& surface, int points, const std::vector<int>& kept, const Progress& progress)
 {
   RequireOption(points >= 4, "the number of points", points, "at least 4");
-  const Topology topology = RequireManifold(mesh, "the surface");
+  const Topology topology = RequireManifold(surface, "the surface");
   const auto loose = (topology.ComponentId.array() < 0).count();
   if (loose > 0)
   {
@@ -397,19 +398,19 @@ CoarseSurface CoarsenSurface(
   }
   for (const int point : kept)
   {
-    RequireOption(point >= 0 && point < mesh.Points.rows(), "a point to keep", point,
+    RequireOption(point >= 0 && point < surface.Points().rows(), "a point to keep", point,
       "one of the surface's points");
   }
-  Shrinking surface(mesh, kept);
-  surface.ShrinkTo(points, progress);
+  Shrinking shrinking(surface, kept);
+  shrinking.ShrinkTo(points, progress);
   progress(1.0);
-  return surface.Result();
+  return shrinking.Result();
 }
 
 SurfacePoints LocateOnFinerSurface(const CoarseSurface& coarse, const Mesh& finer,
   const SurfacePoints& positions, const Progress& progress)
 {
-  const Eigen::MatrixXi& triangles = coarse.Surface.Triangles;
+  const Eigen::MatrixXi& triangles = coarse.Surface.Triangles();
   std::vector<std::vector<int>> near(triangles.rows());
   for (int i = 0; i < static_cast<int>(coarse.Positions.Triangles.size()); ++i)
   {
@@ -422,7 +423,7 @@ SurfacePoints LocateOnFinerSurface(const CoarseSurface& coarse, const Mesh& fine
       near[t].push_back(coarse.Points[triangles(t, k)]);
     }
   }
-  const Eigen::MatrixXd towards = PullBack(positions, triangles, coarse.Surface.Points);
+  const Eigen::MatrixXd towards = PullBack(positions, triangles, coarse.Surface.Points());
   const auto nearest = [&](int i)
   {
     const auto distance = [&](int point)

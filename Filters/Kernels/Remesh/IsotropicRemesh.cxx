@@ -37,26 +37,27 @@ long long Key(int a, int b)
 class Remesher
 {
 public:
-  Remesher(const Mesh& surface, const IsotropicRemeshOptions& options)
+  Remesher(const Surface& surface, const IsotropicRemeshOptions& options)
     : Original(surface)
     , Length(options.EdgeLength)
   {
-    for (Eigen::Index i = 0; i < surface.Points.rows(); ++i)
+    const Mesh& mesh = surface;
+    for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
     {
-      this->Points.emplace_back(surface.Points.row(i).transpose());
+      this->Points.emplace_back(mesh.Points.row(i).transpose());
     }
     this->Around.resize(this->Points.size());
     this->CreaseEdges.resize(this->Points.size(), 0);
-    for (int t = 0; t < surface.Triangles.rows(); ++t)
+    for (int t = 0; t < mesh.Triangles.rows(); ++t)
     {
       this->Triangles.push_back(
-        { surface.Triangles(t, 0), surface.Triangles(t, 1), surface.Triangles(t, 2) });
+        { mesh.Triangles(t, 0), mesh.Triangles(t, 1), mesh.Triangles(t, 2) });
       for (const int v : this->Triangles.back())
       {
         this->Around[v].push_back(t);
       }
     }
-    this->FindCreases(surface, std::cos(options.CreaseAngle * M_PI / 180.0));
+    this->FindCreases(surface.HalfEdges(), std::cos(options.CreaseAngle * M_PI / 180.0));
   }
 
   void Split()
@@ -157,9 +158,8 @@ private:
     return (this->Points[t[1]] - this->Points[t[0]]).cross(this->Points[t[2]] - this->Points[t[0]]);
   }
 
-  void FindCreases(const Mesh& surface, double cosine)
+  void FindCreases(const std::vector<HalfEdge>& sides, double cosine)
   {
-    const std::vector<HalfEdge> sides = SortHalfEdges(surface.Triangles, surface.Points.rows());
     std::vector<std::pair<int, int>> creases;
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
     {
@@ -478,7 +478,7 @@ private:
 } // namespace
 
 Mesh RemeshIsotropically(
-  const Mesh& surface, const IsotropicRemeshOptions& options, const Progress& progress)
+  const Surface& surface, const IsotropicRemeshOptions& options, const Progress& progress)
 {
   if (!std::isfinite(options.EdgeLength) || options.EdgeLength <= 0.0 || options.Rounds < 1)
   {

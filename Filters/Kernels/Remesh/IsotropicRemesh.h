@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -19,13 +20,13 @@ struct IsotropicRemeshOptions
  * along the surface (Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004).
  *
  * Creases stay where they are, and so do points where they meet or end. Creases shorter than some
- * edges are noise and are not kept. The topology stays; whether the result crosses itself is not
- * checked (Geometry/Crossings.h).
+ * edges are noise and are not kept. The topology stays; whether the result intersects itself is not
+ * checked (FindSelfIntersections).
  *
- * surface: closed, consistently oriented. Throws InvalidInput where options are out of range,
+ * surface: closed, consistently oriented. Throws InvalidInput if options are out of range,
  * Aborted.
  */
 Mesh RemeshIsotropically(
-  const Mesh& surface, const IsotropicRemeshOptions& options, const Progress& progress = {});
+  const Surface& surface, const IsotropicRemeshOptions& options, const Progress& progress = {});
 
 } // namespace shape

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -37,7 +37,8 @@ struct BlendedIntrinsicOptions
  * point, closed or with holes, whose triangles face outwards. landmarks: none or three and more
  * points apart. Throws InvalidInput where not, SolveFailure, Aborted.
  */
-SurfaceMaps ComputeBlendedIntrinsicMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
-  const BlendedIntrinsicOptions& options = {}, const Progress& progress = {});
+SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
+  const Landmarks& landmarks, const BlendedIntrinsicOptions& options = {},
+  const Progress& progress = {});
 
 } // namespace shape

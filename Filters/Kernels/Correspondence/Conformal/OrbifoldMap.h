@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 #include "Parameterize/OrbifoldTutte.h"
 #include "Search/ClosestPoint.h"
@@ -46,7 +46,7 @@ struct OrbifoldMap
  *
  * Throws as MapToOrbifold, with the surface's letter; Aborted.
  */
-OrbifoldMap MapThroughOrbifold(const Mesh& a, const std::vector<int>& conesA, const Mesh& b,
+OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress = {});
 
 /// The places of the uncut surface's points in the image (n x 2), one of each point's.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 
 #include <vector>
@@ -38,13 +38,13 @@ struct SphereCommonDomainResult
  * so small that the landmarks do not arrive: then their order around some place differs too much.
  * Aborted.
  */
-SphereCommonDomainResult MapThroughSphere(const Mesh& a, const std::vector<int>& landmarksA,
-  const Mesh& b, const std::vector<int>& landmarksB, const SphereCommonDomainOptions& options = {},
-  const Progress& progress = {});
+SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<int>& landmarksA,
+  const Surface& b, const std::vector<int>& landmarksB,
+  const SphereCommonDomainOptions& options = {}, const Progress& progress = {});
 
 /// Where directions (n x 3, not 0) hit a closed surface around the origin whose triangles all face
 /// outwards and cover the sphere once. Throws Aborted.
 SurfacePoints LocateDirections(
-  const Mesh& sphere, const Eigen::MatrixXd& directions, const Progress& progress = {});
+  const Surface& sphere, const Eigen::MatrixXd& directions, const Progress& progress = {});
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
@@ -58,7 +58,8 @@ inline constexpr int DifferenceEigenfunctions = 10;
  * InvalidInput where they are not such ones or have fewer points than NumberOfEigenpairs asks for;
  * SolveFailure, Aborted.
  */
-MapDifferenceResult MapDifference(const Mesh& first, const Mesh& second, const SurfacePoints& map,
-  const MapDifferenceOptions& options = {}, const Progress& progress = {});
+MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
+  const SurfacePoints& map, const MapDifferenceOptions& options = {},
+  const Progress& progress = {});
 
 } // namespace shape

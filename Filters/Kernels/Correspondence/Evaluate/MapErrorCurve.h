@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -57,8 +57,8 @@ struct MapErrorCurveResult
  * at least one place. Throws InvalidInput where they are not such ones, a value is not finite, an
  * option is out of range or no path leads to any truth; Aborted.
  */
-MapErrorCurveResult ComputeMapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map,
-  const Mesh& target, const GroundTruth& truth, const MapErrorCurveOptions& options = {},
+MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::MatrixXd& map,
+  const Surface& target, const GroundTruth& truth, const MapErrorCurveOptions& options = {},
   const Progress& progress = {});
 
 /**
@@ -67,17 +67,17 @@ MapErrorCurveResult ComputeMapErrorCurve(const Mesh& input, const Eigen::MatrixX
  * the root of its area, ascending; those of places on another component left out. 0 where the maps
  * are each other's inverses. Arguments and exceptions as above.
  */
-Eigen::VectorXd ComputeRoundTripErrors(const Mesh& input, const Eigen::MatrixXd& map,
-  const Mesh& target, const Eigen::MatrixXd& back, const Progress& progress = {});
+Eigen::VectorXd ComputeRoundTripErrors(const Surface& input, const Eigen::MatrixXd& map,
+  const Surface& target, const Eigen::MatrixXd& back, const Progress& progress = {});
 
 /// The share of `target`'s area that the image of `input` lies on: of triangles whose centroid is
 /// at most a hundredth of the root of the area away from the surface of its triangles at `map`.
-double ComputeCoverage(
-  const Mesh& input, const Eigen::MatrixXd& map, const Mesh& target, const Progress& progress = {});
+double ComputeCoverage(const Surface& input, const Eigen::MatrixXd& map, const Surface& target,
+  const Progress& progress = {});
 
 /// The longest of the distances found by going to the farthest point, and from that on, while it is
 /// farther, by exact distances; of the component where it is longest. At most the diameter, which
-/// it mostly is. mesh: a 2-manifold with a triangle. Throws Aborted.
-double ComputeGeodesicDiameter(const Mesh& mesh, const Progress& progress = {});
+/// it mostly is. surface: a 2-manifold with a triangle. Throws Aborted.
+double ComputeGeodesicDiameter(const Surface& surface, const Progress& progress = {});
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 
 namespace shape
@@ -30,6 +30,6 @@ struct SurfaceMapFacts
 
 /// a, b: face outwards. Triangles whose corners go to places of B that are far from each other
 /// count by the sense of the triangle between these places, against B's at its first corner.
-SurfaceMapFacts EvaluateMaps(const Mesh& a, const Mesh& b, const SurfaceMaps& maps);
+SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMaps& maps);
 
 } // namespace shape

@@ -19,14 +19,14 @@ namespace
 /// One of the two surfaces with its area made 1.
 struct Side
 {
-  Mesh Surface;
+  shape::Surface Surface;
   LaplaceSpectrum Spectrum;
   Eigen::MatrixXd Descriptors;
   std::vector<int> Samples;
 
   SampledSpectrum Sampled() const
   {
-    return { this->Surface.Triangles, this->Spectrum, this->Samples };
+    return { this->Surface.Triangles(), this->Spectrum, this->Samples };
   }
   SurfaceDescriptors Described() const
   {
@@ -34,18 +34,19 @@ struct Side
   }
 };
 
-Side Prepare(const Mesh& mesh, int pairs, const Landmarks& landmarks, int which,
+Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int which,
   const FunctionalMapOptions& options, const Progress& progress)
 {
-  Side side{ mesh, {}, {}, {} };
-  side.Surface.Points /= std::sqrt(ComputePointAreas(mesh).sum());
+  Side side{ { surface.Points() / std::sqrt(ComputePointAreas(surface).sum()),
+               surface.Triangles() },
+    {}, {}, {} };
   constexpr double tolerance = 1e-6; // as good for maps as smaller ones, and found sooner
   side.Spectrum = SolveLaplaceEigenproblem(side.Surface, pairs, progress.Part(0.0, 0.7), tolerance);
   const int count = options.Descriptors;
   // Curves are many landmarks: a few of them tell as much, by their order.
   constexpr std::size_t maximum = 12;
   const std::size_t each = std::min(landmarks.size(), maximum);
-  side.Descriptors.resize(mesh.Points.rows(), count * (2 + each));
+  side.Descriptors.resize(surface.Points().rows(), count * (2 + each));
   side.Descriptors.leftCols(count) = ComputeWaveKernelSignature(side.Spectrum, count);
   side.Descriptors.middleCols(count, count) = ComputeHeatKernelSignature(side.Spectrum, count);
   for (std::size_t i = 0; i < each; ++i)
@@ -57,18 +58,18 @@ Side Prepare(const Mesh& mesh, int pairs, const Landmarks& landmarks, int which,
   return side;
 }
 
-int UsedPoints(const Mesh& mesh, const char* name)
+int CountUsedPoints(const Surface& surface, const char* name)
 {
-  const Topology topology = RequireManifold(mesh, name);
+  const Topology topology = RequireManifold(surface, name);
   return static_cast<int>((topology.ComponentId.array() >= 0).count());
 }
 
 } // namespace
 
-SurfaceMaps ComputeFunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options, const Progress& progress)
 {
-  const int points = std::min(UsedPoints(a, "SurfaceA"), UsedPoints(b, "SurfaceB"));
+  const int points = std::min(CountUsedPoints(a, "SurfaceA"), CountUsedPoints(b, "SurfaceB"));
   const int pairs = std::min(options.Refinement.Last, points);
   FunctionalMapFitOptions fit = options.Fit;
   fit.Size = std::min(fit.Size, pairs);
@@ -83,10 +84,10 @@ SurfaceMaps ComputeFunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& 
     one.Sampled(), two.Sampled(), map, landmarks, refinement, progress.Part(0.7, 0.85));
   const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
                         &functionsB = two.Spectrum.Eigenfunctions;
-  return { FindNearestSurfacePoints(functionsA, b.Triangles, functionsB * maps.BToA.transpose(),
+  return { FindNearestSurfacePoints(functionsA, b.Triangles(), functionsB * maps.BToA.transpose(),
              progress.Part(0.85, 0.92)),
     FindNearestSurfacePoints(
-      functionsB, a.Triangles, functionsA * maps.AToB.transpose(), progress.Part(0.92, 1.0)) };
+      functionsB, a.Triangles(), functionsA * maps.AToB.transpose(), progress.Part(0.92, 1.0)) };
 }
 
 } // namespace shape

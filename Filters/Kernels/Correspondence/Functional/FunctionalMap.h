@@ -4,7 +4,7 @@
 #include "Correspondence/Functional/FunctionalMapFit.h"
 #include "Correspondence/Functional/ZoomOut.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -29,7 +29,7 @@ struct FunctionalMapOptions
  * InvalidInput where an option is out of range or a surface is no consistently oriented 2-manifold,
  * SolveFailure, Aborted.
  */
-SurfaceMaps ComputeFunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

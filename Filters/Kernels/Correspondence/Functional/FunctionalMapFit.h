@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ struct FunctionalMapFitOptions
 /// A surface's spectrum and functions of its points that do not change where it is bent.
 struct SurfaceDescriptors
 {
-  const Mesh& Surface;
+  shape::Surface Surface;
   const LaplaceSpectrum& Spectrum;
   const Eigen::MatrixXd& Descriptors; ///< n x q
 };

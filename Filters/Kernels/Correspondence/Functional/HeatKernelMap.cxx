@@ -38,12 +38,11 @@ void RequireReached(
 }
 
 /// The spectrum of a surface with its area made 1.
-LaplaceSpectrum UnitSpectrum(const Mesh& mesh, int pairs, const Progress& progress)
+LaplaceSpectrum UnitSpectrum(const Surface& surface, int pairs, const Progress& progress)
 {
-  Mesh scaled = mesh;
-  scaled.Points /= std::sqrt(ComputePointAreas(mesh).sum());
-  return SolveLaplaceEigenproblem(
-    scaled, std::min(pairs, static_cast<int>(mesh.Points.rows())), progress);
+  const double length = std::sqrt(ComputePointAreas(surface).sum());
+  return SolveLaplaceEigenproblem({ surface.Points() / length, surface.Triangles() },
+    std::min(pairs, static_cast<int>(surface.Points().rows())), progress);
 }
 
 /// The largest and the least eigenvalue that is not 0.
@@ -83,7 +82,7 @@ Eigen::MatrixXd Heat(
 
 } // namespace
 
-SurfaceMaps ComputeHeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options, const Progress& progress)
 {
   RequireOption(options.Eigenpairs >= 2, "Eigenpairs", options.Eigenpairs, "at least 2");
@@ -105,8 +104,8 @@ SurfaceMaps ComputeHeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& 
                                   .array()
                                   .exp();
   const Eigen::MatrixXd heatA = Heat(spectrumA, onA, times), heatB = Heat(spectrumB, onB, times);
-  return { FindNearestSurfacePoints(heatA, b.Triangles, heatB, progress.Part(0.6, 0.8)),
-    FindNearestSurfacePoints(heatB, a.Triangles, heatA, progress.Part(0.8, 1.0)) };
+  return { FindNearestSurfacePoints(heatA, b.Triangles(), heatB, progress.Part(0.6, 0.8)),
+    FindNearestSurfacePoints(heatB, a.Triangles(), heatA, progress.Part(0.8, 1.0)) };
 }
 
 } // namespace shape

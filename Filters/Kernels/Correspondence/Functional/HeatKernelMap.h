@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -29,7 +29,7 @@ struct HeatKernelMapOptions
  * landmark on each component. Without any landmark, of one component each: those of
  * FindLandmarks. Throws InvalidInput where not, SolveFailure, Aborted.
  */
-SurfaceMaps ComputeHeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -34,7 +34,7 @@ struct PartialFunctionalMapOptions
  * whole}. scale: lengths on the whole over those on the part. AToB of the result is the part's map,
  * BToA the whole's. Throws InvalidInput, SolveFailure, Aborted.
  */
-SurfaceMaps ComputePartialFunctionalMap(const Mesh& part, const Mesh& whole,
+SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whole,
   const Landmarks& landmarks, double scale, const PartialFunctionalMapOptions& options = {},
   const Progress& progress = {});
 

@@ -198,8 +198,8 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
 
 } // namespace
 
-AutomaticLandmarksResult FindLandmarks(
-  const Mesh& a, const Mesh& b, const AutomaticLandmarksOptions& options, const Progress& progress)
+AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
+  const AutomaticLandmarksOptions& options, const Progress& progress)
 {
   RequireOption(options.Samples >= 20, "Samples", options.Samples, "at least 20");
   RequireOption(options.Features >= 6, "Features", options.Features, "at least 6");

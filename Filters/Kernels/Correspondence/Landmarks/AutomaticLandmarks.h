@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Correspondence/Pair/SurfacePart.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -66,7 +66,7 @@ struct AutomaticLandmarksResult
  * Throws InvalidInput where these are no such surfaces, or where no three features agree;
  * SolveFailure, Aborted.
  */
-AutomaticLandmarksResult FindLandmarks(const Mesh& a, const Mesh& b,
+AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
   const AutomaticLandmarksOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -12,6 +12,6 @@ namespace shape
 /// none, its points go to the first landmark's partner. Throws InvalidInput without landmarks,
 /// SolveFailure, Aborted.
 SurfaceMaps MapByLandmarkCells(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress = {});
+  const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress = {});
 
 } // namespace shape

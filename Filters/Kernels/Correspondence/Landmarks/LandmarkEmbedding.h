@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -26,15 +27,15 @@ Eigen::MatrixXd ComputeGradientOrientations(
  * surfaces that have rows near each other correspond where the k points do, on the same side of the
  * landmarks even where distances alone cannot tell: the back is not taken for the front.
  *
- * mesh: of one component with a triangle at each point. Returns n x (k + pairs). Throws
+ * surface: of one component with a triangle at each point. Returns n x (k + pairs). Throws
  * SolveFailure, Aborted.
  */
 Eigen::MatrixXd EmbedByLandmarks(
-  const Mesh& mesh, const std::vector<int>& landmarks, const Progress& progress = {});
+  const Surface& surface, const std::vector<int>& landmarks, const Progress& progress = {});
 
 /// The same with distances over a length that is given, for surfaces of unlike extent.
-Eigen::MatrixXd EmbedByLandmarks(const Mesh& mesh, const std::vector<int>& landmarks, double length,
-  const Progress& progress = {});
+Eigen::MatrixXd EmbedByLandmarks(const Surface& surface, const std::vector<int>& landmarks,
+  double length, const Progress& progress = {});
 
 /// The same numbers of distances (s x k) and the ComputeGradientOrientations of all or the first of
 /// them, for some of the landmarks. turnSign: 1, or -1 for the mirror image.

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -13,7 +13,7 @@ namespace shape
 /// triangle closest to a place the corner that it is nearest to. A pair is left out where one of
 /// its points is in a pair already. Throws InvalidInput where a coordinate is not finite or a place
 /// is farther from its surface than half the longest side of that, Aborted.
-Landmarks PairLandmarks(const Mesh& a, const Eigen::MatrixXd& positionsA, const Mesh& b,
+Landmarks PairLandmarks(const Surface& a, const Eigen::MatrixXd& positionsA, const Surface& b,
   const Eigen::MatrixXd& positionsB, const Progress& progress = {});
 
 } // namespace shape

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -32,11 +32,11 @@ struct SurfacePart
  * point, SolveFailure, Aborted.
  */
 SurfacePart FindPart(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress = {});
+  const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress = {});
 
 /// The same where it is known which one is a part; a, b: RequireConnected. Throws InvalidInput
 /// where the part would have more area than the whole, or where no two landmarks tell the scale.
-SurfacePart MeasurePart(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfacePart MeasurePart(const Surface& a, const Surface& b, const Landmarks& landmarks,
   SurfacePart::WhichType which, const Progress& progress = {});
 
 } // namespace shape

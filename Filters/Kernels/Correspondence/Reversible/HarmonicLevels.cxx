@@ -10,7 +10,7 @@ namespace shape
 namespace
 {
 
-EmbeddedSurface Embedded(const Mesh& surface, const EmbeddedSamples& samples)
+EmbeddedSurface Embedded(const Surface& surface, const EmbeddedSamples& samples)
 {
   return { surface,
     ExtendBiharmonically(surface, samples) / std::sqrt(ComputePointAreas(surface).sum()) };

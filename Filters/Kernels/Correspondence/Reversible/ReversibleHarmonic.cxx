@@ -32,11 +32,11 @@ class Side
 {
 public:
   Side(const EmbeddedSurface& given, SurfacePoints start)
-    : Triangles(given.Surface.Triangles)
+    : Triangles(given.Surface.Triangles())
     , Embedding(given.Embedding)
     , Map(std::move(start))
   {
-    const Eigen::Index points = given.Surface.Points.rows();
+    const Eigen::Index points = given.Surface.Points().rows();
     const TriangleAngles angles = ComputeTriangleAngles(given.Surface);
     this->Stiffness = BuildPositiveStiffness(
       BuildCotangentStiffness(this->Triangles, angles.Cotangents, points), 0.0);
@@ -197,7 +197,7 @@ void Pin(Side& one, Side& two, const SurfaceMaps& partners, const Landmarks& lan
   two.Pin(ofB);
 }
 
-SurfaceMaps Partners(const Mesh& a, const Mesh& b, const Landmarks& landmarks)
+SurfaceMaps Partners(const Surface& a, const Surface& b, const Landmarks& landmarks)
 {
   Eigen::VectorXi onA(static_cast<Eigen::Index>(landmarks.size())), onB(onA.size());
   for (Eigen::Index i = 0; i < onA.size(); ++i)
@@ -210,11 +210,11 @@ SurfaceMaps Partners(const Mesh& a, const Mesh& b, const Landmarks& landmarks)
 
 } // namespace
 
-ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Mesh& a, const Mesh& b,
+ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Surface& a, const Surface& b,
   const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
   const Progress& progress)
 {
-  const auto embedded = [&](const Mesh& surface, const Progress& part)
+  const auto embedded = [&](const Surface& surface, const Progress& part)
   {
     return EmbeddedSurface{ surface,
       EmbedBySmacof(surface, options.Scaling, part) / std::sqrt(ComputePointAreas(surface).sum()) };

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Spectrum/Smacof.h"
 
 #include <vector>
@@ -27,7 +27,7 @@ struct ReversibleHarmonicOptions
 /// A surface and positions of its points whose straight distances are nearly geodesic ones.
 struct EmbeddedSurface
 {
-  const Mesh& Surface;
+  shape::Surface Surface;
   Eigen::MatrixXd Embedding; ///< n x d, d <= 32, where the surface's area is 1
 };
 
@@ -58,7 +58,7 @@ struct ReversibleHarmonicResult
  * maps to begin at, such as LandmarkCells or a FunctionalMap; a mirrored start stays mirrored.
  * Throws InvalidInput, SolveFailure, Aborted.
  */
-ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Mesh& a, const Mesh& b,
+ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Surface& a, const Surface& b,
   const SurfaceMaps& start, const Landmarks& landmarks = {},
   const ReversibleHarmonicOptions& options = {}, const Progress& progress = {});
 

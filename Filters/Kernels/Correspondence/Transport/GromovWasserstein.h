@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Correspondence/Transport/GromovWassersteinCoupling.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <vector>
 
@@ -49,7 +49,7 @@ struct GromovWassersteinResult
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus, with a
  * triangle at each point. Sizes may differ. Throws InvalidInput where not, SolveFailure, Aborted.
  */
-GromovWassersteinResult ComputeGromovWassersteinMap(const Mesh& a, const Mesh& b,
+GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const GromovWassersteinOptions& options = {},
   const Progress& progress = {});
 

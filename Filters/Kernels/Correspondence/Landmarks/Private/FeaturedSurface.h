@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Landmarks/SampledSurface.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -32,10 +32,10 @@ struct FeaturedSurface
  * matching for fully automatic similarity estimation of 3D shapes", 2001, section 3.1), at most
  * `features`; where these are fewer than 6, the points farthest from them are added.
  *
- * mesh: RequireConnected. samples, features: >= 6. Throws SolveFailure, Aborted.
+ * surface: RequireConnected. samples, features: >= 6. Throws SolveFailure, Aborted.
  */
 FeaturedSurface FindFeatures(
-  const Mesh& mesh, int samples, int features, const Progress& progress = {});
+  const Surface& surface, int samples, int features, const Progress& progress = {});
 
 /// The surface as a part of a larger one that has `share` as its area over its own: distances are
 /// those times the root of it, and features near the border, where a limb may have been cut, are
