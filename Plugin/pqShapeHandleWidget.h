@@ -32,7 +32,7 @@ protected:
   bool TurnWheel(int steps, bool control) override;
   void Draw() override;
   void ReadFacts() override;
-  void Position() override;
+  void Place() override;
 
 private:
   Q_DISABLE_COPY(pqShapeHandleWidget)

@@ -237,7 +237,7 @@ void pqShapeInteractiveWidget::Initialize()
   if (!this->Initialized && filter && filter->modifiedState() == pqProxy::UNINITIALIZED)
   {
     const pqScopedUndoExclude exclude;
-    this->Position();
+    this->Place();
     this->proxy()->UpdateVTKObjects();
   }
   this->Initialized = true;

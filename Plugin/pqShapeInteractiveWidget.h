@@ -73,7 +73,7 @@ protected:
   virtual bool Click(const Eigen::Vector2d& /*pixel*/) { return false; }
   virtual bool DoubleClick() { return false; }
   /// The handle appears, and the filter has never been applied.
-  virtual void Position() {}
+  virtual void Place() {}
   /// The handle appears, or the filter was updated: what only a server knows is asked for here,
   /// since nothing may be while a view is rendered.
   virtual void ReadFacts() {}
