@@ -11,7 +11,7 @@
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Correspondence/Private/MethodInput.h"
-#include "Correspondence/Reversible/HarmonicLevels.h"
+#include "Correspondence/Reversible/ReversibleHarmonic.h"
 #include "Correspondence/Transport/GromovWasserstein.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"

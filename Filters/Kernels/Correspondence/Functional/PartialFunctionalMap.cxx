@@ -5,7 +5,6 @@
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"
-#include "Search/NearestRows.h"
 #include "Search/NearestSurfacePoints.h"
 #include "Spectrum/LaplaceSpectrum.h"
 #include "Spectrum/SpectralSignatures.h"

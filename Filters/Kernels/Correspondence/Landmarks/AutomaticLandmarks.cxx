@@ -5,7 +5,7 @@
 #include "Correspondence/Landmarks/Private/FeatureAssignment.h"
 #include "Correspondence/Landmarks/Private/FeaturedSurface.h"
 #include "Correspondence/Pair/MatchingInput.h"
-#include "Search/NearestRows.h"
+#include "Search/NearestSurfacePoints.h"
 
 #include <algorithm>
 #include <cmath>
