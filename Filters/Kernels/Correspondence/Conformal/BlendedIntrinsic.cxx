@@ -92,7 +92,7 @@ RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Prog
   return round;
 }
 
-/// Where a conformal map takes points, and how far it is trusted there.
+/// Where a conformal map takes points, and how much it is trusted there.
 struct Images
 {
   Eigen::MatrixXd Positions; ///< in the target's embedding
@@ -110,7 +110,7 @@ Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const 
     scales.array().cosh().inverse() };
 }
 
-/// Every three of so many landmarks, or some that are evenly spread over them.
+/// Every three of `count` landmarks, or some that are evenly spread over them.
 std::vector<std::vector<int>> Triples(int count)
 {
   constexpr std::size_t maximum = 300;
@@ -208,7 +208,7 @@ Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator&
   return blend;
 }
 
-/// The places nearest to the mean images of all points.
+/// The positions nearest to the mean images of all points.
 SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Surface& target,
   const SurfaceLocator& locator, const Blend& blend, const Progress& progress)
 {

@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-constexpr int LocatorGrain = 512;  // places
+constexpr int LocatorGrain = 512;  // positions
 constexpr double Rounding = 1e-12; // tiles have the size 1
 
 using Complex = std::complex<double>;
@@ -79,7 +79,7 @@ SurfacePoints OrbifoldLocator::Find(
   {
     if (!(std::abs(Complex(positions(i, 0), positions(i, 1)) - first) <= this->Reach + Rounding))
     {
-      throw InvalidInput("place " + std::to_string(i) + " is farther from the first cone than " +
+      throw InvalidInput("position " + std::to_string(i) + " is farther from the first cone than " +
         std::to_string(this->Reach) + "; give the locator a larger reach");
     }
   }

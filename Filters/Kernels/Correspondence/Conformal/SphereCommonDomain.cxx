@@ -42,7 +42,7 @@ void RequireLandmarks(
   if (std::set<int>(landmarks.begin(), landmarks.end()).size() < landmarks.size())
   {
     throw InvalidInput(
-      "two landmarks of surface " + name + " are the same point; give each a place of its own");
+      "two landmarks of surface " + name + " are the same point; give each a point of its own");
   }
 }
 
@@ -62,7 +62,7 @@ Eigen::MatrixXd OnSphere(const Surface& surface, const std::string& name, const 
   }
 }
 
-/// The rotation R for which the sum of |R from_i - to_i|^2 is least (Kabsch 1976).
+/// The rotation R that minimises the sum of |R from_i - to_i|^2 (Kabsch 1976).
 Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
 {
   const Eigen::Matrix3d products = to.transpose() * from;
@@ -71,7 +71,7 @@ Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd&
   return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
-/// The least distance between two of them; 2 for one.
+/// The minimum distance between two of them; 2 for one.
 double Separation(const Eigen::MatrixXd& positions)
 {
   double minimum = 2.0;

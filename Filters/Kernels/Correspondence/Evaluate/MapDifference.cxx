@@ -39,9 +39,9 @@ void RequirePoints(int asked, int points, const std::string& name)
   }
 }
 
-/// The middles of a surface's edges, where a map of its points takes them, and a third of the areas
-/// beside each: integrals over the surface are sums over these. What is linear in triangles loses
-/// as much there on either surface, which it would not at points that meet points.
+/// The midpoints of a surface's edges, their images by a map of its points, and a third of the
+/// areas beside each: integrals over the surface are sums over these. Functions that are linear in
+/// triangles lose as much there on either surface, which they would not at vertices.
 struct EdgeSamples
 {
   std::vector<int> Low, High; ///< points

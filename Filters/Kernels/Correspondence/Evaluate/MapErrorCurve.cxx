@@ -71,7 +71,7 @@ Eigen::VectorXd Ascending(const Eigen::VectorXd& distances, double unit)
     unit;
 }
 
-/// The least error that at least this share of the errors is not above.
+/// The smallest error that at least this share of the errors does not exceed.
 double ComputePercentile(const Eigen::VectorXd& errors, double share)
 {
   const double rank = std::ceil(share * static_cast<double>(errors.size())) - 1.0;

@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// How far, straight, each point of a surface (n) is from where it comes back to by two maps.
+/// The straight distance of each point of a surface (n) from where it comes back to by two maps.
 Eigen::VectorXd ReturnDistances(
   const Mesh& mesh, const SurfacePoints& there, const Mesh& other, const SurfacePoints& back)
 {

@@ -30,8 +30,8 @@ struct Operators
   Matrices Products, Turns;     ///< q each, k x k
 };
 
-/// Each triangle laid in its plane, with the first side along x: what makes gradients of functions
-/// that are linear in it.
+/// Each triangle in its own plane, the first edge along x: gradients of functions that are linear
+/// in it.
 class Gradients
 {
 public:

@@ -17,11 +17,10 @@ struct FunctionalMapFitOptions
   double LaplacianWeight = 1e-2;   ///< of commutativity with the Laplacians; >= 0
   double DescriptorWeight = 1e-1;  ///< of commutativity with products with descriptors; >= 0
   double OrientationWeight = 1e-2; ///< of commutativity with turned gradients of theirs; >= 0
-  int OperatorStride =
-    5; ///< operators are those of every so many descriptors: neighbours are alike
+  int OperatorStride = 5; ///< operators are made of every n-th descriptor: neighbours are alike
 };
 
-/// A surface's spectrum and functions of its points that do not change where it is bent.
+/// A surface's spectrum and functions of its points that do not change if it is bent.
 struct SurfaceDescriptors
 {
   shape::Surface Surface;
@@ -31,7 +30,7 @@ struct SurfaceDescriptors
 
 /**
  * The functional map that takes descriptors of one surface to those of another one, in their first
- * eigenfunctions: the least of
+ * eigenfunctions: the minimum of
  *
  *   |C A - B|^2 + w_L |C L1 - L2 C|^2 + w_D sum |C P1 - P2 C|^2 + w_O sum |C O1 - O2 C|^2
  *
@@ -61,14 +60,14 @@ struct FunctionalMapOptions
 /**
  * Corresponding points of two surfaces that differ nearly by bending: a functional map fitted to
  * the wave and heat kernel signatures and to the wave kernels from landmarks (FitFunctionalMap),
- * refined by RefineByZoomOut, and the points' places nearest in the images of all eigenfunctions:
+ * refined by RefineByZoomOut, then each point's nearest position in all eigenfunctions:
  * precise, inside triangles (Ezuz and Ben-Chen, "Deblurring and denoising of maps between shapes",
  * 2017).
  *
- * Both surfaces may have borders and several components; sizes may differ, each is taken with its
- * area as 1. Without landmarks a surface with a symmetry may be mapped to its mirror image. Throws
- * InvalidInput where an option is out of range or a surface is no consistently oriented 2-manifold,
- * SolveFailure, Aborted.
+ * Both surfaces may have boundaries and several components; sizes may differ, each is taken with
+ * its area as 1. Without landmarks a surface with a symmetry may be mapped to its mirror image.
+ * Throws InvalidInput if an option is out of range or a surface is no consistently oriented
+ * 2-manifold, SolveFailure, Aborted.
  */
 SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options = {}, const Progress& progress = {});

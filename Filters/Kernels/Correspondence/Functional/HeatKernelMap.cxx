@@ -17,7 +17,7 @@ namespace shape
 namespace
 {
 
-/// Throws InvalidInput where a component has none of `points`.
+/// Throws InvalidInput if a component has none of `points`.
 void RequireReached(
   const Topology& topology, const std::vector<int>& points, const std::string& name)
 {
@@ -45,7 +45,7 @@ LaplaceSpectrum UnitSpectrum(const Surface& surface, int pairs, const Progress& 
     std::min(pairs, static_cast<int>(surface.Points().rows())), progress);
 }
 
-/// The largest and the least eigenvalue that is not 0.
+/// The largest and the smallest eigenvalue that is not 0.
 std::array<double, 2> Range(const LaplaceSpectrum& spectrum, const std::string& name)
 {
   const Eigen::Index last = spectrum.Eigenvalues.size() - 1;

@@ -21,7 +21,7 @@ namespace shape
 namespace
 {
 
-/// How many eigenvalues are at most as large as one.
+/// The number of eigenvalues up to a bound, at least 1.
 Eigen::Index UpTo(const Eigen::VectorXd& eigenvalues, double bound)
 {
   return std::max<Eigen::Index>(1, (eigenvalues.array() <= bound).count());

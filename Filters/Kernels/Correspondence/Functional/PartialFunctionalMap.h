@@ -26,7 +26,7 @@ struct PartialFunctionalMapOptions
  * RefineByZoomOut (Melzi and others 2019, section on partial shapes), from the part's points alone,
  * for those of the whole need not have a partner.
  *
- * The whole's points go to the places of the part whose images are nearest in the whole's
+ * The whole's points go to the positions on the part whose images are nearest in the whole's
  * eigenfunctions over the roots of their eigenvalues (ComputeSpectralEmbedding): those in the
  * images to what they are images of, the others near the cut.
  *

@@ -17,7 +17,7 @@ namespace
 /// unit's.
 constexpr double MaximumDistanceShare = 0.5;
 
-/// For each place the corner that it is nearest to, of the triangle closest to it.
+/// For each position the nearest corner of the triangle closest to it.
 Eigen::VectorXi NearestPoints(const Surface& surface, const Eigen::MatrixXd& positions,
   const std::string& name, const Progress& progress)
 {

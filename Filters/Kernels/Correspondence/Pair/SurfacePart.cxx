@@ -15,7 +15,7 @@ namespace shape
 namespace
 {
 
-/// Every so many of the landmarks, at most 12: more tell no more of the scale.
+/// Landmarks at even intervals, at most 12: more tell no more of the scale.
 Landmarks Some(const Landmarks& landmarks)
 {
   constexpr std::size_t maximum = 12;

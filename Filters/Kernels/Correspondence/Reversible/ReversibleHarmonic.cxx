@@ -29,7 +29,7 @@ struct Weights
   double Alpha, Beta;
 };
 
-/// One of the two surfaces, its map onto the other one and what stands for the map's image.
+/// One of the two surfaces, its map onto the other one and the variable that stands for its image.
 class Side
 {
 public:
@@ -62,7 +62,7 @@ public:
     }
   }
 
-  /// P: the nearest places of the other surface to this one's points.
+  /// P: the positions on the other surface nearest to this one's points.
   void Project(const Side& other, const Weights& weights, const Progress& progress)
   {
     const double reversibility = std::sqrt(1.0 - weights.Alpha), penalty = std::sqrt(weights.Beta);
@@ -97,7 +97,7 @@ public:
       progress);
   }
 
-  /// X: the least of the energy, which is quadratic in it.
+  /// X: the minimum of the energy, which is quadratic in it.
   void Solve(const Side& other, const Weights& weights)
   {
     Eigen::SparseMatrix<double> matrix = weights.Alpha * this->Stiffness;

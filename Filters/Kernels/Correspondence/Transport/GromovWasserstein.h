@@ -39,15 +39,15 @@ struct GromovWassersteinResult
  * samples, and once more, from eight times its last value, on all of them. Landmarks are samples
  * that go to each other; the start is how alike samples lie to them (EmbedByLandmarks). Without
  * landmarks nothing is fixed, and of the couplings of all starts, on a quarter of the samples, the
- * one with the least distortion is taken.
+ * one with the smallest distortion is taken.
  *
  * From the samples to all points: each sample's image is the mean of B's eigenfunctions over what
  * goes there, interpolated by the eigenfunctions of A in least squares ("soft" functional maps,
- * section 4 of the paper); each point goes to a place near its row there
+ * section 4 of the paper); each point goes to a position near its row there
  * (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus, with a
- * triangle at each point. Sizes may differ. Throws InvalidInput where not, SolveFailure, Aborted.
+ * triangle at each point. Sizes may differ. Throws InvalidInput if not, SolveFailure, Aborted.
  */
 GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const GromovWassersteinOptions& options = {},

@@ -77,7 +77,7 @@ FeaturedSurface FindFeatures(
 
 FeaturedSurface RestrictToPart(const FeaturedSurface& surface, double share)
 {
-  constexpr double minimum = 0.1; // from the border, over the root of the area
+  constexpr double minimum = 0.1; // from the boundary, over the root of the area
   const Eigen::Index all = surface.DistanceToBoundary.size();
   const double scale = std::sqrt(share);
   std::vector<int> kept, columns;
