@@ -11,7 +11,7 @@
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Correspondence/Private/MethodInput.h"
-#include "Correspondence/Reversible/HarmonicLevels.h"
+#include "Correspondence/Reversible/ReversibleHarmonic.h"
 #include "Correspondence/Transport/GromovWasserstein.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
@@ -32,16 +32,17 @@ using Options = CorrespondenceOptions;
 /// A surface without the points that no triangle uses.
 struct Compact
 {
-  Mesh Surface;
+  shape::Surface Surface;
   std::vector<int> Points;    ///< of the surface given
   Eigen::VectorXi PositionOf; ///< n: in Points; -1
 };
 
-Compact Compacted(const Mesh& mesh, const std::string& name)
+Compact Compacted(const Surface& surface, const std::string& name)
 {
-  const Topology topology = RequireManifold(mesh, name);
-  Compact compact{ mesh, {}, Eigen::VectorXi::Constant(mesh.Points.rows(), -1) };
-  for (int i = 0; i < static_cast<int>(mesh.Points.rows()); ++i)
+  const Topology topology = RequireManifold(surface, name);
+  const Eigen::Index points = surface.Points().rows();
+  Compact compact{ surface, {}, Eigen::VectorXi::Constant(points, -1) };
+  for (int i = 0; i < static_cast<int>(points); ++i)
   {
     if (topology.ComponentId(i) >= 0)
     {
@@ -49,36 +50,38 @@ Compact Compacted(const Mesh& mesh, const std::string& name)
       compact.Points.push_back(i);
     }
   }
-  compact.Surface.Points = mesh.Points(compact.Points, Eigen::all);
-  compact.Surface.Triangles =
-    mesh.Triangles.unaryExpr([&](int point) { return compact.PositionOf(point); });
+  if (compact.Points.size() < static_cast<std::size_t>(points))
+  {
+    compact.Surface = { surface.Points()(compact.Points, Eigen::all),
+      surface.Triangles().unaryExpr([&](int point) { return compact.PositionOf(point); }) };
+  }
   return compact;
 }
 
 bool HasFewer(const Compact& one, const Compact& other)
 {
-  return one.Surface.Points.rows() < other.Surface.Points.rows();
+  return one.Surface.Points().rows() < other.Surface.Points().rows();
 }
 
 /// The map of all points of the surface given: the others go with the closest of the surface.
-SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Mesh& given)
+SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Surface& given)
 {
-  if (from.Surface.Points.rows() == given.Points.rows())
+  if (from.Surface.Points().rows() == given.Points().rows())
   {
     return map;
   }
-  SurfacePoints all{ Eigen::VectorXi(given.Points.rows()),
-    Eigen::MatrixXd(given.Points.rows(), 3) };
+  SurfacePoints all{ Eigen::VectorXi(given.Points().rows()),
+    Eigen::MatrixXd(given.Points().rows(), 3) };
   const SurfaceLocator locator(from.Surface);
-  for (Eigen::Index i = 0; i < given.Points.rows(); ++i)
+  for (Eigen::Index i = 0; i < given.Points().rows(); ++i)
   {
     int position = from.PositionOf(i);
     if (position < 0)
     {
-      const ClosestPoint closest = locator.FindOne(given.Points.row(i));
+      const ClosestPoint closest = locator.FindOne(given.Points().row(i));
       Eigen::Index corner = 0;
       closest.Barycentric.maxCoeff(&corner);
-      position = from.Surface.Triangles(closest.Triangle, corner);
+      position = from.Surface.Triangles()(closest.Triangle, corner);
     }
     all.Triangles(i) = map.Triangles(position);
     all.Barycentrics.row(i) = map.Barycentrics.row(position);
@@ -88,7 +91,7 @@ SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Mesh
 
 /// Landmarks that were found are more than the four that an orbifold can have.
 SurfaceMaps ThroughOrbifold(
-  const Mesh& a, const Mesh& b, Landmarks landmarks, bool found, const Progress& progress)
+  const Surface& a, const Surface& b, Landmarks landmarks, bool found, const Progress& progress)
 {
   constexpr std::size_t maximum = 4;
   if (found && landmarks.size() > maximum)
@@ -103,7 +106,7 @@ SurfaceMaps ThroughOrbifold(
 }
 
 /// Finds landmarks where none are given, and which surface is a part of the other one.
-void Begin(const Mesh& a, const Mesh& b, Landmarks& landmarks, Options::PartType part,
+void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, Options::PartType part,
   CorrespondenceResult& result, const Progress& progress)
 {
   using Part = Options::PartType;
@@ -130,7 +133,7 @@ void Begin(const Mesh& a, const Mesh& b, Landmarks& landmarks, Options::PartType
 }
 
 /// Of surfaces of which one may be a part of the other one.
-SurfaceMaps Functional(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps Functional(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const Options& options, const SurfacePart& part, const Progress& progress)
 {
   PartialFunctionalMapOptions partial;
@@ -159,7 +162,7 @@ SurfaceMaps Functional(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
 }
 
 /// How many points of a surface the method needs; 0: all.
-int EnoughPoints(const Mesh& surface, const Options& options)
+int EnoughPoints(const Surface& surface, const Options& options)
 {
   switch (options.Method)
   {
@@ -170,7 +173,7 @@ int EnoughPoints(const Mesh& surface, const Options& options)
     {
       // Coarse maps are refined: two fifths of the points are as good and half the time.
       constexpr int minimum = 2000;
-      const auto points = static_cast<int>(surface.Points.rows());
+      const auto points = static_cast<int>(surface.Points().rows());
       return std::min(options.CoarsePoints, std::max(minimum, points / 5 * 2));
     }
     default:
@@ -182,7 +185,7 @@ int EnoughPoints(const Mesh& surface, const Options& options)
 SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& options,
   CorrespondenceResult& result, const Progress& whole)
 {
-  const Mesh &a = pair.A(), &b = pair.B();
+  const Surface &a = pair.A(), &b = pair.B();
   const Progress progress = whole.Part(0.0, 0.9), lift = whole.Part(0.9, 1.0);
   switch (options.Method)
   {
@@ -244,8 +247,8 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
 
 } // namespace
 
-CorrespondenceResult ComputeCorrespondence(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
-  const CorrespondenceOptions& options, const Progress& progress)
+CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
+  const Landmarks& landmarks, const CorrespondenceOptions& options, const Progress& progress)
 {
   RequireOption(options.NumberOfEigenpairs >= 10, "NumberOfEigenpairs", options.NumberOfEigenpairs,
     "at least 10");
@@ -279,7 +282,8 @@ CorrespondenceResult ComputeCorrespondence(const Mesh& a, const Mesh& b, const L
   kept.insert(kept.end(), result.Start.Rival.begin(), result.Start.Rival.end());
   const CoarsePair pair(one.Surface, two.Surface, kept,
     EnoughPoints(std::max(one, two, HasFewer).Surface, options), progress.Part(0.35, 0.4));
-  result.CoarsePoints = static_cast<int>(std::max(pair.A().Points.rows(), pair.B().Points.rows()));
+  result.CoarsePoints =
+    static_cast<int>(std::max(pair.A().Points().rows(), pair.B().Points().rows()));
   own = pair.OnCoarse(own);
   result.Start.Rival = pair.OnCoarse(result.Start.Rival);
   if (!find)

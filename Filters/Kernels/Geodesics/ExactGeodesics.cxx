@@ -1,7 +1,6 @@
 #include "Geodesics/ExactGeodesics.h"
 
 #include "Base/Parallel.h"
-#include "Geodesics/Private/HalfEdgeFrames.h"
 #include "Geodesics/Private/WindowPropagation.h"
 #include "Mesh/Topology.h"
 
@@ -29,10 +28,10 @@ struct Worker
 } // namespace
 
 Eigen::VectorXd ComputeExactGeodesics(
-  const Mesh& mesh, const ClosestPoints& seeds, const Progress& progress)
+  const Surface& surface, const ClosestPoints& seeds, const Progress& progress)
 {
-  const HalfEdgeFrames frames(mesh);
-  WindowPropagation propagation(mesh, frames);
+  const HalfEdgeFrames frames(surface);
+  WindowPropagation propagation(surface, frames);
   for (Eigen::Index i = 0; i < seeds.Triangles.size(); ++i)
   {
     propagation.AddSeed(seeds.Triangles(i), seeds.Barycentrics.row(i));
@@ -45,15 +44,16 @@ Eigen::VectorXd ComputeExactGeodesics(
   return propagation.Distances();
 }
 
-Eigen::VectorXd ComputeExactGeodesicsBetween(
-  const Mesh& mesh, const SurfacePoints& from, const SurfacePoints& to, const Progress& progress)
+Eigen::VectorXd ComputeExactGeodesicsBetween(const Surface& surface, const SurfacePoints& from,
+  const SurfacePoints& to, const Progress& progress)
 {
   const int count = static_cast<int>(from.Triangles.size());
-  const HalfEdgeFrames frames(mesh);
-  const Eigen::VectorXi component = ComputeTopology(mesh).ComponentId;
+  const HalfEdgeFrames frames(surface);
+  const Eigen::MatrixXi& triangles = surface.Triangles();
+  const Eigen::VectorXi& component = surface.Topology().ComponentId;
   Eigen::VectorXd distances(count);
   std::vector<Worker> workers(
-    std::clamp(GetThreadCount(), 1, std::max(count, 1)), { { mesh, frames }, -1 });
+    std::clamp(GetThreadCount(), 1, std::max(count, 1)), { { surface, frames }, -1 });
   std::atomic<int> taken{ 0 }, done{ 0 };
   // Which worker takes a pair, and where it is interrupted, changes nothing of its distance.
   const auto work = [&](Worker& worker)
@@ -68,10 +68,10 @@ Eigen::VectorXd ComputeExactGeodesicsBetween(
         {
           return;
         }
-        if (component(mesh.Triangles(from.Triangles(pair), 0)) !=
-          component(mesh.Triangles(to.Triangles(pair), 0)))
+        if (component(triangles(from.Triangles(pair), 0)) !=
+          component(triangles(to.Triangles(pair), 0)))
         {
-          distances(pair) = std::numeric_limits<double>::infinity(); // not found out by a search
+          distances(pair) = std::numeric_limits<double>::infinity(); // known without a search
           ++done;
           continue;
         }

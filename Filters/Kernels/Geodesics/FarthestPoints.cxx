@@ -1,24 +1,25 @@
 #include "Geodesics/FarthestPoints.h"
 
-#include "Geodesics/EdgeGeodesics.h"
+#include "Mesh/Graph.h"
 
 #include <limits>
+#include <memory>
 
 namespace shape
 {
 
-std::vector<int> SampleFarthestPoints(const Mesh& mesh, int count, const Progress& progress)
+std::vector<int> SampleFarthestPoints(const Surface& surface, int count, const Progress& progress)
 {
-  std::vector<int> samples = { mesh.Triangles.minCoeff() };
-  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(mesh.Points.rows(), -1.0);
-  for (const int point : mesh.Triangles.reshaped())
+  std::vector<int> samples = { surface.Triangles().minCoeff() };
+  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(surface.Points().rows(), -1.0);
+  for (const int point : surface.Triangles().reshaped())
   {
     nearest(point) = std::numeric_limits<double>::infinity();
   }
-  const EdgeGraph edges(mesh);
+  const std::shared_ptr<const Graph> edges = GetEdgeGraph(surface);
   while (static_cast<int>(samples.size()) < count)
   {
-    edges.Lower(nearest, { { samples.back() }, Eigen::VectorXd::Zero(1) });
+    LowerDistances(*edges, { { samples.back() }, Eigen::VectorXd::Zero(1) }, nearest);
     Eigen::Index farthest = 0;
     if (nearest.maxCoeff(&farthest) <= 0.0)
     {

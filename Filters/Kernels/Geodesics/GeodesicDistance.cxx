@@ -16,10 +16,10 @@ namespace
 
 using MethodType = GeodesicDistanceOptions::MethodType;
 
-/// The corners of the triangles that places lie in, and how far they are.
-EdgeSeeds CornersAround(const Mesh& mesh, const ClosestPoints& positions)
+/// The corners of the triangles that positions lie in, and how far they are.
+GraphSources CornersAround(const Mesh& mesh, const ClosestPoints& positions)
 {
-  EdgeSeeds seeds;
+  GraphSources seeds;
   seeds.Distances.resize(3 * positions.Triangles.size());
   for (Eigen::Index i = 0; i < positions.Triangles.size(); ++i)
   {
@@ -27,41 +27,41 @@ EdgeSeeds CornersAround(const Mesh& mesh, const ClosestPoints& positions)
     {
       const int point = mesh.Triangles(positions.Triangles(i), k);
       seeds.Distances(3 * i + k) = (mesh.Points.row(point) - positions.Positions.row(i)).norm();
-      seeds.Points.push_back(point);
+      seeds.Nodes.push_back(point);
     }
   }
   return seeds;
 }
 
 Eigen::VectorXd Distances(
-  const Mesh& mesh, const ClosestPoints& seeds, MethodType method, const Progress& progress)
+  const Surface& surface, const ClosestPoints& seeds, MethodType method, const Progress& progress)
 {
   switch (method)
   {
     case MethodType::Exact:
-      return ComputeExactGeodesics(mesh, seeds, progress);
+      return ComputeExactGeodesics(surface, seeds, progress);
     case MethodType::Dijkstra:
-      return ComputeEdgeGeodesics(mesh, CornersAround(mesh, seeds), progress);
+      return ComputeEdgeGeodesics(surface, CornersAround(surface, seeds), progress);
     case MethodType::Heat:
       break;
   }
-  return HeatGeodesics(mesh, progress).Distances(seeds);
+  return GetHeatGeodesics(surface, progress)->Distances(seeds);
 }
 
 } // namespace
 
-GeodesicDistanceResult ComputeGeodesicDistance(const Mesh& mesh, const Eigen::MatrixXd& seeds,
+GeodesicDistanceResult ComputeGeodesicDistance(const Surface& surface, const Eigen::MatrixXd& seeds,
   const GeodesicDistanceOptions& options, const Progress& progress)
 {
-  RequireManifold(mesh, "the surface");
+  RequireManifold(surface, "the surface");
   RequireFinite(seeds, "the Seeds");
   if (seeds.rows() == 0)
   {
-    throw InvalidInput("the Seeds have no points; give at least one place to measure from");
+    throw InvalidInput("the Seeds have no points; give at least one position to measure from");
   }
-  const ClosestPoints positions = SurfaceLocator(mesh).Find(seeds, progress.Part(0.0, 0.1));
+  const ClosestPoints positions = SurfaceLocator(surface).Find(seeds, progress.Part(0.0, 0.1));
   GeodesicDistanceResult result;
-  result.Distances = Distances(mesh, positions, options.Method, progress.Part(0.1, 1.0));
+  result.Distances = Distances(surface, positions, options.Method, progress.Part(0.1, 1.0));
   for (double& distance : result.Distances)
   {
     if (std::isinf(distance))

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
@@ -22,18 +22,18 @@ struct GeodesicDistanceOptions
 
 struct GeodesicDistanceResult
 {
-  Eigen::VectorXd Distances; ///< n, in the model's units; -1 where no path leads to a seed
+  Eigen::VectorXd Distances; ///< n, in the model's units; -1 if no path leads to a seed
   int Unreached = 0;         ///< points with -1
 };
 
 /**
- * How far it is along a surface from the nearest of `seeds` to each point.
+ * The distance along a surface from the nearest of `seeds` to each point.
  *
- * mesh: a 2-manifold, open or closed. seeds: k x 3 places, at least one, each taken to the closest
- * place of the surface. Throws InvalidInput where the surface is no such one, a coordinate is not
- * finite or there is no seed, SolveFailure, Aborted.
+ * surface: a 2-manifold, open or closed. seeds: k x 3 positions, at least one, each projected to
+ * the closest position on the surface. Throws InvalidInput if the surface is not such a one, a
+ * coordinate is not finite or there is no seed, SolveFailure, Aborted.
  */
-GeodesicDistanceResult ComputeGeodesicDistance(const Mesh& mesh, const Eigen::MatrixXd& seeds,
+GeodesicDistanceResult ComputeGeodesicDistance(const Surface& surface, const Eigen::MatrixXd& seeds,
   const GeodesicDistanceOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

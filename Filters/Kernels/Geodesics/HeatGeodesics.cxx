@@ -2,13 +2,13 @@
 
 #include "Base/Parallel.h"
 #include "Geodesics/EdgeGeodesics.h"
-#include "Laplacian/CotangentWeights.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace shape
@@ -18,25 +18,27 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// 1; 0 at the ends of edges with one triangle.
-Eigen::VectorXd InsideOf(const Mesh& mesh)
+/// 1; 0 on the boundary.
+Eigen::VectorXd InsideOf(const Surface& surface)
 {
-  Eigen::VectorXd inside = Eigen::VectorXd::Ones(mesh.Points.rows());
-  const std::vector<int> twins = FindTwins(mesh.Triangles, mesh.Points.rows());
+  Eigen::VectorXd inside = Eigen::VectorXd::Ones(surface.Points().rows());
+  const Eigen::MatrixXi& triangles = surface.Triangles();
+  const std::vector<int>& twins = surface.Twins();
   for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
     if (twins[side] < 0)
     {
-      inside(mesh.Triangles(side / 3, side % 3)) = 0.0;
-      inside(mesh.Triangles(side / 3, NextHalfEdge(side) % 3)) = 0.0;
+      inside(triangles(side / 3, side % 3)) = 0.0;
+      inside(triangles(side / 3, NextHalfEdge(side) % 3)) = 0.0;
     }
   }
   return inside;
 }
 
 /// The farthest that a point of a component is from its first point along edges.
-double Extent(const Mesh& mesh, const Eigen::VectorXi& componentId)
+double Extent(const Surface& surface)
 {
+  const Eigen::VectorXi& componentId = surface.Topology().ComponentId;
   std::vector<int> firsts;
   for (int point = 0; point < componentId.size(); ++point)
   {
@@ -46,7 +48,7 @@ double Extent(const Mesh& mesh, const Eigen::VectorXi& componentId)
     }
   }
   const Eigen::VectorXd distances = ComputeEdgeGeodesics(
-    mesh, { firsts, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(firsts.size())) });
+    surface, { firsts, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(firsts.size())) });
   double extent = 0.0;
   for (const double distance : distances)
   {
@@ -55,7 +57,7 @@ double Extent(const Mesh& mesh, const Eigen::VectorXi& componentId)
   return extent;
 }
 
-/// stiffness * time + diagonal; 1 where no triangle is.
+/// stiffness * time + diagonal; 1 at points without a triangle.
 Eigen::SparseMatrix<double> Shifted(
   const Eigen::SparseMatrix<double>& stiffness, double time, const Eigen::VectorXd& diagonal)
 {
@@ -69,28 +71,26 @@ Eigen::SparseMatrix<double> Shifted(
 
 } // namespace
 
-HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
-  : Given(mesh.Triangles)
-  , Flat(BuildIntrinsicDelaunay(mesh))
-  , ComponentId(ComputeTopology(mesh).ComponentId)
-  , Inside(InsideOf(mesh))
+HeatGeodesics::HeatGeodesics(const Surface& surface, const Progress& progress)
+  : Given(surface.Triangles())
+  , Laplacian(GetIntrinsicLaplacian(surface))
+  , ComponentId(surface.Topology().ComponentId)
+  , Inside(InsideOf(surface))
 {
-  this->Corners.resize(this->Flat.Sides.rows(), 3);
+  const Eigen::MatrixXd& lengths = this->Laplacian->Flat.Sides;
+  this->Corners.resize(lengths.rows(), 3);
   for (Eigen::Index t = 0; t < this->Corners.rows(); ++t)
   {
-    const double a = this->Flat.Sides(t, 0), b = this->Flat.Sides(t, 1), c = this->Flat.Sides(t, 2);
+    const double a = lengths(t, 0), b = lengths(t, 1), c = lengths(t, 2);
     const double x = (c * c + (b - a) * (b + a)) / (2.0 * c);
     this->Corners.row(t) << c, x, std::sqrt(std::max(b * b - x * x, 0.0));
   }
   progress(0.2);
   constexpr double share = 1.0 / 300.0, rest = 1e-9;
-  const Eigen::Index points = mesh.Points.rows();
-  const TriangleAngles angles = ComputeAnglesFromLengths(this->Flat.Sides);
-  const Eigen::SparseMatrix<double> stiffness =
-    BuildCotangentStiffness(this->Flat.Triangles, angles.Cotangents, points);
-  const Eigen::VectorXd masses = ComputeLumpedMasses(this->Flat.Triangles, angles.Areas, points);
-  const double side =
-    std::max(this->Flat.Sides.mean(), share * 2.0 * Extent(mesh, this->ComponentId));
+  const Eigen::Index points = surface.Points().rows();
+  const Eigen::SparseMatrix<double>& stiffness = this->Laplacian->Stiffness;
+  const Eigen::VectorXd& masses = this->Laplacian->Masses;
+  const double side = std::max(lengths.mean(), share * 2.0 * Extent(surface));
   const double time = side * side;
   this->Heat.Factorize(Shifted(stiffness, time, masses));
   progress(0.5);
@@ -112,12 +112,12 @@ HeatGeodesics::HeatGeodesics(const Mesh& mesh, const Progress& progress)
 Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
 {
   Eigen::VectorXd divergence = Eigen::VectorXd::Zero(heat.size());
-  for (Eigen::Index t = 0; t < this->Flat.Triangles.rows(); ++t)
+  const Eigen::MatrixXi& triangles = this->Laplacian->Flat.Triangles;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
-    const int p = this->Flat.Triangles(t, 0), q = this->Flat.Triangles(t, 1),
-              r = this->Flat.Triangles(t, 2);
+    const int p = triangles(t, 0), q = triangles(t, 1), r = triangles(t, 2);
     // The third corner is at (x, y), the second at (c, 0). Twice-area gradients of the hat
-    // functions are the opposite sides, turned inwards.
+    // functions are the opposite edges, rotated inwards by a right angle.
     const double c = this->Corners(t, 0), x = this->Corners(t, 1), y = this->Corners(t, 2);
     const double across = y * (heat(q) - heat(p));
     const double along = c * (heat(r) - heat(p)) - x * (heat(q) - heat(p));
@@ -193,22 +193,29 @@ void HeatGeodesics::Begin(
   }
 }
 
+std::shared_ptr<const HeatGeodesics> GetHeatGeodesics(
+  const Surface& surface, const Progress& progress)
+{
+  return surface.Cached<HeatGeodesics>([&]() { return HeatGeodesics(surface, progress); });
+}
+
 Eigen::MatrixXd ComputeHeatDistances(
-  const Mesh& mesh, const std::vector<int>& points, const Progress& progress)
+  const Surface& surface, const std::vector<int>& points, const Progress& progress)
 {
   constexpr int batch = 32; // sets that one pass over the factors serves
-  const HeatGeodesics geodesics(mesh, progress.Part(0.0, 0.1));
+  const std::shared_ptr<const HeatGeodesics> geodesics =
+    GetHeatGeodesics(surface, progress.Part(0.0, 0.1));
   const int count = static_cast<int>(points.size());
-  Eigen::MatrixXd distances(mesh.Points.rows(), count);
+  Eigen::MatrixXd distances(surface.Points().rows(), count);
   for (int first = 0; first < count; first += batch)
   {
     const int size = std::min(batch, count - first);
-    Eigen::MatrixXd seeds = Eigen::MatrixXd::Zero(mesh.Points.rows(), size);
+    Eigen::MatrixXd seeds = Eigen::MatrixXd::Zero(surface.Points().rows(), size);
     for (int k = 0; k < size; ++k)
     {
       seeds(points[first + k], k) = 1.0;
     }
-    distances.middleCols(first, size) = geodesics.Distances(seeds);
+    distances.middleCols(first, size) = geodesics->Distances(seeds);
     progress(0.1 + 0.9 * (first + size) / count);
   }
   return distances;

@@ -3,11 +3,12 @@
 #include "Base/Progress.h"
 #include "Laplacian/IntrinsicDelaunay.h"
 #include "Linear/SparseSolve.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,20 +19,20 @@ namespace shape
  * Approximate geodesic distances from many sets of seeds over one factorisation: heat flows for a
  * short time, its gradient is made of unit length, and the function with the gradient nearest to
  * that is the distance (Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013, algorithm 1),
- * on the intrinsic Delaunay triangulation. On a surface with border the mean of the heat that the
- * border holds back and the heat that it lets go is taken (section 3.4 there).
+ * on the intrinsic Delaunay triangulation. On a surface with boundary it is the mean of the heat
+ * under Neumann and under Dirichlet conditions there (section 3.4 of the paper).
  *
- * The time is the square of the mean side, as there, or of a 300th of the surface's extent along it
- * where that is longer: farther heat would be less than any number.
+ * The time is the square of the mean edge length, as in the paper, or of a 300th of the surface's
+ * extent along it if that is longer: the heat farther away would be less than any number.
  */
 class HeatGeodesics
 {
 public:
-  /// mesh: a consistently oriented 2-manifold, open or closed. Throws SolveFailure, Aborted.
-  explicit HeatGeodesics(const Mesh& mesh, const Progress& progress = {});
+  /// surface: a consistently oriented 2-manifold, open or closed. Throws SolveFailure, Aborted.
+  explicit HeatGeodesics(const Surface& surface, const Progress& progress = {});
 
-  /// n distances in the model's units from the nearest of the places, 0 at the least; infinite
-  /// where a component has none.
+  /// n distances in the model's units from the nearest of the positions, >= 0; infinite on
+  /// components without one.
   Eigen::VectorXd Distances(const SurfacePoints& seeds) const;
 
   /// The same from c sets at once: columns of how much of a seed is at each point, n x c, >= 0.
@@ -41,23 +42,28 @@ private:
   /// The integral of the normalised negative gradient of the heat against each point's hat
   /// function.
   Eigen::VectorXd Divergence(const Eigen::VectorXd& heat) const;
-  /// Shifts solutions so that the least of each component with a seed is 0.
+  /// Shifts solutions so that the minimum on each component with a seed is 0.
   void Begin(
     const Eigen::Ref<const Eigen::VectorXd>& seeds, Eigen::Ref<Eigen::VectorXd> distances) const;
 
-  const Eigen::MatrixXi Given; ///< the mesh's triangles
-  IntrinsicTriangles Flat;
+  const Eigen::MatrixXi Given; ///< the surface's triangles
+  std::shared_ptr<const IntrinsicLaplacian> Laplacian;
   Eigen::MatrixXd
     Corners; ///< m x 3, of the triangles laid flat: x of the second, x and y of the third
   Eigen::VectorXi ComponentId;
-  Eigen::VectorXd Inside; ///< 1; 0 on the border
+  Eigen::VectorXd Inside; ///< 1; 0 on the boundary
   SparseCholesky Heat, Poisson;
-  std::optional<SparseCholesky> HeatWithin; ///< let go at the border, where there is one
+  std::optional<SparseCholesky> HeatWithin; ///< with Dirichlet conditions, if there is a boundary
 };
 
-/// n x s: those from each of s points that have a triangle; infinite as above. Throws SolveFailure,
-/// Aborted.
+/// The solver of a surface, which is built once and kept with it. Arguments and exceptions as
+/// above.
+std::shared_ptr<const HeatGeodesics> GetHeatGeodesics(
+  const Surface& surface, const Progress& progress = {});
+
+/// n x s: the distances from each of s points that have a triangle; infinite as above. Throws
+/// SolveFailure, Aborted.
 Eigen::MatrixXd ComputeHeatDistances(
-  const Mesh& mesh, const std::vector<int>& points, const Progress& progress = {});
+  const Surface& surface, const std::vector<int>& points, const Progress& progress = {});
 
 } // namespace shape

@@ -1,16 +1,130 @@
 #include "Geodesics/SurfaceLoop.h"
 
 #include "Base/Errors.h"
+#include "Mesh/CoincidentPoints.h"
 
+#include <algorithm>
+#include <map>
+#include <sstream>
 #include <string>
 
 namespace shape
 {
 
+namespace
+{
+
+/// A polyline's positions, none twice in a row.
+std::vector<int> GetLoopPositions(const std::vector<int>& polyline, const std::vector<int>& first)
+{
+  std::vector<int> positions;
+  for (const int point : polyline)
+  {
+    if (positions.empty() || positions.back() != first[point])
+    {
+      positions.push_back(first[point]);
+    }
+  }
+  return positions;
+}
+
+/// Polylines that are open, and which of them end at each position.
+class OpenLines
+{
+public:
+  explicit OpenLines(std::vector<std::vector<int>> lines)
+    : Lines(std::move(lines))
+    , IsUsed(this->Lines.size(), 0)
+  {
+    for (std::size_t i = 0; i < this->Lines.size(); ++i)
+    {
+      this->EndsAt[this->Lines[i].front()].push_back(i);
+      this->EndsAt[this->Lines[i].back()].push_back(i);
+    }
+  }
+
+  /// The closed way from a line over others back to where it begins, each used once; else its last
+  /// position is the one where it cannot go on.
+  std::vector<int> WayFrom(std::size_t line)
+  {
+    std::vector<int> way = this->Lines[line];
+    this->IsUsed[line] = 1;
+    while (way.back() != way.front())
+    {
+      const std::vector<std::size_t>& ends = this->EndsAt[way.back()];
+      const auto next = std::find_if(
+        ends.begin(), ends.end(), [&](std::size_t other) { return this->IsUsed[other] == 0; });
+      if (next == ends.end())
+      {
+        break;
+      }
+      std::vector<int> own = this->Lines[*next];
+      this->IsUsed[*next] = 1;
+      if (own.front() != way.back())
+      {
+        std::reverse(own.begin(), own.end());
+      }
+      way.insert(way.end(), own.begin() + 1, own.end());
+    }
+    return way;
+  }
+
+  std::size_t Count() const { return this->Lines.size(); }
+  bool WasUsed(std::size_t line) const { return this->IsUsed[line] != 0; }
+
+private:
+  std::vector<std::vector<int>> Lines;
+  std::vector<char> IsUsed;
+  std::map<int, std::vector<std::size_t>> EndsAt;
+};
+
+} // namespace
+
+std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
+  const std::vector<std::vector<int>>& polylines, const std::string& name)
+{
+  const std::vector<int> first = FindCoincidentPoints(points);
+  std::vector<Eigen::MatrixXd> curves;
+  const auto add = [&](const std::vector<int>& way)
+  { curves.emplace_back(points(std::vector<int>(way.begin(), way.end() - 1), Eigen::all)); };
+  std::vector<std::vector<int>> open;
+  for (const std::vector<int>& polyline : polylines)
+  {
+    const std::vector<int> positions = GetLoopPositions(polyline, first);
+    if (positions.size() > 1 && positions.front() == positions.back())
+    {
+      add(positions);
+    }
+    else if (positions.size() > 1)
+    {
+      open.push_back(positions);
+    }
+  }
+  OpenLines lines(open);
+  for (std::size_t i = 0; i < lines.Count(); ++i)
+  {
+    if (lines.WasUsed(i))
+    {
+      continue;
+    }
+    const std::vector<int> way = lines.WayFrom(i);
+    if (way.back() != way.front())
+    {
+      std::ostringstream words;
+      words << name << " has an open curve, which ends at (" << points(way.back(), 0) << ", "
+            << points(way.back(), 1) << ", " << points(way.back(), 2)
+            << "); close it: Poly Line Source has Closed";
+      throw InvalidInput(words.str());
+    }
+    add(way);
+  }
+  return curves;
+}
+
 SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
   SurfacePaths& paths, const Progress& progress)
 {
-  std::vector<SurfacePoint> places;
+  std::vector<SurfacePoint> stops;
   std::vector<Eigen::RowVector3d> positions;
   int guess = -1;
   for (const auto& point : points.rowwise())
@@ -19,24 +133,24 @@ SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator
     guess = position.Triangle;
     if (positions.empty() || positions.back() != position.Position)
     {
-      places.push_back({ position.Triangle, position.Barycentric });
+      stops.push_back({ position.Triangle, position.Barycentric });
       positions.push_back(position.Position);
     }
   }
-  if (places.size() > 1 && positions.front() == positions.back())
+  if (stops.size() > 1 && positions.front() == positions.back())
   {
-    places.pop_back();
+    stops.pop_back();
   }
-  if (places.size() < 3)
+  if (stops.size() < 3)
   {
-    throw InvalidInput("the loop has " + std::to_string(places.size()) +
-      " different places on the surface; draw a closed curve through at least 3");
+    throw InvalidInput("the loop has " + std::to_string(stops.size()) +
+      " different positions on the surface; draw a closed curve through at least 3");
   }
   SurfaceLoop loop;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < stops.size(); ++i)
   {
-    const double done = static_cast<double>(i) / static_cast<double>(places.size());
-    const SurfacePath path = paths.Find(places[i], places[(i + 1) % places.size()],
+    const double done = static_cast<double>(i) / static_cast<double>(stops.size());
+    const SurfacePath path = paths.Find(stops[i], stops[(i + 1) % stops.size()],
       Progress(
         [&](double)
         {

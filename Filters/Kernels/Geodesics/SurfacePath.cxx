@@ -1,7 +1,6 @@
 #include "Geodesics/SurfacePath.h"
 
 #include "Base/Errors.h"
-#include "Geodesics/TriangleStrip.h"
 #include "Mesh/HalfEdges.h"
 
 #include <algorithm>
@@ -19,12 +18,12 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// Like SideTwins of any triangles: where an edge has other than two that run through it in
-/// opposite senses there are none.
-std::vector<int> TwinsOf(const Mesh& surface)
+/// As FindTwins, of any triangles: half-edges of an edge have none unless there are two of them, in
+/// opposite directions.
+std::vector<int> TwinsOf(const Surface& surface)
 {
-  std::vector<int> twins(surface.Triangles.size(), -1);
-  const std::vector<HalfEdge> edges = SortHalfEdges(surface.Triangles, surface.Points.rows());
+  std::vector<int> twins(surface.Triangles().size(), -1);
+  const std::vector<HalfEdge>& edges = surface.HalfEdges();
   for (std::size_t first = 0, next = 0; first < edges.size(); first = next)
   {
     while (next < edges.size() && edges[next].Low() == edges[first].Low() &&
@@ -50,13 +49,13 @@ RowVector3d PositionOf(const Mesh& surface, const SurfacePoint& position)
 
 } // namespace
 
-/// The sides that lead from one place to another, each crossed where it is on the shortest way from
-/// the crossing before it to the target (A* search: Hart, Nilsson and Raphael 1968).
+/// The half-edges that lead from one point to another, each crossed where it is on the shortest way
+/// from the crossing before it to the target (A* search: Hart, Nilsson and Raphael 1968).
 class SurfacePaths::StripSearch
 {
 public:
-  StripSearch(const Mesh& surface, const std::vector<int>& twins)
-    : Surface(surface)
+  StripSearch(const Mesh& mesh, const std::vector<int>& twins)
+    : Triangulation(mesh)
     , Twins(twins)
     , Bounds(twins.size(), std::numeric_limits<double>::infinity())
     , Distances(twins.size())
@@ -66,8 +65,8 @@ public:
   {
   }
 
-  /// from, to: the triangles that the places lie in. Returns the first triangle and the sides;
-  /// -1 where no way leads.
+  /// from, to: the triangles that the points lie in. Returns the first triangle and the half-edges;
+  /// -1 if there is no path.
   std::pair<int, std::vector<int>> Find(const std::vector<int>& from, const RowVector3d& start,
     const std::vector<int>& to, const RowVector3d& target, const Progress& progress)
   {
@@ -134,14 +133,15 @@ private:
     this->Queue = {};
   }
 
-  /// Where a side is crossed by the shortest way from a place to the target, straight on both sides
-  /// of it.
+  /// Where a half-edge is crossed by the shortest way from a position to the target, straight on
+  /// both sides of it.
   RowVector3d CrossingOf(int side, const RowVector3d& from) const
   {
     const int next = NextHalfEdge(side);
-    const RowVector3d begin = this->Surface.Points.row(this->Surface.Triangles(side / 3, side % 3));
+    const RowVector3d begin =
+      this->Triangulation.Points.row(this->Triangulation.Triangles(side / 3, side % 3));
     const RowVector3d edge =
-      this->Surface.Points.row(this->Surface.Triangles(next / 3, next % 3)) - begin;
+      this->Triangulation.Points.row(this->Triangulation.Triangles(next / 3, next % 3)) - begin;
     const double squared = edge.squaredNorm();
     if (!(squared > 0.0))
     {
@@ -181,10 +181,11 @@ private:
 
   using Item = std::pair<double, int>;
 
-  const Mesh& Surface;
+  const Mesh& Triangulation;
   const std::vector<int>& Twins;
   RowVector3d Target;
-  // Of each side: the least length of a path over it, and up to it; where, and the one before.
+  // Of each half-edge: a lower bound for paths over it, the length up to it, the crossing, and the
+  // one before.
   std::vector<double> Bounds, Distances;
   std::vector<RowVector3d> Crossings;
   std::vector<int> Before;
@@ -193,26 +194,26 @@ private:
   std::priority_queue<Item, std::vector<Item>, std::greater<>> Queue;
 };
 
-SurfacePaths::SurfacePaths(const Mesh& surface)
-  : Surface(surface)
-  , SideTwins(TwinsOf(surface))
-  , Search(std::make_unique<StripSearch>(surface, this->SideTwins))
+SurfacePaths::SurfacePaths(const Surface& surface)
+  : Searched(surface)
+  , OppositeHalfEdges(TwinsOf(surface))
+  , Search(std::make_unique<StripSearch>(this->Searched, this->OppositeHalfEdges))
 {
 }
 
 SurfacePaths::~SurfacePaths() = default;
 
-/// The triangles that a place lies in.
+/// The triangles that a point lies in.
 std::vector<int> SurfacePaths::TrianglesAt(const SurfacePoint& position) const
 {
   std::vector<int> triangles = { position.Triangle };
-  const PointSupport support(this->Surface, position);
+  const PointSupport support(this->Searched, position);
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     for (int side = 3 * triangles[i]; side < 3 * triangles[i] + 3; ++side)
     {
-      const int twin = this->SideTwins[side];
-      if (twin >= 0 && support.IsIn(this->Surface.Triangles.row(twin / 3)) &&
+      const int twin = this->OppositeHalfEdges[side];
+      if (twin >= 0 && support.IsIn(this->Searched.Triangles().row(twin / 3)) &&
         std::find(triangles.begin(), triangles.end(), twin / 3) == triangles.end())
       {
         triangles.push_back(twin / 3);
@@ -225,17 +226,18 @@ std::vector<int> SurfacePaths::TrianglesAt(const SurfacePoint& position) const
 SurfacePath SurfacePaths::Find(
   const SurfacePoint& from, const SurfacePoint& to, const Progress& progress)
 {
-  auto [first, sides] = this->Search->Find(this->TrianglesAt(from), PositionOf(this->Surface, from),
-    this->TrianglesAt(to), PositionOf(this->Surface, to), progress);
+  auto [first, sides] =
+    this->Search->Find(this->TrianglesAt(from), PositionOf(this->Searched, from),
+      this->TrianglesAt(to), PositionOf(this->Searched, to), progress);
   if (first < 0)
   {
     throw InvalidInput("no path over the surface leads from triangle " +
       std::to_string(from.Triangle) + " to triangle " + std::to_string(to.Triangle) +
       "; they lie on parts that are not connected, or whose triangles face different ways: join "
-      "their "
-      "points with Clean, turn them with Generate Surface Normals (Consistency), or stay on one");
+      "their points with Clean, turn them with Generate Surface Normals (Consistency), or stay on "
+      "one");
   }
-  TriangleStrip strip(this->Surface, this->SideTwins, from, to, first, std::move(sides));
+  TriangleStrip strip(this->Searched, this->OppositeHalfEdges, from, to, first, std::move(sides));
   strip.FindPath();
   double length = std::numeric_limits<double>::infinity();
   while (strip.Length() < length && strip.LeadAround())

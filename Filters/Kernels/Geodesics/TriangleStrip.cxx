@@ -73,7 +73,7 @@ SurfacePoint PointSupport::In(const Mesh& surface, int triangle) const
 
 TriangleStrip::TriangleStrip(const Mesh& surface, const std::vector<int>& twins,
   const SurfacePoint& from, const SurfacePoint& to, int first, std::vector<int> sides)
-  : Surface(surface)
+  : Triangulation(surface)
   , Twins(twins)
   , From(surface, from)
   , To(surface, to)
@@ -92,7 +92,7 @@ void TriangleStrip::FindPath()
 bool TriangleStrip::LeadAround()
 {
   constexpr double rounding = 1e-9; // of an angle
-  // From the last to the first, so that the numbers of sides still to be looked at stay.
+  // From the last to the first, so that the numbers of half-edges still to be looked at stay.
   bool hasChanged = false;
   auto unchanged = static_cast<int>(this->Sides.size());
   for (int i = static_cast<int>(this->Turns.size()) - 1; i >= 0; --i)
@@ -114,7 +114,7 @@ bool TriangleStrip::LeadAround()
   return hasChanged;
 }
 
-/// The triangle after so many sides.
+/// The triangle after `step` half-edges.
 int TriangleStrip::TriangleAt(int step) const
 {
   return step == 0 ? this->First : this->Twins[this->Sides[step - 1]] / 3;
@@ -122,7 +122,7 @@ int TriangleStrip::TriangleAt(int step) const
 
 int TriangleStrip::Begin(int side) const
 {
-  return this->Surface.Triangles(side / 3, side % 3);
+  return this->Triangulation.Triangles(side / 3, side % 3);
 }
 
 int TriangleStrip::End(int side) const
@@ -140,7 +140,7 @@ bool TriangleStrip::Touches(int side, int point) const
   return this->Begin(side) == point || this->End(side) == point;
 }
 
-/// Leaves out what goes back at once, and sides that an end of the path lies on.
+/// Leaves out what goes back at once, and edges that an end of the path lies on.
 void TriangleStrip::Trim()
 {
   std::vector<int> kept;
@@ -167,11 +167,11 @@ void TriangleStrip::Trim()
   this->Sides.assign(kept.begin() + static_cast<std::ptrdiff_t>(begin), kept.end());
 }
 
-/// A side's apex, left of the side laid out in the plane.
+/// The apex of a half-edge's triangle, left of it when laid out in the plane.
 RowVector2d TriangleStrip::ApexPosition(
   int side, const RowVector2d& begin, const RowVector2d& end) const
 {
-  const auto& points = this->Surface.Points;
+  const auto& points = this->Triangulation.Points;
   const RowVector3d edge = points.row(this->End(side)) - points.row(this->Begin(side));
   const RowVector3d apex = points.row(this->Apex(side)) - points.row(this->Begin(side));
   const double length = edge.norm();
@@ -184,7 +184,7 @@ RowVector2d TriangleStrip::ApexPosition(
     (apex.cross(edge).norm() / length) * RowVector2d(-along(1), along(0));
 }
 
-/// A place in the triangle of a side whose corners are laid out.
+/// A point in the triangle of a half-edge whose corners are laid out.
 RowVector2d TriangleStrip::PositionOf(const PointSupport& support, int side,
   const RowVector2d& begin, const RowVector2d& end, const RowVector2d& apex) const
 {
@@ -200,14 +200,14 @@ RowVector2d TriangleStrip::PositionOf(const PointSupport& support, int side,
   return position;
 }
 
-/// Unfolds the strip into the plane. A side's begin is on the right of the way over it.
+/// Unfolds the strip into the plane. A half-edge begins on the right of the way over it.
 void TriangleStrip::LayOut()
 {
   this->Portals.clear();
   const bool isOneTriangle = this->Sides.empty();
   const int first = isOneTriangle ? 3 * this->First : this->Sides.front();
-  const RowVector3d edge =
-    this->Surface.Points.row(this->End(first)) - this->Surface.Points.row(this->Begin(first));
+  const RowVector3d edge = this->Triangulation.Points.row(this->End(first)) -
+    this->Triangulation.Points.row(this->Begin(first));
   Portal portal{ { edge.norm(), 0.0 }, { 0.0, 0.0 } };
   RowVector2d apex = this->ApexPosition(first, portal.Right, portal.Left);
   this->FromPosition = this->PositionOf(this->From, first, portal.Right, portal.Left, apex);
@@ -287,7 +287,7 @@ double TriangleStrip::AngleInStrip(std::size_t turn) const
   return angle + Angle(direction, after - at.Position);
 }
 
-/// The sum of the angles of all triangles around a point of a side; infinite on the border.
+/// The sum of the angles of all triangles around a point of a half-edge; infinite on the boundary.
 double TriangleStrip::AngleAround(int side, int point) const
 {
   const int first = this->Begin(side) == point ? side : NextHalfEdge(side);
@@ -295,17 +295,17 @@ double TriangleStrip::AngleAround(int side, int point) const
   int at = first;
   do
   {
-    const RowVector3d position = this->Surface.Points.row(point);
-    const RowVector3d a = this->Surface.Points.row(this->End(at)) - position;
-    const RowVector3d b = this->Surface.Points.row(this->Apex(at)) - position;
+    const RowVector3d position = this->Triangulation.Points.row(point);
+    const RowVector3d a = this->Triangulation.Points.row(this->End(at)) - position;
+    const RowVector3d b = this->Triangulation.Points.row(this->Apex(at)) - position;
     angle += std::atan2(a.cross(b).norm(), a.dot(b));
     at = this->Twins[PreviousHalfEdge(at)];
   } while (at >= 0 && at != first);
   return at < 0 ? std::numeric_limits<double>::infinity() : angle;
 }
 
-/// The sides on the other side of a point, from the triangle before a turn to the one after it;
-/// false where the border is in between.
+/// The half-edges on the other side of a point, from the triangle before a turn to the one after
+/// it; false if the boundary is in between.
 bool TriangleStrip::Detour(const Turn& turn, std::vector<int>& sides) const
 {
   const int after = this->TriangleAt(turn.Last + 1);
@@ -322,11 +322,11 @@ bool TriangleStrip::Detour(const Turn& turn, std::vector<int>& sides) const
   return true;
 }
 
-/// Where the straight way between two places of the plane crosses a side of the strip.
+/// Where the straight way between two positions in the plane crosses a half-edge of the strip.
 SurfacePoint TriangleStrip::Crossing(
   int step, const RowVector2d& before, const RowVector2d& after) const
 {
-  constexpr double rounding = 1e-12; // of a side: a place so near to its end is there
+  constexpr double rounding = 1e-12; // of an edge: a position so near to its end is there
   const Portal& portal = this->Portals[step];
   const RowVector2d across = portal.Left - portal.Right, along = after - before;
   const double sine = Cross(across, along);
@@ -339,14 +339,14 @@ SurfacePoint TriangleStrip::Crossing(
   return position;
 }
 
-/// A triangle, of some steps of the strip, that two places of the path lie in.
+/// A triangle, of some steps of the strip, that two points of the path lie in.
 int TriangleStrip::TriangleOfBoth(
   const PointSupport& a, const PointSupport& b, int first, int last) const
 {
   int step = first;
   while (step < last &&
-    !(a.IsIn(this->Surface.Triangles.row(this->TriangleAt(step))) &&
-      b.IsIn(this->Surface.Triangles.row(this->TriangleAt(step)))))
+    !(a.IsIn(this->Triangulation.Triangles.row(this->TriangleAt(step))) &&
+      b.IsIn(this->Triangulation.Triangles.row(this->TriangleAt(step)))))
   {
     ++step;
   }
@@ -357,17 +357,18 @@ SurfacePath TriangleStrip::Path() const
 {
   SurfacePath path;
   path.Length = this->PathLength;
-  path.Positions.push_back(this->From.In(this->Surface, this->First));
+  path.Positions.push_back(this->From.In(this->Triangulation, this->First));
   const auto add = [&](const SurfacePoint& position, int triangle)
   {
-    const PointSupport before(this->Surface, path.Positions.back()), own(this->Surface, position);
+    const PointSupport before(this->Triangulation, path.Positions.back()),
+      own(this->Triangulation, position);
     if (own.Count > 1 || before.Count > 1 || own.Points[0] != before.Points[0])
     {
       path.Positions.push_back(position);
       path.Triangles.push_back(triangle);
     }
   };
-  // From turn to turn: the sides that the stretch crosses touch neither.
+  // From turn to turn: the edges that the segment crosses touch neither.
   const auto count = static_cast<int>(this->Sides.size());
   int begin = 0, next = 0; // the first step at the turn before, and the first one past it
   RowVector2d before = this->FromPosition;
@@ -385,17 +386,17 @@ SurfacePath TriangleStrip::Path() const
     SurfacePoint position{ this->TriangleAt(end), RowVector3d::Zero() };
     if (isEnd)
     {
-      position = this->To.In(this->Surface, position.Triangle);
+      position = this->To.In(this->Triangulation, position.Triangle);
     }
     else
     {
-      const Eigen::RowVector3i corners = this->Surface.Triangles.row(position.Triangle);
+      const Eigen::RowVector3i corners = this->Triangulation.Triangles.row(position.Triangle);
       position.Barycentric = (corners.array() == this->Turns[i].Point).cast<double>();
     }
     add(position,
       crosses ? this->TriangleAt(until)
-              : this->TriangleOfBoth(PointSupport(this->Surface, path.Positions.back()),
-                  PointSupport(this->Surface, position), begin, end));
+              : this->TriangleOfBoth(PointSupport(this->Triangulation, path.Positions.back()),
+                  PointSupport(this->Triangulation, position), begin, end));
     begin = until;
     next = std::max(next, end);
     before = after;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "Geodesics/SurfacePath.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/SurfacePoint.h"
 
 #include <Eigen/Core>
 
@@ -10,7 +11,15 @@
 namespace shape
 {
 
-/// The points of a surface that a place lies between, with their weights: one, two or three.
+/// A path over a surface that is straight in each triangle.
+struct SurfacePath
+{
+  std::vector<SurfacePoint> Positions; ///< its ends, and where it passes a point or crosses an edge
+  std::vector<int> Triangles; ///< of each segment between two positions: one that it lies in
+  double Length = 0.0;
+};
+
+/// The points of a surface that a point on it lies between, with their weights: one, two or three.
 struct PointSupport
 {
   PointSupport(const Mesh& surface, const SurfacePoint& position);
@@ -19,7 +28,7 @@ struct PointSupport
   bool IsIn(const Eigen::RowVector3i& triangle) const;
   /// Whether all of them are one of two points.
   bool IsOn(int a, int b) const;
-  /// The place in a triangle that has all of them.
+  /// The same point in a triangle that has all of them.
   SurfacePoint In(const Mesh& surface, int triangle) const;
 
   int Count = 0;
@@ -27,13 +36,14 @@ struct PointSupport
   std::array<double, 3> Weights = { 0.0, 0.0, 0.0 };
 };
 
-/// A strip of triangles between two places on a surface, and the shortest path within it.
+/// A strip of triangles between two points on a surface, and the shortest path within it, laid out
+/// in the plane (Lee and Preparata, "Euclidean shortest paths in the presence of rectilinear
+/// barriers", 1984).
 class TriangleStrip
 {
 public:
-  /// twins: of the surface's sides, -1 on the border. sides: those that the strip crosses, in
-  /// order, as sides of the triangles that it leaves; first: its first triangle, which `from` lies
-  /// in.
+  /// twins: of the half-edges, -1 on the boundary. sides: the half-edges that the strip crosses, in
+  /// order, of the triangles that it leaves; first: its first triangle, which `from` lies in.
   TriangleStrip(const Mesh& surface, const std::vector<int>& twins, const SurfacePoint& from,
     const SurfacePoint& to, int first, std::vector<int> sides);
 
@@ -48,12 +58,12 @@ public:
   SurfacePath Path() const;
 
 private:
-  /// A side that is crossed, laid out in the plane: its end and its begin, as seen on the way.
+  /// A half-edge that is crossed, laid out in the plane: its end and its begin, seen on the way.
   struct Portal
   {
     Eigen::RowVector2d Left, Right;
   };
-  /// A point that the path turns at: from which side on the strip goes around it, and to which.
+  /// A point that the path turns at: the first and the last half-edge of the strip that it is on.
   struct Turn
   {
     int First, Last;
@@ -82,7 +92,7 @@ private:
     int step, const Eigen::RowVector2d& before, const Eigen::RowVector2d& after) const;
   int TriangleOfBoth(const PointSupport& a, const PointSupport& b, int first, int last) const;
 
-  const Mesh& Surface;
+  const Mesh& Triangulation;
   const std::vector<int>& Twins;
   PointSupport From, To;
   int First;

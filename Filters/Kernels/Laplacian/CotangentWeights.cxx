@@ -10,7 +10,7 @@ namespace shape
 namespace
 {
 
-/// How far two sides must exceed the third, in longest sides.
+/// By how much two edges must exceed the third, in longest edges.
 constexpr double Slack = 1e-6;
 
 std::array<double, 3> Mollified(std::array<double, 3> sides)

@@ -13,21 +13,22 @@ namespace shape
 namespace
 {
 
-/// By how much every two sides exceed the third at least, in mean sides.
+/// By how much every two edges of a triangle exceed the third, at least, in mean edges.
 constexpr double DelaunaySlack = 1e-6;
 /// How negative an edge's weight may be: rounding must not flip an edge back and forth.
 constexpr double MinimumWeight = -1e-9;
 constexpr int None = -1;
 
-/// Side 3 t + k is that of triangle t from its corner k to the next one.
+/// Edge flips by lengths alone. Half-edge 3 t + k runs from corner k of triangle t to the next one.
 class Flipper
 {
 public:
-  explicit Flipper(const Mesh& mesh)
-    : Begins(mesh.Triangles.size())
-    , Twins(FindTwins(mesh.Triangles, mesh.Points.rows()))
-    , Lengths(mesh.Triangles.size())
+  explicit Flipper(const Surface& surface)
+    : Begins(surface.Triangles().size())
+    , Twins(surface.Twins())
+    , Lengths(surface.Triangles().size())
   {
+    const Mesh& mesh = surface;
     for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
     {
       for (int k = 0; k < 3; ++k)
@@ -120,7 +121,7 @@ private:
     }
   }
 
-  /// Not where it is on the border, or a triangle is glued to itself there: two angles of one
+  /// Not if it is on the boundary, or if a triangle is glued to itself there: two angles of one
   /// triangle are less than pi.
   bool IsFlippable(int side) const
   {
@@ -128,7 +129,8 @@ private:
     return twin != None && twin / 3 != side / 3;
   }
 
-  /// The cosine of the angle between a side and the previous one, where the side begins.
+  /// The cosine of the angle between a half-edge and the previous one, at the point where it
+  /// begins.
   double Cosine(int side) const
   {
     const double a = this->Lengths[side], b = this->Lengths[PreviousHalfEdge(side)],
@@ -204,11 +206,27 @@ private:
 
 } // namespace
 
-IntrinsicTriangles BuildIntrinsicDelaunay(const Mesh& mesh)
+IntrinsicTriangles BuildIntrinsicDelaunay(const Surface& surface)
 {
-  Flipper flipper(mesh);
+  Flipper flipper(surface);
   flipper.FlipAll();
   return flipper.Triangles();
+}
+
+std::shared_ptr<const IntrinsicLaplacian> GetIntrinsicLaplacian(const Surface& surface)
+{
+  return surface.Cached<IntrinsicLaplacian>(
+    [&]()
+    {
+      const Eigen::Index points = surface.Points().rows();
+      IntrinsicLaplacian laplacian;
+      laplacian.Flat = BuildIntrinsicDelaunay(surface);
+      laplacian.Angles = ComputeAnglesFromLengths(laplacian.Flat.Sides);
+      const Eigen::MatrixXi& triangles = laplacian.Flat.Triangles;
+      laplacian.Stiffness = BuildCotangentStiffness(triangles, laplacian.Angles.Cotangents, points);
+      laplacian.Masses = ComputeLumpedMasses(triangles, laplacian.Angles.Areas, points);
+      return laplacian;
+    });
 }
 
 } // namespace shape

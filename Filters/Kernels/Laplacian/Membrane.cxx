@@ -10,15 +10,12 @@
 namespace shape
 {
 
-Eigen::MatrixXd SolveHarmonicValues(const Mesh& patch, const Eigen::MatrixXd& loopValues)
+Eigen::MatrixXd SolveHarmonicValues(const Surface& patch, const Eigen::MatrixXd& loopValues)
 {
-  const Eigen::Index points = patch.Points.rows();
-  const IntrinsicTriangles flat = BuildIntrinsicDelaunay(patch);
+  const Eigen::Index points = patch.Points().rows();
   constexpr double minimum = 1e-9; // of a weight: those of equilateral triangles are 0.58
   const Eigen::SparseMatrix<double> stiffness =
-    BuildPositiveStiffness(BuildCotangentStiffness(flat.Triangles,
-                             ComputeAnglesFromLengths(flat.Sides).Cotangents, points),
-      minimum);
+    BuildPositiveStiffness(GetIntrinsicLaplacian(patch)->Stiffness, minimum);
   std::vector<int> loop(loopValues.rows());
   std::iota(loop.begin(), loop.end(), 0);
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(points, loopValues.cols());
@@ -28,15 +25,16 @@ Eigen::MatrixXd SolveHarmonicValues(const Mesh& patch, const Eigen::MatrixXd& lo
 }
 
 Eigen::MatrixXd SolveMembrane(
-  const Mesh& disk, const Eigen::MatrixXd& loop, int rounds, const Progress& progress)
+  const Surface& disk, const Eigen::MatrixXd& loop, int rounds, const Progress& progress)
 {
-  Mesh membrane = disk;
-  for (int round = 0; round <= rounds; ++round)
+  progress(0.0);
+  Eigen::MatrixXd positions = SolveHarmonicValues(disk, loop);
+  for (int round = 1; round <= rounds; ++round)
   {
     progress(static_cast<double>(round) / (rounds + 1));
-    membrane.Points = SolveHarmonicValues(membrane, loop);
+    positions = SolveHarmonicValues(Surface(positions, disk.Triangles()), loop);
   }
-  return membrane.Points;
+  return positions;
 }
 
 } // namespace shape

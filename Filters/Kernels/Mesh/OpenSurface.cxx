@@ -25,7 +25,7 @@ double ComputeLoopLength(const std::vector<int>& loop, const Eigen::MatrixXd& po
 
 } // namespace
 
-void RequireSurfaceWithBoundary(const Mesh& surface, LoopCount loops)
+void RequireSurfaceWithBoundary(const Surface& surface, LoopCount loops)
 {
   const Topology topology = RequireManifold(surface, "the surface");
   if (topology.Components > 1)
@@ -62,15 +62,16 @@ void RequireSurfaceWithBoundary(const Mesh& surface, LoopCount loops)
   }
 }
 
-std::vector<std::vector<int>> FindManifoldBoundaryLoops(const Mesh& surface)
+std::vector<std::vector<int>> FindManifoldBoundaryLoops(const Surface& surface)
 {
-  const std::vector<int> twins = FindTwins(surface.Triangles, surface.Points.rows());
-  std::vector<int> next(surface.Points.rows(), -1);
+  const std::vector<int>& twins = surface.Twins();
+  const Eigen::MatrixXi& triangles = surface.Triangles();
+  std::vector<int> next(surface.Points().rows(), -1);
   for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
     if (twins[side] < 0)
     {
-      next[surface.Triangles(side / 3, side % 3)] = surface.Triangles(side / 3, (side + 1) % 3);
+      next[triangles(side / 3, side % 3)] = triangles(side / 3, (side + 1) % 3);
     }
   }
   std::vector<std::vector<int>> loops;
@@ -90,7 +91,7 @@ std::vector<std::vector<int>> FindManifoldBoundaryLoops(const Mesh& surface)
   }
   std::stable_sort(loops.begin(), loops.end(),
     [&](const std::vector<int>& a, const std::vector<int>& b)
-    { return ComputeLoopLength(a, surface.Points) > ComputeLoopLength(b, surface.Points); });
+    { return ComputeLoopLength(a, surface.Points()) > ComputeLoopLength(b, surface.Points()); });
   return loops;
 }
 

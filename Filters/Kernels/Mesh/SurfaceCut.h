@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <array>
 #include <vector>
@@ -18,7 +19,7 @@ struct CutSurface
 
 /// Cuts along the given edges: a point has a copy for each part that its triangles fall into; the
 /// part with the first triangle keeps the point itself. surface: an oriented 2-manifold.
-CutSurface CutAlongEdges(const Mesh& surface, const std::vector<std::array<int, 2>>& edges);
+CutSurface CutAlongEdges(const Surface& surface, const std::vector<std::array<int, 2>>& edges);
 
 /// A path along edges.
 struct EdgePath
@@ -35,6 +36,6 @@ struct EdgePath
  * Throws InvalidInput where there is none: the mesh is too coarse there. Aborted.
  */
 EdgePath FindEdgePathThrough(
-  const Mesh& surface, const std::vector<int>& stops, const Progress& progress = {});
+  const Surface& surface, const std::vector<int>& stops, const Progress& progress = {});
 
 } // namespace shape

@@ -1,6 +1,5 @@
 #include "Parameterize/ConformalFlattening.h"
 
-#include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"
 #include "Linear/DirichletProblem.h"
 #include "Mesh/OpenSurface.h"
@@ -8,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace shape
@@ -15,24 +15,25 @@ namespace shape
 namespace
 {
 
-/// 2 pi less the angles around each point, for points of the loop pi less them.
-Eigen::VectorXd Curvatures(const IntrinsicTriangles& flat, const Eigen::MatrixXd& cotangents,
-  Eigen::Index points, const std::vector<int>& loop)
+/// 2 pi minus the angles around each point, on the loop pi minus the angles.
+Eigen::VectorXd Curvatures(
+  const IntrinsicLaplacian& laplacian, Eigen::Index points, const std::vector<int>& loop)
 {
+  const Eigen::MatrixXi& triangles = laplacian.Flat.Triangles;
   Eigen::VectorXd curvatures = Eigen::VectorXd::Constant(points, 2.0 * M_PI);
   curvatures(loop).array() = M_PI;
-  for (Eigen::Index t = 0; t < flat.Triangles.rows(); ++t)
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      curvatures(flat.Triangles(t, corner)) -= std::atan2(1.0, cotangents(t, corner));
+      curvatures(triangles(t, corner)) -= std::atan2(1.0, laplacian.Angles.Cotangents(t, corner));
     }
   }
   return curvatures;
 }
 
-/// The places of a closed polygon (k x 2) that turns by turns(i) at its point i, its sides as near
-/// to `lengths` as they can be: the squares of what each gives up, over its length, are least.
+/// The positions of a closed polygon (k x 2) that turns by turns(i) at its point i, with edges as
+/// near to `lengths` as possible: the sum of squared changes over the lengths is minimal.
 Eigen::MatrixXd ClosedPolygon(const Eigen::VectorXd& lengths, const Eigen::VectorXd& turns)
 {
   const Eigen::Index count = lengths.size();
@@ -57,23 +58,21 @@ Eigen::MatrixXd ClosedPolygon(const Eigen::VectorXd& lengths, const Eigen::Vecto
 
 } // namespace
 
-Eigen::MatrixXd FlattenConformally(const Mesh& surface, const Progress& progress)
+Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progress)
 {
   progress(0.0);
   RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne);
   const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   const std::vector<int>& loop = loops.front();
-  const Mesh filled = FillWithFans(surface, { loops.begin() + 1, loops.end() });
-  const Eigen::Index points = filled.Points.rows();
-  const IntrinsicTriangles flat = BuildIntrinsicDelaunay(filled);
+  const Surface filled = FillWithFans(surface, { loops.begin() + 1, loops.end() });
+  const Eigen::Index points = filled.Points().rows();
+  const std::shared_ptr<const IntrinsicLaplacian> laplacian = GetIntrinsicLaplacian(filled);
+  const Eigen::SparseMatrix<double>& stiffness = laplacian->Stiffness;
   progress(0.3);
-  const Eigen::MatrixXd cotangents = ComputeAnglesFromLengths(flat.Sides).Cotangents;
-  const Eigen::SparseMatrix<double> stiffness =
-    BuildCotangentStiffness(flat.Triangles, cotangents, points);
   const DirichletProblem problem(stiffness, loop);
   progress(0.8);
 
-  const Eigen::MatrixXd curvatures = Curvatures(flat, cotangents, points, loop);
+  const Eigen::MatrixXd curvatures = Curvatures(*laplacian, points, loop);
   Eigen::MatrixXd scale = Eigen::MatrixXd::Zero(points, 1);
   problem.Solve(scale, -curvatures);
   const Eigen::VectorXd turns = (curvatures + stiffness * scale)(loop, 0);
@@ -82,13 +81,13 @@ Eigen::MatrixXd FlattenConformally(const Mesh& surface, const Progress& progress
   {
     const int next = loop[(i + 1) % loop.size()];
     lengths(static_cast<Eigen::Index>(i)) =
-      (surface.Points.row(next) - surface.Points.row(loop[i])).norm();
+      (surface.Points().row(next) - surface.Points().row(loop[i])).norm();
   }
   Eigen::MatrixXd image = Eigen::MatrixXd::Zero(points, 2);
   image(loop, Eigen::all) = ClosedPolygon(lengths, turns);
   problem.Solve(image, Eigen::MatrixXd::Zero(points, 2));
   progress(1.0);
-  return image.topRows(surface.Points.rows());
+  return image.topRows(surface.Points().rows());
 }
 
 } // namespace shape

@@ -23,15 +23,16 @@ enum class CombinationWeights
 
 /**
  * Positions for the points of a surface, of which those in `fixed` are given and each other one is
- * the weighted mean of its neighbours (a convex combination map where the weights are positive). A
+ * the weighted mean of its neighbours (a convex combination map if the weights are positive). A
  * surface that lies flat in the plane is reproduced by Cotangent and MeanValue.
  *
  * surface: a manifold, each component with at least one fixed point; every point used; of any
- * size. fixed: k different points; places: k x d. Returns n x d. Triangles without area count with
- * the angles that ComputeTriangleAngles gives them, and edges as no shorter than 1e-6 of the mean.
+ * size. fixed: k different points; positions: k x d. Returns n x d. Triangles without area count
+ * with the angles that ComputeTriangleAngles gives them, and edges as no shorter than 1e-6 of the
+ * mean.
  *
  * Each factorisation is one library call that cannot be interrupted: at 100,000 points 0.3 s
- * (Cotangent, Uniform) and 0.9 s (MeanValue). Throws SolveFailure where it breaks down, Aborted.
+ * (Cotangent, Uniform) and 0.9 s (MeanValue). Throws SolveFailure if it breaks down, Aborted.
  */
 Eigen::MatrixXd SolveConvexCombination(const Mesh& surface, CombinationWeights weights,
   const std::vector<int>& fixed, const Eigen::MatrixXd& positions, const Progress& progress = {});

@@ -195,17 +195,17 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
 } // namespace
 
 DiskMapResult MapToDisk(
-  const Mesh& surface, const DiskMapOptions& options, const Progress& progress)
+  const Surface& surface, const DiskMapOptions& options, const Progress& progress)
 {
   progress(0.0);
   RequireSurfaceWithBoundary(surface, LoopCount::One);
   progress(0.1);
   DiskMapResult result;
   result.Loop = FindManifoldBoundaryLoops(surface).front();
-  StartAtGreatest(result.Loop, surface.Points);
-  const double size = ComputeLongestBoxEdge(surface.Points);
+  StartAtGreatest(result.Loop, surface.Points());
+  const double size = ComputeLongestBoxEdge(surface.Points());
   Mesh scaled = surface;
-  scaled.Points.rowwise() -= surface.Points.row(result.Loop[0]);
+  scaled.Points.rowwise() -= surface.Points().row(result.Loop[0]);
   scaled.Points /= size > 0.0 ? size : 1.0;
   const Eigen::VectorXd lengths = ArcLengths(result.Loop, scaled.Points);
   result.LoopLength = size * lengths(result.Loop.size());
@@ -225,7 +225,7 @@ DiskMapResult MapToDisk(
   const Eigen::MatrixXd image = SolveConvexCombination(
     scaled, options.Weights, result.Loop, positions, progress.Part(0.2, 0.9));
   RequireNoFlip(surface, image, options.Weights);
-  result.Points = Eigen::MatrixXd::Zero(surface.Points.rows(), 3);
+  result.Points = Eigen::MatrixXd::Zero(surface.Points().rows(), 3);
   result.Points.leftCols(2) = image;
   progress(1.0);
   return result;

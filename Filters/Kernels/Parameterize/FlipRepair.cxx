@@ -39,7 +39,7 @@ std::vector<int> Counted(const Mesh& surface, const std::vector<int>& leftOut)
   return counted;
 }
 
-/// Points of which the triangles do not close around them, or more than two meet at an edge.
+/// Points on the boundary, or on an edge with more than two triangles.
 std::vector<char> OnLoop(const Eigen::MatrixXi& triangles, Eigen::Index points)
 {
   std::vector<char> onLoop(points, 0);
@@ -83,7 +83,7 @@ public:
     return flipped;
   }
 
-  /// Moves the points of the flipped triangles and of so many rings around them.
+  /// Moves the points of the flipped triangles and of `rings` rings around them.
   void Round(const std::vector<int>& flipped, int rings)
   {
     std::vector<char> isFree(this->Surface.Points.rows(), 0);

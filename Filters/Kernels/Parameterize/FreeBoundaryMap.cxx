@@ -81,7 +81,7 @@ void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
 } // namespace
 
 FreeBoundaryMapResult MapWithFreeBoundary(
-  const Mesh& surface, const FreeBoundaryMapOptions& options, const Progress& progress)
+  const Surface& surface, const FreeBoundaryMapOptions& options, const Progress& progress)
 {
   progress(0.0);
   const double area = ComputeArea(surface);
@@ -91,7 +91,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
     throw InvalidInput("the surface has no area; check its points");
   }
   Mesh unit = surface;
-  unit.Points.rowwise() -= surface.Points.row(0);
+  unit.Points.rowwise() -= surface.Points().row(0);
   unit.Points /= std::sqrt(area);
 
   FreeBoundaryMapResult result;
@@ -100,9 +100,10 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   for (std::size_t i = 0; i < loops.front().size(); ++i)
   {
     const int next = loops.front()[(i + 1) % loops.front().size()];
-    result.LoopLength += (surface.Points.row(next) - surface.Points.row(loops.front()[i])).norm();
+    result.LoopLength +=
+      (surface.Points().row(next) - surface.Points().row(loops.front()[i])).norm();
   }
-  std::vector<int> flipped = FindInvertedTriangles(surface.Triangles, image);
+  std::vector<int> flipped = FindInvertedTriangles(surface.Triangles(), image);
   if (!flipped.empty() && !options.Refine)
   {
     throw SolveFailure("the conformal map flips " + CountOf(flipped, surface) +
@@ -112,7 +113,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   {
     result.IsConformal = false;
     image = CircularMap(unit, loops, progress.Part(0.2, 0.3));
-    flipped = FindInvertedTriangles(surface.Triangles, image);
+    flipped = FindInvertedTriangles(surface.Triangles(), image);
     if (!flipped.empty())
     {
       throw SolveFailure("Tutte's map of the longest open loop to a circle leaves " +
@@ -122,7 +123,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
         "Feature");
     }
   }
-  image /= std::sqrt(ComputePlanarArea(surface.Triangles, image));
+  image /= std::sqrt(ComputePlanarArea(surface.Triangles(), image));
   if (options.Refine)
   {
     const InjectiveRefinementResult refined =
@@ -130,8 +131,8 @@ FreeBoundaryMapResult MapWithFreeBoundary(
     image = refined.Points;
     result.Iterations = refined.Iterations;
   }
-  Settle(surface.Triangles, image);
-  flipped = FindInvertedTriangles(surface.Triangles, image);
+  Settle(surface.Triangles(), image);
+  flipped = FindInvertedTriangles(surface.Triangles(), image);
   if (!flipped.empty())
   {
     throw SolveFailure("rounding flips " + CountOf(flipped, surface) +

@@ -17,7 +17,7 @@ struct InjectiveRefinementOptions
   double Exponent = 1.0;       ///< of the exponential measures; > 0
   double Scale = 1.0;          ///< lengths of the surface count times this; > 0
   int MaximumIterations = 300; ///< >= 0
-  /// Ends where each of five iterations gains no more than this share; in [0, 1).
+  /// Ends when each of five iterations gains no more than this share; in [0, 1).
   double Tolerance = 1e-5;
 };
 
@@ -39,12 +39,12 @@ struct InjectiveRefinementResult
  * flip, and halves the step until the energy falls (Armijo). All systems share one pattern, whose
  * elimination order is found once.
  *
- * Points that are free on the border move as well: images of far parts may come to overlap, though
- * no triangle is flipped. Exponential measures start from the result of SymmetricDirichlet.
+ * Points that are free on the boundary move as well: images of far parts may come to overlap,
+ * though no triangle is flipped. Exponential measures start from the result of SymmetricDirichlet.
  *
  * surface: each component with at least one triangle, every point used. start: n x 2, every
- * triangle counter-clockwise. fixed: points that stay. Throws InvalidInput where an option is out
- * of range or a triangle of the start is not counter-clockwise, SolveFailure where the measure
+ * triangle counter-clockwise. fixed: points that stay. Throws InvalidInput if an option is out
+ * of range or a triangle of the start is not counter-clockwise, SolveFailure if the measure
  * exceeds double precision at the start; Aborted, after one factorisation at most.
  */
 InjectiveRefinementResult RefineInjectively(const Mesh& surface, const Eigen::MatrixXd& start,

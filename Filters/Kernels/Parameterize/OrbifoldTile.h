@@ -37,9 +37,9 @@ struct PlaneIsometry
 
 /**
  * The tile of an orbifold. Cut open along a path through its cones, the surface is a disk; the tile
- * is its image in the plane. First and last cones have one place on its border, those between two:
- * one for each side of the path. Counter-clockwise the border runs along the path from its first
- * cone to its last, with the surface to the left, and back again.
+ * is its image in the plane. First and last cones have one position on its boundary, those between
+ * two: one for each side of the path. Counter-clockwise the boundary runs along the path from its
+ * first cone to its last, with the surface to the left, and back again.
  */
 struct OrbifoldTile
 {

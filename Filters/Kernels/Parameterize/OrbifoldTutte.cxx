@@ -26,7 +26,7 @@ using Complex = std::complex<double>;
 /// The least weight of an edge: with positive weights nothing flips.
 constexpr double MinimumWeight = 1e-2;
 
-void RequireSphere(const Mesh& surface)
+void RequireSphere(const Surface& surface)
 {
   const Topology topology = RequireClosedSurface(surface, "the surface");
   if (topology.Components > 1)
@@ -216,8 +216,8 @@ void RequireNoFlip(const Mesh& cut, const Eigen::MatrixXd& image)
 
 } // namespace
 
-OrbifoldImage MapToOrbifold(
-  const Mesh& surface, const std::vector<int>& cones, OrbifoldType type, const Progress& progress)
+OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cones,
+  OrbifoldType type, const Progress& progress)
 {
   progress(0.0);
   RequireSphere(surface);
@@ -235,12 +235,13 @@ OrbifoldImage MapToOrbifold(
   progress(0.3);
 
   const auto [positions, unknowns] = GetLoopPositions(image.Cut, path, image.Tile);
+  const Eigen::MatrixXi& triangles = surface.Triangles();
   const Eigen::SparseMatrix<double> weights =
-    BuildPositiveStiffness(BuildCotangentStiffness(surface.Triangles,
-                             ComputeTriangleAngles(surface).Cotangents, surface.Points.rows()),
+    BuildPositiveStiffness(BuildCotangentStiffness(triangles,
+                             ComputeTriangleAngles(surface).Cotangents, surface.Points().rows()),
       MinimumWeight);
   MeanEquations equations(unknowns);
-  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -248,7 +249,7 @@ OrbifoldImage MapToOrbifold(
       // Half from each of the edge's triangles.
       equations.AddSide(positions[image.Cut.Surface.Triangles(t, corner)],
         positions[image.Cut.Surface.Triangles(t, next)],
-        -0.5 * weights.coeff(surface.Triangles(t, corner), surface.Triangles(t, next)));
+        -0.5 * weights.coeff(triangles(t, corner), triangles(t, next)));
     }
   }
   progress(0.4);

@@ -66,7 +66,7 @@ const char* Word(CombinationWeights weights)
 }
 
 ParameterizeResult OntoSphere(
-  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+  const Surface& surface, const ParameterizeOptions& options, const Progress& progress)
 {
   const SphereMapResult map = MapToSphere(surface, ForSphere(options), progress);
   ParameterizeResult result;
@@ -83,9 +83,9 @@ ParameterizeResult OntoSphere(
 }
 
 /// By how much the surface is scaled to have its image's area.
-double ScaleTo(const Eigen::MatrixXd& image, const Mesh& surface)
+double ScaleTo(const Eigen::MatrixXd& image, const Surface& surface)
 {
-  return std::sqrt(ComputeArea({ image, surface.Triangles }) / ComputeArea(surface));
+  return std::sqrt(ComputeArea({ image, surface.Triangles() }) / ComputeArea(surface));
 }
 
 bool IsRefined(const ParameterizeOptions& options)
@@ -94,7 +94,7 @@ bool IsRefined(const ParameterizeOptions& options)
 }
 
 ParameterizeResult OntoDisk(
-  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+  const Surface& surface, const ParameterizeOptions& options, const Progress& progress)
 {
   const Progress mapping = progress.Part(0.0, IsRefined(options) ? 0.3 : 1.0);
   const DiskMapResult map = MapToDisk(surface, { options.Weights, options.Outline }, mapping);
@@ -117,7 +117,7 @@ ParameterizeResult OntoDisk(
 }
 
 ParameterizeResult WithFreeBoundary(
-  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+  const Surface& surface, const ParameterizeOptions& options, const Progress& progress)
 {
   FreeBoundaryMapOptions own;
   own.Refine = IsRefined(options);
@@ -147,21 +147,21 @@ std::string Word(OrbifoldType type)
 }
 
 /// The points of the surface that are nearest to the landmarks.
-std::vector<int> NearestPoints(const Mesh& surface, const Eigen::MatrixXd& landmarks)
+std::vector<int> NearestPoints(const Surface& surface, const Eigen::MatrixXd& landmarks)
 {
   RequireFinite(landmarks, "the Landmarks");
-  RequireFinite(surface.Points, "the surface");
+  RequireFinite(surface.Points(), "the surface");
   std::vector<int> points;
   for (const auto& landmark : landmarks.rowwise())
   {
     Eigen::Index nearest = 0;
-    (surface.Points.rowwise() - landmark).rowwise().squaredNorm().minCoeff(&nearest);
+    (surface.Points().rowwise() - landmark).rowwise().squaredNorm().minCoeff(&nearest);
     points.push_back(static_cast<int>(nearest));
   }
   return points;
 }
 
-ParameterizeResult OntoOrbifold(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+ParameterizeResult OntoOrbifold(const Surface& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options, const Progress& progress)
 {
   if (landmarks.rows() != 3 && landmarks.rows() != 4)
@@ -178,7 +178,7 @@ ParameterizeResult OntoOrbifold(const Mesh& surface, const Eigen::MatrixXd& land
   ParameterizeResult result;
   result.CutPositions = Eigen::MatrixXd::Zero(image.Points.rows(), 3);
   result.CutPositions.leftCols(2) = image.Points;
-  result.Positions = result.CutPositions.topRows(surface.Points.rows());
+  result.Positions = result.CutPositions.topRows(surface.Points().rows());
   result.Cut = std::move(image.Cut);
   result.FlippedTriangles = image.FlippedTriangles;
   result.Method = Word(type);
@@ -186,7 +186,7 @@ ParameterizeResult OntoOrbifold(const Mesh& surface, const Eigen::MatrixXd& land
 }
 
 /// Where the domain does not fit the surface, one that does is named.
-void RequireDomain(const Mesh& surface, ParameterizeOptions::DomainType domain)
+void RequireDomain(const Surface& surface, ParameterizeOptions::DomainType domain)
 {
   using Domain = ParameterizeOptions::DomainType;
   const Topology topology = RequireManifold(surface, "the surface");
@@ -215,7 +215,7 @@ void RequireDomain(const Mesh& surface, ParameterizeOptions::DomainType domain)
   }
 }
 
-ParameterizeResult Onto(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+ParameterizeResult Onto(const Surface& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options, const Progress& progress)
 {
   using Domain = ParameterizeOptions::DomainType;
@@ -241,12 +241,12 @@ ParameterizeResult Onto(const Mesh& surface, const Eigen::MatrixXd& landmarks,
 
 } // namespace
 
-ParameterizeResult Parameterize(const Mesh& surface, const Eigen::MatrixXd& landmarks,
+ParameterizeResult Parameterize(const Surface& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options, const Progress& progress)
 {
   ParameterizeResult result = Onto(surface, landmarks, options, progress);
   const bool isCut = options.Domain == ParameterizeOptions::DomainType::Orbifold;
-  const Mesh& mapped = isCut ? result.Cut.Surface : surface;
+  const Mesh& mapped = isCut ? result.Cut.Surface : surface.AsMesh();
   const Eigen::MatrixXd& image = isCut ? result.CutPositions : result.Positions;
   const Eigen::VectorXd areas = ComputeAreaVectors(mapped).rowwise().norm();
   result.ConformalDistortion = areas.dot(ComputeConformalDistortion(mapped, image)) / areas.sum();
@@ -261,7 +261,7 @@ ParameterizeResult Parameterize(const Mesh& surface, const Eigen::MatrixXd& land
 }
 
 ParameterizeResult Parameterize(
-  const Mesh& surface, const ParameterizeOptions& options, const Progress& progress)
+  const Surface& surface, const ParameterizeOptions& options, const Progress& progress)
 {
   return Parameterize(surface, Eigen::MatrixXd(0, 3), options, progress);
 }

@@ -9,14 +9,14 @@ namespace shape
 /// Rabinovich, Poranne, Panozzo and Sorkine-Hornung, "Scalable locally injective mappings", 2017.
 enum class Distortion
 {
-  SymmetricDirichlet,            ///< sum of s^2 + s^-2: 4 for an isometry, the least
+  SymmetricDirichlet,            ///< sum of s^2 + s^-2: 4 for an isometry, the minimum
   ExponentialSymmetricDirichlet, ///< exp(e SymmetricDirichlet): the worst triangles count most
   /// exp(e ((s1 / s2 + s2 / s1) / 2 + (s1 s2 + 1 / (s1 s2)) / 4)) (Fu, Liu and Guo, "Computing
   /// locally injective mappings by advanced MIPS", 2015)
   AMIPS,
-  ConformalAMIPS, ///< s1 / s2 + s2 / s1: 2 for a similarity, the least
+  ConformalAMIPS, ///< s1 / s2 + s2 / s1: 2 for a similarity, the minimum
   LogARAP,        ///< sum of log(s)^2 (Hencky strain): 0 for an isometry
-  ARAP            ///< sum of (s - 1)^2: 0 for an isometry; finite where a triangle loses its area
+  ARAP            ///< sum of (s - 1)^2: 0 for an isometry; finite even if a triangle loses its area
 };
 
 /// Whether a measure is the exponential of another one, so large at a bad start that it overflows.

@@ -22,7 +22,7 @@ namespace shape
 namespace
 {
 
-void Check(const Mesh& surface, const SphereMapOptions& options)
+void Check(const Surface& surface, const SphereMapOptions& options)
 {
   if (!(options.TimeStep > 0.0) || options.MaximumIterations < 1 || options.FreeIterations < 0 ||
     !(options.Tolerance >= 0.0 && options.Tolerance < 1.0) || !(options.LargestRepair >= 0.0) ||
@@ -290,7 +290,7 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
 } // namespace
 
 SphereMapResult MapToSphere(
-  const Mesh& surface, const SphereMapOptions& options, const Progress& progress)
+  const Surface& surface, const SphereMapOptions& options, const Progress& progress)
 {
   Check(surface, options);
   const Mesh mesh = Normalised(surface);

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
 namespace shape
 {
 
-/// What gave the points their places, the most conformal first. Each is tried where those before
-/// it left flipped triangles.
+/// What gave the points their positions, the most conformal first. Each is tried if those before it
+/// left flipped triangles.
 enum class SphereMapMethod
 {
   ConformalFlow,    ///< the flow by cotangent weights
@@ -37,7 +37,7 @@ struct SphereMapResult
   SphereMapMethod Method = SphereMapMethod::ConformalFlow;
   int Iterations = 0;            ///< steps of the method's flow
   int FlipsBeforeRelaxation = 0; ///< triangles that the first method left flipped
-  int Reinserted = 0;            ///< points that got a new place to end the method's flips
+  int Reinserted = 0;            ///< points that were moved to end the method's flips
   double MeanLength = 0.0;       ///< of the area-weighted mean of the image: 0 but for rounding
   double SmallestArea = 0.0;     ///< of a spherical triangle; all of them add up to 4 pi
 };
@@ -49,24 +49,24 @@ struct SphereMapResult
  *
  * Conformalised mean-curvature flow (Kazhdan, Solomon & Ben-Chen 2012, equation 9): implicit steps
  * (M_t + dt L_0) x = M_t x_t with the stiffness of the given surface and the lumped masses of the
- * moving one, held on the sphere after the first steps. ReinsertFlipped and RelaxOnSphere where
- * triangles flip, the other methods where that is not enough. CenterOnSphere: the mean of the
+ * moving one, held on the sphere after the first steps. ReinsertFlipped and RelaxOnSphere if
+ * triangles flip, the other methods if that is not enough. CenterOnSphere: the mean of the
  * image, weighted by the areas of the given surface, is the origin.
  *
- * A conformal map shrinks limbs exponentially with their length over their girth (a figure's
+ * A conformal map shrinks extremities exponentially with their length over their girth (a figure's
  * fingers to 1e-25). Where the image must stay coarse enough to compute on, let First be
  * GlobalReinsertion; AreaWeight is that of ReinsertAll.
  *
  * The thread count changes the image by rounding, and by up to 1e-6 at points that were reinserted.
  * Translation and scale of the input change the result by rounding only, and rotating the input
  * rotates the result, except at points that were reinserted. GlobalReinsertion sees the shape only
- * when it centres: its result depends on how the triangles hang together.
+ * when it centres: its result depends on the connectivity alone.
  *
- * Throws InvalidInput where an option is out of range or the surface is not closed, has several
- * components, genus > 0, no extent, or points that no triangle uses; SolveFailure where flipped
+ * Throws InvalidInput if an option is out of range or the surface is not closed, has several
+ * components, genus > 0, no extent, or points that no triangle uses; SolveFailure if flipped
  * triangles remain: with their count.
  */
 SphereMapResult MapToSphere(
-  const Mesh& surface, const SphereMapOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const SphereMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -9,7 +9,7 @@
 namespace shape
 {
 
-/// A triangle of a star, seen from its middle point A: the points B, C that follow
+/// A triangle of a star, seen from its central point A: the points B, C that follow
 /// counter-clockwise and the cotangents that its angles should have.
 struct StarTriangle
 {
@@ -26,8 +26,8 @@ struct StarTriangle
  *
  *   sum of (cotA |BC|^2 + cotB |CA|^2 + cotC |AB|^2 + AreaTerm) / det[A, B, C],
  *
- * least where each triangle has the asked shape (MIPS, Hormann & Greiner 2000) and infinite where
- * one loses its area. It is convex in the tangent plane. The step is taken only where the energy
+ * minimal if each triangle has the wanted shape (MIPS, Hormann & Greiner 2000) and infinite if one
+ * loses its area. It is convex in the tangent plane. The step is taken only where the energy
  * falls and every triangle still faces outwards, so it never flips one. Returns whether it moved.
  */
 bool RelaxPoint(Eigen::MatrixXd& points, int point, const std::vector<StarTriangle>& star);

@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 
 #include <vector>
@@ -9,10 +10,10 @@
 namespace shape
 {
 
-/// A surface of fewer points and which place of it each point of the finer one has.
+/// A surface of fewer points, and where the points of the finer one are on it.
 struct CoarseSurface
 {
-  Mesh Surface;
+  shape::Surface Surface;
   std::vector<int> Points; ///< of the finer surface: those of the coarse one, in order
   SurfacePoints Positions; ///< n: of the finer surface's points on the coarse one
 };
@@ -21,20 +22,20 @@ struct CoarseSurface
  * Merges points into neighbours (half-edge collapses) until about `points` are left, nearly evenly
  * spread: first those whose neighbours get the shortest new edges. Merged points are kept on the
  * triangles that took the place of those around them (after Lee et al., "MAPS: multiresolution
- * adaptive parameterization of surfaces", 1998), each at the closest place of these few, so that
+ * adaptive parameterization of surfaces", 1998), each at the closest point of these few, so that
  * none lands on another sheet.
  *
- * Topology and open loops stay, and so do the points of `kept`; no merge turns a triangle that is
- * not slim by more than 60 degrees, or makes one slim and slimmer than it was. Where that leaves no
+ * Topology and boundary loops stay, and so do the points of `kept`; no merge turns a triangle that
+ * is not slim by more than 60 degrees, or makes one slim and slimmer than it was. If that leaves no
  * point to merge, more than `points` are left.
  *
- * mesh: a consistently oriented 2-manifold, open or closed, with no point that no triangle uses.
- * points >= 4. Throws InvalidInput, Aborted.
+ * surface: a consistently oriented 2-manifold, open or closed, without unused points. points >= 4.
+ * Throws InvalidInput, Aborted.
  */
-CoarseSurface CoarsenSurface(
-  const Mesh& mesh, int points, const std::vector<int>& kept = {}, const Progress& progress = {});
+CoarseSurface CoarsenSurface(const Surface& surface, int points, const std::vector<int>& kept = {},
+  const Progress& progress = {});
 
-/// Where places of the coarse surface are on the finer one: the nearest that a walk (TriangleWalk)
+/// Where points of the coarse surface are on the finer one: the nearest that a walk (TriangleWalk)
 /// finds from the nearest of the finer points on the same triangle. Throws Aborted.
 SurfacePoints LocateOnFinerSurface(const CoarseSurface& coarse, const Mesh& finer,
   const SurfacePoints& positions, const Progress& progress = {});

@@ -55,7 +55,9 @@ std::vector<std::vector<int>> SimpleLoops(const std::vector<int>& sequence)
   return loops;
 }
 
-/// Inserts loops, moved to points and edges that they are near to.
+/// Inserts loops, moved to points and edges that they are near to. Construction turns loops into
+/// nodes and collects the triangles to split; Insert splits them, joins all triangles and follows
+/// the loops over the new edges, in this order.
 class LoopInserter
 {
 public:

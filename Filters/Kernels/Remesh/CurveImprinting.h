@@ -15,8 +15,8 @@ namespace shape
 struct CurveImprintingOptions
 {
   /// How near to an end of an edge, as a share of its length, the loop is moved to the end, and how
-  /// near to an edge, as a share of its length, a place inside a triangle to the edge: in [0, 0.5).
-  /// Where that would make loops touch they are left where they are.
+  /// near to an edge, as a share of its length, a point inside a triangle to the edge: in [0, 0.5).
+  /// If that would make loops touch they are left where they are.
   double SnapShare = 0.05;
 };
 
@@ -24,7 +24,7 @@ struct CurveImprintingOptions
 struct ImprintedCurves
 {
   Mesh Surface;                        ///< the given points come first
-  SurfacePoints NewPoints;             ///< of each further point: its place on the given surface
+  SurfacePoints NewPoints;             ///< of each further point: its position on the given surface
   Eigen::VectorXi OriginalTriangles;   ///< of each triangle: the one that it is a part of
   std::vector<std::vector<int>> Loops; ///< closed; no point twice in one; the longest first
   std::vector<int> LoopIds;            ///< of each of them: the given loop that it is a part of
@@ -38,8 +38,8 @@ struct ImprintedCurves
  * A loop that touches or crosses itself becomes several; what it runs along there and back is left
  * out. Parts of a triangle are Delaunay triangles in its plane but for the loops.
  *
- * surface: triangles of three different points, manifold or not. Throws InvalidInput where an
- * option is not as above or a given loop encloses nothing, SolveFailure where loops cross too near
+ * surface: triangles of three different points, manifold or not. Throws InvalidInput if an
+ * option is not as above or a given loop encloses nothing, SolveFailure if loops cross too near
  * to an edge, Aborted.
  */
 ImprintedCurves ImprintCurves(const Mesh& surface, const std::vector<SurfaceLoop>& loops,

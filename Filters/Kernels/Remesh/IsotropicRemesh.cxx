@@ -1,15 +1,15 @@
 #include "Remesh/IsotropicRemesh.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Mesh/HalfEdges.h"
+#include "Remesh/Private/EditableSurface.h"
 #include "Search/ClosestPoint.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
@@ -22,42 +22,29 @@ namespace
 {
 
 constexpr double Long = 4.0 / 3.0, Short = 4.0 / 5.0;
-/// A triangle may not turn farther than this when its corners move: the cosine.
+/// The cosine of the angle by which a triangle may turn at most when its corners move.
 constexpr double MinimumCosine = 0.5;
 /// Creases of a shorter total length, in edges, are noise.
 constexpr double ShortestCrease = 8.0;
 
-using Triangle = std::array<int, 3>;
+using Triangle = EditableSurface::Triangle;
 
 long long Key(int a, int b)
 {
   return (static_cast<long long>(std::min(a, b)) << 32) | std::max(a, b);
 }
 
+/// One round is Split, Collapse, Flip and Slide, in this order; after the last one take the Result.
 class Remesher
 {
 public:
-  Remesher(const Surface& original, const IsotropicRemeshOptions& options)
-    : Original(original)
+  Remesher(const Surface& surface, const IsotropicRemeshOptions& options)
+    : Original(surface)
     , Length(options.EdgeLength)
+    , Edited(surface)
+    , CreaseEdges(surface.Points().rows(), 0)
   {
-    const Mesh& surface = original;
-    for (Eigen::Index i = 0; i < surface.Points.rows(); ++i)
-    {
-      this->Points.emplace_back(surface.Points.row(i).transpose());
-    }
-    this->Around.resize(this->Points.size());
-    this->CreaseEdges.resize(this->Points.size(), 0);
-    for (int t = 0; t < surface.Triangles.rows(); ++t)
-    {
-      this->Triangles.push_back(
-        { surface.Triangles(t, 0), surface.Triangles(t, 1), surface.Triangles(t, 2) });
-      for (const int v : this->Triangles.back())
-      {
-        this->Around[v].push_back(t);
-      }
-    }
-    this->FindCreases(surface, std::cos(options.CreaseAngle * M_PI / 180.0));
+    this->FindCreases(surface.HalfEdges(), std::cos(options.CreaseAngle * M_PI / 180.0));
   }
 
   void Split()
@@ -76,8 +63,8 @@ public:
   {
     for (const auto& [a, b] : this->Edges(Short, false))
     {
-      if (!this->Around[a].empty() && !this->Around[b].empty() &&
-        this->Distance(a, b) < Short * this->Length)
+      if (this->Edited.Contains(a) && this->Edited.Contains(b) &&
+        this->Edited.Length(a, b) < Short * this->Length)
       {
         this->TryCollapse(a, b) || this->TryCollapse(b, a);
       }
@@ -95,9 +82,9 @@ public:
   void Slide()
   {
     std::vector<int> moved;
-    for (int v = 0; v < static_cast<int>(this->Points.size()); ++v)
+    for (int v = 0; v < this->Edited.PointCount(); ++v)
     {
-      if (!this->Around[v].empty() && this->CreaseEdges[v] == 0)
+      if (this->Edited.Contains(v) && this->CreaseEdges[v] == 0)
       {
         moved.push_back(v);
       }
@@ -111,89 +98,46 @@ public:
     for (std::size_t i = 0; i < moved.size(); ++i)
     {
       const int v = moved[i];
-      const Eigen::Vector3d old = this->Points[v];
       const Eigen::Vector3d position = positions.row(i).transpose();
       // Not onto another sheet that happens to be closer.
-      if (!this->Turns(v, position, -1) && (position - old).norm() < this->Length)
+      if (!this->Turns(v, position, -1) &&
+        (position - this->Edited.Position(v)).norm() < this->Length)
       {
-        this->Points[v] = position;
+        this->Edited.Move(v, position);
       }
     }
   }
 
-  Mesh Result() const
-  {
-    std::vector<int> number(this->Points.size(), -1);
-    Mesh mesh;
-    int points = 0, triangles = 0;
-    for (std::size_t v = 0; v < this->Points.size(); ++v)
-    {
-      number[v] = this->Around[v].empty() ? -1 : points++;
-    }
-    mesh.Points.resize(points, 3);
-    for (std::size_t v = 0; v < this->Points.size(); ++v)
-    {
-      if (number[v] >= 0)
-      {
-        mesh.Points.row(number[v]) = this->Points[v].transpose();
-      }
-    }
-    mesh.Triangles.resize(this->Triangles.size(), 3);
-    for (const Triangle& t : this->Triangles)
-    {
-      if (t[0] >= 0)
-      {
-        mesh.Triangles.row(triangles++) << number[t[0]], number[t[1]], number[t[2]];
-      }
-    }
-    mesh.Triangles.conservativeResize(triangles, 3);
-    return mesh;
-  }
+  Mesh Result() const { return this->Edited.Compact().Surface; }
 
 private:
-  double Distance(int a, int b) const { return (this->Points[a] - this->Points[b]).norm(); }
-
-  Eigen::Vector3d AreaVector(const Triangle& t) const
+  void FindCreases(const std::vector<HalfEdge>& sides, double cosine)
   {
-    return (this->Points[t[1]] - this->Points[t[0]]).cross(this->Points[t[2]] - this->Points[t[0]]);
-  }
-
-  void FindCreases(const Mesh& surface, double cosine)
-  {
-    const std::vector<HalfEdge> sides = SortHalfEdges(surface.Triangles, surface.Points.rows());
     std::vector<std::pair<int, int>> creases;
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
     {
-      const Eigen::Vector3d n = this->AreaVector(this->Triangles[sides[i].Triangle]);
-      const Eigen::Vector3d m = this->AreaVector(this->Triangles[sides[i + 1].Triangle]);
+      const Eigen::Vector3d n = this->Edited.AreaVector(this->Edited.Corners(sides[i].Triangle));
+      const Eigen::Vector3d m =
+        this->Edited.AreaVector(this->Edited.Corners(sides[i + 1].Triangle));
       if (n.dot(m) < cosine * n.norm() * m.norm())
       {
         creases.emplace_back(sides[i].Low(), sides[i].High());
       }
     }
-    // Those that hang together, by union of their ends.
-    std::vector<int> root(this->Points.size());
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&](int v)
-    {
-      while (root[v] != v)
-      {
-        v = root[v] = root[root[v]];
-      }
-      return v;
-    };
+    // Connected ones are joined by their ends.
+    DisjointSets curves(this->Edited.PointCount());
     for (const auto& [a, b] : creases)
     {
-      root[find(a)] = find(b);
+      curves.Merge(a, b);
     }
     std::unordered_map<int, double> lengths;
     for (const auto& [a, b] : creases)
     {
-      lengths[find(a)] += this->Distance(a, b);
+      lengths[curves.Find(a)] += this->Edited.Length(a, b);
     }
     for (const auto& [a, b] : creases)
     {
-      if (lengths[find(a)] >= ShortestCrease * this->Length)
+      if (lengths[curves.Find(a)] >= ShortestCrease * this->Length)
       {
         this->Creases.insert(Key(a, b));
         ++this->CreaseEdges[a];
@@ -204,16 +148,18 @@ private:
 
   bool OnCrease(int a, int b) const { return this->Creases.count(Key(a, b)) > 0; }
 
-  /// The edges longer, or shorter, than so many lengths; the longest, or shortest, first.
+  /// The edges longer, or shorter, than `lengths` times the wanted length; the longest, or
+  /// shortest, first.
   std::vector<std::pair<int, int>> Edges(double lengths, bool longer) const
   {
     std::vector<std::tuple<double, int, int>> found;
-    for (const Triangle& t : this->Triangles)
+    for (int triangle = 0; triangle < this->Edited.TriangleCount(); ++triangle)
     {
+      const Triangle& t = this->Edited.Corners(triangle);
       for (int k = 0; t[0] >= 0 && k < 3; ++k)
       {
         const int a = t[k], b = t[(k + 1) % 3];
-        const double length = this->Distance(a, b);
+        const double length = this->Edited.Length(a, b);
         if (a < b && (longer ? length > lengths * this->Length : length < lengths * this->Length))
         {
           found.emplace_back(longer ? -length : length, a, b);
@@ -229,100 +175,39 @@ private:
     return edges;
   }
 
-  std::vector<int> TrianglesOf(int a, int b) const
-  {
-    std::vector<int> both;
-    for (const int t : this->Around[a])
-    {
-      const Triangle& corners = this->Triangles[t];
-      if (std::find(corners.begin(), corners.end(), b) != corners.end())
-      {
-        both.push_back(t);
-      }
-    }
-    return both;
-  }
-
-  int Opposite(int t, int a, int b) const
-  {
-    const Triangle& corners = this->Triangles[t];
-    return corners[0] + corners[1] + corners[2] - a - b;
-  }
-
-  std::vector<int> Neighbours(int v) const
-  {
-    std::vector<int> all;
-    for (const int t : this->Around[v])
-    {
-      for (const int u : this->Triangles[t])
-      {
-        if (u != v)
-        {
-          all.push_back(u);
-        }
-      }
-    }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-  }
-
-  void Drop(int v, int t)
-  {
-    std::vector<int>& around = this->Around[v];
-    around.erase(std::find(around.begin(), around.end(), t));
-  }
-
   void SplitEdge(int a, int b)
   {
-    const int m = static_cast<int>(this->Points.size());
-    this->Points.push_back(0.5 * (this->Points[a] + this->Points[b]));
-    this->Around.emplace_back();
+    const int middle = this->Edited.Split(a, b);
     this->CreaseEdges.push_back(0);
-    for (const int t : this->TrianglesOf(a, b))
-    {
-      const int other = static_cast<int>(this->Triangles.size());
-      Triangle first = this->Triangles[t], second = first;
-      const int c = this->Opposite(t, a, b);
-      std::replace(first.begin(), first.end(), b, m);
-      std::replace(second.begin(), second.end(), a, m);
-      this->Triangles[t] = first;
-      this->Triangles.push_back(second);
-      this->Drop(b, t);
-      this->Around[b].push_back(other);
-      this->Around[c].push_back(other);
-      this->Around[m].push_back(t);
-      this->Around[m].push_back(other);
-    }
     if (this->Creases.erase(Key(a, b)) > 0)
     {
-      this->Creases.insert(Key(a, m));
-      this->Creases.insert(Key(m, b));
-      this->CreaseEdges[m] = 2;
+      this->Creases.insert(Key(a, middle));
+      this->Creases.insert(Key(middle, b));
+      this->CreaseEdges[middle] = 2;
     }
   }
 
   /// Whether a triangle around v, but those with `except`, would turn too far or become too slim
-  /// with v at a place.
+  /// with v at a position.
   bool Turns(int v, const Eigen::Vector3d& position, int except)
   {
-    const Eigen::Vector3d old = this->Points[v];
-    for (const int t : this->Around[v])
+    const Eigen::Vector3d old = this->Edited.Position(v);
+    for (const int t : this->Edited.Around(v))
     {
-      const Triangle& corners = this->Triangles[t];
-      if (except >= 0 && std::find(corners.begin(), corners.end(), except) != corners.end())
+      const Triangle& corners = this->Edited.Corners(t);
+      if (except >= 0 && EditableSurface::Has(corners, except))
       {
         continue;
       }
-      const Eigen::Vector3d before = this->AreaVector(corners);
-      this->Points[v] = position;
-      const Eigen::Vector3d after = this->AreaVector(corners);
+      const Eigen::Vector3d before = this->Edited.AreaVector(corners);
+      this->Edited.Move(v, position);
+      const Eigen::Vector3d after = this->Edited.AreaVector(corners);
       double longest = 0.0;
       for (int k = 0; k < 3; ++k)
       {
-        longest = std::max(longest, this->Distance(corners[k], corners[(k + 1) % 3]));
+        longest = std::max(longest, this->Edited.Length(corners[k], corners[(k + 1) % 3]));
       }
-      this->Points[v] = old;
+      this->Edited.Move(v, old);
       const bool wasFlat = before.norm() < 1e-3 * longest * longest;
       if (after.norm() < 0.02 * longest * longest ||
         (!wasFlat && before.dot(after) < MinimumCosine * before.norm() * after.norm()))
@@ -340,18 +225,19 @@ private:
     {
       return false;
     }
-    const std::vector<int> both = this->TrianglesOf(a, b);
-    const std::vector<int> ofA = this->Neighbours(a), ofB = this->Neighbours(b);
-    std::vector<int> common;
+    std::vector<int> ofA, ofB, common;
+    this->Edited.FindNeighbours(a, ofA);
+    this->Edited.FindNeighbours(b, ofB);
     std::set_intersection(
       ofA.begin(), ofA.end(), ofB.begin(), ofB.end(), std::back_inserter(common));
-    if (both.size() != 2 || common.size() != 2)
+    // The link condition: no neighbours in common but those of the edge's two triangles.
+    if (this->Edited.TrianglesOf(a, b).size() != 2 || common.size() != 2)
     {
       return false;
     }
     for (const int u : ofA)
     {
-      if (u != b && this->Distance(u, b) > Long * this->Length)
+      if (u != b && this->Edited.Length(u, b) > Long * this->Length)
       {
         return false;
       }
@@ -359,12 +245,12 @@ private:
     for (const int u : common)
     {
       // Its edges to a and b become one: not two creases, and no point of three neighbours.
-      if ((this->OnCrease(a, u) && this->OnCrease(b, u)) || this->Around[u].size() <= 3)
+      if ((this->OnCrease(a, u) && this->OnCrease(b, u)) || this->Edited.Around(u).size() <= 3)
       {
         return false;
       }
     }
-    if (this->Turns(a, this->Points[b], b))
+    if (this->Turns(a, this->Edited.Position(b), b))
     {
       return false;
     }
@@ -376,102 +262,83 @@ private:
       }
     }
     this->CreaseEdges[a] = 0; // b has lost the edge to a and has got the other one of a
-    for (const int t : both)
-    {
-      const int c = this->Opposite(t, a, b);
-      this->Drop(b, t);
-      this->Drop(c, t);
-      this->Drop(a, t);
-      this->Triangles[t] = { -1, -1, -1 };
-    }
-    for (const int t : this->Around[a])
-    {
-      std::replace(this->Triangles[t].begin(), this->Triangles[t].end(), a, b);
-      this->Around[b].push_back(t);
-    }
-    this->Around[a].clear();
+    this->Edited.Collapse(a, b);
     return true;
   }
 
-  /// Turns an edge to the other diagonal of its two triangles, where that makes valences more even
-  /// and the surface does not change much.
+  /// Flips an edge if that makes valences more even and the surface does not change much.
   void TryFlip(int a, int b)
   {
     if (this->OnCrease(a, b))
     {
       return;
     }
-    const std::vector<int> both = this->TrianglesOf(a, b);
+    const std::vector<int> both = this->Edited.TrianglesOf(a, b);
     if (both.size() != 2)
     {
       return;
     }
     int t = both[0], s = both[1];
-    const Triangle& corners = this->Triangles[t];
-    const auto at = std::find(corners.begin(), corners.end(), a) - corners.begin();
-    if (corners[(at + 1) % 3] != b)
+    const Triangle& corners = this->Edited.Corners(t);
+    if (corners[(EditableSurface::CornerOf(corners, a) + 1) % 3] != b)
     {
       std::swap(t, s);
     }
-    const int c = this->Opposite(t, a, b), d = this->Opposite(s, a, b);
-    if (c == d || !this->TrianglesOf(c, d).empty())
+    const int c = this->Edited.Opposite(t, a, b), d = this->Edited.Opposite(s, a, b);
+    if (c == d || !this->Edited.TrianglesOf(c, d).empty())
     {
       return;
     }
     const auto excess = [&](int v, int more)
     {
-      const int count = static_cast<int>(this->Around[v].size()) + more - 6;
+      const int count = static_cast<int>(this->Edited.Around(v).size()) + more - 6;
       return count * count;
     };
     const int gain = excess(a, 0) + excess(b, 0) + excess(c, 0) + excess(d, 0) - excess(a, -1) -
       excess(b, -1) - excess(c, 1) - excess(d, 1);
-    const Triangle first = { a, d, c }, second = { d, b, c };
-    const Eigen::Vector3d n =
-      this->AreaVector(this->Triangles[t]) + this->AreaVector(this->Triangles[s]);
-    const Eigen::Vector3d n1 = this->AreaVector(first), n2 = this->AreaVector(second);
+    const Eigen::Vector3d n = this->Edited.AreaVector(this->Edited.Corners(t)) +
+      this->Edited.AreaVector(this->Edited.Corners(s));
+    const Eigen::Vector3d n1 = this->Edited.AreaVector({ a, d, c }),
+                          n2 = this->Edited.AreaVector({ d, b, c });
     const double minimum = 0.8 * n.norm();
-    const double edge = this->Distance(c, d);
+    const double edge = this->Edited.Length(c, d);
     const bool slim = std::min(n1.norm(), n2.norm()) < 0.05 * edge * edge;
-    if (gain <= 0 || slim || this->Around[a].size() <= 3 || this->Around[b].size() <= 3 ||
-      n1.dot(n) < minimum * n1.norm() || n2.dot(n) < minimum * n2.norm())
+    if (gain <= 0 || slim || this->Edited.Around(a).size() <= 3 ||
+      this->Edited.Around(b).size() <= 3 || n1.dot(n) < minimum * n1.norm() ||
+      n2.dot(n) < minimum * n2.norm())
     {
       return;
     }
-    this->Triangles[t] = first;
-    this->Triangles[s] = second;
-    this->Drop(b, t);
-    this->Drop(a, s);
-    this->Around[d].push_back(t);
-    this->Around[c].push_back(s);
+    this->Edited.Flip(t, s, a, b);
   }
 
-  /// Where v would be in the middle of its triangles, in its tangent plane.
+  /// The centroid of the triangles around v, projected to its tangent plane.
   Eigen::Vector3d Slid(int v) const
   {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
     double weight = 0.0;
-    for (const int t : this->Around[v])
+    for (const int t : this->Edited.Around(v))
     {
-      const Triangle& c = this->Triangles[t];
-      const Eigen::Vector3d n = this->AreaVector(c);
-      sum += n.norm() * (this->Points[c[0]] + this->Points[c[1]] + this->Points[c[2]]) / 3.0;
+      const Triangle& c = this->Edited.Corners(t);
+      const Eigen::Vector3d n = this->Edited.AreaVector(c);
+      sum += n.norm() *
+        (this->Edited.Position(c[0]) + this->Edited.Position(c[1]) + this->Edited.Position(c[2])) /
+        3.0;
       weight += n.norm();
       normal += n;
     }
     if (!(weight > 0.0) || !(normal.norm() > 0.0))
     {
-      return this->Points[v];
+      return this->Edited.Position(v);
     }
     normal.normalize();
-    const Eigen::Vector3d way = sum / weight - this->Points[v];
-    return this->Points[v] + way - normal * normal.dot(way);
+    const Eigen::Vector3d way = sum / weight - this->Edited.Position(v);
+    return this->Edited.Position(v) + way - normal * normal.dot(way);
   }
 
   SurfaceLocator Original;
   double Length;
-  std::vector<Eigen::Vector3d> Points;
-  std::vector<Triangle> Triangles; ///< -1 where it is gone
-  std::vector<std::vector<int>> Around;
+  EditableSurface Edited;
   std::unordered_set<long long> Creases;
   std::vector<int> CreaseEdges; ///< how many of them a point has
 };

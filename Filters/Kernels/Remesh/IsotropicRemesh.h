@@ -20,10 +20,10 @@ struct IsotropicRemeshOptions
  * along the surface (Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004).
  *
  * Creases stay where they are, and so do points where they meet or end. Creases shorter than some
- * edges are noise and are not kept. The topology stays; whether the result crosses itself is not
- * checked (Geometry/Crossings.h).
+ * edges are noise and are not kept. The topology stays; whether the result intersects itself is not
+ * checked (FindSelfIntersections).
  *
- * surface: closed, consistently oriented. Throws InvalidInput where options are out of range,
+ * surface: closed, consistently oriented. Throws InvalidInput if options are out of range,
  * Aborted.
  */
 Mesh RemeshIsotropically(

@@ -38,18 +38,19 @@ constexpr double NoiseArea = 1e-3, MinimumCurves = 2.0 / 3.0;
 /// A way that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
 constexpr double MinimumTip = 50.0;
 
-std::vector<Hinge> FindHinges(const Mesh& mesh, double angle)
+std::vector<Hinge> FindHinges(const Surface& surface, double angle)
 {
-  const Eigen::MatrixXd normals = ComputeAreaVectors(mesh).rowwise().normalized();
+  const Mesh& mesh = surface;
+  const Eigen::MatrixXd normals = surface.AreaVectors().rowwise().normalized();
   const double minimum = std::cos(angle * M_PI / 180.0);
-  const std::vector<HalfEdge> halves = SortHalfEdges(mesh.Triangles, mesh.Points.rows());
+  const std::vector<HalfEdge>& halves = surface.HalfEdges();
   std::vector<Hinge> hinges;
   for (std::size_t i = 0; i + 1 < halves.size(); ++i)
   {
     const HalfEdge &a = halves[i], &b = halves[i + 1];
     if (a.Low() != b.Low() || a.High() != b.High())
     {
-      continue; // at a border
+      continue; // on the boundary
     }
     const double length = (mesh.Points.row(a.Begin) - mesh.Points.row(a.End)).norm();
     const double cosine = normals.row(a.Triangle).dot(normals.row(b.Triangle));
@@ -347,11 +348,12 @@ private:
 
 } // namespace
 
-SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double minimumArea)
+SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimumArea)
 {
-  std::vector<Hinge> hinges = FindHinges(mesh, angle);
-  FadingCreases(mesh, hinges, angle).Extend();
-  DisjointSets sets(static_cast<int>(mesh.Triangles.rows()));
+  const auto triangles = static_cast<int>(surface.Triangles().rows());
+  std::vector<Hinge> hinges = FindHinges(surface, angle);
+  FadingCreases(surface, hinges, angle).Extend();
+  DisjointSets sets(triangles);
   for (const Hinge& hinge : hinges)
   {
     if (!hinge.IsCrease)
@@ -359,16 +361,16 @@ SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double minimumArea)
       sets.Merge(hinge.Triangles[0], hinge.Triangles[1]);
     }
   }
-  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(mesh).rowwise().norm();
+  const Eigen::VectorXd areas = 0.5 * surface.AreaVectors().rowwise().norm();
   if (IsNoise(sets, hinges, areas))
   {
     minimumArea = std::numeric_limits<double>::infinity();
   }
   UniteSmall(sets, hinges, areas, minimumArea);
   SurfaceFeatures features;
-  features.PatchOf.resize(mesh.Triangles.rows());
+  features.PatchOf.resize(triangles);
   std::map<int, int> numbers;
-  for (int t = 0; t < static_cast<int>(mesh.Triangles.rows()); ++t)
+  for (int t = 0; t < triangles; ++t)
   {
     features.PatchOf(t) =
       numbers.emplace(sets.Find(t), static_cast<int>(numbers.size())).first->second;

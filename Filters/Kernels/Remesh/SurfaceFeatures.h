@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -36,17 +37,17 @@ struct SurfaceFeatures
 };
 
 /**
- * The creases of a surface: edges whose triangles' normals are more than `angle` degrees apart,
- * as far as they bound patches. One that ends inside a patch goes on over edges of at least three
- * eighths of the angle to another one, on the shortest way, where there is such a way that meets
- * the other one at no small angle. A patch smaller than `leastArea` is united with the neighbour it
- * has the longest border with. One patch and no curves where nothing is sharp, or where less than
- * two thirds of what is sharp bound patches of more than a thousandth of the area: then it is
- * noise, as of a scan.
+ * The creases of a surface that bound patches: edges whose triangles' normals are more than `angle`
+ * degrees apart. A crease that ends inside a patch is extended to another one along the shortest
+ * path over edges of at least three eighths of the angle, if there is such a path that does not
+ * meet the other crease at a small angle. A patch smaller than `minimumArea` is merged with the
+ * neighbour that it has the longest boundary with. One patch and no curves if no edge is sharp, or
+ * if less than two thirds of the sharp edges bound patches of more than a thousandth of the area:
+ * then they are noise, as in a scan.
  *
- * mesh: closed, oriented consistently.
+ * surface: closed, oriented consistently. Throws InvalidInput as RequireIndices.
  */
-SurfaceFeatures FindFeatures(const Mesh& mesh, double angle, double minimumArea);
+SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimumArea);
 
 /// The same surface with no curve and no corner, and one patch.
 SurfaceFeatures RemoveCurves(const SurfaceFeatures& features);

@@ -1,12 +1,51 @@
 #include "Search/NearestSurfacePoints.h"
 
-#include "Search/NearestRows.h"
+#include "Base/Parallel.h"
 #include "Search/TriangleWalk.h"
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace shape
 {
+
+Eigen::VectorXi FindNearestRows(
+  const Eigen::MatrixXd& queries, const Eigen::MatrixXd& rows, const Progress& progress)
+{
+  // |q - r|^2 = |q|^2 - 2 (q r - |r|^2 / 2): the nearest has the largest of what is in brackets.
+  const Eigen::MatrixXf targets = rows.cast<float>();
+  const Eigen::VectorXf halves = 0.5F * targets.rowwise().squaredNorm();
+  constexpr int grain = 128, block = 1024; // queries and rows whose products stay in the cache
+  const BlasThreads one(false);
+  Eigen::VectorXi nearest(queries.rows());
+  ParallelFor(
+    static_cast<int>(queries.rows()), grain,
+    [&](int begin, int end)
+    {
+      const Eigen::MatrixXf own = queries.middleRows(begin, end - begin).transpose().cast<float>();
+      Eigen::VectorXf best =
+        Eigen::VectorXf::Constant(end - begin, -std::numeric_limits<float>::infinity());
+      for (Eigen::Index first = 0; first < rows.rows(); first += block)
+      {
+        const Eigen::Index count = std::min<Eigen::Index>(block, rows.rows() - first);
+        Eigen::MatrixXf products = targets.middleRows(first, count) * own;
+        products.colwise() -= halves.segment(first, count);
+        for (int i = 0; i < end - begin; ++i)
+        {
+          // Where it is is asked for only where it counts: finding that takes longer.
+          if (products.col(i).maxCoeff() > best(i))
+          {
+            Eigen::Index at = 0;
+            best(i) = products.col(i).maxCoeff(&at);
+            nearest(begin + i) = static_cast<int>(first + at);
+          }
+        }
+      }
+    },
+    progress);
+  return nearest;
+}
 
 SurfacePoints FindNearestSurfacePoints(const Eigen::MatrixXd& queries,
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points, const Progress& progress)

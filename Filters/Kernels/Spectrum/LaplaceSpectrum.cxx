@@ -1,7 +1,6 @@
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include "Base/Errors.h"
-#include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"
 #include "Linear/BlockLanczos.h"
 #include "Linear/SparseSolve.h"
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,22 +26,20 @@ namespace
 class ComponentSpectrum
 {
 public:
-  explicit ComponentSpectrum(const Mesh& mesh)
+  explicit ComponentSpectrum(const Surface& component)
+    : Laplacian(GetIntrinsicLaplacian(component))
+    , Shares(this->Masses() / this->Masses().sum())
   {
-    const Eigen::Index points = mesh.Points.rows();
-    const IntrinsicTriangles flat = BuildIntrinsicDelaunay(mesh);
-    const TriangleAngles angles = ComputeAnglesFromLengths(flat.Sides);
-    this->Stiffness = BuildCotangentStiffness(flat.Triangles, angles.Cotangents, points);
-    this->Masses = ComputeLumpedMasses(flat.Triangles, angles.Areas, points);
-    this->Shares = this->Masses / this->Masses.sum();
   }
+
+  const Eigen::VectorXd& Masses() const { return this->Laplacian->Masses; } ///< n
 
   /// pairs: at least 1, at most as many as there are points.
   void Find(int pairs, double tolerance, const Progress& progress)
   {
     progress(0.0);
-    constexpr int few = 600; // points: all eigenpairs of so many are found as quickly
-    const auto points = static_cast<int>(this->Masses.size());
+    constexpr int few = 600; // points: of no more, all eigenpairs are found as quickly
+    const auto points = static_cast<int>(this->Masses().size());
     this->Values = Eigen::VectorXd::Zero(1);
     this->Vectors = this->Shares.cwiseSqrt();
     if (points <= std::max(few, 3 * pairs))
@@ -56,22 +54,20 @@ public:
   }
 
   /// k: >= 0, ascending, in 1 / length^2.
-  Eigen::VectorXd Eigenvalues() const { return this->Values.cwiseMax(0.0) / this->Masses.sum(); }
+  Eigen::VectorXd Eigenvalues() const { return this->Values.cwiseMax(0.0) / this->Masses().sum(); }
 
   /// n x k: orthonormal in the masses.
   Eigen::MatrixXd Eigenfunctions() const
   {
-    return this->Masses.cwiseSqrt().cwiseInverse().asDiagonal() * this->Vectors;
+    return this->Masses().cwiseSqrt().cwiseInverse().asDiagonal() * this->Vectors;
   }
-
-  Eigen::VectorXd Masses; ///< n
 
 private:
   void FindDensely(int pairs)
   {
     const Eigen::VectorXd inverse = this->Shares.cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(
-      inverse.asDiagonal() * Eigen::MatrixXd(this->Stiffness) * inverse.asDiagonal());
+      inverse.asDiagonal() * Eigen::MatrixXd(this->Laplacian->Stiffness) * inverse.asDiagonal());
     this->Append(
       all.eigenvalues().segment(1, pairs - 1), all.eigenvectors().middleCols(1, pairs - 1));
   }
@@ -79,7 +75,7 @@ private:
   void FindByLanczos(int pairs, double tolerance, const Progress& progress)
   {
     constexpr double shift = 1.0; // less than the first eigenvalue of a surface without a neck
-    Eigen::SparseMatrix<double> shifted = this->Stiffness;
+    Eigen::SparseMatrix<double> shifted = this->Laplacian->Stiffness;
     shifted.diagonal() += shift * this->Shares;
     SparseCholesky factor;
     factor.Factorize(shifted);
@@ -100,7 +96,7 @@ private:
     this->Vectors.rightCols(vectors.cols()) = vectors;
   }
 
-  Eigen::SparseMatrix<double> Stiffness;
+  std::shared_ptr<const IntrinsicLaplacian> Laplacian;
   Eigen::VectorXd Shares;  ///< of the masses in the whole
   Eigen::VectorXd Values;  ///< k: where the whole is 1
   Eigen::MatrixXd Vectors; ///< n x k: eigenfunctions times the roots of the shares
@@ -130,21 +126,21 @@ std::vector<Position> InOrder(const std::vector<ComponentSpectrum>& parts)
   return positions;
 }
 
-/// So many of each component that the least of all are among them.
+/// Eigenpairs of each component, enough for the smallest of all to be among them.
 std::vector<ComponentSpectrum> FindEnough(
-  const std::vector<Mesh>& components, int pairs, double tolerance, const Progress& progress)
+  const std::vector<Surface>& components, int pairs, double tolerance, const Progress& progress)
 {
   std::vector<ComponentSpectrum> parts(components.begin(), components.end());
   double area = 0.0;
   for (const ComponentSpectrum& part : parts)
   {
-    area += part.Masses.sum();
+    area += part.Masses().sum();
   }
-  // Eigenvalues below a bound are about as many as the area is large (Weyl's law).
+  // The number of eigenvalues below a bound is about in proportion to the area (Weyl's law).
   std::vector<int> wanted, found(parts.size(), 0);
   for (const ComponentSpectrum& part : parts)
   {
-    wanted.push_back(1 + static_cast<int>(std::ceil(pairs * part.Masses.sum() / area)));
+    wanted.push_back(1 + static_cast<int>(std::ceil(pairs * part.Masses().sum() / area)));
   }
   double begin = 0.0;
   while (found != wanted)
@@ -152,7 +148,7 @@ std::vector<ComponentSpectrum> FindEnough(
     const double step = 0.5 * (1.0 - begin) / static_cast<double>(parts.size());
     for (std::size_t c = 0; c < parts.size(); ++c, begin += step)
     {
-      wanted[c] = std::min({ wanted[c], pairs, static_cast<int>(parts[c].Masses.size()) });
+      wanted[c] = std::min({ wanted[c], pairs, static_cast<int>(parts[c].Masses().size()) });
       if (found[c] < wanted[c])
       {
         parts[c].Find(wanted[c], tolerance, progress.Part(begin, begin + step));
@@ -165,7 +161,7 @@ std::vector<ComponentSpectrum> FindEnough(
       : positions[pairs - 1].Value;
     for (std::size_t c = 0; c < parts.size(); ++c)
     {
-      const int maximum = std::min(pairs, static_cast<int>(parts[c].Masses.size()));
+      const int maximum = std::min(pairs, static_cast<int>(parts[c].Masses().size()));
       if (found[c] < maximum && parts[c].Eigenvalues().tail(1)(0) < largest)
       {
         wanted[c] = std::min(2 * found[c], maximum);
@@ -173,6 +169,18 @@ std::vector<ComponentSpectrum> FindEnough(
     }
   }
   return parts;
+}
+
+/// The components, each with the points that it uses, in order. A connected surface is its own one,
+/// and shares what is kept with it.
+std::vector<Surface> SplitIntoComponents(const Surface& surface, int used)
+{
+  if (surface.Topology().Components == 1 && used == surface.Points().rows())
+  {
+    return { surface };
+  }
+  const std::vector<Mesh> components = SplitComponents(surface);
+  return { components.begin(), components.end() };
 }
 
 /// The points of each component, in order.
@@ -192,10 +200,10 @@ std::vector<std::vector<int>> PointsOfComponents(const Topology& topology)
 } // namespace
 
 LaplaceSpectrum SolveLaplaceEigenproblem(
-  const Mesh& mesh, int pairs, const Progress& progress, double tolerance)
+  const Surface& surface, int pairs, const Progress& progress, double tolerance)
 {
   progress(0.0);
-  const Topology topology = RequireManifold(mesh, "the surface");
+  const Topology topology = RequireManifold(surface, "the surface");
   const auto used = static_cast<int>((topology.ComponentId.array() >= 0).count());
   if (pairs < 1 || pairs > used)
   {
@@ -204,16 +212,16 @@ LaplaceSpectrum SolveLaplaceEigenproblem(
       std::to_string(used));
   }
   const std::vector<ComponentSpectrum> parts =
-    FindEnough(SplitComponents(mesh), pairs, tolerance, progress.Part(0.0, 0.95));
+    FindEnough(SplitIntoComponents(surface, used), pairs, tolerance, progress.Part(0.0, 0.95));
   const std::vector<std::vector<int>> pointsOf = PointsOfComponents(topology);
   LaplaceSpectrum spectrum;
   spectrum.Eigenvalues.resize(pairs);
-  spectrum.Eigenfunctions = Eigen::MatrixXd::Zero(mesh.Points.rows(), pairs);
-  spectrum.Masses = Eigen::VectorXd::Zero(mesh.Points.rows());
+  spectrum.Eigenfunctions = Eigen::MatrixXd::Zero(surface.Points().rows(), pairs);
+  spectrum.Masses = Eigen::VectorXd::Zero(surface.Points().rows());
   std::vector<Eigen::MatrixXd> functions;
   for (std::size_t c = 0; c < parts.size(); ++c)
   {
-    spectrum.Masses(pointsOf[c]) = parts[c].Masses;
+    spectrum.Masses(pointsOf[c]) = parts[c].Masses();
     functions.push_back(parts[c].Eigenfunctions());
   }
   const std::vector<Position> positions = InOrder(parts);

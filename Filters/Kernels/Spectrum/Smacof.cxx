@@ -3,7 +3,6 @@
 #include "Base/Errors.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Geodesics/HeatGeodesics.h"
-#include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"
 #include "Linear/SparseSolve.h"
 #include "Mesh/Surface.h"
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,7 +20,7 @@ namespace shape
 namespace
 {
 
-/// Scales positions (s x d) to the least stress, which it returns, and finds their Guttman
+/// Scales positions (s x d) to the minimum of the stress, which it returns, and finds their Guttman
 /// transform: where majorisation sends them.
 double Transform(
   const Eigen::MatrixXd& distances, Eigen::MatrixXd& positions, Eigen::MatrixXd& transformed)
@@ -41,7 +41,7 @@ double Transform(
     const auto wanted = distances.col(j).head(j).array();
     products += 2.0 * (wanted * now.head(j)).sum();
     lengths += 2.0 * squares.head(j).sum();
-    // Points at the same place pull in no direction.
+    // Points at the same position pull in no direction.
     ratios.head(j) = (now.head(j) > 0.0).select(wanted / now.head(j), 0.0);
     for (Eigen::Index k = 0; k < dimensions; ++k)
     {
@@ -78,7 +78,8 @@ Eigen::MatrixXd Majorised(
       return positions;
     }
     before = stress;
-    // Twice the step is still downhill and needs half as many (de Leeuw and Heiser 1980).
+    // Twice the step still lowers the stress, and half as many are needed (de Leeuw and Heiser
+    // 1980).
     positions = 2.0 * transformed - positions;
   }
 }
@@ -86,30 +87,28 @@ Eigen::MatrixXd Majorised(
 } // namespace
 
 EmbeddedSamples EmbedSamples(
-  const Mesh& mesh, const SmacofOptions& options, const Progress& progress)
+  const Surface& surface, const SmacofOptions& options, const Progress& progress)
 {
-  const Topology topology = RequireManifold(mesh, "the surface");
+  const Topology topology = RequireManifold(surface, "the surface");
   if (topology.Components > 1)
   {
     throw InvalidInput("the surface has " + std::to_string(topology.Components) +
       " components, between which there are no distances; give one of them");
   }
   const std::vector<int> points =
-    SampleFarthestPoints(mesh, options.Samples, progress.Part(0.0, 0.2));
-  const Eigen::MatrixXd all = ComputeHeatDistances(mesh, points, progress.Part(0.2, 0.7));
+    SampleFarthestPoints(surface, options.Samples, progress.Part(0.0, 0.2));
+  const Eigen::MatrixXd all = ComputeHeatDistances(surface, points, progress.Part(0.2, 0.7));
   const Eigen::MatrixXd between = all(points, Eigen::all);
   return { points,
     Majorised(0.5 * (between + between.transpose()), options, progress.Part(0.7, 1.0)) };
 }
 
-Eigen::MatrixXd ExtendBiharmonically(const Mesh& mesh, const EmbeddedSamples& samples)
+Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSamples& samples)
 {
-  const Eigen::Index n = mesh.Points.rows();
-  const IntrinsicTriangles flat = BuildIntrinsicDelaunay(mesh);
-  const TriangleAngles angles = ComputeAnglesFromLengths(flat.Sides);
-  const Eigen::SparseMatrix<double> stiffness =
-    BuildCotangentStiffness(flat.Triangles, angles.Cotangents, n);
-  const Eigen::VectorXd masses = ComputeLumpedMasses(flat.Triangles, angles.Areas, n);
+  const Eigen::Index n = surface.Points().rows();
+  const std::shared_ptr<const IntrinsicLaplacian> laplacian = GetIntrinsicLaplacian(surface);
+  const Eigen::SparseMatrix<double>& stiffness = laplacian->Stiffness;
+  const Eigen::VectorXd& masses = laplacian->Masses;
   const Eigen::VectorXd inverse = (masses.array() > 0.0).select(1.0 / masses.array(), 0.0);
   const Eigen::SparseMatrix<double> energy = stiffness * inverse.asDiagonal() * stiffness;
 
@@ -157,10 +156,10 @@ Eigen::MatrixXd ExtendBiharmonically(const Mesh& mesh, const EmbeddedSamples& sa
 }
 
 Eigen::MatrixXd EmbedBySmacof(
-  const Mesh& mesh, const SmacofOptions& options, const Progress& progress)
+  const Surface& surface, const SmacofOptions& options, const Progress& progress)
 {
-  const EmbeddedSamples samples = EmbedSamples(mesh, options, progress.Part(0.0, 0.9));
-  Eigen::MatrixXd result = ExtendBiharmonically(mesh, samples);
+  const EmbeddedSamples samples = EmbedSamples(surface, options, progress.Part(0.0, 0.9));
+  Eigen::MatrixXd result = ExtendBiharmonically(surface, samples);
   progress(1.0);
   return result;
 }

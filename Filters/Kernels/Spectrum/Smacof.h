@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -26,27 +26,27 @@ struct EmbeddedSamples
 };
 
 /**
- * Positions whose straight distances are as near as can be to how far points are apart along a
- * surface: the least sum of squared differences between samples, by majorisation (SMACOF: de Leeuw,
+ * Positions whose straight distances are as near as possible to the distances along a surface: the
+ * minimum of the sum of squared differences between samples, by majorisation (SMACOF: de Leeuw,
  * "Applications of convex analysis to multidimensional scaling", 1977) from classical scaling.
  * Unlike EmbedByClassicalMds's, which fits inner products, distances that no flat space has are not
  * made too long.
  *
- * mesh: a consistently oriented 2-manifold of one component, open or closed. Throws InvalidInput,
- * SolveFailure, Aborted.
+ * surface: a consistently oriented 2-manifold of one component, open or closed. Throws
+ * InvalidInput, SolveFailure, Aborted.
  */
 EmbeddedSamples EmbedSamples(
-  const Mesh& mesh, const SmacofOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const SmacofOptions& options = {}, const Progress& progress = {});
 
 /**
- * Positions of all points by the smoothest functions through the samples, the least of
+ * Positions of all points by the smoothest functions through the samples, the minimum of
  * tr X' L M^-1 L X (Rustamov, "Multiscale biharmonic kernels", 2011): n x Dimensions; 0 at points
  * without a triangle. The samples may be those of a coarser surface. Throws SolveFailure.
  */
-Eigen::MatrixXd ExtendBiharmonically(const Mesh& mesh, const EmbeddedSamples& samples);
+Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSamples& samples);
 
 /// Both: EmbedSamples' positions of samples, and ExtendBiharmonically to all points.
 Eigen::MatrixXd EmbedBySmacof(
-  const Mesh& mesh, const SmacofOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const SmacofOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -8,7 +8,7 @@ namespace shape
 {
 
 SpectralAnalysis ComputeLaplaceSpectrum(
-  const Mesh& mesh, const LaplaceSpectrumOptions& options, const Progress& progress)
+  const Surface& surface, const LaplaceSpectrumOptions& options, const Progress& progress)
 {
   RequireOption(options.EmbeddingDimensions >= 1, "EmbeddingDimensions",
     options.EmbeddingDimensions, "at least 1");
@@ -16,7 +16,7 @@ SpectralAnalysis ComputeLaplaceSpectrum(
   const double share = isSpectral ? 0.9 : 0.5; // of the time
   SpectralAnalysis analysis;
   analysis.Spectrum =
-    SolveLaplaceEigenproblem(mesh, options.NumberOfEigenpairs, progress.Part(0.0, share));
+    SolveLaplaceEigenproblem(surface, options.NumberOfEigenpairs, progress.Part(0.0, share));
   if (isSpectral) // first: it asks for most eigenpairs
   {
     analysis.Embedding = ComputeSpectralEmbedding(analysis.Spectrum, options.EmbeddingDimensions);
@@ -27,7 +27,7 @@ SpectralAnalysis ComputeLaplaceSpectrum(
   {
     constexpr int samples = 500;
     analysis.Embedding =
-      EmbedByClassicalMds(mesh, options.EmbeddingDimensions, samples, progress.Part(share, 1.0));
+      EmbedByClassicalMds(surface, options.EmbeddingDimensions, samples, progress.Part(share, 1.0));
   }
   progress(1.0);
   return analysis;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include <Eigen/Core>
@@ -16,8 +16,8 @@ struct LaplaceSpectrumOptions
     Spectral, ///< ComputeSpectralEmbedding
     MDS       ///< EmbedByClassicalMds
   };
-  int NumberOfEigenpairs =
-    100; ///< the least, with those of the constants; see SolveLaplaceEigenproblem
+  /// The smallest ones, those of the constants included; see SolveLaplaceEigenproblem.
+  int NumberOfEigenpairs = 100;
   EmbeddingType Embedding = EmbeddingType::Spectral;
   int EmbeddingDimensions = 3; ///< >= 1
 };
@@ -31,13 +31,13 @@ struct SpectralAnalysis
 };
 
 /**
- * The spectrum of a surface and what is made of it.
+ * The spectrum of a surface, its signatures and an embedding.
  *
- * mesh: a consistently oriented 2-manifold, open or closed; for MDS of one component. Throws
- * InvalidInput where not, or an option is out of range or asks for more eigenpairs than there are;
- * SolveFailure, Aborted.
+ * surface: a consistently oriented 2-manifold, open or closed; for MDS of one component. Throws
+ * InvalidInput if it is not, or if an option is out of range or asks for more eigenpairs than there
+ * are; SolveFailure, Aborted.
  */
-SpectralAnalysis ComputeLaplaceSpectrum(
-  const Mesh& mesh, const LaplaceSpectrumOptions& options = {}, const Progress& progress = {});
+SpectralAnalysis ComputeLaplaceSpectrum(const Surface& surface,
+  const LaplaceSpectrumOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

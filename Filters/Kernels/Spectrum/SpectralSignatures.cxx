@@ -22,7 +22,8 @@ Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
       ", of which " + std::to_string(zeros) +
       " are constants, one for each component; it must be at least " +
       std::to_string(zeros + others) +
-      ": raise it, refine a surface of fewer points, or merge points at the same place with Clean");
+      ": raise it, refine a surface of fewer points, or merge points at the same position with "
+      "Clean");
   }
   return zeros;
 }
@@ -32,7 +33,7 @@ double Between(double first, double last, int i, int count)
   return count > 1 ? first + (last - first) * i / (count - 1) : first;
 }
 
-/// How much each eigenfunction counts at each time (k x times); each column's sum is 1.
+/// The weight of each eigenfunction at each time (k x times); each column's sum is 1.
 Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);

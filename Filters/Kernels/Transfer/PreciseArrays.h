@@ -35,18 +35,18 @@ struct NumberedSurface
 
 /**
  * The map that the arrays hold, into the triangles of `target`. Between sheets that lie close
- * together it knows which one is meant, where the place closest to TargetPosition does not.
+ * together it tells which one is meant, which the position closest to TargetPosition does not.
  *
- * tolerance: how far that place and TargetPosition may be apart, as a share of the longest side of
- * the target's box. names: what messages call the points and the target, "the Input". Throws
+ * tolerance: how far that position and TargetPosition may be apart, as a share of the longest side
+ * of the target's box. names: what messages call the points and the target, "the Input". Throws
  * InvalidInput where a number is not finite, a barycentric coordinate is negative or three do not
  * sum to 1 (by more than single precision loses); MapOfAnotherSurface where a cell is no triangle
- * of the target, or the places are farther apart.
+ * of the target, or the positions are farther apart.
  */
 SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
   double tolerance, const std::string& pointsName, const std::string& targetName);
 
-/// Where points that go to places on the giver's triangles take their values from; none is outside.
+/// Where points that go to positions on the giver's triangles take their values; none is outside.
 TransferWeights LocateOnTriangles(const SurfacePoints& map, const NumberedSurface& giver);
 
 } // namespace shape

@@ -18,8 +18,8 @@ struct TransferFieldsOptions
     Push  ///< the giver's map h leads into the receiver: its point z hands its value to h(z)
   };
   DirectionType Direction = DirectionType::Pull;
-  /// How far beyond the giver's cells a place may lie and still count as one of theirs, as a share
-  /// of the longest side of the giver's box: flat cells cut across what is round.
+  /// How far beyond the giver's cells a position may lie and still count as one of theirs, as a
+  /// share of the longest side of the giver's box: flat cells cut across what is round.
   double Tolerance = 0.01;
 };
 
@@ -27,7 +27,7 @@ struct TransferFieldsOptions
 struct TransferWeights
 {
   /// r x n: interpolates values at the giver's points; rows sum to 1. What lies outside takes the
-  /// values of the closest place in a cell.
+  /// values of the closest position in a cell.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
   Eigen::VectorXi Cells;   ///< r: the giver's cell, the closest one outside
   Eigen::VectorXi Nearest; ///< r: of the cell's points, the one of most weight
@@ -37,8 +37,8 @@ struct TransferWeights
 /**
  * Carries values given on one shape to another along a map between them.
  *
- * A value is carried to x as the giver's interpolant at the place that corresponds to x: in its
- * cell that contains the place, by the cell's shape functions; on a surface at the closest place,
+ * A value is carried to x as the giver's interpolant at the position that corresponds to x: in its
+ * cell that contains the position, by shape functions; on a surface at the closest position,
  * by barycentric weights. Pull composes maps, too: where t is a map given at the giver's points,
  * the interpolated t is t(f(x)). Push looks x up in the image of the giver, its cells with their
  * points at h: the inverse of h, which should not fold the giver.
@@ -48,12 +48,12 @@ class TransferFields
 public:
   /// giver: solid or surface, finite. map: with Push, the map at its points (n x 3), in the
   /// receiver's space; else it may be empty. Throws InvalidInput where the giver has no polygon or
-  /// solid cell, or a place or the map is not finite; Aborted.
+  /// solid cell, or a position or the map is not finite; Aborted.
   explicit TransferFields(Cells giver, const Eigen::MatrixXd& map = {},
     const TransferFieldsOptions& options = {}, const Progress& progress = {});
 
-  /// places: r x 3, with Pull the receiver's map at its points, with Push these points themselves.
-  /// Throws InvalidInput where one is not finite, Aborted.
+  /// positions: r x 3, with Pull the receiver's map at its points, with Push these points
+  /// themselves. Throws InvalidInput where one is not finite, Aborted.
   TransferWeights Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:

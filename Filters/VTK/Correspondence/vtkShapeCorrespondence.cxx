@@ -100,8 +100,8 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
 
 void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
 {
-  const shape::Mesh a = vtkShapeConvert::ToMesh(this->GetGatheredInput(0).Data, "SurfaceA"),
-                    b = vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "SurfaceB");
+  const shape::Surface a = vtkShapeConvert::ToMesh(this->GetGatheredInput(0).Data, "SurfaceA"),
+                       b = vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "SurfaceB");
   shape::RequireManifold(a, "SurfaceA");
   shape::RequireManifold(b, "SurfaceB");
   shape::Landmarks landmarks;

@@ -41,8 +41,8 @@ void AddColumns(const Eigen::MatrixXd& matrix, const std::string& name, vtkTable
 void vtkShapeMapDifference::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
-  const shape::Mesh first = vtkShapeConvert::ToMesh(whole.Data, "SurfaceA");
-  const shape::Mesh second = vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "SurfaceB");
+  const shape::Surface first = vtkShapeConvert::ToMesh(whole.Data, "SurfaceA");
+  const shape::Surface second = vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "SurfaceB");
   const Eigen::MatrixXd images =
     vtkShapeConvert::ToPointArray(whole.Data, this->MapArray, 3, "SurfaceA");
   shape::RequireFinite(images, "the map array '" + this->MapArray + "' of SurfaceA");

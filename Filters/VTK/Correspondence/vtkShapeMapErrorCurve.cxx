@@ -25,8 +25,8 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
   vtkPolyData* source = this->GetGatheredInput(0).Data;
   vtkPolyData* goal = this->GetGatheredInput(1).Data;
   vtkUnstructuredGrid* positions = this->GetGatheredInput(2).Grid;
-  const shape::Mesh input = vtkShapeConvert::ToMesh(source, "the Input");
-  const shape::Mesh target = vtkShapeConvert::ToMesh(goal, "the Target");
+  const shape::Surface input = vtkShapeConvert::ToMesh(source, "the Input");
+  const shape::Surface target = vtkShapeConvert::ToMesh(goal, "the Target");
   const Eigen::MatrixXd map = vtkShapeConvert::ToPointArray(source, this->MapArray, 3, "the Input");
   shape::GroundTruth truth;
   truth.Positions = vtkShapeConvert::ToPoints(positions);

@@ -15,7 +15,7 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
-#include "Geodesics/ClosedCurves.h"
+#include "Geodesics/SurfaceLoop.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>

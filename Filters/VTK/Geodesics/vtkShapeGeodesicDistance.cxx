@@ -19,7 +19,7 @@ vtkShapeGeodesicDistance::vtkShapeGeodesicDistance()
 void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
-  const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   const shape::GeodesicDistanceResult result = shape::ComputeGeodesicDistance(
     mesh, vtkShapeConvert::ToPoints(this->GetGatheredInput(1).Grid), this->Options, progress);
 

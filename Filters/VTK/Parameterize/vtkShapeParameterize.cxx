@@ -23,7 +23,7 @@ vtkShapeParameterize::vtkShapeParameterize()
 void vtkShapeParameterize::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
-  const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   Eigen::MatrixXd landmarks(0, 3);
   if (this->GetNumberOfInputConnections(1) > 0)
   {

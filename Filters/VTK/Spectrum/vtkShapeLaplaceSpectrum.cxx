@@ -21,7 +21,7 @@ vtkShapeLaplaceSpectrum::vtkShapeLaplaceSpectrum()
 void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
-  const shape::Mesh mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   shape::SpectralAnalysis analysis = shape::ComputeLaplaceSpectrum(mesh, this->Options, progress);
 
   std::vector<vtkShapeComposite::PointField> fields;

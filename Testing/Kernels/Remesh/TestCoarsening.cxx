@@ -17,14 +17,14 @@ namespace
 /// Where fine points are on the coarse surface.
 Eigen::MatrixXd Images(const shape::CoarseSurface& coarse)
 {
-  return shape::PullBack(coarse.Positions, coarse.Surface.Triangles, coarse.Surface.Points);
+  return shape::PullBack(coarse.Positions, coarse.Surface.Triangles(), coarse.Surface.Points());
 }
 
 TEST(CoarsenSurface, KeepsTopologyAndStaysNearTheSurface)
 {
   const shape::Mesh torus = shapetest::Torus(2.0, 0.8, 120, 60);
   const shape::CoarseSurface coarse = shape::CoarsenSurface(torus, 700);
-  EXPECT_EQ(coarse.Surface.Points.rows(), 700);
+  EXPECT_EQ(coarse.Surface.Points().rows(), 700);
   const shape::Topology topology = shape::RequireClosedSurface(coarse.Surface, "the coarse torus");
   EXPECT_EQ(topology.EulerNumber, 0);
   EXPECT_EQ(topology.Components, 1);
@@ -58,7 +58,7 @@ TEST(CoarsenSurface, TheBorderStaysOneLoop)
   const shape::Topology topology = shape::RequireManifold(coarse.Surface, "the coarse disk");
   EXPECT_EQ(topology.EulerNumber, 1);
   EXPECT_EQ(topology.BoundaryLoops, 1);
-  EXPECT_EQ(coarse.Surface.Points.rows(), 150);
+  EXPECT_EQ(coarse.Surface.Points().rows(), 150);
   // Flat: all triangles keep their side, and what they cover is a little less than the disk.
   EXPECT_GT(shape::ComputeAreaVectors(coarse.Surface).col(2).minCoeff(), 0.0);
   EXPECT_GT(
@@ -68,7 +68,7 @@ TEST(CoarsenSurface, TheBorderStaysOneLoop)
 TEST(CoarsenSurface, EndsAtATetrahedronAtLeast)
 {
   const shape::CoarseSurface coarse = shape::CoarsenSurface(shapetest::Icosphere(2), 4);
-  EXPECT_GE(coarse.Surface.Points.rows(), 4);
+  EXPECT_GE(coarse.Surface.Points().rows(), 4);
   EXPECT_EQ(shape::RequireClosedSurface(coarse.Surface, "the rest").EulerNumber, 2);
   EXPECT_THROW(shape::CoarsenSurface(shapetest::Icosphere(1), 3), shape::InvalidInput);
 }
@@ -85,7 +85,7 @@ TEST(CoarsenSurface, LargeFansShrinkFromTheirRims)
   }
   // Its triangles are slim, those of a coarser one less so.
   const shape::CoarseSurface coarse = shape::CoarsenSurface(fan, 60);
-  EXPECT_EQ(coarse.Surface.Points.rows(), 60);
+  EXPECT_EQ(coarse.Surface.Points().rows(), 60);
   EXPECT_EQ(shape::RequireManifold(coarse.Surface, "the fan").BoundaryLoops, 1);
   EXPECT_GT(shape::ComputeAreaVectors(coarse.Surface).col(2).minCoeff(), 0.0);
   EXPECT_GT(shape::ComputePointAreas(coarse.Surface).sum(), 0.9 * M_PI);
@@ -156,10 +156,10 @@ TEST(CoarsePair, MapsOfCoarseSurfacesAreThoseOfTheFineOnes)
 
 TEST(CoarsePair, SmallSurfacesStayAsTheyAre)
 {
-  const shape::Mesh sphere = shapetest::Icosphere(2);
+  const shape::Surface sphere = shapetest::Icosphere(2);
   const shape::CoarsePair pair(sphere, sphere, {}, 1000);
   EXPECT_FALSE(pair.IsCoarser());
-  EXPECT_EQ(&pair.A(), &sphere);
+  EXPECT_EQ(&pair.A().Points(), &sphere.Points());
 }
 
 } // namespace

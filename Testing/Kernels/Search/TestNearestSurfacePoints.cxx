@@ -1,5 +1,4 @@
 #include "Search/ClosestPoint.h"
-#include "Search/NearestRows.h"
 #include "Search/NearestSurfacePoints.h"
 #include "Search/TriangleTree.h"
 #include "Support/TestShapes.h"

@@ -38,10 +38,10 @@ struct RoundSurface
   Eigen::VectorXd Areas;     ///< of all points but the fans': the sum is 1
 };
 
-/// Returns whether the surface has a border.
-bool RequireGenusZero(const Mesh& mesh, const std::string& name)
+/// Returns whether the surface has a boundary.
+bool RequireGenusZero(const Surface& surface, const std::string& name)
 {
-  const Topology topology = RequireConnected(mesh, name);
+  const Topology topology = RequireConnected(surface, name);
   const int genus = (2 - topology.EulerNumber - topology.BoundaryLoops) / 2;
   if (genus != 0)
   {
@@ -53,26 +53,25 @@ bool RequireGenusZero(const Mesh& mesh, const std::string& name)
 }
 
 /// first: the method that is tried first.
-RoundSurface MakeRound(const Mesh& mesh, SphereMapMethod first, const Progress& progress)
+RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Progress& progress)
 {
   RoundSurface round;
-  Mesh unit = mesh;
-  const Eigen::VectorXd areas = ComputePointAreas(mesh);
-  unit.Points /= std::sqrt(areas.sum());
+  const Eigen::VectorXd areas = ComputePointAreas(surface);
+  const Surface unit(surface.Points() / std::sqrt(areas.sum()), surface.Triangles());
   round.Areas = areas / areas.sum();
   const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(unit);
-  const Mesh closed = FillWithFans(unit, loops);
+  const Surface closed = FillWithFans(unit, loops);
   SphereMapOptions options;
   options.First = first;
   const SphereMapResult map = MapToSphere(closed, options, progress.Part(0.0, 0.6));
-  round.Sphere = { map.Points, closed.Triangles };
+  round.Sphere = { map.Points, closed.Triangles() };
   round.Method = map.Method;
   round.Points = ToComplexPoints(round.Sphere.Points);
-  const Eigen::VectorXd angles = ComputeSolidAngles(closed.Triangles, round.Sphere.Points);
-  Eigen::VectorXd onSphere = Eigen::VectorXd::Zero(closed.Points.rows());
+  const Eigen::VectorXd angles = ComputeSolidAngles(closed.Triangles(), round.Sphere.Points);
+  Eigen::VectorXd onSphere = Eigen::VectorXd::Zero(closed.Points().rows());
   for (Eigen::Index t = 0; t < angles.size(); ++t)
   {
-    for (const int corner : closed.Triangles.row(t))
+    for (const int corner : closed.Triangles().row(t))
     {
       onSphere(corner) += angles(t) / 3.0;
     }
@@ -82,18 +81,18 @@ RoundSurface MakeRound(const Mesh& mesh, SphereMapMethod first, const Progress& 
     ComputePointAreas(closed).array().max(tiny).log() - onSphere.array().max(tiny).log();
   SmacofOptions scaling;
   scaling.Samples = 300;
-  round.Embedding.setZero(closed.Points.rows(), scaling.Dimensions);
-  round.Embedding.topRows(mesh.Points.rows()) =
+  round.Embedding.setZero(closed.Points().rows(), scaling.Dimensions);
+  round.Embedding.topRows(surface.Points().rows()) =
     EmbedBySmacof(unit, scaling, progress.Part(0.6, 1.0));
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
-    round.Embedding.row(mesh.Points.rows() + static_cast<Eigen::Index>(k)) =
+    round.Embedding.row(surface.Points().rows() + static_cast<Eigen::Index>(k)) =
       round.Embedding(loops[k], Eigen::all).colwise().mean();
   }
   return round;
 }
 
-/// Where a conformal map takes points, and how far it is trusted there.
+/// Where a conformal map takes points, and how much it is trusted there.
 struct Images
 {
   Eigen::MatrixXd Positions; ///< in the target's embedding
@@ -111,7 +110,7 @@ Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const 
     scales.array().cosh().inverse() };
 }
 
-/// Every three of so many landmarks, or some that are evenly spread over them.
+/// Every three of `count` landmarks, or some that are evenly spread over them.
 std::vector<std::vector<int>> Triples(int count)
 {
   constexpr std::size_t maximum = 300;
@@ -209,8 +208,8 @@ Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator&
   return blend;
 }
 
-/// The places nearest to the mean images of all points.
-SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Mesh& target,
+/// The positions nearest to the mean images of all points.
+SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Surface& target,
   const SurfaceLocator& locator, const Blend& blend, const Progress& progress)
 {
   std::vector<int> points(from.Areas.size());
@@ -225,14 +224,14 @@ SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Me
     sums += own.asDiagonal() * images.Positions;
     weights += own;
   }
-  return FindNearestSurfacePoints(weights.cwiseInverse().asDiagonal() * sums, target.Triangles,
+  return FindNearestSurfacePoints(weights.cwiseInverse().asDiagonal() * sums, target.Triangles(),
     to.Embedding.topRows(to.Areas.size()), progress.Part(0.7, 1.0));
 }
 
 } // namespace
 
-SurfaceMaps ComputeBlendedIntrinsicMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
-  const BlendedIntrinsicOptions& options, const Progress& progress)
+SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
+  const Landmarks& landmarks, const BlendedIntrinsicOptions& options, const Progress& progress)
 {
   RequireOption(options.Candidates >= 1, "Candidates", options.Candidates, "at least 1");
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -23,11 +23,11 @@ struct BlendedIntrinsicOptions
  * MapToSphere: by positive weights where one has a hole. Every three landmarks, or 300 triples of
  * them, give a Moebius map between the spheres each (Lipman and Funkhouser, "Moebius voting for
  * surface correspondence", 2009). A map is trusted at a point as 1 / cosh of the logarithm of how
- * much it enlarges areas there; how much two maps agree is the integral of the trust in both where
- * their images are near each other, and the leading eigenvector of these agreements weighs the
- * maps, so that those that fit no others count for nothing (section 4 there). Each point goes to
- * the place nearest to the mean of its images, weighted by both, in the positions of EmbedBySmacof
- * on the other surface, whose straight distances stand for geodesic ones (section 5).
+ * much it enlarges areas there; the agreement of two maps is the integral of the trust in both
+ * where their images are near each other, and the leading eigenvector of these agreements weights
+ * the maps, so that those that fit no others count for nothing (section 4 there). Each point goes
+ * to the position nearest to the mean of its images, weighted by both, in the positions of
+ * EmbedBySmacof on the other surface, whose straight distances stand for geodesic ones (section 5).
  *
  * Moebius maps keep orientation: nothing is mirrored, whatever the landmarks. Limbs so long and
  * thin that MapToSphere falls back on its last method, which keeps no angles, are mapped worse.
@@ -37,7 +37,8 @@ struct BlendedIntrinsicOptions
  * point, closed or with holes, whose triangles face outwards. landmarks: none or three and more
  * points apart. Throws InvalidInput where not, SolveFailure, Aborted.
  */
-SurfaceMaps ComputeBlendedIntrinsicMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
-  const BlendedIntrinsicOptions& options = {}, const Progress& progress = {});
+SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
+  const Landmarks& landmarks, const BlendedIntrinsicOptions& options = {},
+  const Progress& progress = {});
 
 } // namespace shape

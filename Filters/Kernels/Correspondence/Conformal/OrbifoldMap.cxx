@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-constexpr int LocatorGrain = 512;  // places
+constexpr int LocatorGrain = 512;  // positions
 constexpr double Rounding = 1e-12; // tiles have the size 1
 
 using Complex = std::complex<double>;
@@ -43,8 +43,8 @@ Eigen::RowVector3d Snapped(Eigen::RowVector3d barycentric)
   return barycentric / barycentric.sum();
 }
 
-OrbifoldImage ImageOf(const std::string& name, const Mesh& surface, const std::vector<int>& cones,
-  OrbifoldType type, const Progress& progress)
+OrbifoldImage ImageOf(const std::string& name, const Surface& surface,
+  const std::vector<int>& cones, OrbifoldType type, const Progress& progress)
 {
   try
   {
@@ -79,7 +79,7 @@ SurfacePoints OrbifoldLocator::Find(
   {
     if (!(std::abs(Complex(positions(i, 0), positions(i, 1)) - first) <= this->Reach + Rounding))
     {
-      throw InvalidInput("place " + std::to_string(i) + " is farther from the first cone than " +
+      throw InvalidInput("position " + std::to_string(i) + " is farther from the first cone than " +
         std::to_string(this->Reach) + "; give the locator a larger reach");
     }
   }
@@ -126,13 +126,13 @@ Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index p
   return image.Points.topRows(points);
 }
 
-OrbifoldMap MapThroughOrbifold(const Mesh& a, const std::vector<int>& conesA, const Mesh& b,
+OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress)
 {
   const OrbifoldImage imageA = ImageOf("A", a, conesA, type, progress.Part(0.0, 0.3));
   const OrbifoldImage imageB = ImageOf("B", b, conesB, type, progress.Part(0.3, 0.6));
-  const Eigen::MatrixXd positionsA = CollectUncutPositions(imageA, a.Points.rows());
-  const Eigen::MatrixXd positionsB = CollectUncutPositions(imageB, b.Points.rows());
+  const Eigen::MatrixXd positionsA = CollectUncutPositions(imageA, a.Points().rows());
+  const Eigen::MatrixXd positionsB = CollectUncutPositions(imageB, b.Points().rows());
   OrbifoldMap map;
   map.AToB = OrbifoldLocator(imageB, ReachOf(imageA)).Find(positionsA, progress.Part(0.6, 0.8));
   map.BToA = OrbifoldLocator(imageA, ReachOf(imageB)).Find(positionsB, progress.Part(0.8, 1.0));

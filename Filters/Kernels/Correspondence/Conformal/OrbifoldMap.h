@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 #include "Parameterize/OrbifoldTutte.h"
 #include "Search/ClosestPoint.h"
@@ -11,22 +11,22 @@
 namespace shape
 {
 
-/// Finds places of the plane on a surface that was laid out on the tile of an orbifold: the images
-/// of the tile under the orbifold's motions cover the plane, so every place is on the surface once.
+/// Finds positions of the plane on a surface that was laid out on the tile of an orbifold: the
+/// images of the tile under the orbifold's motions cover the plane, so each is on the surface once.
 class OrbifoldLocator
 {
 public:
-  /// reach: how far from the tile's first cone the places may be.
+  /// reach: how far from the tile's first cone the positions may be.
   OrbifoldLocator(OrbifoldImage image, double reach);
 
-  /// places: n x 2. Corners that a place coincides with but for rounding get all its weight; so
-  /// cones do. Throws InvalidInput where a place is out of reach, Aborted.
+  /// positions: n x 2. A corner that a position coincides with up to rounding gets all the weight;
+  /// so does a cone. Throws InvalidInput if a position is out of reach, Aborted.
   SurfacePoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:
   OrbifoldImage Image;
   double Reach;
-  std::vector<PlaneIsometry> Motions; ///< all that bring a place within reach to the image
+  std::vector<PlaneIsometry> Motions; ///< all that bring a position within reach to the image
   SurfaceLocator Flat;
 };
 
@@ -46,10 +46,10 @@ struct OrbifoldMap
  *
  * Throws as MapToOrbifold, with the surface's letter; Aborted.
  */
-OrbifoldMap MapThroughOrbifold(const Mesh& a, const std::vector<int>& conesA, const Mesh& b,
+OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress = {});
 
-/// The places of the uncut surface's points in the image (n x 2), one of each point's.
+/// The positions of the uncut surface's points in the image (n x 2), one for each point.
 Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index points);
 
 } // namespace shape

@@ -42,11 +42,11 @@ void RequireLandmarks(
   if (std::set<int>(landmarks.begin(), landmarks.end()).size() < landmarks.size())
   {
     throw InvalidInput(
-      "two landmarks of surface " + name + " are the same point; give each a place of its own");
+      "two landmarks of surface " + name + " are the same point; give each a point of its own");
   }
 }
 
-Eigen::MatrixXd OnSphere(const Mesh& surface, const std::string& name, const Progress& progress)
+Eigen::MatrixXd OnSphere(const Surface& surface, const std::string& name, const Progress& progress)
 {
   try
   {
@@ -62,7 +62,7 @@ Eigen::MatrixXd OnSphere(const Mesh& surface, const std::string& name, const Pro
   }
 }
 
-/// The rotation R for which the sum of |R from_i - to_i|^2 is least (Kabsch 1976).
+/// The rotation R that minimises the sum of |R from_i - to_i|^2 (Kabsch 1976).
 Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
 {
   const Eigen::Matrix3d products = to.transpose() * from;
@@ -71,7 +71,7 @@ Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd&
   return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
-/// The least distance between two of them; 2 for one.
+/// The minimum distance between two of them; 2 for one.
 double Separation(const Eigen::MatrixXd& positions)
 {
   double minimum = 2.0;
@@ -173,10 +173,11 @@ Eigen::RowVector3d WeightsOf(const Eigen::Matrix3d& corners, const Eigen::RowVec
 } // namespace
 
 SurfacePoints LocateDirections(
-  const Mesh& sphere, const Eigen::MatrixXd& directions, const Progress& progress)
+  const Surface& sphere, const Eigen::MatrixXd& directions, const Progress& progress)
 {
   const SurfaceLocator locator(sphere);
-  const std::vector<int> twins = FindTwins(sphere.Triangles, sphere.Points.rows());
+  const std::vector<int>& twins = sphere.Twins();
+  const Mesh& mesh = sphere;
   SurfacePoints map{ Eigen::VectorXi(directions.rows()), Eigen::MatrixXd(directions.rows(), 3) };
   ParallelFor(
     static_cast<int>(directions.rows()), Grain,
@@ -185,13 +186,13 @@ SurfacePoints LocateDirections(
       for (int i = begin; i < end; ++i)
       {
         const Eigen::RowVector3d direction = directions.row(i).normalized();
-        // From the closest triangle across the side that the direction is farthest beyond; walks
-        // that would turn in circles end in the triangle that comes closest.
+        // From the closest triangle across the edge that the direction is farthest beyond; walks
+        // that would run in circles end in the triangle that comes closest.
         int triangle = locator.FindOne(direction).Triangle;
         double best = -std::numeric_limits<double>::infinity();
         for (int moves = 0; moves < 200; ++moves)
         {
-          const Eigen::RowVector3d weights = WeightsOf(GetCorners(sphere, triangle), direction);
+          const Eigen::RowVector3d weights = WeightsOf(GetCorners(mesh, triangle), direction);
           int out = 0;
           const double minimum = weights.minCoeff(&out);
           if (minimum > best)
@@ -213,8 +214,8 @@ SurfacePoints LocateDirections(
   return map;
 }
 
-SphereCommonDomainResult MapThroughSphere(const Mesh& a, const std::vector<int>& landmarksA,
-  const Mesh& b, const std::vector<int>& landmarksB, const SphereCommonDomainOptions& options,
+SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<int>& landmarksA,
+  const Surface& b, const std::vector<int>& landmarksB, const SphereCommonDomainOptions& options,
   const Progress& progress)
 {
   RequireOption(options.Steps >= 1, "Steps", options.Steps, "at least 1");
@@ -242,9 +243,9 @@ SphereCommonDomainResult MapThroughSphere(const Mesh& a, const std::vector<int>&
   Warp(a, landmarksA, goals, options, result.SphereA, progress.Part(0.4, 0.8));
 
   result.AToB =
-    LocateDirections({ result.SphereB, b.Triangles }, result.SphereA, progress.Part(0.8, 0.9));
+    LocateDirections({ result.SphereB, b.Triangles() }, result.SphereA, progress.Part(0.8, 0.9));
   result.BToA =
-    LocateDirections({ result.SphereA, a.Triangles }, result.SphereB, progress.Part(0.9, 1.0));
+    LocateDirections({ result.SphereA, a.Triangles() }, result.SphereB, progress.Part(0.9, 1.0));
   return result;
 }
 

@@ -39,9 +39,9 @@ void RequirePoints(int asked, int points, const std::string& name)
   }
 }
 
-/// The middles of a surface's edges, where a map of its points takes them, and a third of the areas
-/// beside each: integrals over the surface are sums over these. What is linear in triangles loses
-/// as much there on either surface, which it would not at points that meet points.
+/// The midpoints of a surface's edges, their images by a map of its points, and a third of the
+/// areas beside each: integrals over the surface are sums over these. Functions that are linear in
+/// triangles lose as much there on either surface, which they would not at vertices.
 struct EdgeSamples
 {
   std::vector<int> Low, High; ///< points
@@ -49,11 +49,11 @@ struct EdgeSamples
   Eigen::VectorXd Areas;
 
   EdgeSamples(
-    const Mesh& first, const Mesh& second, const SurfacePoints& map, const Progress& progress)
+    const Surface& first, const Surface& second, const SurfacePoints& map, const Progress& progress)
   {
-    const Eigen::VectorXd areas = ComputeAreaVectors(first).rowwise().norm() / 6.0;
+    const Eigen::VectorXd areas = first.AreaVectors().rowwise().norm() / 6.0;
     std::vector<double> shares;
-    for (const HalfEdge& edge : SortHalfEdges(first.Triangles, first.Points.rows()))
+    for (const HalfEdge& edge : first.HalfEdges())
     {
       if (this->Low.empty() || edge.Low() != this->Low.back() || edge.High() != this->High.back())
       {
@@ -65,7 +65,7 @@ struct EdgeSamples
     }
     this->Areas =
       Eigen::Map<Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size()));
-    const Eigen::MatrixXd images = PullBack(map, second.Triangles, second.Points);
+    const Eigen::MatrixXd images = PullBack(map, second.Triangles(), second.Points());
     this->Images = SurfaceLocator(second).Find(this->Midpoints(images), progress);
   }
 
@@ -144,8 +144,8 @@ DifferenceOperator ConformalDifference(const LaplaceSpectrum& first, const Lapla
 
 } // namespace
 
-MapDifferenceResult MapDifference(const Mesh& first, const Mesh& second, const SurfacePoints& map,
-  const MapDifferenceOptions& options, const Progress& progress)
+MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
+  const SurfacePoints& map, const MapDifferenceOptions& options, const Progress& progress)
 {
   const Topology topology = RequireManifold(first, "SurfaceA");
   const int used = UsedPoints(topology),
@@ -162,7 +162,7 @@ MapDifferenceResult MapDifference(const Mesh& first, const Mesh& second, const S
                         beyond = SolveLaplaceEigenproblem(second, there, progress.Part(0.3, 0.9));
   const Eigen::VectorXd roots = samples.Areas.cwiseSqrt();
   const SingularValues pulled(
-    roots.asDiagonal() * PullBack(samples.Images, second.Triangles, beyond.Eigenfunctions));
+    roots.asDiagonal() * PullBack(samples.Images, second.Triangles(), beyond.Eigenfunctions));
   const double minimum = MinimumSingularValueRatio * pulled.Values()(0);
   const Eigen::MatrixXd f =
     pulled.Solve(roots.asDiagonal() * samples.Midpoints(here.Eigenfunctions), minimum);

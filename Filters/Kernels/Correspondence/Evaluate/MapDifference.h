@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
@@ -31,7 +31,7 @@ struct MapDifferenceResult
 {
   DifferenceOperator Area; ///< of <f, g> = the integral of f g; Field: the ratio of areas
   /// Of the integral of grad f . grad g. Field: (s / t + t / s) / 2 for stretches s and t, where
-  /// functions vary as much in all directions; t / s on a limb so thin that they vary along it
+  /// functions vary as much in all directions; t / s on a part so thin that they vary along it
   /// only.
   DifferenceOperator Conformal;
   int Undetermined = 0; ///< functions of the second surface that the map says too little of
@@ -55,10 +55,11 @@ inline constexpr int DifferenceEigenfunctions = 10;
  * of `second` that nothing goes to, do not count, and are counted in Undetermined.
  *
  * first, second: 2-manifolds, open or closed. map: where the points of `first` go. Throws
- * InvalidInput where they are not such ones or have fewer points than NumberOfEigenpairs asks for;
+ * InvalidInput if they are not such ones or have fewer points than NumberOfEigenpairs asks for;
  * SolveFailure, Aborted.
  */
-MapDifferenceResult MapDifference(const Mesh& first, const Mesh& second, const SurfacePoints& map,
-  const MapDifferenceOptions& options = {}, const Progress& progress = {});
+MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
+  const SurfacePoints& map, const MapDifferenceOptions& options = {},
+  const Progress& progress = {});
 
 } // namespace shape

@@ -46,7 +46,7 @@ void RequireTruth(const GroundTruth& truth)
   RequireFinite(truth.Mirrored, "the mirrored map of the Truth");
 }
 
-double UnitOf(const Mesh& target, NormalisationType normalisation, const Progress& progress)
+double UnitOf(const Surface& target, NormalisationType normalisation, const Progress& progress)
 {
   switch (normalisation)
   {
@@ -71,7 +71,7 @@ Eigen::VectorXd Ascending(const Eigen::VectorXd& distances, double unit)
     unit;
 }
 
-/// The least error that at least this share of the errors is not above.
+/// The smallest error that at least this share of the errors does not exceed.
 double ComputePercentile(const Eigen::VectorXd& errors, double share)
 {
   const double rank = std::ceil(share * static_cast<double>(errors.size())) - 1.0;
@@ -91,8 +91,8 @@ void Summarise(MapErrorCurveResult& result, double positions, double largest)
 
 } // namespace
 
-MapErrorCurveResult ComputeMapErrorCurve(const Mesh& input, const Eigen::MatrixXd& map,
-  const Mesh& target, const GroundTruth& truth, const MapErrorCurveOptions& options,
+MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::MatrixXd& map,
+  const Surface& target, const GroundTruth& truth, const MapErrorCurveOptions& options,
   const Progress& progress)
 {
   RequireManifold(input, "the Input");
@@ -107,7 +107,7 @@ MapErrorCurveResult ComputeMapErrorCurve(const Mesh& input, const Eigen::MatrixX
     SurfaceLocator(input).Find(truth.Positions, progress.Part(0.1, 0.15));
   const SurfaceLocator locator(target);
   const ClosestPoints reached =
-    locator.Find(PullBack(positions, input.Triangles, map), progress.Part(0.15, 0.2));
+    locator.Find(PullBack(positions, input.Triangles(), map), progress.Part(0.15, 0.2));
   result.LargestGap = positions.Distances.maxCoeff();
 
   const auto measure = [&](const Eigen::MatrixXd& targets, const Progress& part)
@@ -138,15 +138,15 @@ MapErrorCurveResult ComputeMapErrorCurve(const Mesh& input, const Eigen::MatrixX
   return result;
 }
 
-Eigen::VectorXd ComputeRoundTripErrors(const Mesh& input, const Eigen::MatrixXd& map,
-  const Mesh& target, const Eigen::MatrixXd& back, const Progress& progress)
+Eigen::VectorXd ComputeRoundTripErrors(const Surface& input, const Eigen::MatrixXd& map,
+  const Surface& target, const Eigen::MatrixXd& back, const Progress& progress)
 {
   RequireManifold(input, "the Input");
   RequireManifold(target, "the Target");
   RequireMap(input, map, "the Input");
   RequireMap(target, back, "the Target");
   std::vector<int> used;
-  const Eigen::VectorXi component = ComputeTopology(input).ComponentId;
+  const Eigen::VectorXi& component = input.Topology().ComponentId;
   for (int point = 0; point < component.size(); ++point)
   {
     if (component(point) >= 0)
@@ -157,7 +157,7 @@ Eigen::VectorXd ComputeRoundTripErrors(const Mesh& input, const Eigen::MatrixXd&
   const ClosestPoints there =
     SurfaceLocator(target).Find(map(used, Eigen::all), progress.Part(0.0, 0.05));
   const ClosestPoints again =
-    SurfaceLocator(input).Find(PullBack(there, target.Triangles, back), progress.Part(0.05, 0.1));
+    SurfaceLocator(input).Find(PullBack(there, target.Triangles(), back), progress.Part(0.05, 0.1));
   const SurfacePoints start = MakeSurfacePointsAtVertices(
     Eigen::Map<Eigen::VectorXi>(used.data(), static_cast<Eigen::Index>(used.size())), input);
   return Ascending(
@@ -165,25 +165,27 @@ Eigen::VectorXd ComputeRoundTripErrors(const Mesh& input, const Eigen::MatrixXd&
 }
 
 double ComputeCoverage(
-  const Mesh& input, const Eigen::MatrixXd& map, const Mesh& target, const Progress& progress)
+  const Surface& input, const Eigen::MatrixXd& map, const Surface& target, const Progress& progress)
 {
   RequireMap(input, map, "the Input");
-  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(target).rowwise().norm();
-  const Eigen::VectorXd distances =
-    SurfaceLocator(Mesh{ map, input.Triangles }).Find(ComputeCentroids(target), progress).Distances;
+  const Eigen::VectorXd areas = 0.5 * target.AreaVectors().rowwise().norm();
+  const Eigen::VectorXd distances = SurfaceLocator(Mesh{ map, input.Triangles() })
+                                      .Find(ComputeCentroids(target), progress)
+                                      .Distances;
   const double within = CoveredWithin * std::sqrt(areas.sum());
   return areas.dot((distances.array() <= within).cast<double>().matrix()) / areas.sum();
 }
 
-double ComputeGeodesicDiameter(const Mesh& mesh, const Progress& progress)
+double ComputeGeodesicDiameter(const Surface& surface, const Progress& progress)
 {
   constexpr int maximumSweeps = 10;
   double longest = 0.0;
-  const std::vector<Mesh> components = SplitComponents(mesh);
-  for (const Mesh& component : components)
+  const std::vector<Mesh> components = SplitComponents(surface);
+  for (const Mesh& part : components)
   {
+    const Surface component(part);
     double reach = -1.0;
-    Eigen::VectorXi from = Eigen::VectorXi::Constant(1, component.Triangles(0, 0));
+    Eigen::VectorXi from = Eigen::VectorXi::Constant(1, component.Triangles()(0, 0));
     for (int sweep = 0; sweep < maximumSweeps; ++sweep)
     {
       ClosestPoints seed;

@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// How far, straight, each point of a surface (n) is from where it comes back to by two maps.
+/// The straight distance of each point of a surface (n) from where it comes back to by two maps.
 Eigen::VectorXd ReturnDistances(
   const Mesh& mesh, const SurfacePoints& there, const Mesh& other, const SurfacePoints& back)
 {
@@ -32,13 +32,14 @@ double ComputeCoverage(const Eigen::VectorXd& masses, const Eigen::VectorXd& dis
 
 } // namespace
 
-SurfaceMapFacts EvaluateMaps(const Mesh& a, const Mesh& b, const SurfaceMaps& maps)
+SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMaps& maps)
 {
-  const Eigen::MatrixXd images = PullBack(maps.AToB, b.Triangles, b.Points);
+  const Eigen::MatrixXd images = PullBack(maps.AToB, b.Triangles(), b.Points());
   const TriangleAngles angles = ComputeTriangleAngles(a);
   const Eigen::SparseMatrix<double> stiffness = BuildPositiveStiffness(
-    BuildCotangentStiffness(a.Triangles, angles.Cotangents, a.Points.rows()), 0.0);
-  const Eigen::VectorXd masses = ComputeLumpedMasses(a.Triangles, angles.Areas, a.Points.rows());
+    BuildCotangentStiffness(a.Triangles(), angles.Cotangents, a.Points().rows()), 0.0);
+  const Eigen::VectorXd masses =
+    ComputeLumpedMasses(a.Triangles(), angles.Areas, a.Points().rows());
   const Eigen::VectorXd massesB = ComputePointAreas(b);
   const double areaA = masses.sum(), areaB = massesB.sum();
   SurfaceMapFacts facts;
@@ -47,13 +48,13 @@ SurfaceMapFacts EvaluateMaps(const Mesh& a, const Mesh& b, const SurfaceMaps& ma
   facts.RoundTrip = masses.dot(returns) / (areaA * std::sqrt(areaA));
   facts.CoverageOfA = ComputeCoverage(masses, returns);
   facts.CoverageOfB = ComputeCoverage(massesB, ReturnDistances(b, maps.BToA, a, maps.AToB));
-  const Eigen::MatrixXd image = ComputeAreaVectors({ images, a.Triangles }),
-                        normals = ComputeAreaVectors(b);
+  const Eigen::MatrixXd image = ComputeAreaVectors({ images, a.Triangles() });
+  const Eigen::MatrixXd& normals = b.AreaVectors();
   double reversed = 0.0, all = 0.0;
-  for (Eigen::Index t = 0; t < a.Triangles.rows(); ++t)
+  for (Eigen::Index t = 0; t < a.Triangles().rows(); ++t)
   {
     const Eigen::RowVector3d there = image.row(t),
-                             normal = normals.row(maps.AToB.Triangles(a.Triangles(t, 0)));
+                             normal = normals.row(maps.AToB.Triangles(a.Triangles()(t, 0)));
     const double size = there.norm() * normal.norm();
     const double cosine = size > 0.0 ? there.dot(normal) / size : 0.0;
     const double weight =

@@ -1,32 +1,246 @@
 #include "Correspondence/Functional/FunctionalMap.h"
 
 #include "Base/Errors.h"
+#include "Base/Parallel.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/NearestSurfacePoints.h"
 #include "Spectrum/SpectralSignatures.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace shape
 {
+
+namespace
+{
+
+using Matrices = std::vector<Eigen::MatrixXd>;
+
+/// Of one surface, in its first eigenfunctions.
+struct Operators
+{
+  Eigen::MatrixXd Coefficients; ///< k x q
+  Matrices Products, Turns;     ///< q each, k x k
+};
+
+/// Each triangle in its own plane, the first edge along x: gradients of functions that are linear
+/// in it.
+class Gradients
+{
+public:
+  explicit Gradients(const Mesh& mesh)
+    : Triangles(mesh.Triangles)
+    , Positions(mesh.Triangles.rows(), 3)
+    , Areas(mesh.Triangles.rows())
+  {
+    for (Eigen::Index t = 0; t < this->Positions.rows(); ++t)
+    {
+      const Eigen::Matrix3d corners = GetCorners(mesh, t);
+      const Eigen::RowVector3d side = corners.row(1) - corners.row(0),
+                               other = corners.row(2) - corners.row(0);
+      const double length = side.norm(), twice = side.cross(other).norm();
+      const bool isFlat = twice <= std::numeric_limits<double>::min();
+      // A triangle without area has no gradient and no share of any integral.
+      this->Positions.row(t) << (isFlat ? 1.0 : length), (isFlat ? 0.0 : side.dot(other) / length),
+        (isFlat ? 1.0 : twice / length);
+      this->Areas(t) = isFlat ? 0.0 : 0.5 * twice;
+    }
+  }
+
+  struct Components
+  {
+    Eigen::MatrixXd X, Y; ///< m x k
+  };
+
+  /// functions: n x k, of the points.
+  Components Of(const Eigen::MatrixXd& functions) const
+  {
+    Components gradients{ Eigen::MatrixXd(this->Positions.rows(), functions.cols()), {} };
+    gradients.Y.resizeLike(gradients.X);
+    for (Eigen::Index k = 0; k < functions.cols(); ++k)
+    {
+      for (Eigen::Index t = 0; t < this->Positions.rows(); ++t)
+      {
+        const double first = functions(this->Triangles(t, 0), k);
+        const double x = (functions(this->Triangles(t, 1), k) - first) / this->Positions(t, 0);
+        gradients.X(t, k) = x;
+        gradients.Y(t, k) =
+          (functions(this->Triangles(t, 2), k) - first - x * this->Positions(t, 1)) /
+          this->Positions(t, 2);
+      }
+    }
+    return gradients;
+  }
+
+  /// The functions' integrals over the triangles (m x k).
+  Eigen::MatrixXd Integrals(const Eigen::MatrixXd& functions) const
+  {
+    return this->Areas.asDiagonal() * AverageAtCorners(this->Triangles, functions);
+  }
+
+private:
+  const Eigen::MatrixXi& Triangles;
+  Eigen::MatrixXd Positions; ///< m x 3: x of the second corner, x and y of the third
+  Eigen::VectorXd Areas;
+};
+
+Operators OperatorsOf(
+  const SurfaceDescriptors& given, const FunctionalMapFitOptions& options, const Progress& progress)
+{
+  const LaplaceSpectrum& spectrum = given.Spectrum;
+  const Eigen::MatrixXd functions = spectrum.Eigenfunctions.leftCols(options.Size);
+  const Eigen::MatrixXd weighted = spectrum.Masses.asDiagonal() * functions;
+  Eigen::MatrixXd descriptors = given.Descriptors;
+  for (Eigen::Index i = 0; i < descriptors.cols(); ++i)
+  {
+    const double norm = std::sqrt(spectrum.Masses.dot(descriptors.col(i).cwiseAbs2()));
+    descriptors.col(i) /= norm > 0.0 ? norm : 1.0;
+  }
+  const Gradients gradients(given.Surface);
+  const Gradients::Components ofFunctions = gradients.Of(functions);
+  const Eigen::MatrixXd integrals = gradients.Integrals(functions);
+  const int stride = options.OperatorStride;
+  const int count = (static_cast<int>(descriptors.cols()) + stride - 1) / stride;
+  Operators result{ weighted.transpose() * descriptors, Matrices(count), Matrices(count) };
+  ParallelFor(
+    count, 1,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const Eigen::VectorXd descriptor = descriptors.col(static_cast<Eigen::Index>(i) * stride);
+        if (options.DescriptorWeight > 0.0)
+        {
+          result.Products[i] = weighted.transpose() * descriptor.asDiagonal() * functions;
+        }
+        if (options.OrientationWeight > 0.0)
+        {
+          // n x grad(f) is (-y, x) of grad(f).
+          const Gradients::Components own = gradients.Of(descriptor);
+          result.Turns[i] = integrals.transpose() *
+            (own.X.col(0).asDiagonal() * ofFunctions.Y - own.Y.col(0).asDiagonal() * ofFunctions.X);
+        }
+      }
+    },
+    progress);
+  return result;
+}
+
+/// w (|C X - Y C|^2 summed over pairs of operators), and half its gradient.
+class Commutators
+{
+public:
+  /// Divided by the number of operators and the mean of their squared norms.
+  Commutators(const Matrices& x, const Matrices& y, double weight, Eigen::Index size)
+    : X(x)
+    , Y(y)
+    , Right(Eigen::MatrixXd::Zero(size, size))
+    , Left(Eigen::MatrixXd::Zero(size, size))
+  {
+    if (weight <= 0.0)
+    {
+      return;
+    }
+    double norms = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      this->Right += x[i] * x[i].transpose();
+      this->Left += y[i].transpose() * y[i];
+      norms += 0.5 * (x[i].squaredNorm() + y[i].squaredNorm()) / static_cast<double>(size);
+    }
+    this->Weight = norms > 0.0 ? weight / norms : 0.0;
+  }
+
+  void AddGradient(const Eigen::MatrixXd& c, Eigen::MatrixXd& gradient) const
+  {
+    if (this->Weight <= 0.0)
+    {
+      return;
+    }
+    Eigen::MatrixXd own = c * this->Right + this->Left * c;
+    for (std::size_t i = 0; i < this->X.size(); ++i)
+    {
+      own.noalias() -= this->Y[i] * (c * this->X[i].transpose());
+      own.noalias() -= this->Y[i].transpose() * (c * this->X[i]);
+    }
+    gradient += this->Weight * own;
+  }
+
+private:
+  const Matrices& X;
+  const Matrices& Y;
+  Eigen::MatrixXd Right, Left;
+  double Weight = 0.0;
+};
+
+} // namespace
+
+Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescriptors& b,
+  const FunctionalMapFitOptions& options, const Progress& progress)
+{
+  const Operators ofA = OperatorsOf(a, options, progress.Part(0.0, 0.2));
+  const Operators ofB = OperatorsOf(b, options, progress.Part(0.2, 0.4));
+  const int size = options.Size;
+  const double count = std::max<double>(1.0, static_cast<double>(ofA.Coefficients.cols()));
+  const Eigen::MatrixXd squares = ofA.Coefficients * ofA.Coefficients.transpose() / count;
+  const Eigen::MatrixXd wanted = ofB.Coefficients * ofA.Coefficients.transpose() / count;
+  const Eigen::VectorXd valuesA = a.Spectrum.Eigenvalues.head(size),
+                        valuesB = b.Spectrum.Eigenvalues.head(size);
+  const double largest = std::max(valuesA.maxCoeff(), valuesB.maxCoeff());
+  const Eigen::MatrixXd gaps = options.LaplacianWeight / (largest * largest) *
+    (valuesA.transpose().replicate(size, 1) - valuesB.replicate(1, size)).cwiseAbs2();
+  const Commutators products(ofA.Products, ofB.Products, options.DescriptorWeight, size),
+    turns(ofA.Turns, ofB.Turns, options.OrientationWeight, size);
+  const auto apply = [&](const Eigen::MatrixXd& c)
+  {
+    Eigen::MatrixXd result = c * squares + gaps.cwiseProduct(c);
+    products.AddGradient(c, result);
+    turns.AddGradient(c, result);
+    return result;
+  };
+
+  const BlasThreads one(false);
+  constexpr int maximum = 200;
+  constexpr double minimum = 1e-6; // of the right-hand side
+  Eigen::MatrixXd map = Eigen::MatrixXd::Zero(size, size), residual = wanted, direction = residual;
+  double squared = residual.squaredNorm();
+  const double enough = minimum * minimum * squared;
+  for (int k = 0; k < maximum && squared > enough; ++k)
+  {
+    progress(0.4 + 0.6 * k / maximum);
+    const Eigen::MatrixXd image = apply(direction);
+    const double step = squared / direction.cwiseProduct(image).sum();
+    map += step * direction;
+    residual -= step * image;
+    const double next = residual.squaredNorm();
+    direction = residual + next / squared * direction;
+    squared = next;
+  }
+  progress(1.0);
+  return map;
+}
+
 namespace
 {
 
 /// One of the two surfaces with its area made 1.
 struct Side
 {
-  Mesh Surface;
+  shape::Surface Surface;
   LaplaceSpectrum Spectrum;
   Eigen::MatrixXd Descriptors;
   std::vector<int> Samples;
 
   SampledSpectrum Sampled() const
   {
-    return { this->Surface.Triangles, this->Spectrum, this->Samples };
+    return { this->Surface.Triangles(), this->Spectrum, this->Samples };
   }
   SurfaceDescriptors Described() const
   {
@@ -34,18 +248,19 @@ struct Side
   }
 };
 
-Side Prepare(const Mesh& mesh, int pairs, const Landmarks& landmarks, int which,
+Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int which,
   const FunctionalMapOptions& options, const Progress& progress)
 {
-  Side side{ mesh, {}, {}, {} };
-  side.Surface.Points /= std::sqrt(ComputePointAreas(mesh).sum());
+  Side side{ { surface.Points() / std::sqrt(ComputePointAreas(surface).sum()),
+               surface.Triangles() },
+    {}, {}, {} };
   constexpr double tolerance = 1e-6; // as good for maps as smaller ones, and found sooner
   side.Spectrum = SolveLaplaceEigenproblem(side.Surface, pairs, progress.Part(0.0, 0.7), tolerance);
   const int count = options.Descriptors;
   // Curves are many landmarks: a few of them tell as much, by their order.
   constexpr std::size_t maximum = 12;
   const std::size_t each = std::min(landmarks.size(), maximum);
-  side.Descriptors.resize(mesh.Points.rows(), count * (2 + each));
+  side.Descriptors.resize(surface.Points().rows(), count * (2 + each));
   side.Descriptors.leftCols(count) = ComputeWaveKernelSignature(side.Spectrum, count);
   side.Descriptors.middleCols(count, count) = ComputeHeatKernelSignature(side.Spectrum, count);
   for (std::size_t i = 0; i < each; ++i)
@@ -57,18 +272,18 @@ Side Prepare(const Mesh& mesh, int pairs, const Landmarks& landmarks, int which,
   return side;
 }
 
-int UsedPoints(const Mesh& mesh, const char* name)
+int CountUsedPoints(const Surface& surface, const char* name)
 {
-  const Topology topology = RequireManifold(mesh, name);
+  const Topology topology = RequireManifold(surface, name);
   return static_cast<int>((topology.ComponentId.array() >= 0).count());
 }
 
 } // namespace
 
-SurfaceMaps ComputeFunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options, const Progress& progress)
 {
-  const int points = std::min(UsedPoints(a, "SurfaceA"), UsedPoints(b, "SurfaceB"));
+  const int points = std::min(CountUsedPoints(a, "SurfaceA"), CountUsedPoints(b, "SurfaceB"));
   const int pairs = std::min(options.Refinement.Last, points);
   FunctionalMapFitOptions fit = options.Fit;
   fit.Size = std::min(fit.Size, pairs);
@@ -83,10 +298,10 @@ SurfaceMaps ComputeFunctionalMap(const Mesh& a, const Mesh& b, const Landmarks& 
     one.Sampled(), two.Sampled(), map, landmarks, refinement, progress.Part(0.7, 0.85));
   const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
                         &functionsB = two.Spectrum.Eigenfunctions;
-  return { FindNearestSurfacePoints(functionsA, b.Triangles, functionsB * maps.BToA.transpose(),
+  return { FindNearestSurfacePoints(functionsA, b.Triangles(), functionsB * maps.BToA.transpose(),
              progress.Part(0.85, 0.92)),
     FindNearestSurfacePoints(
-      functionsB, a.Triangles, functionsA * maps.AToB.transpose(), progress.Part(0.92, 1.0)) };
+      functionsB, a.Triangles(), functionsA * maps.AToB.transpose(), progress.Part(0.92, 1.0)) };
 }
 
 } // namespace shape

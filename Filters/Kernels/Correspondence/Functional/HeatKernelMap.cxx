@@ -17,7 +17,7 @@ namespace shape
 namespace
 {
 
-/// Throws InvalidInput where a component has none of `points`.
+/// Throws InvalidInput if a component has none of `points`.
 void RequireReached(
   const Topology& topology, const std::vector<int>& points, const std::string& name)
 {
@@ -38,15 +38,14 @@ void RequireReached(
 }
 
 /// The spectrum of a surface with its area made 1.
-LaplaceSpectrum UnitSpectrum(const Mesh& mesh, int pairs, const Progress& progress)
+LaplaceSpectrum UnitSpectrum(const Surface& surface, int pairs, const Progress& progress)
 {
-  Mesh scaled = mesh;
-  scaled.Points /= std::sqrt(ComputePointAreas(mesh).sum());
-  return SolveLaplaceEigenproblem(
-    scaled, std::min(pairs, static_cast<int>(mesh.Points.rows())), progress);
+  const double length = std::sqrt(ComputePointAreas(surface).sum());
+  return SolveLaplaceEigenproblem({ surface.Points() / length, surface.Triangles() },
+    std::min(pairs, static_cast<int>(surface.Points().rows())), progress);
 }
 
-/// The largest and the least eigenvalue that is not 0.
+/// The largest and the smallest eigenvalue that is not 0.
 std::array<double, 2> Range(const LaplaceSpectrum& spectrum, const std::string& name)
 {
   const Eigen::Index last = spectrum.Eigenvalues.size() - 1;
@@ -83,7 +82,7 @@ Eigen::MatrixXd Heat(
 
 } // namespace
 
-SurfaceMaps ComputeHeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options, const Progress& progress)
 {
   RequireOption(options.Eigenpairs >= 2, "Eigenpairs", options.Eigenpairs, "at least 2");
@@ -105,8 +104,8 @@ SurfaceMaps ComputeHeatKernelMap(const Mesh& a, const Mesh& b, const Landmarks& 
                                   .array()
                                   .exp();
   const Eigen::MatrixXd heatA = Heat(spectrumA, onA, times), heatB = Heat(spectrumB, onB, times);
-  return { FindNearestSurfacePoints(heatA, b.Triangles, heatB, progress.Part(0.6, 0.8)),
-    FindNearestSurfacePoints(heatB, a.Triangles, heatA, progress.Part(0.8, 1.0)) };
+  return { FindNearestSurfacePoints(heatA, b.Triangles(), heatB, progress.Part(0.6, 0.8)),
+    FindNearestSurfacePoints(heatB, a.Triangles(), heatA, progress.Part(0.8, 1.0)) };
 }
 
 } // namespace shape

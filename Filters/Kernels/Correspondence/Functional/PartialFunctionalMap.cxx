@@ -5,7 +5,6 @@
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"
-#include "Search/NearestRows.h"
 #include "Search/NearestSurfacePoints.h"
 #include "Spectrum/LaplaceSpectrum.h"
 #include "Spectrum/SpectralSignatures.h"
@@ -22,7 +21,7 @@ namespace shape
 namespace
 {
 
-/// How many eigenvalues are at most as large as one.
+/// The number of eigenvalues up to a bound, at least 1.
 Eigen::Index UpTo(const Eigen::VectorXd& eigenvalues, double bound)
 {
   return std::max<Eigen::Index>(1, (eigenvalues.array() <= bound).count());
@@ -72,7 +71,7 @@ struct Refinement
 
 } // namespace
 
-SurfaceMaps ComputePartialFunctionalMap(const Mesh& part, const Mesh& whole,
+SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whole,
   const Landmarks& landmarks, double scale, const PartialFunctionalMapOptions& options,
   const Progress& progress)
 {
@@ -89,18 +88,17 @@ SurfaceMaps ComputePartialFunctionalMap(const Mesh& part, const Mesh& whole,
   RequireOption(options.Eigenpairs >= 10, "Eigenpairs", options.Eigenpairs, "at least 10");
   RequireOption(options.First >= 3, "First", options.First, "at least 3");
   RequireOption(options.Step >= 1, "Step", options.Step, "at least 1");
-  Mesh one = part, two = whole;
   const double length = std::sqrt(ComputePointAreas(whole).sum());
-  one.Points *= scale / length;
-  two.Points /= length;
-  const auto pairsOf = [&](const Mesh& mesh)
-  { return std::min<int>(options.Eigenpairs, static_cast<int>(mesh.Points.rows())); };
+  const Surface one(part.Points() * (scale / length), part.Triangles()),
+    two(whole.Points() / length, whole.Triangles());
+  const auto pairsOf = [&](const Surface& surface)
+  { return std::min<int>(options.Eigenpairs, static_cast<int>(surface.Points().rows())); };
   const LaplaceSpectrum spectrumOne =
                           SolveLaplaceEigenproblem(one, pairsOf(one), progress.Part(0.0, 0.2)),
                         spectrumTwo =
                           SolveLaplaceEigenproblem(two, pairsOf(two), progress.Part(0.2, 0.4));
   constexpr double share = 0.001; // of the samples, for each landmark
-  Refinement refinement{ spectrumOne, spectrumTwo, two.Triangles,
+  Refinement refinement{ spectrumOne, spectrumTwo, two.Triangles(),
     SampleFarthestPoints(one, options.Samples, progress.Part(0.4, 0.42)), PointsOf(landmarks, 0),
     PointsOf(landmarks, 1), 0.0 };
   refinement.Weight = std::sqrt(share * static_cast<double>(refinement.Samples.size()));
@@ -118,7 +116,7 @@ SurfaceMaps ComputePartialFunctionalMap(const Mesh& part, const Mesh& whole,
   {
     progress(0.6 + 0.2 * static_cast<double>(size) / static_cast<double>(last));
     map = refinement.Map(
-      PullBack(refinement.Positions(samples, map), two.Triangles, functions.leftCols(size)));
+      PullBack(refinement.Positions(samples, map), two.Triangles(), functions.leftCols(size)));
     if (size == last)
     {
       break;
@@ -129,8 +127,8 @@ SurfaceMaps ComputePartialFunctionalMap(const Mesh& part, const Mesh& whole,
   const auto zeros = static_cast<int>((spectrumTwo.Eigenvalues.array() <= 0.0).count());
   const Eigen::MatrixXd embedding =
     ComputeSpectralEmbedding(spectrumTwo, static_cast<int>(last) - zeros);
-  maps.BToA = FindNearestSurfacePoints(embedding, one.Triangles,
-    PullBack(maps.AToB, two.Triangles, embedding), progress.Part(0.9, 1.0));
+  maps.BToA = FindNearestSurfacePoints(embedding, one.Triangles(),
+    PullBack(maps.AToB, two.Triangles(), embedding), progress.Part(0.9, 1.0));
   return maps;
 }
 

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -26,7 +26,7 @@ struct PartialFunctionalMapOptions
  * RefineByZoomOut (Melzi and others 2019, section on partial shapes), from the part's points alone,
  * for those of the whole need not have a partner.
  *
- * The whole's points go to the places of the part whose images are nearest in the whole's
+ * The whole's points go to the positions on the part whose images are nearest in the whole's
  * eigenfunctions over the roots of their eigenvalues (ComputeSpectralEmbedding): those in the
  * images to what they are images of, the others near the cut.
  *
@@ -34,7 +34,7 @@ struct PartialFunctionalMapOptions
  * whole}. scale: lengths on the whole over those on the part. AToB of the result is the part's map,
  * BToA the whole's. Throws InvalidInput, SolveFailure, Aborted.
  */
-SurfaceMaps ComputePartialFunctionalMap(const Mesh& part, const Mesh& whole,
+SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whole,
   const Landmarks& landmarks, double scale, const PartialFunctionalMapOptions& options = {},
   const Progress& progress = {});
 

@@ -5,7 +5,7 @@
 #include "Correspondence/Landmarks/Private/FeatureAssignment.h"
 #include "Correspondence/Landmarks/Private/FeaturedSurface.h"
 #include "Correspondence/Pair/MatchingInput.h"
-#include "Search/NearestRows.h"
+#include "Search/NearestSurfacePoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +70,8 @@ double MeanDifference(
   return a.Weights.dot(differences * a.Weights);
 }
 
-/// How much distances differ in the map of samples that pairs of features give, both ways or that
-/// of the part, over its length; and in the one that turns the surface over.
+/// The distortion of distances in the map of samples that pairs of features give, both ways or that
+/// of the part, over its length; and in the one that reverses the orientation.
 std::array<double, 2> Distortions(const Hypothesis& pair, const Landmarks& pairs)
 {
   const FeaturedSurface &a = pair.A, &b = pair.B;
@@ -114,7 +114,7 @@ bool Contradicts(const Landmarks& pairs, const Landmarks& others)
   return common > 0 && 2 * different >= common;
 }
 
-/// The best of a hypothesis; the distortions are infinite where no three features agree.
+/// The best of a hypothesis; the distortions are infinite if no three features agree.
 AutomaticLandmarksResult Best(
   const Hypothesis& pair, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
@@ -198,8 +198,8 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
 
 } // namespace
 
-AutomaticLandmarksResult FindLandmarks(
-  const Mesh& a, const Mesh& b, const AutomaticLandmarksOptions& options, const Progress& progress)
+AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
+  const AutomaticLandmarksOptions& options, const Progress& progress)
 {
   RequireOption(options.Samples >= 20, "Samples", options.Samples, "at least 20");
   RequireOption(options.Features >= 6, "Features", options.Features, "at least 6");

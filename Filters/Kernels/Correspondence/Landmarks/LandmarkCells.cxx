@@ -8,8 +8,8 @@ namespace shape
 namespace
 {
 
-SurfacePoints Cells(
-  const Mesh& from, const Mesh& to, const Landmarks& landmarks, int which, const Progress& progress)
+SurfacePoints Cells(const Surface& from, const Surface& to, const Landmarks& landmarks, int which,
+  const Progress& progress)
 {
   std::vector<int> points;
   for (const auto& landmark : landmarks)
@@ -30,7 +30,7 @@ SurfacePoints Cells(
 } // namespace
 
 SurfaceMaps MapByLandmarkCells(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress)
+  const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress)
 {
   if (landmarks.empty())
   {

@@ -112,22 +112,23 @@ Eigen::MatrixXd EmbedByDistances(const Eigen::MatrixXd& distances, const Eigen::
 }
 
 Eigen::MatrixXd EmbedByLandmarks(
-  const Mesh& mesh, const std::vector<int>& landmarks, const Progress& progress)
+  const Surface& surface, const std::vector<int>& landmarks, const Progress& progress)
 {
-  return EmbedByLandmarks(mesh, landmarks, std::sqrt(ComputePointAreas(mesh).sum()), progress);
+  return EmbedByLandmarks(
+    surface, landmarks, std::sqrt(ComputePointAreas(surface).sum()), progress);
 }
 
-Eigen::MatrixXd EmbedByLandmarks(
-  const Mesh& mesh, const std::vector<int>& landmarks, double length, const Progress& progress)
+Eigen::MatrixXd EmbedByLandmarks(const Surface& surface, const std::vector<int>& landmarks,
+  double length, const Progress& progress)
 {
-  const Eigen::MatrixXd distances = ComputeHeatDistances(mesh, landmarks, progress) / length;
-  std::vector<int> all(mesh.Points.rows()), chosen(landmarks.size());
+  const Eigen::MatrixXd distances = ComputeHeatDistances(surface, landmarks, progress) / length;
+  std::vector<int> all(surface.Points().rows()), chosen(landmarks.size());
   std::iota(all.begin(), all.end(), 0);
   std::iota(chosen.begin(), chosen.end(), 0);
   constexpr Eigen::Index maximum = 12; // of turns there are as many as the square
   const Eigen::Index count = std::min(maximum, distances.cols());
   return EmbedByDistances(
-    distances, ComputeGradientOrientations(mesh, distances.leftCols(count), all), chosen, 1.0);
+    distances, ComputeGradientOrientations(surface, distances.leftCols(count), all), chosen, 1.0);
 }
 
 } // namespace shape

@@ -17,13 +17,13 @@ namespace
 /// unit's.
 constexpr double MaximumDistanceShare = 0.5;
 
-/// For each place the corner that it is nearest to, of the triangle closest to it.
-Eigen::VectorXi NearestPoints(const Mesh& mesh, const Eigen::MatrixXd& positions,
+/// For each position the nearest corner of the triangle closest to it.
+Eigen::VectorXi NearestPoints(const Surface& surface, const Eigen::MatrixXd& positions,
   const std::string& name, const Progress& progress)
 {
-  const ClosestPoints closest = SurfaceLocator(mesh).Find(positions, progress);
+  const ClosestPoints closest = SurfaceLocator(surface).Find(positions, progress);
   const auto isFar =
-    closest.Distances.array() > MaximumDistanceShare * ComputeLongestBoxEdge(mesh.Points);
+    closest.Distances.array() > MaximumDistanceShare * ComputeLongestBoxEdge(surface.Points());
   const auto count = isFar.count();
   if (count > 0)
   {
@@ -32,12 +32,12 @@ Eigen::VectorXi NearestPoints(const Mesh& mesh, const Eigen::MatrixXd& positions
       " farther from " + name + " than half its longest side (first landmark " +
       std::to_string(first) + "); put Landmarks on SurfaceA and their TargetPosition on SurfaceB");
   }
-  return FindNearestCorners(closest, mesh.Triangles);
+  return FindNearestCorners(closest, surface.Triangles());
 }
 
 } // namespace
 
-Landmarks PairLandmarks(const Mesh& a, const Eigen::MatrixXd& positionsA, const Mesh& b,
+Landmarks PairLandmarks(const Surface& a, const Eigen::MatrixXd& positionsA, const Surface& b,
   const Eigen::MatrixXd& positionsB, const Progress& progress)
 {
   RequireFinite(positionsA, "the set of Landmarks");

@@ -35,13 +35,13 @@ Eigen::MatrixXd SampledSurface::Between() const
 }
 
 SampledSurface SampleSurface(
-  const Mesh& mesh, int count, const Progress& progress, const std::vector<int>& first)
+  const Surface& surface, int count, const Progress& progress, const std::vector<int>& first)
 {
   SampledSurface sampled;
-  const Eigen::VectorXd areas = ComputePointAreas(mesh);
+  const Eigen::VectorXd areas = ComputePointAreas(surface);
   sampled.Length = std::sqrt(areas.sum());
   sampled.Points = first;
-  for (const int point : SampleFarthestPoints(mesh, count, progress.Part(0.0, 0.3)))
+  for (const int point : SampleFarthestPoints(surface, count, progress.Part(0.0, 0.3)))
   {
     if (std::find(first.begin(), first.end(), point) == first.end())
     {
@@ -49,7 +49,7 @@ SampledSurface SampleSurface(
     }
   }
   sampled.Distances =
-    ComputeHeatDistances(mesh, sampled.Points, progress.Part(0.3, 1.0)) / sampled.Length;
+    ComputeHeatDistances(surface, sampled.Points, progress.Part(0.3, 1.0)) / sampled.Length;
   sampled.Weights = NearestShares(sampled.Distances, areas);
   return sampled;
 }

@@ -11,10 +11,10 @@ namespace shape
 namespace
 {
 
-std::optional<CoarseSurface> CoarseWhereLarge(
-  const Mesh& surface, const Landmarks& landmarks, int which, int maximum, const Progress& progress)
+std::optional<CoarseSurface> CoarsenIfLarge(const Surface& surface, const Landmarks& landmarks,
+  int which, int maximum, const Progress& progress)
 {
-  if (maximum <= 0 || surface.Points.rows() <= maximum)
+  if (maximum <= 0 || surface.Points().rows() <= maximum)
   {
     return {};
   }
@@ -26,25 +26,25 @@ std::optional<CoarseSurface> CoarseWhereLarge(
   return CoarsenSurface(surface, maximum, kept, progress);
 }
 
-/// Where fine points go on the coarse surface of the other side.
+/// Where fine points go on the coarse surface of the other one.
 SurfacePoints Interpolated(
-  const SurfacePoints& map, const CoarseSurface& from, const Mesh& to, const Progress& progress)
+  const SurfacePoints& map, const CoarseSurface& from, const Surface& to, const Progress& progress)
 {
   const Eigen::MatrixXd towards =
-    PullBack(from.Positions, from.Surface.Triangles, PullBack(map, to.Triangles, to.Points));
-  const Eigen::VectorXi nearest = FindNearestCorners(from.Positions, from.Surface.Triangles),
-                        begins = FindNearestCorners(map, to.Triangles);
+    PullBack(from.Positions, from.Surface.Triangles(), PullBack(map, to.Triangles(), to.Points()));
+  const Eigen::VectorXi nearest = FindNearestCorners(from.Positions, from.Surface.Triangles()),
+                        begins = FindNearestCorners(map, to.Triangles());
   return WalkToPositions(
-    towards, to.Triangles, to.Points, TriangleFans(to.Triangles, to.Points.rows()),
+    towards, to.Triangles(), to.Points(), TriangleFans(to.Triangles(), to.Points().rows()),
     [&](int i) { return begins(nearest(i)); }, progress);
 }
 
 } // namespace
 
-CoarsePair::CoarsePair(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, int maximum, const Progress& progress)
-  : One{ a, CoarseWhereLarge(a, landmarks, 0, maximum, progress.Part(0.0, 0.5)) }
-  , Two{ b, CoarseWhereLarge(b, landmarks, 1, maximum, progress.Part(0.5, 1.0)) }
+CoarsePair::CoarsePair(const Surface& a, const Surface& b, const Landmarks& landmarks, int maximum,
+  const Progress& progress)
+  : One{ a, CoarsenIfLarge(a, landmarks, 0, maximum, progress.Part(0.0, 0.5)) }
+  , Two{ b, CoarsenIfLarge(b, landmarks, 1, maximum, progress.Part(0.5, 1.0)) }
 {
 }
 
@@ -82,7 +82,7 @@ SurfacePoints CoarsePair::Lifted(
   const SurfacePoints& map, const Side& from, const Side& to, const Progress& progress)
 {
   SurfacePoints result =
-    from.Coarse ? Interpolated(map, *from.Coarse, to.Surface(), progress.Part(0.0, 0.5)) : map;
+    from.Coarse ? Interpolated(map, *from.Coarse, to.Working(), progress.Part(0.0, 0.5)) : map;
   return to.Coarse ? LocateOnFinerSurface(*to.Coarse, to.Fine, result, progress.Part(0.5, 1.0))
                    : result;
 }

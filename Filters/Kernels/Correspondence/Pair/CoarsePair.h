@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Remesh/Coarsening.h"
 
 #include <optional>
@@ -10,22 +10,21 @@
 namespace shape
 {
 
-/// Two surfaces, coarsened where they have more points than methods need to match them:
-/// eigenvalues, distances and iterations are found there in a fraction of the time, and the maps
-/// are carried to the fine surfaces.
+/// Two surfaces, coarsened if they have more points than methods need to match them: eigenvalues,
+/// distances and iterations take a fraction of the time there, and the maps are carried over to the
+/// fine surfaces.
 class CoarsePair
 {
 public:
-  /// a, b: as CoarsenSurface takes them; both are kept by reference. landmarks: points of both,
-  /// which stay. most: points of the coarse surfaces, about; 0: as they are. Throws InvalidInput,
-  /// Aborted.
-  CoarsePair(const Mesh& a, const Mesh& b, const Landmarks& landmarks, int maximum,
+  /// a, b: as CoarsenSurface takes them. landmarks: points of both, which stay. maximum: about the
+  /// number of points of the coarse surfaces; 0: as they are. Throws InvalidInput, Aborted.
+  CoarsePair(const Surface& a, const Surface& b, const Landmarks& landmarks, int maximum,
     const Progress& progress = {});
 
-  const Mesh& A() const { return this->One.Surface(); }
-  const Mesh& B() const { return this->Two.Surface(); }
-  const Mesh& FineA() const { return this->One.Fine; }
-  const Mesh& FineB() const { return this->Two.Fine; }
+  const Surface& A() const { return this->One.Working(); }
+  const Surface& B() const { return this->Two.Working(); }
+  const Surface& FineA() const { return this->One.Fine; }
+  const Surface& FineB() const { return this->Two.Fine; }
   bool IsCoarser() const { return this->One.Coarse || this->Two.Coarse; }
 
   int FinePointOfA(int point) const { return this->One.FinePoint(point); }
@@ -35,16 +34,17 @@ public:
   Landmarks OnCoarse(const Landmarks& landmarks) const;
   Landmarks OnFine(const Landmarks& landmarks) const;
 
-  /// Maps of the coarse surfaces on the fine ones. The image of a fine point is the place nearest
-  /// to the mean of where the corners of its place on the coarse surface go, walking from there.
+  /// Maps of the coarse surfaces on the fine ones. The image of a fine point is the position
+  /// nearest to the mean of the images of the corners around its position on the coarse surface,
+  /// found by a walk from there.
   SurfaceMaps OnFine(const SurfaceMaps& maps, const Progress& progress = {}) const;
 
 private:
   struct Side
   {
-    const Mesh& Fine;
+    Surface Fine;
     std::optional<CoarseSurface> Coarse;
-    const Mesh& Surface() const { return this->Coarse ? this->Coarse->Surface : this->Fine; }
+    const Surface& Working() const { return this->Coarse ? this->Coarse->Surface : this->Fine; }
     int FinePoint(int point) const { return this->Coarse ? this->Coarse->Points[point] : point; }
     int CoarsePoint(int point) const;
   };

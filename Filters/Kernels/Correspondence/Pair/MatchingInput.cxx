@@ -10,21 +10,21 @@
 namespace shape
 {
 
-void RequireArea(const Mesh& mesh, const std::string& name)
+void RequireArea(const Surface& surface, const std::string& name)
 {
-  const double area = ComputePointAreas(mesh).sum();
+  const double area = ComputePointAreas(surface).sum();
   if (!(area > 0.0 && std::isfinite(area)))
   {
-    std::ostringstream side;
-    side << ComputeLongestBoxEdge(mesh.Points);
+    std::ostringstream longest;
+    longest << ComputeLongestBoxEdge(surface.Points());
     throw InvalidInput(name + " has no area that double precision can hold (its longest side is " +
-      side.str() + "); scale it or check its coordinates");
+      longest.str() + "); scale it or check its coordinates");
   }
 }
 
-Topology RequireWhole(const Mesh& mesh, const std::string& name)
+Topology RequireWhole(const Surface& surface, const std::string& name)
 {
-  Topology topology = RequireManifold(mesh, name);
+  Topology topology = RequireManifold(surface, name);
   const auto unused = (topology.ComponentId.array() < 0).count();
   if (unused > 0)
   {
@@ -34,13 +34,13 @@ Topology RequireWhole(const Mesh& mesh, const std::string& name)
       " points that no triangle uses (first at point " + std::to_string(first) +
       "); remove them with Clean");
   }
-  RequireArea(mesh, name);
+  RequireArea(surface, name);
   return topology;
 }
 
-Topology RequireConnected(const Mesh& mesh, const std::string& name)
+Topology RequireConnected(const Surface& surface, const std::string& name)
 {
-  Topology topology = RequireWhole(mesh, name);
+  Topology topology = RequireWhole(surface, name);
   if (topology.Components > 1)
   {
     throw InvalidInput(name + " has " + std::to_string(topology.Components) +
@@ -50,13 +50,13 @@ Topology RequireConnected(const Mesh& mesh, const std::string& name)
   return topology;
 }
 
-void RequireLandmarks(const Landmarks& landmarks, const Mesh& a, const Mesh& b)
+void RequireLandmarks(const Landmarks& landmarks, const Surface& a, const Surface& b)
 {
   for (std::size_t k = 0; k < landmarks.size(); ++k)
   {
     for (const int which : { 0, 1 })
     {
-      const auto points = static_cast<int>((which == 0 ? a : b).Points.rows());
+      const auto points = static_cast<int>((which == 0 ? a : b).Points().rows());
       const int point = landmarks[k][which];
       if (point < 0 || point >= points)
       {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
 #include <string>
@@ -11,18 +11,18 @@ namespace shape
 
 // What methods that match two surfaces ask of them. `name` is what messages call one: "surface A".
 
-/// Throws InvalidInput unless the mesh has an area.
-void RequireArea(const Mesh& mesh, const std::string& name);
+/// Throws InvalidInput unless the surface has an area.
+void RequireArea(const Surface& surface, const std::string& name);
 
-/// Throws InvalidInput unless the mesh is a consistently oriented 2-manifold with an area, open or
-/// closed, and a triangle at each point.
-Topology RequireWhole(const Mesh& mesh, const std::string& name);
+/// Throws InvalidInput unless the surface is a consistently oriented 2-manifold with an area, open
+/// or closed, and a triangle at each point.
+Topology RequireWhole(const Surface& surface, const std::string& name);
 
 /// The same, and of one component.
-Topology RequireConnected(const Mesh& mesh, const std::string& name);
+Topology RequireConnected(const Surface& surface, const std::string& name);
 
 /// Throws InvalidInput unless landmarks are points of surfaces A and B.
-void RequireLandmarks(const Landmarks& landmarks, const Mesh& a, const Mesh& b);
+void RequireLandmarks(const Landmarks& landmarks, const Surface& a, const Surface& b);
 
 /// The landmarks' points of A (which = 0) or B (1).
 std::vector<int> PointsOf(const Landmarks& landmarks, int which);

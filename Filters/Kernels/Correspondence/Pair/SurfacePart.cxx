@@ -15,7 +15,7 @@ namespace shape
 namespace
 {
 
-/// Every so many of the landmarks, at most 12: more tell no more of the scale.
+/// Landmarks at even intervals, at most 12: more tell no more of the scale.
 Landmarks Some(const Landmarks& landmarks)
 {
   constexpr std::size_t maximum = 12;
@@ -37,7 +37,7 @@ double Median(std::vector<double> values)
 
 /// Logarithms of the distances on B over those on A of every two landmarks; at least one.
 std::vector<double> Ratios(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress)
+  const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress)
 {
   const Landmarks some = Some(landmarks);
   const std::vector<int> onA = PointsOf(some, 0), onB = PointsOf(some, 1);
@@ -68,7 +68,7 @@ std::vector<double> Ratios(
 
 } // namespace
 
-SurfacePart MeasurePart(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+SurfacePart MeasurePart(const Surface& a, const Surface& b, const Landmarks& landmarks,
   SurfacePart::WhichType which, const Progress& progress)
 {
   const std::vector<double> ratios = Ratios(a, b, landmarks, progress);
@@ -87,12 +87,12 @@ SurfacePart MeasurePart(const Mesh& a, const Mesh& b, const Landmarks& landmarks
 }
 
 SurfacePart FindPart(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const Progress& progress)
+  const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress)
 {
   using Which = SurfacePart::WhichType;
   const double ratio = ComputePointAreas(b).sum() / ComputePointAreas(a).sum();
   SurfacePart part{ Which::None, std::sqrt(ratio), 1.0 };
-  const Topology ofA = ComputeTopology(a), ofB = ComputeTopology(b);
+  const Topology &ofA = a.Topology(), &ofB = b.Topology();
   const bool isOpenA = ofA.BoundaryLoops > 0, isOpenB = ofB.BoundaryLoops > 0;
   constexpr std::size_t fewest = 3;
   if ((!isOpenA && !isOpenB) || ofA.Components > 1 || ofB.Components > 1 ||

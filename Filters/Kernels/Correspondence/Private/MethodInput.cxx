@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace shape
 {
@@ -129,14 +130,14 @@ void RequireEnoughLandmarks(const Landmarks& landmarks, Method method)
 
 } // namespace
 
-void RequireMethodInput(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const CorrespondenceOptions& options)
+void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& landmarks,
+  const CorrespondenceOptions& options)
 {
   bool areClosed = true;
-  for (const auto& [mesh, name] : { std::pair(&a, "SurfaceA"), std::pair(&b, "SurfaceB") })
+  for (const auto& [surface, name] : { std::pair(&a, "SurfaceA"), std::pair(&b, "SurfaceB") })
   {
-    const Topology topology = RequireManifold(*mesh, name);
-    RequireArea(*mesh, name);
+    const Topology topology = RequireManifold(*surface, name);
+    RequireArea(*surface, name);
     RequireComponents(topology, name, !landmarks.empty(), options);
     RequireSphereLike(topology, name, options.Method);
     areClosed = areClosed && topology.BoundaryLoops == 0;

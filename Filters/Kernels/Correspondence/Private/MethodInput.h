@@ -1,14 +1,15 @@
 #pragma once
 
-#include "Correspondence/Correspondence.h"
-#include "Mesh/Mesh.h"
+#include "Correspondence/CorrespondenceOptions.h"
+#include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
 
 /**
- * Throws InvalidInput unless the method of `options` can match the surfaces from the landmarks, or
- * from none, and names one that can:
+ * Throws InvalidInput, with a method that can, unless the method of `options` can match the
+ * surfaces from the landmarks, or from none:
  *
  * - surfaces have an area; of two closed ones both face outwards, or both inwards;
  * - of several components: FunctionalMap and HeatKernel, from landmarks;
@@ -20,7 +21,7 @@ namespace shape
  * a, b: consistently oriented 2-manifolds, open or closed; points that no triangle uses do not
  * count.
  */
-void RequireMethodInput(
-  const Mesh& a, const Mesh& b, const Landmarks& landmarks, const CorrespondenceOptions& options);
+void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& landmarks,
+  const CorrespondenceOptions& options);
 
 } // namespace shape

@@ -5,6 +5,7 @@
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 #include "Search/TriangleTree.h"
+#include "Spectrum/Smacof.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 
 namespace shape
 {
+
 namespace
 {
 
@@ -27,16 +29,16 @@ struct Weights
   double Alpha, Beta;
 };
 
-/// One of the two surfaces, its map onto the other one and what stands for the map's image.
+/// One of the two surfaces, its map onto the other one and the variable that stands for its image.
 class Side
 {
 public:
   Side(const EmbeddedSurface& given, SurfacePoints start)
-    : Triangles(given.Surface.Triangles)
+    : Triangles(given.Surface.Triangles())
     , Embedding(given.Embedding)
     , Map(std::move(start))
   {
-    const Eigen::Index points = given.Surface.Points.rows();
+    const Eigen::Index points = given.Surface.Points().rows();
     const TriangleAngles angles = ComputeTriangleAngles(given.Surface);
     this->Stiffness = BuildPositiveStiffness(
       BuildCotangentStiffness(this->Triangles, angles.Cotangents, points), 0.0);
@@ -60,7 +62,7 @@ public:
     }
   }
 
-  /// P: the nearest places of the other surface to this one's points.
+  /// P: the positions on the other surface nearest to this one's points.
   void Project(const Side& other, const Weights& weights, const Progress& progress)
   {
     const double reversibility = std::sqrt(1.0 - weights.Alpha), penalty = std::sqrt(weights.Beta);
@@ -95,7 +97,7 @@ public:
       progress);
   }
 
-  /// X: the least of the energy, which is quadratic in it.
+  /// X: the minimum of the energy, which is quadratic in it.
   void Solve(const Side& other, const Weights& weights)
   {
     Eigen::SparseMatrix<double> matrix = weights.Alpha * this->Stiffness;
@@ -197,7 +199,7 @@ void Pin(Side& one, Side& two, const SurfaceMaps& partners, const Landmarks& lan
   two.Pin(ofB);
 }
 
-SurfaceMaps Partners(const Mesh& a, const Mesh& b, const Landmarks& landmarks)
+SurfaceMaps Partners(const Surface& a, const Surface& b, const Landmarks& landmarks)
 {
   Eigen::VectorXi onA(static_cast<Eigen::Index>(landmarks.size())), onB(onA.size());
   for (Eigen::Index i = 0; i < onA.size(); ++i)
@@ -210,11 +212,11 @@ SurfaceMaps Partners(const Mesh& a, const Mesh& b, const Landmarks& landmarks)
 
 } // namespace
 
-ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Mesh& a, const Mesh& b,
+ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Surface& a, const Surface& b,
   const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
   const Progress& progress)
 {
-  const auto embedded = [&](const Mesh& surface, const Progress& part)
+  const auto embedded = [&](const Surface& surface, const Progress& part)
   {
     return EmbeddedSurface{ surface,
       EmbedBySmacof(surface, options.Scaling, part) / std::sqrt(ComputePointAreas(surface).sum()) };
@@ -271,6 +273,53 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
   }
   result.Maps = { std::move(one.Map), std::move(two.Map) };
   progress(1.0);
+  return result;
+}
+
+namespace
+{
+
+EmbeddedSurface Embedded(const Surface& surface, const EmbeddedSamples& samples)
+{
+  return { surface,
+    ExtendBiharmonically(surface, samples) / std::sqrt(ComputePointAreas(surface).sum()) };
+}
+
+} // namespace
+
+ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
+  const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
+  const Progress& progress)
+{
+  EmbeddedSamples ofA = EmbedSamples(pair.A(), options.Scaling, progress.Part(0.0, 0.1)),
+                  ofB = EmbedSamples(pair.B(), options.Scaling, progress.Part(0.1, 0.2));
+  const double share = pair.IsCoarser() ? 0.4 : 1.0;
+  ReversibleHarmonicResult result = ComputeReversibleHarmonicMap(Embedded(pair.A(), ofA),
+    Embedded(pair.B(), ofB), start, landmarks, options, progress.Part(0.2, share));
+  if (!pair.IsCoarser())
+  {
+    return result;
+  }
+  for (int& point : ofA.Points)
+  {
+    point = pair.FinePointOfA(point);
+  }
+  for (int& point : ofB.Points)
+  {
+    point = pair.FinePointOfB(point);
+  }
+  // The last quarter of the steps in which alpha falls: smooth first, then each other's inverse.
+  ReversibleHarmonicOptions fine = options;
+  const int quarter = std::max(1, options.AlphaSteps / 4);
+  fine.FirstIteration = std::max(options.FirstIteration, options.AlphaSteps - quarter + 2);
+  fine.MaximumIterations = std::min(quarter, options.MaximumIterations);
+  const EmbeddedSurface fineA = Embedded(pair.FineA(), ofA);
+  progress(0.45);
+  const EmbeddedSurface fineB = Embedded(pair.FineB(), ofB);
+  result.Maps =
+    ComputeReversibleHarmonicMap(fineA, fineB, pair.OnFine(result.Maps, progress.Part(0.5, 0.55)),
+      pair.OnFine(landmarks), fine, progress.Part(0.55, 1.0))
+      .Maps;
   return result;
 }
 

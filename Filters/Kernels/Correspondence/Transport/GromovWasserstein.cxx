@@ -73,7 +73,7 @@ Eigen::MatrixXd Likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 
 /// Where each point of `from` goes, by the masses that go from its samples to those of `to`.
 SurfacePoints Spread(const LaplaceSpectrum& from, const std::vector<int>& samples,
-  const Mesh& target, const LaplaceSpectrum& to, const std::vector<int>& targetSamples,
+  const Surface& target, const LaplaceSpectrum& to, const std::vector<int>& targetSamples,
   const Eigen::MatrixXd& masses, const Progress& progress)
 {
   const Eigen::VectorXd weights = masses.rowwise().sum(), roots = weights.cwiseSqrt();
@@ -84,11 +84,11 @@ SurfacePoints Spread(const LaplaceSpectrum& from, const std::vector<int>& sample
                                 .colPivHouseholderQr()
                                 .solve(roots.asDiagonal() * images);
   return FindNearestSurfacePoints(
-    from.Eigenfunctions * map, target.Triangles, to.Eigenfunctions, progress);
+    from.Eigenfunctions * map, target.Triangles(), to.Eigenfunctions, progress);
 }
 
 /// What couplings begin with.
-std::vector<Landmarks> Starts(const Mesh& a, const Mesh& b, const Landmarks& landmarks,
+std::vector<Landmarks> Starts(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const GromovWassersteinOptions& options, const Progress& progress)
 {
   if (!landmarks.empty())
@@ -106,7 +106,7 @@ std::vector<Landmarks> Starts(const Mesh& a, const Mesh& b, const Landmarks& lan
 
 } // namespace
 
-GromovWassersteinResult ComputeGromovWassersteinMap(const Mesh& a, const Mesh& b,
+GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const GromovWassersteinOptions& options, const Progress& progress)
 {
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");

@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Correspondence/Transport/GromovWassersteinCoupling.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <vector>
 
@@ -39,17 +39,17 @@ struct GromovWassersteinResult
  * samples, and once more, from eight times its last value, on all of them. Landmarks are samples
  * that go to each other; the start is how alike samples lie to them (EmbedByLandmarks). Without
  * landmarks nothing is fixed, and of the couplings of all starts, on a quarter of the samples, the
- * one with the least distortion is taken.
+ * one with the smallest distortion is taken.
  *
  * From the samples to all points: each sample's image is the mean of B's eigenfunctions over what
  * goes there, interpolated by the eigenfunctions of A in least squares ("soft" functional maps,
- * section 4 of the paper); each point goes to a place near its row there
+ * section 4 of the paper); each point goes to a position near its row there
  * (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus, with a
- * triangle at each point. Sizes may differ. Throws InvalidInput where not, SolveFailure, Aborted.
+ * triangle at each point. Sizes may differ. Throws InvalidInput if not, SolveFailure, Aborted.
  */
-GromovWassersteinResult ComputeGromovWassersteinMap(const Mesh& a, const Mesh& b,
+GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const GromovWassersteinOptions& options = {},
   const Progress& progress = {});
 

@@ -46,12 +46,12 @@ void Check(
     start.rows() != spaces.WeightsA.size() || start.cols() != spaces.WeightsB.size() ||
     !(spaces.WeightsA.minCoeff() > 0.0 && spaces.WeightsB.minCoeff() > 0.0))
   {
-    throw InvalidInput("places must have positive weights, and the start a row for each of A and "
+    throw InvalidInput("samples must have positive weights, and the start a row for each of A and "
                        "a column for each of B");
   }
 }
 
-/// Lets the places of fixed pairs go nowhere else.
+/// Lets the samples of fixed pairs go nowhere else.
 void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
 {
   for (const auto& [i, j] : fixed)

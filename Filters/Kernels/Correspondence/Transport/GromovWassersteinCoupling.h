@@ -10,7 +10,7 @@
 namespace shape
 {
 
-/// Two sets of places, each with the distances between its places (s x s, symmetric, in units in
+/// Two sets of samples, each with the distances between its samples (s x s, symmetric, in units in
 /// which the longest of both sets is 1) and their weights (s; positive, the sum is 1).
 struct MetricSpaces
 {
@@ -30,13 +30,13 @@ struct EntropicCouplingOptions
 
 struct EntropicCoupling
 {
-  Eigen::MatrixXd Masses;         ///< sA x sB: how much of A's place i goes to B's place j
+  Eigen::MatrixXd Masses;         ///< sA x sB: how much of A's sample i goes to B's sample j
   std::vector<double> Objectives; ///< after each iteration that was kept
   std::vector<double> Entropies;  ///< that each of them had
   /// The root of the mean square of the differences of distances, weighted with the masses of both
   /// ends, in the unit that the longest distance is.
   double Distortion = 0.0;
-  double Error = 0.0; ///< how far the masses of A's places are from their weights, summed up
+  double Error = 0.0; ///< how far the masses of A's samples are from their weights, summed up
 };
 
 /**
@@ -52,9 +52,9 @@ struct EntropicCoupling
  * raises it, it is taken back and damped: done with masses between the last and the new ones, as
  * powers (the paper's eta).
  *
- * start: sA x sB, how much a place of A is like one of B, in logarithms; the first masses are in
- * proportion to its exponentials. fixed: places that go to each other, of equal weight, none twice.
- * Throws InvalidInput, SolveFailure where the masses stay far from the weights, Aborted.
+ * start: sA x sB, how much a sample of A is like one of B, in logarithms; the first masses are in
+ * proportion to its exponentials. fixed: samples that go to each other, of equal weight, none
+ * twice. Throws InvalidInput, SolveFailure where the masses stay far from the weights, Aborted.
  */
 EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed = {}, const EntropicCouplingOptions& options = {},

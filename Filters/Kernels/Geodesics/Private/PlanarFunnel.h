@@ -8,8 +8,8 @@
 namespace shape
 {
 
-/// A point of the border of a strip in the plane, and the one that the shortest path from the start
-/// comes from.
+/// A point on the boundary of a strip in the plane, and the one that the shortest path from the
+/// start comes from.
 struct FunnelPoint
 {
   Eigen::RowVector2d Position;

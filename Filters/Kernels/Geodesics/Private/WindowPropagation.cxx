@@ -25,7 +25,7 @@ double Crossing(
   return std::isfinite(share) ? std::clamp(share, 0.0, 1.0) * way.norm() : 0.0;
 }
 
-/// A place in the frame of the side from `from` to `to`.
+/// A position in the frame of the half-edge from `from` to `to`.
 Eigen::Vector2d InFrame(
   const Eigen::Vector2d& position, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
@@ -34,6 +34,43 @@ Eigen::Vector2d InFrame(
 }
 
 } // namespace
+
+HalfEdgeFrames::HalfEdgeFrames(const Surface& surface)
+  : Begins(surface.Triangles().size())
+  , Twins(surface.Twins())
+  , Lengths(surface.Triangles().size())
+  , Opposites(surface.Triangles().size())
+  , Angles(surface.Points().rows(), 0.0)
+  , OnBoundary(surface.Points().rows(), 0)
+  , From(surface.Points().rows())
+{
+  const Mesh& mesh = surface;
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::Matrix3d corners = GetCorners(mesh, t);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int side = static_cast<int>(3 * t + k);
+      const Eigen::RowVector3d along = corners.row((k + 1) % 3) - corners.row(k),
+                               there = corners.row((k + 2) % 3) - corners.row(k);
+      const double length = along.norm();
+      this->Begins[side] = mesh.Triangles(t, k);
+      this->Lengths[side] = length;
+      const double x = length > 0.0 ? along.dot(there) / length : 0.0;
+      const double y = length > 0.0 ? along.cross(there).norm() / length : there.norm();
+      this->Opposites[side] = { x, y };
+      this->Angles[mesh.Triangles(t, k)] += std::atan2(y, x);
+      this->From[mesh.Triangles(t, k)].push_back(side);
+    }
+  }
+  for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
+  {
+    if (this->Twins[side] < 0)
+    {
+      this->OnBoundary[this->Begin(side)] = this->OnBoundary[this->End(side)] = 1;
+    }
+  }
+}
 
 double WindowPropagation::Window::DistanceAt(double x) const
 {
@@ -46,7 +83,7 @@ double WindowPropagation::Window::Minimum() const
 }
 
 WindowPropagation::WindowPropagation(const Mesh& mesh, const HalfEdgeFrames& frames)
-  : Surface(mesh)
+  : Triangulation(mesh)
   , Frames(frames)
   , Lengths(Eigen::VectorXd::Constant(mesh.Points.rows(), Infinity))
   , CornerDistances(mesh.Triangles.size(), Infinity)
@@ -74,7 +111,7 @@ void WindowPropagation::SetGoal(int triangle, const Eigen::RowVector3d& weights)
 {
   this->Goal.Triangle = triangle;
   this->Goal.Weights = weights;
-  this->Goal.Position = weights * GetCorners(this->Surface, triangle);
+  this->Goal.Position = weights * GetCorners(this->Triangulation, triangle);
 }
 
 void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
@@ -133,26 +170,27 @@ double WindowPropagation::Done() const
 /// No path from a point to the goal is shorter.
 double WindowPropagation::Ahead(int point) const
 {
-  return this->Goal.Triangle < 0 ? 0.0
-                                 : (this->Surface.Points.row(point) - this->Goal.Position).norm();
+  return this->Goal.Triangle < 0
+    ? 0.0
+    : (this->Triangulation.Points.row(point) - this->Goal.Position).norm();
 }
 
-/// The same from any place of a side.
+/// The same from any position on a half-edge.
 double WindowPropagation::AheadOfHalfEdge(int side) const
 {
   if (this->Goal.Triangle < 0)
   {
     return 0.0;
   }
-  const Eigen::RowVector3d begin = this->Surface.Points.row(this->Frames.Begin(side)),
-                           way = this->Surface.Points.row(this->Frames.End(side)) - begin,
+  const Eigen::RowVector3d begin = this->Triangulation.Points.row(this->Frames.Begin(side)),
+                           way = this->Triangulation.Points.row(this->Frames.End(side)) - begin,
                            there = this->Goal.Position - begin;
   const double square = way.squaredNorm();
   const double share = square > 0.0 ? std::clamp(way.dot(there) / square, 0.0, 1.0) : 0.0;
   return (there - share * way).norm();
 }
 
-/// A place in the triangle of a side, in the side's frame.
+/// A position in the triangle of a half-edge, in its frame.
 Eigen::Vector2d WindowPropagation::PositionInFrame(
   int side, const Eigen::RowVector3d& weights) const
 {
@@ -160,13 +198,13 @@ Eigen::Vector2d WindowPropagation::PositionInFrame(
     weights(PreviousHalfEdge(side) % 3) * this->Frames.Opposite(side);
 }
 
-/// Sees the three sides from a place in their triangle.
+/// Sees the three edges of a triangle from a position in it.
 void WindowPropagation::SeeFrom(int triangle, const Eigen::RowVector3d& weights)
 {
   if (triangle == this->Goal.Triangle)
   {
     this->Goal.Nearest = std::min(this->Goal.Nearest,
-      (weights * GetCorners(this->Surface, triangle) - this->Goal.Position).norm());
+      (weights * GetCorners(this->Triangulation, triangle) - this->Goal.Position).norm());
   }
   for (int k = 0; k < 3; ++k)
   {
@@ -180,8 +218,8 @@ void WindowPropagation::SeeFrom(int triangle, const Eigen::RowVector3d& weights)
   }
 }
 
-/// Makes a window on the other side of an edge, where it is not useless. begin, end, eye: in the
-/// frame of `side`, from which it is seen.
+/// Makes a window on the other side of an edge unless it is useless. begin, end, eye: in the frame
+/// of `side`, from which it is seen.
 void WindowPropagation::See(
   int side, double begin, double end, const Eigen::Vector2d& eye, double behind)
 {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "Geodesics/Private/HalfEdgeFrames.h"
+#include "Mesh/HalfEdges.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -11,6 +12,34 @@
 
 namespace shape
 {
+
+/// The half-edges of a surface as frames in the plane: half-edge 3 t + k runs from corner k of
+/// triangle t, at the origin, to the next one along the x axis, and its triangle is above.
+class HalfEdgeFrames
+{
+public:
+  /// surface: a consistently oriented 2-manifold, open or closed.
+  explicit HalfEdgeFrames(const Surface& surface);
+
+  int Begin(int side) const { return this->Begins[side]; } ///< the point
+  int End(int side) const { return this->Begins[NextHalfEdge(side)]; }
+  int Twin(int side) const { return this->Twins[side]; } ///< in the adjacent triangle; -1: none
+  double Length(int side) const { return this->Lengths[side]; }
+  /// The corner opposite, in the frame.
+  const Eigen::Vector2d& Opposite(int side) const { return this->Opposites[side]; }
+
+  double Angle(int point) const { return this->Angles[point]; } ///< of all its corners
+  bool IsOnBoundary(int point) const { return this->OnBoundary[point] != 0; }
+  const std::vector<int>& HalfEdgesFrom(int point) const { return this->From[point]; }
+
+private:
+  std::vector<int> Begins, Twins;
+  std::vector<double> Lengths;
+  std::vector<Eigen::Vector2d> Opposites;
+  std::vector<double> Angles;
+  std::vector<char> OnBoundary;
+  std::vector<std::vector<int>> From;
+};
 
 /**
  * Carries windows across a surface in the order of the shortest path that may lead through them:
@@ -22,10 +51,10 @@ public:
   /// Keeps references to both, which are of one surface.
   WindowPropagation(const Mesh& mesh, const HalfEdgeFrames& frames);
 
-  /// A place, by its barycentric coordinates in a triangle.
+  /// A position, by its barycentric coordinates in a triangle.
   void AddSeed(int triangle, const Eigen::RowVector3d& weights);
 
-  /// Looks for the path to this place alone, first where it can be shortest by the straight
+  /// Looks for the path to this position alone, first where it can be shortest by the straight
   /// distances that are left (Hart, Nilsson and Raphael 1968). Before AddSeed.
   void SetGoal(int triangle, const Eigen::RowVector3d& weights);
 
@@ -41,13 +70,13 @@ public:
   /// To the goal; infinite where no path leads.
   double GoalDistance() const { return this->Goal.Nearest; }
 
-  /// Forgets the seeds and the goal, in a time that the last computation's is longer than.
+  /// Forgets the seeds and the goal, in less time than the last computation took.
   void Clear();
 
 private:
   static constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-  /// An interval of a side that is seen from a place: in the side's frame, below the x axis.
+  /// An interval of a half-edge that is seen from a position: in its frame, below the x axis.
   struct Window
   {
     int Side = -1; ///< of the triangle that it is carried into
@@ -87,7 +116,7 @@ private:
   void SendOut(int point);
   void Carry(const Window& window);
 
-  const Mesh& Surface;
+  const Mesh& Triangulation;
   const HalfEdgeFrames& Frames;
   Eigen::VectorXd Lengths;
   std::vector<double> CornerDistances, CornerEntries; ///< of the window nearest to each corner

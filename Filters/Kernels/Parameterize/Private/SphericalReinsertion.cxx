@@ -1,7 +1,6 @@
 #include "Parameterize/Private/SphericalReinsertion.h"
 
 #include "Base/Errors.h"
-#include "Parameterize/Private/StarKernel.h"
 #include "Parameterize/Private/VertexRings.h"
 #include "Parameterize/SphericalRelaxation.h"
 #include "Parameterize/SphericalTriangles.h"

@@ -40,4 +40,17 @@ private:
   int Count;
 };
 
+/// Whether every triangle from `position` to an edge of the ring, a closed polygon of `points` on
+/// the unit sphere that runs counter-clockwise, faces outwards for certain.
+bool IsInStarKernel(
+  const Eigen::MatrixXd& points, const Eigen::RowVector3d& position, const std::vector<int>& ring);
+
+/**
+ * Moves points.row(point) to a position on the unit sphere that sees the whole ring: the centre of
+ * the ring's kernel, found by clipping the lune at ring[0] with the planes of the other edges.
+ * ring[0] must see all edges but its own two, as after a half-edge collapse; then the kernel is not
+ * empty. Returns false, and moves nothing, if rounding leaves no such position.
+ */
+bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<int>& ring);
+
 } // namespace shape

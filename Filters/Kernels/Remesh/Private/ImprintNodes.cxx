@@ -12,7 +12,7 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// A place moved to the edge or the point that it is near to.
+/// A position moved to the edge or the point that it is near to.
 RowVector3d Snapped(const Eigen::Matrix3d& corners, RowVector3d place, double share)
 {
   constexpr double rounding = 1e-10; // the parts that are counted are smaller
@@ -98,7 +98,7 @@ const std::map<std::int64_t, int>& ImprintNodes::OnEdge(int a, int b) const
   return found == this->EdgeNodes.end() ? none : found->second;
 }
 
-/// One at the same place has the same.
+/// One at the same position has the same.
 int ImprintNodes::NumberOf(const std::array<std::int64_t, 4>& key, const SurfacePoint& place)
 {
   const auto found = this->Numbers.find(key);

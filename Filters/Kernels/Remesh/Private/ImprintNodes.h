@@ -31,11 +31,11 @@ struct ImprintNode
 /// The edge that two nodes lie on.
 PointPair FindCommonEdge(const ImprintNode& a, const ImprintNode& b);
 
-/// Numbers the places that loops over a surface run through: each once.
+/// Numbers the positions that loops over a surface run through: each once.
 class ImprintNodes
 {
 public:
-  /// Edges, and barycentric coordinates, are counted in so many parts: their sums and differences
+  /// Edges, and barycentric coordinates, are counted in this many parts: their sums and differences
   /// are exact.
   static constexpr double Parts = 1099511627776.0; // 2^40
 
@@ -46,7 +46,7 @@ public:
   {
   }
 
-  /// The node at a place, which may be moved to an edge or a point that it is near to.
+  /// The node at a position, which may be moved to an edge or a point that it is near to.
   ImprintNode At(const SurfacePoint& position);
 
   /// The number of a further new point.
@@ -68,7 +68,7 @@ private:
   const Mesh& Surface;
   double SnapShare;
   std::vector<SurfacePoint> Positions;
-  std::map<std::array<std::int64_t, 4>, int> Numbers; ///< of new points, by their place
+  std::map<std::array<std::int64_t, 4>, int> Numbers; ///< of new points, by their position
   std::map<PointPair, std::map<std::int64_t, int>> EdgeNodes;
 };
 

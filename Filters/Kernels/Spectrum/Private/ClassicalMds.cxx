@@ -36,18 +36,18 @@ Eigen::MatrixXd ComputeScalingAxes(const Eigen::MatrixXd& squares, int dimension
 }
 
 Eigen::MatrixXd EmbedByClassicalMds(
-  const Mesh& mesh, int dimensions, int samples, const Progress& progress)
+  const Surface& surface, int dimensions, int samples, const Progress& progress)
 {
-  const Topology topology = RequireManifold(mesh, "the surface");
+  const Topology topology = RequireManifold(surface, "the surface");
   if (topology.Components > 1)
   {
     throw InvalidInput("the surface has " + std::to_string(topology.Components) +
       " components, between which there are no distances; give one of them, or use the spectral "
       "embedding");
   }
-  const std::vector<int> points = SampleFarthestPoints(mesh, samples, progress.Part(0.0, 0.2));
+  const std::vector<int> points = SampleFarthestPoints(surface, samples, progress.Part(0.0, 0.2));
   Eigen::MatrixXd squares =
-    ComputeHeatDistances(mesh, points, progress.Part(0.2, 0.9)).array().square();
+    ComputeHeatDistances(surface, points, progress.Part(0.2, 0.9)).array().square();
   squares = squares.array().isFinite().select(squares, 0.0);
   Eigen::MatrixXd between = squares(points, Eigen::all);
   between = 0.5 * (between + between.transpose()).eval();

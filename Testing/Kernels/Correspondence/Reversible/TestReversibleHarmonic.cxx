@@ -1,6 +1,5 @@
 #include "Base/Errors.h"
 #include "Correspondence/Landmarks/LandmarkCells.h"
-#include "Correspondence/Reversible/HarmonicLevels.h"
 #include "Correspondence/Reversible/ReversibleHarmonic.h"
 #include "Support/MatchingShapes.h"
 

@@ -15,13 +15,14 @@ namespace
 {
 
 /// Adds the points farthest along edges from `points` until there are `count`, or all.
-void AddFarthest(const Mesh& mesh, std::vector<int>& points, int count, const Progress& progress)
+void AddFarthest(
+  const Surface& surface, std::vector<int>& points, int count, const Progress& progress)
 {
   while (static_cast<int>(points.size()) < count)
   {
     const auto size = static_cast<Eigen::Index>(points.size());
     Eigen::Index farthest = 0;
-    ComputeEdgeGeodesics(mesh, { points, Eigen::VectorXd::Zero(size) }, progress)
+    ComputeEdgeGeodesics(surface, { points, Eigen::VectorXd::Zero(size) }, progress)
       .maxCoeff(&farthest);
     if (std::find(points.begin(), points.end(), static_cast<int>(farthest)) != points.end())
     {
@@ -31,50 +32,52 @@ void AddFarthest(const Mesh& mesh, std::vector<int>& points, int count, const Pr
   }
 }
 
-/// How far points are from the border along edges (n), infinite without one.
-Eigen::VectorXd BoundaryDistances(const Mesh& mesh, const Progress& progress)
+/// Distances of the points from the boundary along edges (n), infinite without one.
+Eigen::VectorXd BoundaryDistances(const Surface& surface, const Progress& progress)
 {
-  const std::vector<int> twins = FindTwins(mesh.Triangles, mesh.Points.rows());
+  const Eigen::MatrixXi& triangles = surface.Triangles();
+  const std::vector<int>& twins = surface.Twins();
   std::vector<int> boundary;
   for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
     if (twins[side] < 0)
     {
-      boundary.push_back(mesh.Triangles(side / 3, side % 3)); // the other end begins the next side
+      boundary.push_back(triangles(side / 3, side % 3)); // the other end begins the next side
     }
   }
   const auto size = static_cast<Eigen::Index>(boundary.size());
-  return ComputeEdgeGeodesics(mesh, { boundary, Eigen::VectorXd::Zero(size) }, progress);
+  return ComputeEdgeGeodesics(surface, { boundary, Eigen::VectorXd::Zero(size) }, progress);
 }
 
 } // namespace
 
-FeaturedSurface FindFeatures(const Mesh& mesh, int samples, int features, const Progress& progress)
+FeaturedSurface FindFeatures(
+  const Surface& surface, int samples, int features, const Progress& progress)
 {
   constexpr double minimum = 0.02; // persistence; less is noise
   constexpr int fewest = 6;
-  const SampledSurface sampled = SampleSurface(mesh, samples, progress.Part(0.0, 0.9));
+  const SampledSurface sampled = SampleSurface(surface, samples, progress.Part(0.0, 0.9));
   const Eigen::VectorXd remoteness = sampled.Distances * sampled.Weights;
-  FeaturedSurface surface;
-  surface.Features = FindPersistentMaxima(mesh.Triangles, remoteness, minimum, features);
-  AddFarthest(mesh, surface.Features, fewest, progress.Part(0.9, 0.9));
+  FeaturedSurface found;
+  found.Features = FindPersistentMaxima(surface.Triangles(), remoteness, minimum, features);
+  AddFarthest(surface, found.Features, fewest, progress.Part(0.9, 0.9));
   const Eigen::MatrixXd distances =
-    ComputeHeatDistances(mesh, surface.Features, progress.Part(0.9, 1.0)) / sampled.Length;
-  const Eigen::MatrixXd apart = distances(surface.Features, Eigen::all);
-  surface.Remoteness = remoteness(surface.Features);
-  surface.DistanceToBoundary =
-    BoundaryDistances(mesh, progress.Part(1.0, 1.0))(surface.Features) / sampled.Length;
-  surface.Apart = 0.5 * (apart + apart.transpose());
-  surface.Weights = sampled.Weights;
-  surface.Between = sampled.Between();
-  surface.ToFeatures = distances(sampled.Points, Eigen::all);
-  surface.Turns = ComputeGradientOrientations(mesh, distances, sampled.Points);
-  return surface;
+    ComputeHeatDistances(surface, found.Features, progress.Part(0.9, 1.0)) / sampled.Length;
+  const Eigen::MatrixXd apart = distances(found.Features, Eigen::all);
+  found.Remoteness = remoteness(found.Features);
+  found.DistanceToBoundary =
+    BoundaryDistances(surface, progress.Part(1.0, 1.0))(found.Features) / sampled.Length;
+  found.Apart = 0.5 * (apart + apart.transpose());
+  found.Weights = sampled.Weights;
+  found.Between = sampled.Between();
+  found.ToFeatures = distances(sampled.Points, Eigen::all);
+  found.Turns = ComputeGradientOrientations(surface, distances, sampled.Points);
+  return found;
 }
 
 FeaturedSurface RestrictToPart(const FeaturedSurface& surface, double share)
 {
-  constexpr double minimum = 0.1; // from the border, over the root of the area
+  constexpr double minimum = 0.1; // from the boundary, over the root of the area
   const Eigen::Index all = surface.DistanceToBoundary.size();
   const double scale = std::sqrt(share);
   std::vector<int> kept, columns;

@@ -10,10 +10,10 @@ namespace shape
 {
 
 /**
- * The points where a function (n) on a surface has maxima that stand out: a maximum is as
- * persistent as it is high above the highest pass to a higher one (Edelsbrunner, Letscher and
+ * The persistent maxima of a function (n) on a surface: the persistence of a maximum is its height
+ * above the highest saddle to a higher one (Edelsbrunner, Letscher and
  * Zomorodian, "Topological persistence and simplification", 2002); the highest one is as high as
- * the whole function. Those of at least `least` are returned, the most persistent first, at most
+ * the whole function. Those of at least `minimum` are returned, the most persistent first, at most
  * `count`. Of equal values the first point's is higher.
  */
 std::vector<int> FindPersistentMaxima(

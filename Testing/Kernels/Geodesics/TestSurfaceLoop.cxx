@@ -1,5 +1,5 @@
 #include "Base/Errors.h"
-#include "Geodesics/ClosedCurves.h"
+#include "Geodesics/SurfaceLoop.h"
 
 #include <gtest/gtest.h>
 
