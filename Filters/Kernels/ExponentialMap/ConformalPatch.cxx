@@ -88,7 +88,7 @@ Eigen::MatrixXd FlatPositions(const Mesh& part, bool refine, const Progress& pro
 } // namespace
 
 ExponentialPatch FlattenPatchConformally(
-  const Mesh& surface, const ExponentialPatch& patch, bool refine, const Progress& progress)
+  const Surface& surface, const ExponentialPatch& patch, bool refine, const Progress& progress)
 {
   const auto points = static_cast<int>(patch.Points.size());
   // The triangles' order is that of the front: the first is at the seed.
@@ -122,7 +122,7 @@ ExponentialPatch FlattenPatchConformally(
   part.Distances = patch.Distances(kept);
   part.Corners = Eigen::MatrixXi(patch.Corners(rows, Eigen::all))
                    .unaryExpr([&](int corner) { return number[corner]; });
-  const Mesh cut{ surface.Points(part.Points, Eigen::all), part.Corners };
+  const Mesh cut{ surface.Points()(part.Points, Eigen::all), part.Corners };
   RequireArea(cut);
   Eigen::MatrixXd positions = FlatPositions(cut, refine, progress);
   Align(part, positions);

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "ExponentialMap/ExponentialMap.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -19,7 +19,7 @@ namespace shape
  * triangles where the surface is very curved or coarse. Throws SolveFailure as MapWithFreeBoundary,
  * InvalidInput where the patch has no area, Aborted.
  */
-ExponentialPatch FlattenPatchConformally(
-  const Mesh& surface, const ExponentialPatch& patch, bool refine, const Progress& progress = {});
+ExponentialPatch FlattenPatchConformally(const Surface& surface, const ExponentialPatch& patch,
+  bool refine, const Progress& progress = {});
 
 } // namespace shape

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Geometry/TangentFrame.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
@@ -67,8 +67,8 @@ class ExponentialMap
 public:
   /// Throws InvalidInput where the surface has no triangle, an index is out of range, a coordinate
   /// is not finite or an option is out of range; Aborted.
-  explicit ExponentialMap(
-    const Mesh& surface, const ExponentialMapOptions& options = {}, const Progress& progress = {});
+  explicit ExponentialMap(const shape::Surface& surface, const ExponentialMapOptions& options = {},
+    const Progress& progress = {});
   ~ExponentialMap();
   ExponentialMap(ExponentialMap&&) noexcept;
   ExponentialMap& operator=(ExponentialMap&&) noexcept;
@@ -91,7 +91,7 @@ public:
   /// The unit normal at a place: those of its triangle's corners, as smoothed, and between them.
   Eigen::RowVector3d Normal(const ClosestPoint& position) const;
 
-  const Mesh& Surface() const;
+  const shape::Surface& Surface() const;
   const SurfaceLocator& Locator() const; ///< of the surface
 
 private:

@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Deform/BoundaryHandle.h"
+#include "Deform/Private/NodeDeformation.h"
 #include "Geometry/PointGraph.h"
 
 #include <Eigen/Core>
@@ -35,5 +36,10 @@ struct HandleSources
 /// or triangle out of range; Aborted.
 HandleSources AttachHandle(
   const PointGraph& shape, const BoundaryHandle& handle, const Progress& progress = {});
+
+/// The motions of the sources of a posed handle, in their order. scales: of offsets from the
+/// handle, for nodes that are only almost on it; one for each node.
+NodeTransforms MoveSources(const HandleSources& sources, const BoundaryHandle& handle,
+  const HandlePose& pose, const Eigen::VectorXd& scales);
 
 } // namespace shape
