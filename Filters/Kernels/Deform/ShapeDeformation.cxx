@@ -4,7 +4,7 @@
 #include "Deform/DeformOptions.h"
 #include "Deform/Private/BoundaryRelative.h"
 #include "Deform/Private/FrontDeformation.h"
-#include "Deform/Private/HandleSources.h"
+#include "Deform/Private/HandleAttachment.h"
 #include "Deform/Private/LaplacianSmoothing.h"
 #include "Deform/Private/MultiresolutionDeformation.h"
 #include "Deform/Private/SegmentHierarchy.h"

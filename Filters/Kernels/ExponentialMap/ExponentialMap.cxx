@@ -54,9 +54,9 @@ std::vector<char> NodesOnLoop(const Surface& welded)
   return onLoop;
 }
 
-/// The longest of a triangle's sides, squared.
+/// The length of a triangle's longest edge, squared.
 template <typename Corners>
-double LongestSide2(const Corners& a, const Corners& b, const Corners& c)
+double LongestEdge2(const Corners& a, const Corners& b, const Corners& c)
 {
   return std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
 }
@@ -128,8 +128,8 @@ void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
 
 void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
 {
-  constexpr double flat = 1e-14; // area of one that has none, of the longest side squared
-  constexpr double torn2 = 4.0;  // twice the length, squared
+  constexpr double flat = 1e-14; // area of one that has none, over the longest edge squared
+  constexpr double torn2 = 4.0;  // of twice the length, squared
   const std::vector<ExponentialFront::Triangle>& triangles = this->Front.Triangles();
   patch.Triangles.reserve(triangles.size());
   patch.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
@@ -148,8 +148,8 @@ void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
                       c = patch.Positions.row(patch.Corners(row, 2));
     const Eigen::Vector3d p = this->Front.Position(nodes[0]), q = this->Front.Position(nodes[1]),
                           r = this->Front.Position(nodes[2]);
-    const double longest2 = LongestSide2(p, q, r);
-    if (LongestSide2(a, b, c) > torn2 * longest2)
+    const double longest2 = LongestEdge2(p, q, r);
+    if (LongestEdge2(a, b, c) > torn2 * longest2)
     {
       patch.Torn.push_back(row);
     }
@@ -229,8 +229,8 @@ ExponentialPatch ExponentialMap::Around(
   if (seed.Triangle < 0 || seed.Triangle >= this->Surface().Triangles().rows() ||
     !seed.Barycentric.allFinite() || !xDirection.allFinite())
   {
-    throw InvalidInput("the seed is no place of the surface, or its x direction is not finite; "
-                       "take the closest place to a point");
+    throw InvalidInput("the seed is not on the surface, or its x direction is not finite; "
+                       "take the closest point of the surface");
   }
   ExponentialPatch patch;
   patch.Seed = BuildTangentFrame(

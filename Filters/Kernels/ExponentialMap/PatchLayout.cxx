@@ -36,8 +36,8 @@ int Mend(const Surface& surface, ExponentialPatch& patch, const Progress& progre
   return mended;
 }
 
-/// Of each triangle, whether it is neither flipped nor torn.
-Eigen::VectorXi SoundTriangles(const ExponentialPatch& patch)
+/// Whether each triangle is neither flipped nor torn.
+Eigen::VectorXi FindSoundTriangles(const ExponentialPatch& patch)
 {
   Eigen::VectorXi sound = Eigen::VectorXi::Ones(patch.Corners.rows());
   for (const auto* rows : { &patch.Flipped, &patch.Torn })
@@ -50,8 +50,8 @@ Eigen::VectorXi SoundTriangles(const ExponentialPatch& patch)
   return sound;
 }
 
-/// Of values (t), those that half of the weights, and 95 % of them, do not exceed; 0 without any.
-DistortionStatistics SpreadOf(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
+/// The weighted quantiles of values (t); 0 without any.
+DistortionStatistics ComputeQuantiles(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
 {
   std::vector<int> order(values.size());
   std::iota(order.begin(), order.end(), 0);
@@ -166,10 +166,10 @@ ExponentialFacts ComputeExponentialFacts(
   facts.SymmetricDirichlets =
     quality.Measures.col(static_cast<int>(MapMeasure::SymmetricDirichlet));
 
-  const Eigen::VectorXi sound = SoundTriangles(patch);
+  const Eigen::VectorXi sound = FindSoundTriangles(patch);
   const Eigen::VectorXd areas = quality.Sizes.cwiseProduct(sound.cast<double>());
-  facts.ConformalDistortion = SpreadOf(facts.ConformalDistortions, areas);
-  facts.SymmetricDirichlet = SpreadOf(facts.SymmetricDirichlets, areas);
+  facts.ConformalDistortion = ComputeQuantiles(facts.ConformalDistortions, areas);
+  facts.SymmetricDirichlet = ComputeQuantiles(facts.SymmetricDirichlets, areas);
   double area = 0.0;
   for (Eigen::Index row = 0; row < patch.Corners.rows(); ++row)
   {
