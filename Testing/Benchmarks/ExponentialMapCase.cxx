@@ -1,7 +1,6 @@
 // Exponential maps around random seeds of a surface, measured: see Usage.
 #include "BenchmarkData.h"
 
-#include "ExponentialMap/ExponentialFacts.h"
 #include "ExponentialMap/ExponentialMap.h"
 #include "ExponentialMap/PatchLayout.h"
 #include "Parameterize/FlipRepair.h"

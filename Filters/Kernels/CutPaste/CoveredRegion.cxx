@@ -1,7 +1,6 @@
 #include "CutPaste/CoveredRegion.h"
 
 #include "Geometry/Orientation.h"
-#include "Mesh/HalfEdges.h"
 #include "Planar/PlanarOutline.h"
 
 #include <algorithm>
@@ -340,9 +339,9 @@ private:
 
 } // namespace
 
-CoveredRegionFinder::CoveredRegionFinder(const Mesh& target)
-  : Twins(FindTwins(target.Triangles, target.Points.rows()))
-  , InPatch(target.Triangles.rows(), -1)
+CoveredRegionFinder::CoveredRegionFinder(const Surface& target)
+  : Target(target)
+  , InPatch(target.Triangles().rows(), -1)
 {
 }
 
@@ -354,7 +353,7 @@ CoveredRegion CoveredRegionFinder::Find(
     this->InPatch[patch.Triangles[t]] = static_cast<int>(t);
   }
   CoveredRegion footprint =
-    Cover(patch, this->Twins, this->InPatch, Snapped(patch, loop, snap)).Find();
+    Cover(patch, this->Target.Twins(), this->InPatch, Snapped(patch, loop, snap)).Find();
   for (const int triangle : patch.Triangles)
   {
     this->InPatch[triangle] = -1;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ExponentialMap/ExponentialMap.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
@@ -42,7 +42,7 @@ class CoveredRegionFinder
 {
 public:
   /// target: an oriented 2-manifold, open or closed.
-  explicit CoveredRegionFinder(const Mesh& target);
+  explicit CoveredRegionFinder(const Surface& target);
 
   /**
    * patch: of that surface. loop: n x 2, a polygon that does not cross itself, in either sense.
@@ -56,7 +56,7 @@ public:
   CoveredRegion Find(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, double snap);
 
 private:
-  std::vector<int> Twins;   ///< SideTwins of the surface
+  Surface Target;
   std::vector<int> InPatch; ///< of each triangle of the surface: its number in the patch, or -1
 };
 

@@ -1,6 +1,7 @@
 #include "CutPaste/CutFeature.h"
 
 #include "Base/Errors.h"
+#include "CutPaste/FootprintLayout.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Remesh/CurveImprinting.h"
@@ -64,7 +65,7 @@ std::vector<int> PointsAt(
 
 /// The feature's base at a loop, where a hole of the rest is there and was filled.
 void FindBase(
-  const Mesh& filled, std::vector<int> loop, CutFeatureResult& result, const Progress& progress)
+  const Surface& filled, std::vector<int> loop, CutFeatureResult& result, const Progress& progress)
 {
   const std::vector<int> on = PointsAt(loop, result.Feature, result.Rest);
   const std::set<int> isOn(on.begin(), on.end());
@@ -85,23 +86,24 @@ void FindBase(
     std::vector<int> triangles(best->Triangles);
     std::iota(triangles.begin(), triangles.end(), best->FirstTriangle);
     result.Seed = FindCenterOfTriangles(filled, triangles);
-    result.Base = BuildFeatureBaseOnSurface(filled, result.Seed, std::move(loop), on, progress);
+    result.Base = BuildFootprintOnSurface(filled, result.Seed, std::move(loop), on, progress);
   }
 }
 
 /// Fills the holes where a feature was. The loop may have many short edges; that does not make
 /// triangles inside small: about as many as would be of the surface's own size are enough.
-FilledSurface Filled(const Mesh& rest, const std::vector<std::vector<int>>& loops, double meanArea,
-  FillHolesOptions options, const Progress& progress)
+FilledSurface Filled(const Surface& rest, const std::vector<std::vector<int>>& loops,
+  double meanArea, FillHolesOptions options, const Progress& progress)
 {
   double enough = 0.0;
   for (const std::vector<int>& loop : loops)
   {
     Eigen::RowVector3d area = Eigen::RowVector3d::Zero();
-    const Eigen::RowVector3d first = rest.Points.row(loop.front());
+    const Eigen::RowVector3d first = rest.Points().row(loop.front());
     for (std::size_t i = 1; i + 1 < loop.size(); ++i)
     {
-      const Eigen::RowVector3d here = rest.Points.row(loop[i]), next = rest.Points.row(loop[i + 1]);
+      const Eigen::RowVector3d here = rest.Points().row(loop[i]),
+                               next = rest.Points().row(loop[i + 1]);
       area += 0.5 * (here - first).cross(next - first);
     }
     enough = std::max(enough, 0.5 * area.norm() / meanArea + static_cast<double>(loop.size()));
@@ -148,7 +150,7 @@ void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
   progress(0.1);
   if (options.FillHole)
   {
-    const Mesh whole = MergeSeam(result.Rest);
+    const Surface whole(MergeSeam(result.Rest));
     FilledSurface filled = Filled(whole, division.CutLoops(whole, result.Rest.Ids),
       division.MeanArea(), options.Fill, progress.Part(0.1, 0.6));
     Append(filled, result.Rest);
@@ -166,13 +168,13 @@ void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
 
 } // namespace
 
-FeatureCutter::FeatureCutter(Mesh surface, const Progress& progress)
-  : Surface(std::move(surface))
+FeatureCutter::FeatureCutter(const shape::Surface& surface, const Progress& progress)
+  : Surface(surface)
   , Joined(this->Surface, progress)
 {
   const std::vector<int> used(this->Joined.Surface.Triangles.reshaped().begin(),
     this->Joined.Surface.Triangles.reshaped().end());
-  RequireExtent(this->Surface.Points(used, Eigen::all), "the surface");
+  RequireExtent(this->Surface.Points()(used, Eigen::all), "the surface");
 }
 
 std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
@@ -191,7 +193,7 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
   if (!this->Paths)
   {
     this->Locator = std::make_unique<SurfaceLocator>(this->Joined.Surface);
-    this->Paths = std::make_unique<SurfacePaths>(this->Joined.Surface);
+    this->Paths = std::make_unique<SurfacePaths>(this->Locator->GetSurface());
   }
   std::vector<SurfaceLoop> loops;
   for (int i = 0; i < count; ++i)
@@ -212,8 +214,8 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
   progress(0.0);
   const std::vector<SurfaceLoop> loops =
     this->LoopsThrough(curves, options.LoopIndex, progress.Part(0.0, 0.2));
-  ImprintedCurves split =
-    ImprintCurves(this->Joined.Surface, loops, { options.SnapShare }, progress.Part(0.2, 0.3));
+  ImprintedCurves split = ImprintCurves(
+    this->Locator->GetSurface(), loops, { options.SnapShare }, progress.Part(0.2, 0.3));
   // Of a curve that touches itself the longest part.
   std::vector<std::vector<int>> chosen;
   std::vector<char> isTaken(loops.size(), 0);
@@ -266,14 +268,14 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<char>& isSelected,
   return result;
 }
 
-CutFeatureResult CutFeature(const Mesh& surface, const std::vector<Eigen::MatrixXd>& curves,
+CutFeatureResult CutFeature(const Surface& surface, const std::vector<Eigen::MatrixXd>& curves,
   const CutFeatureOptions& options, const Progress& progress)
 {
   return FeatureCutter(surface, progress.Part(0.0, 0.1))
     .Cut(curves, options, progress.Part(0.1, 1.0));
 }
 
-CutFeatureResult CutFeature(const Mesh& surface, const std::vector<char>& isSelected,
+CutFeatureResult CutFeature(const Surface& surface, const std::vector<char>& isSelected,
   const CutFeatureOptions& options, const Progress& progress)
 {
   return FeatureCutter(surface, progress.Part(0.0, 0.1))

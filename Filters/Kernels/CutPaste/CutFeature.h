@@ -7,7 +7,7 @@
 #include "Fill/FillHoles.h"
 #include "Geodesics/SurfaceLoop.h"
 #include "Geodesics/SurfacePath.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
@@ -62,7 +62,7 @@ public:
   /// surface: any triangles; seams are no borders (WeldedSurface), and triangles with a point twice
   /// are left out. Throws InvalidInput where there is no triangle of three places, an index is out
   /// of range or a coordinate is not finite; Aborted.
-  explicit FeatureCutter(Mesh surface, const Progress& progress = {});
+  explicit FeatureCutter(const shape::Surface& surface, const Progress& progress = {});
   FeatureCutter(const FeatureCutter&) = delete;
   FeatureCutter& operator=(const FeatureCutter&) = delete;
 
@@ -85,7 +85,7 @@ private:
   std::vector<SurfaceLoop> LoopsThrough(
     const std::vector<Eigen::MatrixXd>& curves, int index, const Progress& progress);
 
-  Mesh Surface;
+  shape::Surface Surface;
   WeldedSurface Joined;
   std::unique_ptr<SurfaceLocator> Locator; ///< of Joined, as Paths: made for the first curve
   std::unique_ptr<SurfacePaths> Paths;
@@ -93,9 +93,9 @@ private:
 
 ///@{
 /// Cuts once.
-CutFeatureResult CutFeature(const Mesh& surface, const std::vector<Eigen::MatrixXd>& curves,
+CutFeatureResult CutFeature(const Surface& surface, const std::vector<Eigen::MatrixXd>& curves,
   const CutFeatureOptions& options = {}, const Progress& progress = {});
-CutFeatureResult CutFeature(const Mesh& surface, const std::vector<char>& isSelected,
+CutFeatureResult CutFeature(const Surface& surface, const std::vector<char>& isSelected,
   const CutFeatureOptions& options = {}, const Progress& progress = {});
 ///@}
 

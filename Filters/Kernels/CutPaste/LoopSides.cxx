@@ -122,14 +122,14 @@ std::map<int, int> LeftTriangles(
 } // namespace
 
 std::vector<char> MarkTrianglesOnSide(
-  const Mesh& surface, const std::vector<std::vector<int>>& loops, LoopSide side)
+  const Surface& surface, const std::vector<std::vector<int>>& loops, LoopSide side)
 {
-  const auto count = static_cast<int>(surface.Triangles.rows());
-  const LoopEdges loopEdges(loops, surface.Points.rows());
-  const std::vector<HalfEdge> edges = SortHalfEdges(surface.Triangles, surface.Points.rows());
+  const auto count = static_cast<int>(surface.Triangles().rows());
+  const LoopEdges loopEdges(loops, surface.Points().rows());
+  const std::vector<HalfEdge>& edges = surface.HalfEdges();
   Sides sides(edges, loopEdges);
   const std::map<int, int> left = LeftTriangles(edges, loopEdges, sides);
-  const Eigen::VectorXd areas = ComputeAreaVectors(surface).rowwise().norm();
+  const Eigen::VectorXd areas = surface.AreaVectors().rowwise().norm();
   struct Area
   {
     double Left = 0.0, Right = 0.0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <vector>
 
@@ -27,6 +27,6 @@ enum class LoopSide
  * alone.
  */
 std::vector<char> MarkTrianglesOnSide(
-  const Mesh& surface, const std::vector<std::vector<int>>& loops, LoopSide side);
+  const Surface& surface, const std::vector<std::vector<int>>& loops, LoopSide side);
 
 } // namespace shape

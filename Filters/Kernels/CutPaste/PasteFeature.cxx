@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Deform/BoundaryNormals.h"
+#include "Geometry/VertexNormals.h"
 
 #include <Eigen/Geometry>
 
@@ -42,7 +43,7 @@ void RequireSimple(const Eigen::MatrixXd& loop)
   }
 }
 
-BoundaryHandle LoopHandle(const Mesh& feature, const FeatureFootprint& base)
+BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
 {
   const auto size = static_cast<Eigen::Index>(base.Loop.size());
   if (size < 3 || base.LoopPositions.rows() != size || base.Normals.rows() != size)
@@ -56,7 +57,7 @@ BoundaryHandle LoopHandle(const Mesh& feature, const FeatureFootprint& base)
   Eigen::MatrixXd positions(size, 3);
   for (Eigen::Index i = 0; i < size; ++i)
   {
-    positions.row(i) = feature.Points.row(base.Loop[i]);
+    positions.row(i) = feature.Points().row(base.Loop[i]);
   }
   return BuildCurveHandle(positions, true, base.Normals);
 }
@@ -132,26 +133,25 @@ double ComputePercentile(const Eigen::VectorXd& values, double share)
   return sorted[static_cast<std::size_t>(std::ceil(std::clamp(share, 0.0, 1.0) * last))];
 }
 
-FeatureToPaste::FeatureToPaste(Mesh feature, FeatureFootprint base, const DeformOptions& options,
-  const DeformFields& fields, const Progress& progress)
-  : Feature(std::move(feature))
-  , Kind(ComputeTopology(this->Feature))
+FeatureToPaste::FeatureToPaste(const shape::Surface& feature, FeatureFootprint base,
+  const DeformOptions& options, const DeformFields& fields, const Progress& progress)
+  : Feature(feature)
   , Stand(std::move(base))
-  , Cut(
-      SplitEdges(this->Feature.Triangles, FindLoopChords(this->Feature.Triangles, this->Stand.Loop),
-        static_cast<int>(this->Feature.Points.rows())))
+  , Cut(SplitEdges(this->Feature.Triangles(),
+      FindLoopChords(this->Feature.Triangles(), this->Stand.Loop),
+      static_cast<int>(this->Feature.Points().rows())))
   , Fans(this->Cut.Triangles,
-      this->Feature.Points.rows() + static_cast<Eigen::Index>(this->Cut.Midpoints.size()))
+      this->Feature.Points().rows() + static_cast<Eigen::Index>(this->Cut.Midpoints.size()))
   , Handle(LoopHandle(this->Feature, this->Stand))
-  , NormalsBefore(this->LoopNormals(this->WithMidpoints(this->Feature.Points)))
+  , NormalsBefore(this->LoopNormals(this->WithMidpoints(this->Feature.Points())))
 {
   RequireSimple(this->Stand.LoopPositions);
   this->Prepared =
     PrepareDeformation(BuildPointGraph(this->Feature), this->Handle, options, fields, progress);
   // The middles are on chords of the loop: at its points the front begins.
   Eigen::VectorXd arrivals = Eigen::VectorXd::Zero(this->Fans.First.size() - 1);
-  arrivals.head(this->Feature.Points.rows()) = this->Prepared->Arrivals();
-  const Mesh cut{ this->WithMidpoints(this->Feature.Points), this->Cut.Triangles };
+  arrivals.head(this->Feature.Points().rows()) = this->Prepared->Arrivals();
+  const Mesh cut{ this->WithMidpoints(this->Feature.Points()), this->Cut.Triangles };
   this->NormalReach = ReachOfRing(cut, this->Fans, this->Stand.Loop, arrivals);
   this->Turning = std::make_unique<SeamNormals>(
     cut, this->Fans, this->Stand.Loop, arrivals, TurningWidth * MeanSide(this->Handle));
@@ -161,7 +161,8 @@ void FeatureToPaste::Check(const PastedFeature& pasted) const
 {
   RequireFinite(pasted.Surface.Points, "the joined surface");
   const Topology found = ComputeTopology(pasted.Surface);
-  const bool isManifold = this->Kind.NonManifoldEdges + this->Kind.NonManifoldPoints == 0;
+  const Topology& given = this->Feature.Topology();
+  const bool isManifold = given.NonManifoldEdges + given.NonManifoldPoints == 0;
   const int faults = found.NonManifoldEdges + found.NonManifoldPoints;
   if (found.EulerNumber != pasted.EulerNumber || (isManifold && faults > 0))
   {
@@ -174,27 +175,8 @@ void FeatureToPaste::Check(const PastedFeature& pasted) const
 
 Eigen::MatrixXd FeatureToPaste::LoopNormals(const Eigen::MatrixXd& points) const
 {
-  const std::vector<int>& loop = this->Stand.Loop;
-  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(loop.size()), 3);
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    for (int k = this->Fans.First[loop[i]]; k < this->Fans.First[loop[i] + 1]; ++k)
-    {
-      const auto triangle = this->Cut.Triangles.row(this->Fans.Triangles[k]);
-      int corner = 0;
-      while (triangle(corner) != loop[i])
-      {
-        ++corner;
-      }
-      const Eigen::RowVector3d a = points.row(triangle((corner + 1) % 3)) - points.row(loop[i]);
-      const Eigen::RowVector3d b = points.row(triangle((corner + 2) % 3)) - points.row(loop[i]);
-      const Eigen::RowVector3d across = a.cross(b);
-      sum += std::atan2(across.norm(), a.dot(b)) * across.stableNormalized();
-    }
-    normals.row(static_cast<Eigen::Index>(i)) = sum.stableNormalized();
-  }
-  return normals;
+  return ComputeVertexNormals(
+    points, this->Cut.Triangles, this->Fans, this->Stand.Loop, NormalWeight::Angle);
 }
 
 Eigen::MatrixXd FeatureToPaste::WithMidpoints(const Eigen::MatrixXd& points) const
@@ -262,10 +244,10 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
           ->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.3, 0.9))
           .Points);
   // Where the loop takes the place of the ring, point for point, no edge can be there twice.
-  const auto given = static_cast<int>(this->Feature.Points.rows());
+  const auto given = static_cast<int>(this->Feature.Points().rows());
   const bool fits = landing.Join.Triangles.rows() == 0;
   PastedFeature result = JoinFeatureAndTarget(target.Surface(),
-    fits ? SplitEdges(this->Feature.Triangles, {}, given) : this->Cut, this->Stand, landing,
+    fits ? SplitEdges(this->Feature.Triangles(), {}, given) : this->Cut, this->Stand, landing,
     placement.Scale * deformed.topRows(fits ? given : deformed.rows()));
   result.AnglesBefore = before;
   result.AnglesAfter = AnglesAcross(this->LoopNormals(deformed), landing.Normals,
@@ -273,7 +255,7 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
   result.Facts = this->Prepared->Facts();
   result.Position = std::move(landing);
   // A disk is taken from the target, and the feature glued in along a circle.
-  result.EulerNumber = target.EulerNumber() - 1 + this->Kind.EulerNumber;
+  result.EulerNumber = target.EulerNumber() - 1 + this->Feature.Topology().EulerNumber;
   if (!options.Dragging)
   {
     this->Check(result);

@@ -4,10 +4,9 @@
 #include "CutPaste/FeatureFootprint.h"
 #include "CutPaste/PasteTarget.h"
 #include "CutPaste/PastedFeature.h"
-#include "CutPaste/SeamNormals.h"
+#include "CutPaste/Seam.h"
 #include "Deform/ShapeDeformation.h"
-#include "Mesh/Mesh.h"
-#include "Mesh/Topology.h"
+#include "Mesh/Surface.h"
 #include "Search/TriangleWalk.h"
 
 #include <Eigen/Core>
@@ -38,8 +37,9 @@ public:
    * closed curve of at least 3 points of the feature, crosses itself in the plane or runs
    * clockwise there, or as PrepareDeformation; Aborted.
    */
-  FeatureToPaste(Mesh feature, FeatureFootprint base, const DeformOptions& options = {},
-    const DeformFields& fields = {}, const Progress& progress = {});
+  FeatureToPaste(const shape::Surface& feature, FeatureFootprint base,
+    const DeformOptions& options = {}, const DeformFields& fields = {},
+    const Progress& progress = {});
 
   /**
    * Sets the feature down: its loop is laid on the target (PasteTarget::Land), the feature deformed
@@ -61,7 +61,7 @@ public:
   PastedFeature PasteOn(PasteTarget& target, const PastePlacement& placement,
     const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
 
-  const Mesh& Surface() const { return this->Feature; }
+  const shape::Surface& Surface() const { return this->Feature; }
   const FeatureFootprint& Base() const { return this->Stand; }
   const ShapeDeformation& Deformation() const { return *this->Prepared; }
 
@@ -73,8 +73,7 @@ private:
 
   void Check(const PastedFeature& pasted) const;
 
-  Mesh Feature;
-  Topology Kind; ///< of the feature
+  shape::Surface Feature;
   FeatureFootprint Stand;
   CutTriangles Cut;  ///< the feature's, at the chords of its loop, so that all can be turned there
   TriangleFans Fans; ///< of these

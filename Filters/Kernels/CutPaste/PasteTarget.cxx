@@ -2,7 +2,6 @@
 
 #include "Base/Errors.h"
 #include "ExponentialMap/ConformalPatch.h"
-#include "Mesh/Surface.h"
 
 #include <Eigen/Geometry>
 
@@ -16,18 +15,24 @@ namespace shape
 namespace
 {
 
-double MeanEdgeLength(const Mesh& mesh)
+double MeanEdgeLength(const Surface& surface)
 {
   double sum = 0.0;
-  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  for (Eigen::Index t = 0; t < surface.Triangles().rows(); ++t)
   {
-    const Eigen::Matrix3d corners = GetCorners(mesh, t);
+    const Eigen::Matrix3d corners = GetCorners(surface, t);
     for (int k = 0; k < 3; ++k)
     {
       sum += (corners.row((k + 1) % 3) - corners.row(k)).norm();
     }
   }
-  return sum / (3.0 * static_cast<double>(mesh.Triangles.rows()));
+  return sum / (3.0 * static_cast<double>(surface.Triangles().rows()));
+}
+
+const Surface& RequireTarget(const Surface& surface)
+{
+  RequireManifold(surface, "the target");
+  return surface;
 }
 
 /// Whether another layout might not have this fault.
@@ -102,11 +107,9 @@ struct PasteTarget::Trial
 };
 
 PasteTarget::PasteTarget(
-  const Mesh& surface, const ExponentialMapOptions& options, const Progress& progress)
-  : Kind(RequireManifold(surface, "the target"))
-  , Map(surface, options, progress)
+  const shape::Surface& surface, const ExponentialMapOptions& options, const Progress& progress)
+  : Map(RequireTarget(surface), options, progress)
   , Finder(surface)
-  , Normals(ComputePointNormals(surface))
   , MeanEdge(MeanEdgeLength(surface))
 {
 }
@@ -181,7 +184,7 @@ void PasteTarget::TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& lo
 
 Eigen::MatrixXd PasteTarget::GetLoopPositions(const CoveredRegion& cover) const
 {
-  return PullBack(cover.Positions, this->Surface().Triangles, this->Surface().Points);
+  return PullBack(cover.Positions, this->Surface().Triangles(), this->Surface().Points());
 }
 
 CoveredRegionFault PasteTarget::TryConformally(const ExponentialPatch& patch, bool refine,
@@ -252,10 +255,11 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
   LoopOnTarget landing;
   landing.Layout = trial.Layout;
   landing.Seed = trial.Seed;
-  const Eigen::MatrixXi& triangles = this->Surface().Triangles;
+  const Eigen::MatrixXi& triangles = this->Surface().Triangles();
   landing.Positions = this->GetLoopPositions(trial.Cover);
-  landing.Normals =
-    PullBack(trial.Cover.Positions, triangles, this->Normals).rowwise().normalized();
+  landing.Normals = PullBack(trial.Cover.Positions, triangles, this->Surface().PointNormals())
+                      .rowwise()
+                      .normalized();
   landing.Cover = std::move(trial.Cover);
   landing.Join = std::move(trial.Join);
   return landing;

@@ -3,10 +3,9 @@
 #include "Base/Progress.h"
 #include "CutPaste/CoveredRegion.h"
 #include "CutPaste/FeatureFootprint.h"
-#include "CutPaste/SeamBand.h"
+#include "CutPaste/Seam.h"
 #include "ExponentialMap/ExponentialMap.h"
-#include "Mesh/Mesh.h"
-#include "Mesh/Topology.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -50,12 +49,12 @@ class PasteTarget
 public:
   /// surface: an oriented 2-manifold, open or closed. Throws InvalidInput where it is none,
   /// Aborted.
-  explicit PasteTarget(
-    const Mesh& surface, const ExponentialMapOptions& options = {}, const Progress& progress = {});
+  explicit PasteTarget(const shape::Surface& surface, const ExponentialMapOptions& options = {},
+    const Progress& progress = {});
 
-  const Mesh& Surface() const { return this->Map.Surface(); }
+  const shape::Surface& Surface() const { return this->Map.Surface(); }
   ExponentialMap& Layout() { return this->Map; }
-  int EulerNumber() const { return this->Kind.EulerNumber; }
+  int EulerNumber() const { return this->Surface().Topology().EulerNumber; }
 
   /**
    * Lays the base's loop on the surface through the exponential maps of both: the directions of the
@@ -79,10 +78,8 @@ private:
   CoveredRegionFault TryConformally(const ExponentialPatch& patch, bool refine,
     const Eigen::MatrixXd& loop, Trial& trial, const Progress& progress);
 
-  Topology Kind;
   ExponentialMap Map;
   CoveredRegionFinder Finder;
-  Eigen::MatrixXd Normals; ///< PointNormals
   double MeanEdge;
   int LastTriangle = -1; ///< of the seed before: the next one is likely near
 };

@@ -9,7 +9,7 @@ namespace
 class Assembly
 {
 public:
-  Assembly(const Mesh& target, const CutTriangles& feature, const FeatureFootprint& base,
+  Assembly(const Surface& target, const CutTriangles& feature, const FeatureFootprint& base,
     const LoopOnTarget& landing)
     : Target(target)
     , Feature(feature)
@@ -22,14 +22,14 @@ public:
   PastedFeature Make(const Eigen::MatrixXd& deformed)
   {
     PastedFeature result;
-    std::vector<bool> isGone(this->Target.Triangles.rows(), false);
+    std::vector<bool> isGone(this->Target.Triangles().rows(), false);
     for (const int triangle : this->Position.Cover.Triangles)
     {
       isGone[triangle] = true;
     }
     const std::vector<int> number = this->Number(result.TargetPoints);
     const auto kept = static_cast<int>(result.TargetPoints.size());
-    const auto count = this->Target.Triangles.rows() -
+    const auto count = this->Target.Triangles().rows() -
       static_cast<Eigen::Index>(this->Position.Cover.Triangles.size());
     const Eigen::MatrixXi& band = this->Position.Join.Triangles;
     result.BandTriangles = static_cast<int>(band.rows());
@@ -38,7 +38,7 @@ public:
     result.Surface.Points.resize(kept + deformed.rows() + midpoints, 3);
     for (int i = 0; i < kept; ++i)
     {
-      result.Surface.Points.row(i) = this->Target.Points.row(result.TargetPoints[i]);
+      result.Surface.Points.row(i) = this->Target.Points().row(result.TargetPoints[i]);
     }
     result.Surface.Points.middleRows(kept, deformed.rows()) = deformed;
     Eigen::MatrixXi& triangles = result.Surface.Triangles;
@@ -50,7 +50,7 @@ public:
       {
         for (int k = 0; k < 3; ++k)
         {
-          triangles(next, k) = number[this->Target.Triangles(t, k)];
+          triangles(next, k) = number[this->Target.Triangles()(t, k)];
         }
         result.TargetTriangles.push_back(t);
         ++next;
@@ -93,12 +93,12 @@ private:
   /// Of each point of the target: its number in the result, or -1. points: those that stay.
   std::vector<int> Number(std::vector<int>& points) const
   {
-    std::vector<int> number(this->Target.Points.rows(), 0);
+    std::vector<int> number(this->Target.Points().rows(), 0);
     for (const int triangle : this->Position.Cover.Triangles)
     {
       for (int k = 0; k < 3; ++k)
       {
-        number[this->Target.Triangles(triangle, k)] = -1;
+        number[this->Target.Triangles()(triangle, k)] = -1;
       }
     }
     const std::vector<int>& ring = this->Position.Cover.Ring;
@@ -128,7 +128,7 @@ private:
     return number;
   }
 
-  const Mesh& Target;
+  const Surface& Target;
   const CutTriangles& Feature;
   const FeatureFootprint& Base;
   const LoopOnTarget& Position;
@@ -136,7 +136,7 @@ private:
 
 } // namespace
 
-PastedFeature JoinFeatureAndTarget(const Mesh& target, const CutTriangles& feature,
+PastedFeature JoinFeatureAndTarget(const Surface& target, const CutTriangles& feature,
   const FeatureFootprint& base, const LoopOnTarget& landing, const Eigen::MatrixXd& deformed)
 {
   return Assembly(target, feature, base, landing).Make(deformed);

@@ -4,7 +4,7 @@
 #include "CutPaste/PasteTarget.h"
 #include "Deform/ShapeDeformation.h"
 #include "Mesh/EdgeMidpoints.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -38,7 +38,7 @@ struct PastedFeature
 /// Puts the surface together, and what tells where its parts come from. target: what the feature is
 /// set down on. feature: its triangles, cut at the chords of its loop; deformed: its points where
 /// they come to lie, the middles last.
-PastedFeature JoinFeatureAndTarget(const Mesh& target, const CutTriangles& feature,
+PastedFeature JoinFeatureAndTarget(const Surface& target, const CutTriangles& feature,
   const FeatureFootprint& base, const LoopOnTarget& landing, const Eigen::MatrixXd& deformed);
 
 } // namespace shape

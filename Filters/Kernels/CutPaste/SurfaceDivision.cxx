@@ -30,7 +30,7 @@ Mesh MergeSeam(const DividedPart& part)
   return whole;
 }
 
-SurfaceDivision::SurfaceDivision(const Mesh& surface, const WeldedSurface& joined,
+SurfaceDivision::SurfaceDivision(const shape::Surface& surface, const WeldedSurface& joined,
   ImprintedCurves split, std::vector<char> isFeature)
   : Surface(surface)
   , Joined(joined)
@@ -86,14 +86,14 @@ int SurfaceDivision::GivenPoint(int triangle, int point) const
   const Eigen::RowVector3i joined =
     this->Joined.Surface.Triangles.row(this->Split.OriginalTriangles(triangle));
   const auto k = std::find(joined.begin(), joined.end(), point) - joined.begin();
-  return this->Surface.Triangles(this->OriginalOf(triangle), k);
+  return this->Surface.Triangles()(this->OriginalOf(triangle), k);
 }
 
 /// Where a new point is in a triangle that has it.
 SurfacePoint SurfaceDivision::NewPosition(int triangle, int point) const
 {
   const SurfacePoints& added = this->Split.NewPoints;
-  const Eigen::Index row = point - this->Surface.Points.rows();
+  const Eigen::Index row = point - this->Surface.Points().rows();
   const PointSupport support(
     this->Joined.Surface, { added.Triangles(row), added.Barycentrics.row(row) });
   const int joined = this->Split.OriginalTriangles(triangle);
@@ -102,7 +102,7 @@ SurfacePoint SurfaceDivision::NewPosition(int triangle, int point) const
 
 DividedPart SurfaceDivision::PartOf(bool feature) const
 {
-  const auto given = static_cast<int>(this->Surface.Points.rows());
+  const auto given = static_cast<int>(this->Surface.Points().rows());
   DividedPart part;
   std::vector<Eigen::RowVector3i> triangles; // of the given points, then of those added
   // On a seam, whose points are doubled, a new point is doubled, too: each side has its own data.
@@ -164,7 +164,8 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
     part.Surface.Points.row(row) = this->Split.Surface.Points.row(id);
     part.Positions.Triangles(row) = isGiven ? triangle : added[point - given].second.Triangle;
     part.Positions.Barycentrics.row(row) = isGiven
-      ? Eigen::RowVector3d((this->Surface.Triangles.row(triangle).array() == point).cast<double>())
+      ? Eigen::RowVector3d(
+          (this->Surface.Triangles().row(triangle).array() == point).cast<double>())
       : added[point - given].second.Barycentric;
   }
   part.Surface.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);

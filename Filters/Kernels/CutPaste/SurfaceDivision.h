@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Geometry/SurfaceWelding.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Mesh/SurfacePoints.h"
 #include "Remesh/CurveImprinting.h"
 
@@ -29,9 +29,9 @@ Mesh MergeSeam(const DividedPart& part);
 class SurfaceDivision
 {
 public:
-  /// surface, joined: kept by reference. split: of the joined surface. isFeature: of each of its
+  /// joined: kept by reference. split: of the joined surface. isFeature: of each of its
   /// triangles.
-  SurfaceDivision(const Mesh& surface, const WeldedSurface& joined, ImprintedCurves split,
+  SurfaceDivision(const shape::Surface& surface, const WeldedSurface& joined, ImprintedCurves split,
     std::vector<char> isFeature);
 
   double CutLength() const { return this->Length; } ///< 0: nothing is divided
@@ -52,7 +52,7 @@ private:
   int GivenPoint(int triangle, int point) const;
   SurfacePoint NewPosition(int triangle, int point) const;
 
-  const Mesh& Surface;
+  shape::Surface Surface;
   const WeldedSurface& Joined;
   ImprintedCurves Split;
   std::vector<char> IsFeature;

@@ -1,12 +1,12 @@
 #include "Deform/BoundaryHandle.h"
 
 #include "Base/Errors.h"
+#include "Geometry/FitRotation.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
 #include "Search/PointTree.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace shape
 namespace
 {
 
-/// Who is before and after each sample on its curves, and around it on the surface.
+/// The samples before and after each one on its curves, and around it on the surface.
 class Neighbourhood
 {
 public:
@@ -49,7 +49,7 @@ public:
 
   bool OnSurface(int sample) const { return !this->Around[this->First[sample]].empty(); }
 
-  /// From the sample before to the sample after; 0 where there is no one such.
+  /// From the sample before to the sample after; 0 if they are not unique.
   Eigen::Vector3d Tangent(int sample, const Eigen::MatrixXd& positions) const
   {
     const int own = this->First[sample];
@@ -58,13 +58,13 @@ public:
     {
       return Eigen::Vector3d::Zero();
     }
-    // Where both segments lead away, or both arrive, the curve is run through in their order.
+    // If both segments begin here, or both end here, the curve runs in their order.
     const int from = !before.empty() ? before.front() : after.size() == 2 ? after.front() : own;
     const int to = !after.empty() ? after.back() : before.size() == 2 ? before.back() : own;
     return (positions.row(to) - positions.row(from)).transpose();
   }
 
-  /// All neighbours, some perhaps twice.
+  /// All neighbours; some may be listed twice.
   std::vector<int> All(int sample) const
   {
     const int own = this->First[sample];
@@ -85,30 +85,7 @@ Eigen::Matrix3d MinimumRotation(const Eigen::Vector3d& from, const Eigen::Vector
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
-/// The rotation R that brings sum_j of R from_j nearest to to_j, where `products` is the sum of
-/// to_j from_j^T; `before` followed by the least rotation where the vectors have one direction
-/// only, `before` where they have none.
-Eigen::Matrix3d FittedRotation(const Eigen::Matrix3d& products, const Eigen::Matrix3d& before)
-{
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d values = svd.singularValues();
-  if (!(values(0) > 0.0))
-  {
-    return before;
-  }
-  if (values(1) <= 1e-9 * values(0))
-  {
-    return MinimumRotation(before * svd.matrixV().col(0), svd.matrixU().col(0)) * before;
-  }
-  Eigen::Matrix3d u = svd.matrixU();
-  if (u.determinant() * svd.matrixV().determinant() < 0.0)
-  {
-    u.col(2) = -u.col(2);
-  }
-  return u * svd.matrixV().transpose();
-}
-
-/// How much of the handle each sample stands for, so that dense samples count no more.
+/// The share of the handle that each sample stands for, so that dense samples count no more.
 Eigen::VectorXd Shares(const BoundaryHandle& handle)
 {
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(handle.Positions.rows());
@@ -141,26 +118,26 @@ Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixX
   };
   const Eigen::Matrix3d products =
     centred(positions).transpose() * shares.asDiagonal() * centred(handle.Positions);
-  return FittedRotation(products, Eigen::Matrix3d::Identity());
+  return FitRotation(products, Eigen::Matrix3d::Identity());
 }
 
-/// Columns: along the tangent, beside the normal, nearest to the normal; false where they are
-/// parallel, or one is 0.
+/// Columns: along the tangent, across the normal, nearest to the normal; false if tangent and normal
+/// are parallel, or one is 0.
 bool MakeFrame(
   const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal, Eigen::Matrix3d& frame)
 {
-  const Eigen::Vector3d side = normal.normalized().cross(tangent.normalized());
-  if (!(side.norm() > 1e-6))
+  const Eigen::Vector3d across = normal.normalized().cross(tangent.normalized());
+  if (!(across.norm() > 1e-6))
   {
     return false;
   }
   frame.col(0) = tangent.normalized();
-  frame.col(1) = side.normalized();
+  frame.col(1) = across.normalized();
   frame.col(2) = frame.col(0).cross(frame.col(1));
   return true;
 }
 
-/// The rotation of one sample; normals of length 0 where none are known.
+/// The rotation of one sample; normals of length 0 if none are known.
 class SampleRotation
 {
 public:
@@ -195,7 +172,7 @@ public:
       size += from.squaredNorm();
     }
     products += (size > 0.0 ? size : 1.0) * moved * normal.transpose();
-    return FittedRotation(products, this->Whole);
+    return FitRotation(products, this->Whole);
   }
 
 private:
@@ -284,8 +261,8 @@ HandlePose PoseHandle(
   const BoundaryHandle& handle, const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals)
 {
   const Eigen::Index samples = handle.Positions.rows();
-  RequireSize(handle.Positions, samples, "places");
-  RequireSize(positions, samples, "target places");
+  RequireSize(handle.Positions, samples, "positions");
+  RequireSize(positions, samples, "target positions");
   const bool before = handle.Normals.size() > 0, after = normals.size() > 0;
   if (before != after)
   {

@@ -1,6 +1,6 @@
 #include "Deform/Deform.h"
 
-#include "Deform/Private/PointParameters.h"
+#include "Deform/DeformOptions.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>

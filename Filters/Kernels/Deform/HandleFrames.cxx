@@ -2,7 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
-#include "Linear/SparseSolve.h"
+#include "Deform/Private/LaplacianSmoothing.h"
 #include "Mesh/Mesh.h"
 #include "Search/PointTree.h"
 
@@ -68,10 +68,10 @@ void AddPrescribedRotations(
   }
   const std::vector<int> first = GetFirstSamples(handle);
   const std::vector<std::pair<int, int>> links = HandleLinks(handle, first);
-  DisjointSets pieces(samples);
+  DisjointSets components(samples);
   for (const auto& [a, b] : links)
   {
-    pieces.Merge(a, b);
+    components.Merge(a, b);
   }
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(samples, 3);
   std::vector<char> given(samples, 0), reached(samples, 0);
@@ -86,59 +86,24 @@ void AddPrescribedRotations(
       }
       given[first[i]] = 1;
       values.row(first[i]) = turns.Turns.row(i);
-      reached[pieces.Find(first[i])] = 1;
+      reached[components.Find(first[i])] = 1;
     }
   }
-  // The free samples: along a chain, weights 1 / length make the solution linear in length.
-  std::vector<int> unknown(samples, -1);
-  int count = 0;
+  // Free are the other samples of these components: along a curve, weights 1 / length make the
+  // solution linear in length.
+  std::vector<int> fixed;
   for (int i = 0; i < samples; ++i)
   {
-    if (first[i] == i && !given[i] && reached[pieces.Find(i)])
+    if (first[i] != i || given[i] || !reached[components.Find(i)])
     {
-      unknown[i] = count++;
+      fixed.push_back(i);
     }
   }
-  if (count > 0)
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(count, 3);
-    for (const auto& [a, b] : links)
-    {
-      const double weight = 1.0 / (handle.Positions.row(a) - handle.Positions.row(b)).norm();
-      for (const auto& [from, to] : { std::pair(a, b), std::pair(b, a) })
-      {
-        if (unknown[from] < 0)
-        {
-          continue;
-        }
-        entries.emplace_back(unknown[from], unknown[from], weight);
-        if (unknown[to] >= 0)
-        {
-          entries.emplace_back(unknown[from], unknown[to], -weight);
-        }
-        else
-        {
-          sums.row(unknown[from]) += weight * values.row(to);
-        }
-      }
-    }
-    Eigen::SparseMatrix<double> matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    SparseCholesky factor;
-    factor.Factorize(matrix);
-    const Eigen::MatrixXd found = factor.Solve(sums);
-    for (int i = 0; i < samples; ++i)
-    {
-      if (unknown[i] >= 0)
-      {
-        values.row(i) = found.row(unknown[i]);
-      }
-    }
-  }
+  const Eigen::SparseMatrix<double> laplacian = BuildGraphLaplacian(handle.Positions, links);
+  DirichletProblem(laplacian, fixed).Solve(values, Eigen::MatrixXd::Zero(samples, 3));
   for (int i = 0; i < samples; ++i)
   {
-    if (reached[pieces.Find(first[i])])
+    if (reached[components.Find(first[i])])
     {
       pose.Rotations[i] = TurnBy(values.row(first[i]).transpose()) * pose.Rotations[i];
     }

@@ -1,14 +1,13 @@
 #include "Deform/ShapeDeformation.h"
 
 #include "Base/Errors.h"
+#include "Deform/DeformOptions.h"
 #include "Deform/Private/BoundaryRelative.h"
 #include "Deform/Private/FrontDeformation.h"
-#include "Deform/Private/HandleSources.h"
+#include "Deform/Private/HandleAttachment.h"
 #include "Deform/Private/LaplacianSmoothing.h"
 #include "Deform/Private/MultiresolutionDeformation.h"
-#include "Deform/Private/PointParameters.h"
 #include "Deform/Private/SegmentHierarchy.h"
-#include "Deform/Private/SourceTransforms.h"
 #include "Geometry/GraphComponents.h"
 #include "Mesh/Topology.h"
 

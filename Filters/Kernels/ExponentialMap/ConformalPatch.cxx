@@ -23,7 +23,7 @@ std::complex<double> ToComplex(const Eigen::RowVector2d& position)
   return { position.x(), position.y() };
 }
 
-/// The places, moved, turned and scaled to agree with the exponential map around the seed.
+/// Moves, rotates and scales the positions to agree with the exponential map around the seed.
 void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
 {
   // Both maps near the seed: the nearest points count most.
@@ -34,17 +34,17 @@ void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
     weights(i) = 1.0 / (patch.Distances(i) + 0.1 * patch.Distances(near - 1));
   }
   weights /= weights.sum();
-  const Eigen::RowVector2d middle = weights.transpose() * positions.topRows(near);
+  const Eigen::RowVector2d centre = weights.transpose() * positions.topRows(near);
   const Eigen::RowVector2d wanted = weights.transpose() * patch.Positions.topRows(near);
   std::complex<double> turn = 0.0, size = 0.0;
   for (Eigen::Index i = 0; i < near; ++i)
   {
-    const std::complex<double> from = ToComplex(positions.row(i) - middle);
+    const std::complex<double> from = ToComplex(positions.row(i) - centre);
     turn += weights(i) * std::conj(from) * ToComplex(patch.Positions.row(i) - wanted);
     size += weights(i) * std::norm(from);
   }
   const std::complex<double> similarity = turn / size;
-  const std::complex<double> seed = ToComplex(middle) - ToComplex(wanted) / similarity;
+  const std::complex<double> seed = ToComplex(centre) - ToComplex(wanted) / similarity;
   std::complex<double> rotation = similarity / std::abs(similarity);
   double far = 0.0, along = 0.0;
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
@@ -62,7 +62,7 @@ void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
 
 void RequireArea(const Mesh& part)
 {
-  constexpr double minimumShare = 1e-12; // of the square of the diagonal: far above what is rounded
+  constexpr double minimumShare = 1e-12; // of the square of the diagonal: far above rounding
   const double diagonal = part.Triangles.rows() > 0 ? ComputeBoxDiagonal(part.Points) : 0.0;
   const double area = diagonal > 0.0 ? ComputeAreaVectors(part).rowwise().norm().sum() : 0.0;
   if (!(area > minimumShare * diagonal * diagonal))
@@ -75,7 +75,7 @@ Eigen::MatrixXd FlatPositions(const Mesh& part, bool refine, const Progress& pro
 {
   if (!refine)
   {
-    Mesh unit = part; // of the size of 1, so that no unit of length is too large or small
+    Mesh unit = part; // of size 1, so that no unit of length is too large or small
     unit.Points.rowwise() -= part.Points.row(0);
     unit.Points /= ComputeBoxDiagonal(part.Points);
     return FlattenConformally(unit, progress);
@@ -88,7 +88,7 @@ Eigen::MatrixXd FlatPositions(const Mesh& part, bool refine, const Progress& pro
 } // namespace
 
 ExponentialPatch FlattenPatchConformally(
-  const Mesh& surface, const ExponentialPatch& patch, bool refine, const Progress& progress)
+  const Surface& surface, const ExponentialPatch& patch, bool refine, const Progress& progress)
 {
   const auto points = static_cast<int>(patch.Points.size());
   // The triangles' order is that of the front: the first is at the seed.
@@ -122,7 +122,7 @@ ExponentialPatch FlattenPatchConformally(
   part.Distances = patch.Distances(kept);
   part.Corners = Eigen::MatrixXi(patch.Corners(rows, Eigen::all))
                    .unaryExpr([&](int corner) { return number[corner]; });
-  const Mesh cut{ surface.Points(part.Points, Eigen::all), part.Corners };
+  const Mesh cut{ surface.Points()(part.Points, Eigen::all), part.Corners };
   RequireArea(cut);
   Eigen::MatrixXd positions = FlatPositions(cut, refine, progress);
   Align(part, positions);

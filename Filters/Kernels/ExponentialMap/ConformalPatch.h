@@ -2,24 +2,24 @@
 
 #include "Base/Progress.h"
 #include "ExponentialMap/ExponentialMap.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
 
 /**
- * The patch of an exponential map laid out anew by a conformal map (FlattenConformally), or by the
- * one with the least distortion that flips no triangle: for where the exponential map flips some.
- * Scaled so that points are as far from the seed as along the surface in the mean, and turned so
- * that directions at the seed are those of the exponential map. Where the patch goes around a limb
- * or a hole it is open along the line where it meets itself (GrowDisk). Flipped has the triangles
- * without area, too; Torn is empty.
+ * Flattens the patch of an exponential map again, by a conformal map (FlattenConformally) or by the
+ * map of minimum distortion that flips no triangle: for patches whose exponential map flips some.
+ * The result is scaled so that the mean distance of its points from the seed is their mean distance
+ * along the surface, and rotated so that directions at the seed are those of the exponential map. A
+ * patch that closes around a protrusion or a hole is cut open where it meets itself (GrowDisk).
+ * Flipped also has the triangles without area; Torn is empty.
  *
- * surface: what the patch is of. refine: the second way, which is slow; the first may flip
- * triangles where the surface is very curved or coarse. Throws SolveFailure as MapWithFreeBoundary,
- * InvalidInput where the patch has no area, Aborted.
+ * surface: of the patch. refine: the second method, which is slow; the first one may flip triangles
+ * if the surface is very curved or coarse. Throws SolveFailure as MapWithFreeBoundary does,
+ * InvalidInput if the patch has no area, Aborted.
  */
-ExponentialPatch FlattenPatchConformally(
-  const Mesh& surface, const ExponentialPatch& patch, bool refine, const Progress& progress = {});
+ExponentialPatch FlattenPatchConformally(const Surface& surface, const ExponentialPatch& patch,
+  bool refine, const Progress& progress = {});
 
 } // namespace shape

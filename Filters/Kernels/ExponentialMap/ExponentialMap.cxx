@@ -4,7 +4,7 @@
 #include "ExponentialMap/Private/ExponentialFront.h"
 #include "Geometry/Orientation.h"
 #include "Geometry/PointGraph.h"
-#include "Geometry/SmoothedNormals.h"
+#include "Geometry/VertexNormals.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Topology.h"
 
@@ -23,22 +23,22 @@ using Eigen::RowVector3d;
 namespace
 {
 
-void RequireSupportedFeatures(const Mesh& surface, const ExponentialMapOptions& options)
+void RequireTriangles(const Surface& surface, const ExponentialMapOptions& options)
 {
-  if (surface.Triangles.rows() == 0)
+  if (surface.Triangles().rows() == 0)
   {
     throw InvalidInput("the surface has no triangles; give a triangulated surface");
   }
-  RequireFinite(surface.Points, "the surface");
+  RequireFinite(surface.Points(), "the surface");
   RequireOption(
     options.NormalSmoothing >= 0, "NormalSmoothing", options.NormalSmoothing, "0 or more");
 }
 
 /// Of each node, whether it is an end of an edge with one triangle.
-std::vector<char> NodesOnLoop(const Eigen::MatrixXi& triangles, int nodes)
+std::vector<char> NodesOnLoop(const Surface& welded)
 {
-  std::vector<char> onLoop(nodes, 0);
-  const std::vector<HalfEdge> sides = SortHalfEdges(triangles, nodes);
+  std::vector<char> onLoop(welded.Points().rows(), 0);
+  const std::vector<HalfEdge>& sides = welded.HalfEdges();
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
     const HalfEdge& side = sides[begin];
@@ -54,9 +54,9 @@ std::vector<char> NodesOnLoop(const Eigen::MatrixXi& triangles, int nodes)
   return onLoop;
 }
 
-/// The longest of a triangle's sides, squared.
+/// The length of a triangle's longest edge, squared.
 template <typename Corners>
-double LongestSide2(const Corners& a, const Corners& b, const Corners& c)
+double LongestEdge2(const Corners& a, const Corners& b, const Corners& c)
 {
   return std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
 }
@@ -95,7 +95,7 @@ struct ExponentialMap::Target
 
   SurfaceLocator Locator;
   Eigen::VectorXi NodeOf; ///< of the points
-  Eigen::MatrixXi Nodes;  ///< m x 3: the triangles' corners
+  shape::Surface Welded;  ///< whose points are the nodes
   Eigen::MatrixXd Normals;
   ExponentialFront Front;
   std::vector<char> OnLoop; ///< nodes
@@ -128,8 +128,8 @@ void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
 
 void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
 {
-  constexpr double flat = 1e-14; // area of one that has none, of the longest side squared
-  constexpr double torn2 = 4.0;  // twice the length, squared
+  constexpr double flat = 1e-14; // area of one that has none, over the longest edge squared
+  constexpr double torn2 = 4.0;  // of twice the length, squared
   const std::vector<ExponentialFront::Triangle>& triangles = this->Front.Triangles();
   patch.Triangles.reserve(triangles.size());
   patch.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
@@ -148,8 +148,8 @@ void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
                       c = patch.Positions.row(patch.Corners(row, 2));
     const Eigen::Vector3d p = this->Front.Position(nodes[0]), q = this->Front.Position(nodes[1]),
                           r = this->Front.Position(nodes[2]);
-    const double longest2 = LongestSide2(p, q, r);
-    if (LongestSide2(a, b, c) > torn2 * longest2)
+    const double longest2 = LongestEdge2(p, q, r);
+    if (LongestEdge2(a, b, c) > torn2 * longest2)
     {
       patch.Torn.push_back(row);
     }
@@ -161,26 +161,31 @@ void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
 }
 
 ExponentialMap::ExponentialMap(
-  const Mesh& surface, const ExponentialMapOptions& options, const Progress& progress)
+  const shape::Surface& surface, const ExponentialMapOptions& options, const Progress& progress)
 {
-  RequireSupportedFeatures(surface, options);
+  RequireTriangles(surface, options);
   PointGraphOptions linked;
   linked.Nearest = 0; // points that no triangle uses are no part of the surface
-  PointGraph graph = BuildPointGraph(
-    ShapeElements{ surface.Points, {}, surface.Triangles, {} }, linked, progress.Part(0.0, 0.4));
-  Eigen::MatrixXi nodes =
-    surface.Triangles.unaryExpr([&](int point) { return graph.NodeOf(point); });
+  PointGraph graph = BuildPointGraph(ShapeElements{ surface.Points(), {}, surface.Triangles(), {} },
+    linked, progress.Part(0.0, 0.4));
+  // Without coincident points the nodes are the points, and the surface's own cache serves.
+  const bool isWelded = graph.Size() < surface.Points().rows();
+  const shape::Surface welded = isWelded
+    ? shape::Surface(graph.Positions,
+        surface.Triangles().unaryExpr([&](int point) { return graph.NodeOf(point); }))
+    : surface;
+  const Eigen::MatrixXi& nodes = welded.Triangles();
   Eigen::MatrixXd normals =
-    SmoothNormals(graph, nodes, options.NormalSmoothing, progress.Part(0.4, 0.6));
+    SmoothNormals(graph, welded.PointNormals(), options.NormalSmoothing, progress.Part(0.4, 0.6));
   ExponentialFront front(graph, nodes, normals, options.UpwindAverage);
   progress(0.7);
   SurfaceLocator locator(surface);
   progress(0.9);
-  std::vector<char> onLoop = NodesOnLoop(nodes, graph.Size());
+  std::vector<char> onLoop = NodesOnLoop(welded);
   PointsOfNodes copies(graph.NodeOf, graph.Size());
-  this->Impl.reset(new Target{ std::move(locator), std::move(graph.NodeOf), std::move(nodes),
+  this->Impl.reset(new Target{ std::move(locator), std::move(graph.NodeOf), welded,
     std::move(normals), std::move(front), std::move(onLoop), std::move(copies),
-    std::vector<int>(surface.Points.rows()) });
+    std::vector<int>(surface.Points().rows()) });
   progress(1.0);
 }
 
@@ -188,7 +193,7 @@ ExponentialMap::~ExponentialMap() = default;
 ExponentialMap::ExponentialMap(ExponentialMap&&) noexcept = default;
 ExponentialMap& ExponentialMap::operator=(ExponentialMap&&) noexcept = default;
 
-const Mesh& ExponentialMap::Surface() const
+const shape::Surface& ExponentialMap::Surface() const
 {
   return this->Impl->Locator.GetSurface();
 }
@@ -200,7 +205,7 @@ const SurfaceLocator& ExponentialMap::Locator() const
 
 RowVector3d ExponentialMap::Normal(const ClosestPoint& position) const
 {
-  const Eigen::RowVector3i nodes = this->Impl->Nodes.row(position.Triangle);
+  const Eigen::RowVector3i nodes = this->Impl->Welded.Triangles().row(position.Triangle);
   RowVector3d normal = RowVector3d::Zero();
   for (int k = 0; k < 3; ++k)
   {
@@ -221,17 +226,17 @@ ExponentialPatch ExponentialMap::Around(
   const ClosestPoint& seed, double radius, const RowVector3d& xDirection, const Progress& progress)
 {
   RequireOption(std::isfinite(radius) && radius > 0.0, "Radius", radius, "positive and finite");
-  if (seed.Triangle < 0 || seed.Triangle >= this->Surface().Triangles.rows() ||
+  if (seed.Triangle < 0 || seed.Triangle >= this->Surface().Triangles().rows() ||
     !seed.Barycentric.allFinite() || !xDirection.allFinite())
   {
-    throw InvalidInput("the seed is no place of the surface, or its x direction is not finite; "
-                       "take the closest place to a point");
+    throw InvalidInput("the seed is not on the surface, or its x direction is not finite; "
+                       "take the closest point of the surface");
   }
   ExponentialPatch patch;
   patch.Seed = BuildTangentFrame(
     seed.Barycentric * GetCorners(this->Surface(), seed.Triangle), this->Normal(seed), xDirection);
-  this->Impl->Front.Run(
-    patch.Seed, this->Impl->Nodes.row(seed.Triangle), seed.Barycentric, radius, progress);
+  this->Impl->Front.Run(patch.Seed, this->Impl->Welded.Triangles().row(seed.Triangle),
+    seed.Barycentric, radius, progress);
   this->Impl->AddPoints(patch);
   this->Impl->AddTriangles(patch);
   return patch;

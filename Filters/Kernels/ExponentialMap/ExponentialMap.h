@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Geometry/TangentFrame.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
@@ -15,10 +15,10 @@ namespace shape
 
 struct ExponentialMapOptions
 {
-  /// Each place is the mean of what the neighbours that the front met before say of it (equation
-  /// 11); else what the one says that the front came from (equation 10).
+  /// Whether each image is the mean of the predictions of all upwind neighbours, those that the front
+  /// met before (equation 11), or only the prediction of the one it came from (equation 10).
   bool UpwindAverage = true;
-  /// How often each normal is replaced by a mean of those around it; >= 0.
+  /// Rounds of SmoothNormals; >= 0.
   int NormalSmoothing = 2;
 };
 
@@ -34,51 +34,52 @@ struct ExponentialPatch
   /// Rows of Corners whose image is not counter-clockwise, though the triangle has an area.
   std::vector<int> Flipped;
   /// Rows of Corners whose image is more than twice as long as the triangle: the map is cut open
-  /// where the front met itself behind a limb or a hole.
+  /// where the front meets itself behind a protrusion or a hole.
   std::vector<int> Torn;
   bool ReachesBoundary = false; ///< whether an edge with one triangle has an end in Points
 };
 
 /**
- * The discrete exponential map: lays the surface around a seed out in the plane so that directions
- * and distances from the seed are kept (Schmidt, Grimm and Wyvill, "Interactive decal compositing
+ * The discrete exponential map: maps the surface around a seed to the plane so that directions and
+ * distances from the seed are kept (Schmidt, Grimm and Wyvill, "Interactive decal compositing
  * with discrete exponential maps", 2006), with the upwind average and smoothed normals of Schmidt
  * and Singh, "Drag-and-drop surface composition", section 3.
  *
- * A front spreads from the seed. Distances are those of straight ways across unfolded triangles,
- * else along edges. A neighbour says where a point lies by its own place and the edge between them,
- * laid into its tangent plane in full length, in axes that are carried along with the front by the
- * shortest turns between normals: not straight from each normal to the seed's as in equation 10, so
- * that cones are unrolled as well as cylinders. The mean's weights are inverse squares of the
- * edges' lengths, balanced on both sides of the way from the seed: so it tends to the exponential
- * map as triangles become small, however these are arranged. Neighbours that contradict the one
- * that the front came from do not count: the front has met itself there. The mean is put at the
- * distance. Behind bumps and limbs, where straight ways from both sides meet, means may flip
- * triangles that are not torn: in patches that hold fingers or a head a tenth of them, twice as
- * many as by equation 10; where positive angle defects sum up to less than pi, next to none.
+ * A front spreads from the seed. Distances are those of straight lines across unfolded triangles,
+ * else along edges. A neighbour predicts the image of a point by its own image and the edge between
+ * them, rotated into its tangent plane in full length. The axes there are transported with the
+ * front by the least rotations between normals, not directly from each normal to the seed's as in
+ * equation 10: so cones are unrolled as well as cylinders. The mean's weights are the inverse
+ * squares of the edge lengths, balanced on both sides of the line from the seed: so it converges to
+ * the exponential map as triangles become small, however they are arranged. Neighbours that
+ * contradict the one that the front came from do not count: the front has met itself there. The
+ * mean is then moved to the point's distance from the seed. Behind bumps and protrusions, where
+ * straight lines from both sides meet, means may flip triangles that are not torn: a tenth of them
+ * in patches that contain fingers or a head, twice as many as by equation 10; almost none if
+ * positive angle defects sum up to less than pi.
  *
- * Around takes time for the patch only, and a larger radius adds points and triangles after the
- * others and changes no bit of these. The surface may hang together in any way; points at one place
- * count as one, and the patch is in the seed's component. Triangles that face the other way than
- * those around them come out flipped. Not for several threads at once.
+ * The time that Around takes depends on the patch only. A larger radius adds points and triangles
+ * after the others, and changes no bit of these. The surface may have any topology; coincident
+ * points count as one, and the patch is in the seed's component. Triangles of opposite orientation
+ * to those around them come out flipped. Not for several threads at once.
  */
 class ExponentialMap
 {
 public:
-  /// Throws InvalidInput where the surface has no triangle, an index is out of range, a coordinate
-  /// is not finite or an option is out of range; Aborted.
-  explicit ExponentialMap(
-    const Mesh& surface, const ExponentialMapOptions& options = {}, const Progress& progress = {});
+  /// Throws InvalidInput if the surface has no triangle, an index is out of range, a coordinate is
+  /// not finite or an option is out of range; Aborted.
+  explicit ExponentialMap(const shape::Surface& surface, const ExponentialMapOptions& options = {},
+    const Progress& progress = {});
   ~ExponentialMap();
   ExponentialMap(ExponentialMap&&) noexcept;
   ExponentialMap& operator=(ExponentialMap&&) noexcept;
 
   ///@{
   /**
-   * The patch that the front covers before it is `radius` (> 0) from a seed: a place of the
-   * surface, or the one closest to a position. xDirection: see BuildTangentFrame. guess: a triangle
-   * that is likely near to the seed, or -1. Throws InvalidInput where the radius is not positive or
-   * something is not finite; Aborted.
+   * The patch that the front covers before it is `radius` (> 0) from a seed: a point of the surface,
+   * or the one closest to a position. xDirection: see BuildTangentFrame. guess: a triangle that is
+   * likely near the seed, or -1. Throws InvalidInput if the radius is not positive or a value is not
+   * finite; Aborted.
    */
   ExponentialPatch Around(const ClosestPoint& seed, double radius,
     const Eigen::RowVector3d& xDirection = Eigen::RowVector3d::Zero(),
@@ -88,10 +89,11 @@ public:
     const Progress& progress = {});
   ///@}
 
-  /// The unit normal at a place: those of its triangle's corners, as smoothed, and between them.
+  /// The unit normal at a point of the surface, interpolated between the smoothed ones at its
+  /// triangle's corners.
   Eigen::RowVector3d Normal(const ClosestPoint& position) const;
 
-  const Mesh& Surface() const;
+  const shape::Surface& Surface() const;
   const SurfaceLocator& Locator() const; ///< of the surface
 
 private:

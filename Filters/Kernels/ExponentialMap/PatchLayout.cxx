@@ -2,18 +2,26 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/HalfEdges.h"
 #include "Mesh/Topology.h"
 #include "Parameterize/FlipRepair.h"
+#include "Planar/PlanarLocator.h"
+#include "Quality/MapQuality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace shape
 {
 namespace
 {
 
-int Mend(const Mesh& surface, ExponentialPatch& patch, const Progress& progress)
+using Eigen::RowVector2d;
+
+int Mend(const Surface& surface, ExponentialPatch& patch, const Progress& progress)
 {
   const int mended =
     RepairFlips(BuildPatchSurface(surface, patch), patch.Positions, patch.Torn, progress);
@@ -28,6 +36,38 @@ int Mend(const Mesh& surface, ExponentialPatch& patch, const Progress& progress)
   return mended;
 }
 
+/// Whether each triangle is neither flipped nor torn.
+Eigen::VectorXi FindSoundTriangles(const ExponentialPatch& patch)
+{
+  Eigen::VectorXi sound = Eigen::VectorXi::Ones(patch.Corners.rows());
+  for (const auto* rows : { &patch.Flipped, &patch.Torn })
+  {
+    for (const int row : *rows)
+    {
+      sound(row) = 0;
+    }
+  }
+  return sound;
+}
+
+/// The weighted quantiles of values (t); 0 without any.
+DistortionStatistics ComputeQuantiles(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
+{
+  std::vector<int> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return values(a) < values(b); });
+  const double sum = weights.sum();
+  DistortionStatistics spread;
+  double done = 0.0;
+  for (const int i : order)
+  {
+    spread.Median = done < 0.5 * sum ? values(i) : spread.Median;
+    spread.Percentile95 = done < 0.95 * sum ? values(i) : spread.Percentile95;
+    done += weights(i);
+  }
+  return spread;
+}
+
 } // namespace
 
 PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
@@ -39,7 +79,7 @@ PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
     "positive, or 0 for a tenth of the diagonal");
   constexpr double share = 0.1;
   PatchLayout layout;
-  const double diagonal = ComputeBoxDiagonal(map.Surface().Points);
+  const double diagonal = ComputeBoxDiagonal(map.Surface().Points());
   layout.Radius = options.Radius > 0.0 ? options.Radius : share * diagonal;
   const ClosestPoint position = map.Locator().FindOne(seed);
   layout.SeedDistance = position.Distance;
@@ -56,6 +96,92 @@ PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
   layout.Facts =
     ComputeExponentialFacts(map.Surface(), layout.Patch, layout.Radius, progress.Part(0.8, 1.0));
   return layout;
+}
+
+Mesh BuildPatchSurface(const Surface& surface, const ExponentialPatch& patch)
+{
+  return { surface.Points()(patch.Points, Eigen::all), patch.Corners };
+}
+
+bool IsOverlappingItself(const ExponentialPatch& patch)
+{
+  std::vector<char> torn(patch.Corners.rows(), 0);
+  for (const int row : patch.Torn)
+  {
+    torn[row] = 1;
+  }
+  std::vector<int> whole;
+  for (int row = 0; row < patch.Corners.rows(); ++row)
+  {
+    if (!torn[row])
+    {
+      whole.push_back(row);
+    }
+  }
+  const PlanarLocator locator(patch.Positions, patch.Corners, patch.Torn);
+  const std::vector<HalfEdge> sides =
+    SortHalfEdges(patch.Corners(whole, Eigen::all), patch.Positions.rows());
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  {
+    const HalfEdge& side = sides[begin];
+    while (end < sides.size() && sides[end].Low() == side.Low() && sides[end].High() == side.High())
+    {
+      ++end;
+    }
+    if (end > begin + 1)
+    {
+      continue;
+    }
+    const RowVector2d a = patch.Positions.row(side.Begin), b = patch.Positions.row(side.End);
+    const auto runsThrough = [&](int row)
+    { return SegmentMeetsTriangle(a, b, patch.Positions(patch.Corners.row(row), Eigen::all)); };
+    if (locator.AnyNear(a.cwiseMin(b), a.cwiseMax(b), runsThrough))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+ExponentialFacts ComputeExponentialFacts(
+  const Surface& surface, const ExponentialPatch& patch, double radius, const Progress& progress)
+{
+  ExponentialFacts facts;
+  const auto count = static_cast<double>(patch.Corners.rows());
+  facts.FlipRate = count > 0.0 ? static_cast<double>(patch.Flipped.size()) / count : 0.0;
+  CellSimplices cells;
+  for (const auto& corners : patch.Corners.rowwise())
+  {
+    const std::array<int, 3> points = { corners(0), corners(1), corners(2) };
+    cells.Add(CellShape::Triangle, points.data());
+    cells.EndCell();
+  }
+  const Eigen::MatrixXd points = surface.Points()(patch.Points, Eigen::all);
+  Eigen::MatrixXd images = Eigen::MatrixXd::Zero(patch.Positions.rows(), 3);
+  images.leftCols(2) = patch.Positions;
+  const MapQualityResult quality = EvaluateMapQuality(
+    points, images, cells, ComputeMapExtent(points, images, cells), progress.Part(0.0, 0.8));
+  facts.ConformalDistortions =
+    quality.Measures.col(static_cast<int>(MapMeasure::ConformalDistortion));
+  facts.SymmetricDirichlets =
+    quality.Measures.col(static_cast<int>(MapMeasure::SymmetricDirichlet));
+
+  const Eigen::VectorXi sound = FindSoundTriangles(patch);
+  const Eigen::VectorXd areas = quality.Sizes.cwiseProduct(sound.cast<double>());
+  facts.ConformalDistortion = ComputeQuantiles(facts.ConformalDistortions, areas);
+  facts.SymmetricDirichlet = ComputeQuantiles(facts.SymmetricDirichlets, areas);
+  double area = 0.0;
+  for (Eigen::Index row = 0; row < patch.Corners.rows(); ++row)
+  {
+    const RowVector2d a = patch.Positions.row(patch.Corners(row, 0));
+    const RowVector2d u = patch.Positions.row(patch.Corners(row, 1)) - a,
+                      v = patch.Positions.row(patch.Corners(row, 2)) - a;
+    area += sound(row) ? 0.5 * (u(0) * v(1) - u(1) * v(0)) : 0.0;
+  }
+  facts.Coverage = area / (M_PI * radius * radius);
+  facts.Overlaps = IsOverlappingItself(patch);
+  progress(1.0);
+  return facts;
 }
 
 } // namespace shape

@@ -22,318 +22,295 @@ namespace
 
 using Eigen::RowVector3d;
 
-class NetworkSearch
+/// A segment of a curve with a direction: from one point to another.
+using CurveSegment = std::pair<int, int>;
+
+/// The segments of all curves over the points; of coincident points the first one stands for all.
+struct SegmentGraph
 {
-public:
-  NetworkSearch(const Eigen::MatrixXd& points, const std::vector<std::vector<int>>& polylines,
-    const Eigen::MatrixXd& normals)
-    : Points(points)
-    , Near(points.rows())
-  {
-    this->Network.Normals = Eigen::MatrixXd::Zero(points.rows(), 3);
-    const std::vector<int> position = FindCoincidentPoints(points);
-    for (const std::vector<int>& line : polylines)
-    {
-      for (std::size_t i = 0; i + 1 < line.size(); ++i)
-      {
-        const int a = position[line[i]], b = position[line[i + 1]];
-        if (a != b &&
-          std::find(this->Near[a].begin(), this->Near[a].end(), b) == this->Near[a].end())
-        {
-          this->Near[a].push_back(b);
-          this->Near[b].push_back(a);
-          this->Forward.insert({ a, b });
-        }
-      }
-    }
-    for (Eigen::Index i = 0; i < normals.rows(); ++i)
-    {
-      this->Network.Normals.row(position[i]) += normals.row(i).stableNormalized();
-    }
-    this->Prune();
-    this->FillNormals();
-  }
-
-  CurveNetwork Find()
-  {
-    for (int point = 0; point < static_cast<int>(this->Near.size()); ++point)
-    {
-      this->Order(point);
-    }
-    for (const auto& [a, b] : this->Sides())
-    {
-      if (this->Visited.count({ a, b }) == 0)
-      {
-        this->Follow(a, b);
-      }
-    }
-    return this->Network;
-  }
-
-private:
-  using Side = std::pair<int, int>;
-
-  /// Takes away what ends in the open.
-  void Prune()
-  {
-    std::vector<int> ends;
-    for (int point = 0; point < static_cast<int>(this->Near.size()); ++point)
-    {
-      if (this->Near[point].size() == 1)
-      {
-        ends.push_back(point);
-      }
-    }
-    while (!ends.empty())
-    {
-      const int end = ends.back();
-      ends.pop_back();
-      if (this->Near[end].size() != 1)
-      {
-        continue;
-      }
-      const int other = this->Near[end].front();
-      this->Near[end].clear();
-      this->Near[other].erase(std::find(this->Near[other].begin(), this->Near[other].end(), end));
-      ++this->Network.LooseSegments;
-      if (this->Near[other].size() == 1)
-      {
-        ends.push_back(other);
-      }
-    }
-  }
-
-  /// Where there are none in a connected part, those of its own plane.
-  void FillNormals()
-  {
-    const auto count = static_cast<int>(this->Near.size());
-    DisjointSets parts(count);
-    for (int point = 0; point < count; ++point)
-    {
-      for (const int other : this->Near[point])
-      {
-        parts.Merge(point, other);
-      }
-    }
-    std::map<int, std::vector<int>> points;
-    for (int point = 0; point < count; ++point)
-    {
-      this->Network.Normals.row(point).stableNormalize();
-      if (this->Near[point].empty())
-      {
-        this->Network.Normals.row(point).setZero();
-      }
-      else
-      {
-        points[parts.Find(point)].push_back(point);
-      }
-    }
-    for (const auto& [part, members] : points)
-    {
-      const bool hasNormals = std::any_of(
-        members.begin(), members.end(), [&](int point) { return this->HasNormal(point); });
-      const auto branches = std::count_if(
-        members.begin(), members.end(), [&](int point) { return this->Near[point].size() > 2; });
-      if (hasNormals)
-      {
-        this->SpreadNormals(members);
-        continue;
-      }
-      const RowVector3d normal = branches > 0 ? this->PlaneOf(members, static_cast<int>(branches))
-                                              : this->AreaVector(members.front());
-      for (const int point : members)
-      {
-        this->Network.Normals.row(point) = normal;
-      }
-    }
-  }
-
-  bool HasNormal(int point) const { return this->Network.Normals.row(point).squaredNorm() > 0.0; }
-
-  /// To points without one, from their neighbours.
-  void SpreadNormals(const std::vector<int>& members)
-  {
-    for (bool changed = true; changed;)
-    {
-      changed = false;
-      for (const int point : members)
-      {
-        if (!this->HasNormal(point))
-        {
-          RowVector3d sum = RowVector3d::Zero();
-          for (const int other : this->Near[point])
-          {
-            sum += this->Network.Normals.row(other);
-          }
-          this->Network.Normals.row(point) = sum.stableNormalized();
-          changed = changed || this->HasNormal(point);
-        }
-      }
-    }
-  }
-
-  /// The normal of the plane that a network lies in, upwards in z, y or x.
-  RowVector3d PlaneOf(const std::vector<int>& members, int branches) const
-  {
-    Eigen::MatrixXd ways(members.size(), 3);
-    for (std::size_t i = 0; i < members.size(); ++i)
-    {
-      ways.row(static_cast<Eigen::Index>(i)) = this->Points.row(members[i]);
-    }
-    ways.rowwise() -= ways.colwise().mean().eval();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> axes(ways, Eigen::ComputeThinV);
-    constexpr double flat = 0.1;
-    if (axes.singularValues()(2) > flat * axes.singularValues()(1))
-    {
-      const int first = *std::find_if(
-        members.begin(), members.end(), [&](int point) { return this->Near[point].size() > 2; });
-      throw InvalidInput("three or more curves meet at " + std::to_string(branches) +
-        " points (first at point " + std::to_string(first) +
-        "), and they have no normals to tell the patches between them; add point Normals");
-    }
-    RowVector3d normal = axes.matrixV().col(2).transpose();
-    const RowVector3d turned(normal.z(), normal.y(), normal.x());
-    for (const double part : turned)
-    {
-      if (std::abs(part) > 1e-6)
-      {
-        return part > 0.0 ? normal : RowVector3d(-normal);
-      }
-    }
-    return normal;
-  }
-
-  /// The unit normal of a closed curve without branches, counter-clockwise around it in its sense.
-  RowVector3d AreaVector(int first) const
-  {
-    const int second = this->Forward.count({ first, this->Near[first][0] }) > 0
-      ? this->Near[first][0]
-      : this->Near[first][1];
-    RowVector3d sum = RowVector3d::Zero();
-    const RowVector3d origin = this->Points.row(first);
-    int before = first, at = second;
-    while (at != first)
-    {
-      const int next = this->Near[at][0] == before ? this->Near[at][1] : this->Near[at][0];
-      const RowVector3d way = this->Points.row(at) - origin;
-      sum += way.cross(RowVector3d(this->Points.row(next) - origin));
-      before = at;
-      at = next;
-    }
-    return sum.stableNormalized();
-  }
-
-  /// Sorts what is around a point counter-clockwise around its normal.
-  void Order(int point)
-  {
-    std::vector<int>& near = this->Near[point];
-    if (near.size() < 3)
-    {
-      return;
-    }
-    const RowVector3d normal = this->Network.Normals.row(point);
-    const RowVector3d x = normal.unitOrthogonal(), y = normal.cross(x);
-    const auto angle = [&](int other)
-    {
-      const RowVector3d way = this->Points.row(other) - this->Points.row(point);
-      return std::atan2(way.dot(y), way.dot(x));
-    };
-    std::stable_sort(near.begin(), near.end(), [&](int a, int b) { return angle(a) < angle(b); });
-  }
-
-  /// The sides in both senses; those along polylines first, in the order of their points.
-  std::vector<Side> Sides() const
-  {
-    std::vector<Side> sides, back;
-    for (int a = 0; a < static_cast<int>(this->Near.size()); ++a)
-    {
-      for (const int b : this->Near[a])
-      {
-        (this->Forward.count({ a, b }) > 0 ? sides : back).emplace_back(a, b);
-      }
-    }
-    sides.insert(sides.end(), back.begin(), back.end());
-    return sides;
-  }
-
-  /// Goes around the face to the left of a side.
-  void Follow(int a, int b)
-  {
-    std::vector<int> face;
-    bool isSimple = true;
-    std::set<int> positions;
-    Side side(a, b);
-    while (this->Visited.insert(side).second)
-    {
-      face.push_back(side.first);
-      isSimple = positions.insert(side.first).second && isSimple;
-      const std::vector<int>& near = this->Near[side.second];
-      const auto back = std::find(near.begin(), near.end(), side.first) - near.begin();
-      const auto count = static_cast<std::ptrdiff_t>(near.size());
-      side = { side.second, near[(back + count - 1) % count] };
-    }
-    const double turning = this->Turning(face);
-    const bool isCurve = std::all_of(
-      face.begin(), face.end(), [&](int point) { return this->Near[point].size() == 2; });
-    // Both sides of a closed curve: the one that its normals ask for, else that of its sense.
-    constexpr double unclear = 1e-3;
-    const bool isWanted =
-      isCurve && std::abs(turning) < unclear ? this->IsForward(face) : turning > 0.0;
-    if (!isWanted || face.size() < 3)
-    {
-      return;
-    }
-    if (!isSimple)
-    {
-      ++this->Network.SkippedFaces;
-      return;
-    }
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    this->Network.Loops.push_back(std::move(face));
-  }
-
-  /// Whether most of a face's sides run as the polylines do.
-  bool IsForward(const std::vector<int>& face) const
-  {
-    std::size_t forward = 0;
-    for (std::size_t i = 0; i < face.size(); ++i)
-    {
-      forward += this->Forward.count({ face[i], face[(i + 1) % face.size()] });
-    }
-    const auto minimum = std::min_element(face.begin(), face.end()) - face.begin();
-    const int next = face[(minimum + 1) % face.size()];
-    const int last = face[(minimum + face.size() - 1) % face.size()];
-    return 2 * forward > face.size() || (2 * forward == face.size() && next < last);
-  }
-
-  /// How much of the area that a face goes around is seen from its normals, counter-clockwise: in
-  /// shares of the squared length of its border.
-  double Turning(const std::vector<int>& face) const
-  {
-    RowVector3d centre = RowVector3d::Zero();
-    for (const int point : face)
-    {
-      centre += this->Points.row(point) / static_cast<double>(face.size());
-    }
-    double sum = 0.0, length = 0.0;
-    for (std::size_t i = 0; i < face.size(); ++i)
-    {
-      const int point = face[i], next = face[(i + 1) % face.size()];
-      const RowVector3d from = this->Points.row(point) - centre;
-      const RowVector3d to = this->Points.row(next) - centre;
-      const RowVector3d normal = this->Network.Normals.row(point) + this->Network.Normals.row(next);
-      sum += 0.25 * normal.dot(from.cross(to));
-      length += (to - from).norm();
-    }
-    return sum / (length * length);
-  }
-
   const Eigen::MatrixXd& Points;
-  std::vector<std::vector<int>> Near; ///< of each place, those joined to it by a segment
-  std::set<Side> Forward;             ///< segments in the sense of the first polyline with them
-  std::set<Side> Visited;
-  CurveNetwork Network;
+  Eigen::MatrixXd Normals;            ///< n x 3: unit, or 0
+  std::vector<std::vector<int>> Near; ///< of each point, those that a segment joins to it
+  std::set<CurveSegment> Forward;     ///< in the direction of the first polyline with them
+
+  int Size() const { return static_cast<int>(this->Near.size()); }
+  bool HasNormal(int point) const { return this->Normals.row(point).squaredNorm() > 0.0; }
+  bool IsBranch(int point) const { return this->Near[point].size() > 2; }
 };
+
+SegmentGraph BuildSegmentGraph(const Eigen::MatrixXd& points,
+  const std::vector<std::vector<int>>& polylines, const Eigen::MatrixXd& normals)
+{
+  SegmentGraph graph{ points, Eigen::MatrixXd::Zero(points.rows(), 3),
+    std::vector<std::vector<int>>(points.rows()), {} };
+  const std::vector<int> position = FindCoincidentPoints(points);
+  for (const std::vector<int>& line : polylines)
+  {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+      const int a = position[line[i]], b = position[line[i + 1]];
+      std::vector<int>& near = graph.Near[a];
+      if (a != b && std::find(near.begin(), near.end(), b) == near.end())
+      {
+        near.push_back(b);
+        graph.Near[b].push_back(a);
+        graph.Forward.insert({ a, b });
+      }
+    }
+  }
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    graph.Normals.row(position[i]) += normals.row(i).stableNormalized();
+  }
+  return graph;
+}
+
+/// Removes open ends, segment by segment; returns how many segments it has removed.
+int RemoveOpenEnds(SegmentGraph& graph)
+{
+  std::vector<int> ends;
+  for (int point = 0; point < graph.Size(); ++point)
+  {
+    if (graph.Near[point].size() == 1)
+    {
+      ends.push_back(point);
+    }
+  }
+  int removed = 0;
+  while (!ends.empty())
+  {
+    const int end = ends.back();
+    ends.pop_back();
+    if (graph.Near[end].size() != 1)
+    {
+      continue;
+    }
+    const int other = graph.Near[end].front();
+    std::vector<int>& near = graph.Near[other];
+    graph.Near[end].clear();
+    near.erase(std::find(near.begin(), near.end(), end));
+    ++removed;
+    if (near.size() == 1)
+    {
+      ends.push_back(other);
+    }
+  }
+  return removed;
+}
+
+/// Gives the members of a component that have no normal the mean of their neighbours'.
+void SpreadNormals(SegmentGraph& graph, const std::vector<int>& members)
+{
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const int point : members)
+    {
+      if (!graph.HasNormal(point))
+      {
+        RowVector3d sum = RowVector3d::Zero();
+        for (const int other : graph.Near[point])
+        {
+          sum += graph.Normals.row(other);
+        }
+        graph.Normals.row(point) = sum.stableNormalized();
+        changed = changed || graph.HasNormal(point);
+      }
+    }
+  }
+}
+
+/// The normal of the plane that a component with branches lies in, upwards in z, else y, else x.
+RowVector3d FitPlaneNormal(const SegmentGraph& graph, const std::vector<int>& members, int branches)
+{
+  Eigen::MatrixXd offsets(members.size(), 3);
+  for (std::size_t i = 0; i < members.size(); ++i)
+  {
+    offsets.row(static_cast<Eigen::Index>(i)) = graph.Points.row(members[i]);
+  }
+  offsets.rowwise() -= offsets.colwise().mean().eval();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> axes(offsets, Eigen::ComputeThinV);
+  constexpr double flat = 0.1;
+  if (axes.singularValues()(2) > flat * axes.singularValues()(1))
+  {
+    const int first = *std::find_if(
+      members.begin(), members.end(), [&](int point) { return graph.IsBranch(point); });
+    throw InvalidInput("three or more curves meet at " + std::to_string(branches) +
+      " points (first at point " + std::to_string(first) +
+      "), and they have no normals to tell the patches between them; add point Normals");
+  }
+  RowVector3d normal = axes.matrixV().col(2).transpose();
+  const RowVector3d reversed(normal.z(), normal.y(), normal.x());
+  for (const double part : reversed)
+  {
+    if (std::abs(part) > 1e-6)
+    {
+      return part > 0.0 ? normal : RowVector3d(-normal);
+    }
+  }
+  return normal;
+}
+
+/// The unit area vector of a closed curve without branches, which runs counter-clockwise around it.
+RowVector3d ComputeCurveNormal(const SegmentGraph& graph, int first)
+{
+  const std::vector<int>& start = graph.Near[first];
+  const int second = graph.Forward.count({ first, start[0] }) > 0 ? start[0] : start[1];
+  RowVector3d sum = RowVector3d::Zero();
+  const RowVector3d origin = graph.Points.row(first);
+  int before = first, at = second;
+  while (at != first)
+  {
+    const int next = graph.Near[at][0] == before ? graph.Near[at][1] : graph.Near[at][0];
+    const RowVector3d offset = graph.Points.row(at) - origin;
+    sum += offset.cross(RowVector3d(graph.Points.row(next) - origin));
+    before = at;
+    at = next;
+  }
+  return sum.stableNormalized();
+}
+
+/// Completes the normals of each connected component; one without any gets that of its own plane.
+void FillNetworkNormals(SegmentGraph& graph)
+{
+  DisjointSets components(graph.Size());
+  for (int point = 0; point < graph.Size(); ++point)
+  {
+    for (const int other : graph.Near[point])
+    {
+      components.Merge(point, other);
+    }
+  }
+  std::map<int, std::vector<int>> membersOf;
+  for (int point = 0; point < graph.Size(); ++point)
+  {
+    graph.Normals.row(point).stableNormalize();
+    if (graph.Near[point].empty())
+    {
+      graph.Normals.row(point).setZero();
+    }
+    else
+    {
+      membersOf[components.Find(point)].push_back(point);
+    }
+  }
+  for (const auto& [component, members] : membersOf)
+  {
+    const auto branches = static_cast<int>(std::count_if(
+      members.begin(), members.end(), [&](int point) { return graph.IsBranch(point); }));
+    if (std::any_of(
+          members.begin(), members.end(), [&](int point) { return graph.HasNormal(point); }))
+    {
+      SpreadNormals(graph, members);
+      continue;
+    }
+    const RowVector3d normal = branches > 0 ? FitPlaneNormal(graph, members, branches)
+                                            : ComputeCurveNormal(graph, members.front());
+    for (const int point : members)
+    {
+      graph.Normals.row(point) = normal;
+    }
+  }
+}
+
+/// Sorts the neighbours of a point with branches counter-clockwise around its normal.
+void SortNeighbours(SegmentGraph& graph, int point)
+{
+  if (!graph.IsBranch(point))
+  {
+    return;
+  }
+  std::vector<int>& near = graph.Near[point];
+  const RowVector3d normal = graph.Normals.row(point);
+  const RowVector3d x = normal.unitOrthogonal(), y = normal.cross(x);
+  const auto angle = [&](int other)
+  {
+    const RowVector3d offset = graph.Points.row(other) - graph.Points.row(point);
+    return std::atan2(offset.dot(y), offset.dot(x));
+  };
+  std::stable_sort(near.begin(), near.end(), [&](int a, int b) { return angle(a) < angle(b); });
+}
+
+/// The segments in both directions; those along polylines first, in the order of their points.
+std::vector<CurveSegment> ListSegments(const SegmentGraph& graph)
+{
+  std::vector<CurveSegment> segments, backward;
+  for (int a = 0; a < graph.Size(); ++a)
+  {
+    for (const int b : graph.Near[a])
+    {
+      (graph.Forward.count({ a, b }) > 0 ? segments : backward).emplace_back(a, b);
+    }
+  }
+  segments.insert(segments.end(), backward.begin(), backward.end());
+  return segments;
+}
+
+/// The points of the face to the left of a segment: at each point it turns into the next segment
+/// clockwise. Marks its segments as visited.
+std::vector<int> TraceFace(
+  const SegmentGraph& graph, CurveSegment segment, std::set<CurveSegment>& visited)
+{
+  std::vector<int> face;
+  while (visited.insert(segment).second)
+  {
+    face.push_back(segment.first);
+    const std::vector<int>& near = graph.Near[segment.second];
+    const auto back = std::find(near.begin(), near.end(), segment.first) - near.begin();
+    const auto count = static_cast<std::ptrdiff_t>(near.size());
+    segment = { segment.second, near[(back + count - 1) % count] };
+  }
+  return face;
+}
+
+/// Whether most segments of a face run as the polylines do.
+bool RunsForward(const SegmentGraph& graph, const std::vector<int>& face)
+{
+  std::size_t forward = 0;
+  for (std::size_t i = 0; i < face.size(); ++i)
+  {
+    forward += graph.Forward.count({ face[i], face[(i + 1) % face.size()] });
+  }
+  const auto minimum = std::min_element(face.begin(), face.end()) - face.begin();
+  const int next = face[(minimum + 1) % face.size()];
+  const int last = face[(minimum + face.size() - 1) % face.size()];
+  return 2 * forward > face.size() || (2 * forward == face.size() && next < last);
+}
+
+/// The area that a face runs around counter-clockwise, seen from its normals, over the square of
+/// its length.
+double ComputeSignedArea(const SegmentGraph& graph, const std::vector<int>& face)
+{
+  RowVector3d centre = RowVector3d::Zero();
+  for (const int point : face)
+  {
+    centre += graph.Points.row(point) / static_cast<double>(face.size());
+  }
+  double sum = 0.0, length = 0.0;
+  for (std::size_t i = 0; i < face.size(); ++i)
+  {
+    const int point = face[i], next = face[(i + 1) % face.size()];
+    const RowVector3d from = graph.Points.row(point) - centre;
+    const RowVector3d to = graph.Points.row(next) - centre;
+    const RowVector3d normal = graph.Normals.row(point) + graph.Normals.row(next);
+    sum += 0.25 * normal.dot(from.cross(to));
+    length += (to - from).norm();
+  }
+  return sum / (length * length);
+}
+
+/// Whether a face is to be filled. Of the two faces of a closed curve, it is the one that its
+/// normals ask for, else that of its direction.
+bool IsPatch(const SegmentGraph& graph, const std::vector<int>& face)
+{
+  const double area = ComputeSignedArea(graph, face);
+  const bool isCurve =
+    std::all_of(face.begin(), face.end(), [&](int point) { return graph.Near[point].size() == 2; });
+  constexpr double unclear = 1e-3;
+  const bool isWanted =
+    isCurve && std::abs(area) < unclear ? RunsForward(graph, face) : area > 0.0;
+  return isWanted && face.size() >= 3;
+}
 
 } // namespace
 
@@ -353,7 +330,32 @@ CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
       }
     }
   }
-  return NetworkSearch(points, polylines, normals).Find();
+  CurveNetwork network;
+  SegmentGraph graph = BuildSegmentGraph(points, polylines, normals);
+  network.LooseSegments = RemoveOpenEnds(graph);
+  FillNetworkNormals(graph);
+  for (int point = 0; point < graph.Size(); ++point)
+  {
+    SortNeighbours(graph, point);
+  }
+  std::set<CurveSegment> visited;
+  for (const CurveSegment& segment : ListSegments(graph))
+  {
+    std::vector<int> face = TraceFace(graph, segment, visited);
+    if (face.empty() || !IsPatch(graph, face))
+    {
+      continue;
+    }
+    if (std::set<int>(face.begin(), face.end()).size() < face.size())
+    {
+      ++network.SkippedFaces;
+      continue;
+    }
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    network.Loops.push_back(std::move(face));
+  }
+  network.Normals = std::move(graph.Normals);
+  return network;
 }
 
 } // namespace shape

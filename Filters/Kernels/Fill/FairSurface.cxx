@@ -1,7 +1,7 @@
 #include "Fill/FairSurface.h"
 
 #include "Base/Errors.h"
-#include "Geometry/PatchNormals.h"
+#include "Geometry/VertexNormals.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 
@@ -59,7 +59,7 @@ Geometry Measure(const Mesh& patch, const Eigen::MatrixXd& loopNormals)
   is.Areas = VoronoiAreas(patch, angles);
   const double minimum = 1e-12 * is.Areas.mean();
   is.Areas = is.Areas.cwiseMax(std::max(minimum, std::numeric_limits<double>::min()));
-  is.Normals = ComputeMaxNormals(patch);
+  is.Normals = ComputeVertexNormals(patch, NormalWeight::Max);
   is.Normals.topRows(loopNormals.rows()) = loopNormals;
   const Eigen::MatrixXd laplacian = is.Stiffness * patch.Points;
   is.Curvature = laplacian.cwiseProduct(is.Normals).rowwise().sum().cwiseQuotient(2.0 * is.Areas);

@@ -2,14 +2,17 @@
 
 #include "Base/Errors.h"
 #include "Fill/LoopChoice.h"
-#include "Fill/LoopNormals.h"
 #include "Fill/Private/PatchSelfIntersections.h"
+#include "Geometry/VertexNormals.h"
+#include "Laplacian/Membrane.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/Topology.h"
+#include "Search/PointTree.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -69,28 +72,29 @@ struct SurfaceFiller::Hole
 
 SurfaceFiller::~SurfaceFiller() = default;
 
-SurfaceFiller::SurfaceFiller(
-  const Mesh& surface, const std::vector<std::vector<int>>& loops, const HoleFillerOptions& options)
+SurfaceFiller::SurfaceFiller(const shape::Surface& surface,
+  const std::vector<std::vector<int>>& loops, const HoleFillerOptions& options)
   : Surface(surface)
 {
-  RequireLoops(surface, loops);
+  RequireLoops(surface.Points(), loops);
   std::vector<std::vector<int>> rims;
   for (const std::vector<int>& loop : loops)
   {
     rims.emplace_back(loop.rbegin(), loop.rend());
   }
-  const TriangleFans fans(surface.Triangles, surface.Points.rows());
+  const TriangleFans fans(surface.Triangles(), surface.Points().rows());
   this->Add(
     rims,
     [&](const std::vector<int>& points) { return ComputeBoundaryNormals(surface, fans, points); },
     options);
 }
 
-SurfaceFiller::SurfaceFiller(const Mesh& surface, const std::vector<std::vector<int>>& rims,
-  const Eigen::MatrixXd& normals, const HoleFillerOptions& options)
+SurfaceFiller::SurfaceFiller(const shape::Surface& surface,
+  const std::vector<std::vector<int>>& rims, const Eigen::MatrixXd& normals,
+  const HoleFillerOptions& options)
   : Surface(surface)
 {
-  RequireLoops(surface, rims);
+  RequireLoops(surface.Points(), rims);
   this->Add(
     rims,
     [&](const std::vector<int>& points) -> Eigen::MatrixXd { return normals(points, Eigen::all); },
@@ -103,9 +107,9 @@ void SurfaceFiller::Add(const std::vector<std::vector<int>>& rims,
   this->Taken = std::make_unique<UsedEdges>(this->Surface, rims);
   for (int i = 0; i < static_cast<int>(rims.size()); ++i)
   {
-    LoopCorners corners = FindRimCorners(rims[i], this->Surface.Points);
+    LoopCorners corners = FindRimCorners(rims[i], this->Surface.Points());
     options.IsTaken = this->Taken->Of(i, corners.Points);
-    const BoundaryLoop boundary{ this->Surface.Points(corners.Points, Eigen::all),
+    const BoundaryLoop boundary{ this->Surface.Points()(corners.Points, Eigen::all),
       normals(corners.Points) };
     this->Holes.emplace_back(boundary, options);
     this->Holes.back().Facts.Number = i;
@@ -130,7 +134,7 @@ FilledSurface SurfaceFiller::Joined(const Hole* last) const
     order.push_back(last);
   }
   FilledSurface joined{ this->Surface, {} };
-  Eigen::Index points = this->Surface.Points.rows(), triangles = this->Surface.Triangles.rows();
+  Eigen::Index points = this->Surface.Points().rows(), triangles = this->Surface.Triangles().rows();
   for (const Hole* hole : order)
   {
     FilledHole facts = hole->Facts;
@@ -279,7 +283,7 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
 {
   std::vector<bool> fails = this->FillEach(options, progress.Part(0.0, 0.7));
   FilledSurface filled = this->Joined(nullptr);
-  const auto first = static_cast<int>(this->Surface.Triangles.rows());
+  const auto first = static_cast<int>(this->Surface.Triangles().rows());
   std::vector<Crossing> crossings =
     FindPatchSelfIntersections(filled.Surface, first, progress.Part(0.7, 0.75));
   // In the first round one by one, so that a fill that is to be replaced is in no other's way; then
@@ -328,15 +332,80 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
 }
 
 FilledSurface FillHoles(
-  const Mesh& surface, const FillHolesOptions& options, const Progress& progress)
+  const Surface& surface, const FillHolesOptions& options, const Progress& progress)
 {
   return FillLoops(surface, FindBoundaryLoops(surface).Loops, options, progress);
 }
 
-FilledSurface FillLoops(const Mesh& surface, const std::vector<std::vector<int>>& loops,
+FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<int>>& loops,
   const FillHolesOptions& options, const Progress& progress)
 {
   return SurfaceFiller(surface, loops, options.Filler).Fill(options, progress);
+}
+
+std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes)
+{
+  std::vector<int> triangleAt(surface.Points.rows(), -1);
+  const int count = holes.empty() ? 0 : holes.front().FirstTriangle;
+  for (int t = count - 1; t >= 0; --t)
+  {
+    for (const int point : surface.Triangles.row(t))
+    {
+      triangleAt[point] = t;
+    }
+  }
+  std::vector<FillSources> sources;
+  for (const FilledHole& hole : holes)
+  {
+    Eigen::MatrixXd loop(hole.Loop.size(), 3);
+    for (std::size_t i = 0; i < hole.Loop.size(); ++i)
+    {
+      loop.row(static_cast<Eigen::Index>(i)) = surface.Points.row(hole.Loop[i]);
+    }
+    const PointTree tree(loop);
+    const auto nearest = [&](const Eigen::RowVector3d& position)
+    { return hole.Loop[tree.Nearest(position, 1).front()]; };
+    FillSources& own = sources.emplace_back();
+    for (int i = hole.FirstPoint; i < hole.FirstPoint + hole.Points; ++i)
+    {
+      own.Points.push_back(nearest(surface.Points.row(i)));
+    }
+    for (int t = hole.FirstTriangle; t < hole.FirstTriangle + hole.Triangles; ++t)
+    {
+      own.Triangles.push_back(triangleAt[nearest(GetCorners(surface, t).colwise().mean())]);
+    }
+  }
+  return sources;
+}
+
+Eigen::MatrixXd ExtendValuesOntoFill(
+  const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values)
+{
+  std::map<int, int> rows; // of the patch: the rim, then the fill's own points
+  std::vector<int> points;
+  for (const int point : hole.Loop)
+  {
+    if (rows.insert({ point, static_cast<int>(points.size()) }).second)
+    {
+      points.push_back(point);
+    }
+  }
+  const auto loop = static_cast<Eigen::Index>(points.size());
+  for (int i = 0; i < hole.Points; ++i)
+  {
+    rows[hole.FirstPoint + i] = static_cast<int>(points.size());
+    points.push_back(hole.FirstPoint + i);
+  }
+  Mesh patch{ surface.Points(points, Eigen::all),
+    surface.Triangles.middleRows(hole.FirstTriangle, hole.Triangles) };
+  for (int& corner : patch.Triangles.reshaped())
+  {
+    corner = rows.at(corner);
+  }
+  const Eigen::MatrixXd loopValues =
+    values(std::vector<int>(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loop)),
+      Eigen::all);
+  return SolveHarmonicValues(patch, loopValues).bottomRows(hole.Points);
 }
 
 } // namespace shape

@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Fill/HoleFiller.h"
 #include "Fill/LoopCorners.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -63,12 +63,12 @@ public:
   /// loops: of the surface's points, with the surface to the left, as FindBoundaryLoops finds them;
   /// each of at least 3 points. Throws InvalidInput where an index is out of range or a point is
   /// not finite.
-  SurfaceFiller(const Mesh& surface, const std::vector<std::vector<int>>& loops,
+  SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& loops,
     const HoleFillerOptions& options = {});
 
   /// rims: of the surface's points, with the fill to the left; normals: n x 3, of the surface's
   /// points, zero for that of the membrane. The surface may have no triangles.
-  SurfaceFiller(const Mesh& surface, const std::vector<std::vector<int>>& rims,
+  SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& rims,
     const Eigen::MatrixXd& normals, const HoleFillerOptions& options = {});
   ~SurfaceFiller();
 
@@ -87,17 +87,33 @@ private:
   void Replace(Hole& hole, const FillHolesOptions& options, const Progress& progress);
   FilledSurface Joined(const Hole* last) const;
 
-  Mesh Surface;
+  shape::Surface Surface;
   std::unique_ptr<UsedEdges> Taken;
   std::vector<Hole> Holes;
 };
 
 /// Fills holes of a surface, of any triangles: all of FindBoundaryLoops. Throws as SurfaceFiller.
 FilledSurface FillHoles(
-  const Mesh& surface, const FillHolesOptions& options = {}, const Progress& progress = {});
+  const Surface& surface, const FillHolesOptions& options = {}, const Progress& progress = {});
 
 /// Fills the loops given, with the surface to the left.
-FilledSurface FillLoops(const Mesh& surface, const std::vector<std::vector<int>>& loops,
+FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<int>>& loops,
   const FillHolesOptions& options = {}, const Progress& progress = {});
+
+/// Where the fill of a hole has its data from.
+struct FillSources
+{
+  std::vector<int> Points;    ///< of each of its points: the nearest one of the rim
+  std::vector<int> Triangles; ///< of each triangle: one of the surface's at the rim, the nearest
+};
+
+/// Of each fill. surface: with the fills, whose triangles are behind all others. Neither is empty
+/// where the fill is not; a triangle is -1 where the rim has none.
+std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes);
+
+/// Values of a fill's points (hole.Points x d) from those at its rim: smooth continuations
+/// (SolveHarmonicValues). values: n x d, of all points; the others' rows mean nothing.
+Eigen::MatrixXd ExtendValuesOntoFill(
+  const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values);
 
 } // namespace shape

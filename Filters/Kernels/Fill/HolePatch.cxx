@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Fill/Private/HoleDisk.h"
-#include "Geometry/PatchNormals.h"
+#include "Geometry/VertexNormals.h"
 #include "Laplacian/Membrane.h"
 #include "Parameterize/ConformalFlattening.h"
 #include "Planar/PlanarLocator.h"
@@ -28,6 +28,30 @@ Eigen::MatrixXd InSpace(const Eigen::MatrixXd& flat)
   Eigen::MatrixXd points = Eigen::MatrixXd::Zero(flat.rows(), 3);
   points.leftCols<2>() = flat;
   return points;
+}
+
+/// A point of a triangle that is curved to normals at its corners (one a row): the cubic patch of
+/// Vlachos and others, "Curved PN triangles", 2001.
+RowVector3d EvaluateCurvedTriangle(
+  const Eigen::Matrix3d& corners, const Eigen::Matrix3d& normals, const RowVector3d& barycentric)
+{
+  RowVector3d position = RowVector3d::Zero();
+  // The control points beside the corners, and by their mean the one in the middle.
+  RowVector3d middle = -0.5 * corners.colwise().mean();
+  for (int i = 0; i < 3; ++i)
+  {
+    const RowVector3d corner = corners.row(i), normal = normals.row(i);
+    const double u = barycentric(i);
+    position += u * u * u * corner;
+    for (const int j : { (i + 1) % 3, (i + 2) % 3 })
+    {
+      const RowVector3d way = corners.row(j) - corner;
+      const RowVector3d control = corner + (way - way.dot(normal) * normal) / 3.0;
+      position += 3.0 * u * u * barycentric(j) * control;
+      middle += 0.25 * control;
+    }
+  }
+  return position + 6.0 * barycentric.prod() * middle;
 }
 
 /// Values at the points of a triangulated layout, asked for anywhere.
@@ -230,7 +254,7 @@ HolePatch RemeshPatch(const HolePatch& patch, const PatchSizes& sizes,
   Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(patch.Flat.rows(), 3);
   if (loopNormals.rows() > 0)
   {
-    normals = ComputeMaxNormals(patch.Surface);
+    normals = ComputeVertexNormals(patch.Surface, NormalWeight::Max);
     normals.topRows(loop) = loopNormals;
   }
   HolePatch finer =

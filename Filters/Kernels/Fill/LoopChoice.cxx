@@ -22,8 +22,8 @@ double ComputeLoopLength(const Eigen::MatrixXd& points, const std::vector<int>& 
   return length;
 }
 
-std::vector<int> ChooseLoops(
-  const Mesh& surface, const std::vector<std::vector<int>>& loops, const LoopChoice& choice)
+std::vector<int> ChooseLoops(const Eigen::MatrixXd& points,
+  const std::vector<std::vector<int>>& loops, const LoopChoice& choice)
 {
   RequireOption(choice.MaximumLength >= 0.0, "MaximumLength", choice.MaximumLength, "at least 0");
   std::vector<int> chosen(loops.size());
@@ -49,7 +49,7 @@ std::vector<int> ChooseLoops(
   const auto isTooLong = [&](int loop)
   {
     return choice.MaximumLength > 0.0 &&
-      ComputeLoopLength(surface.Points, loops[loop]) > choice.MaximumLength;
+      ComputeLoopLength(points, loops[loop]) > choice.MaximumLength;
   };
   chosen.erase(std::remove_if(chosen.begin(), chosen.end(), isTooLong), chosen.end());
   return chosen;
@@ -68,9 +68,9 @@ double ComputeNonplanarity(const Eigen::MatrixXd& points)
   return radius > 0.0 ? (ways * axes.matrixV().col(2)).cwiseAbs().maxCoeff() / (2.0 * radius) : 0.0;
 }
 
-void RequireLoops(const Mesh& surface, const std::vector<std::vector<int>>& loops)
+void RequireLoops(const Eigen::MatrixXd& points, const std::vector<std::vector<int>>& loops)
 {
-  RequireFinite(surface.Points, "the surface");
+  RequireFinite(points, "the surface");
   for (const std::vector<int>& loop : loops)
   {
     if (loop.size() < 3)
@@ -80,10 +80,10 @@ void RequireLoops(const Mesh& surface, const std::vector<std::vector<int>>& loop
     }
     for (const int point : loop)
     {
-      if (point < 0 || point >= surface.Points.rows())
+      if (point < 0 || point >= points.rows())
       {
         throw InvalidInput("a loop names point " + std::to_string(point) + " of " +
-          std::to_string(surface.Points.rows()) + "; give points of the surface");
+          std::to_string(points.rows()) + "; give points of the surface");
       }
     }
   }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
-
 #include <Eigen/Core>
 
 #include <vector>
@@ -25,8 +23,8 @@ struct LoopChoice
 
 /// The chosen ones of a surface's loops, by index. Throws InvalidInput where an option is out of
 /// range, with the number of loops.
-std::vector<int> ChooseLoops(
-  const Mesh& surface, const std::vector<std::vector<int>>& loops, const LoopChoice& choice);
+std::vector<int> ChooseLoops(const Eigen::MatrixXd& points,
+  const std::vector<std::vector<int>>& loops, const LoopChoice& choice);
 
 /// How long a closed line through points is.
 double ComputeLoopLength(const Eigen::MatrixXd& points, const std::vector<int>& loop);
@@ -37,6 +35,6 @@ double ComputeNonplanarity(const Eigen::MatrixXd& points);
 
 /// Throws InvalidInput where a loop has fewer than 3 points, one that the surface lacks, or where a
 /// coordinate is not finite.
-void RequireLoops(const Mesh& surface, const std::vector<std::vector<int>>& loops);
+void RequireLoops(const Eigen::MatrixXd& points, const std::vector<std::vector<int>>& loops);
 
 } // namespace shape

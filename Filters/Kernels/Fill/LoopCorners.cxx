@@ -2,7 +2,10 @@
 
 #include "Mesh/CoincidentPoints.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <utility>
 
 namespace shape
 {
@@ -52,10 +55,10 @@ LoopCorners FindRimCorners(const std::vector<int>& loop, const Eigen::MatrixXd& 
   return corners;
 }
 
-UsedEdges::UsedEdges(const Mesh& surface, const std::vector<std::vector<int>>& loops)
-  : Position(FindCoincidentPoints(surface.Points))
-  , LoopsOf(surface.Points.rows())
-  , Joined(surface.Points.rows())
+UsedEdges::UsedEdges(const Surface& surface, const std::vector<std::vector<int>>& loops)
+  : Position(FindCoincidentPoints(surface.Points()))
+  , LoopsOf(surface.Points().rows())
+  , Joined(surface.Points().rows())
 {
   for (int loop = 0; loop < static_cast<int>(loops.size()); ++loop)
   {
@@ -68,7 +71,7 @@ UsedEdges::UsedEdges(const Mesh& surface, const std::vector<std::vector<int>>& l
       }
     }
   }
-  for (const auto& triangle : surface.Triangles.rowwise())
+  for (const auto& triangle : surface.Triangles().rowwise())
   {
     for (int k = 0; k < 3; ++k)
     {
@@ -107,6 +110,38 @@ std::function<bool(int, int)> UsedEdges::Of(int loop, const std::vector<int>& co
     const std::vector<int>& others = this->Joined[positions[i]];
     return std::binary_search(others.begin(), others.end(), positions[j]) ||
       isOnBoth(positions[i], positions[j]);
+  };
+}
+
+std::function<bool(int, int)> FindOuterChords(const BoundaryLoop& loop)
+{
+  return [loop](int a, int b)
+  {
+    constexpr int maximum = 8; // sides
+    constexpr double flat = 0.01, opposite = -0.3;
+    const auto corners = static_cast<int>(loop.Points.rows());
+    const int sides = (b - a + corners) % corners;
+    if (sides > corners - sides)
+    {
+      std::swap(a, b);
+    }
+    const int between = std::min(sides, corners - sides);
+    if (between < 2 || between > maximum)
+    {
+      return false;
+    }
+    const Eigen::RowVector3d first = loop.Points.row(a);
+    Eigen::RowVector3d area = Eigen::RowVector3d::Zero(), normal = loop.Normals.row(a);
+    for (int step = 1; step <= between; ++step)
+    {
+      const int here = (a + step - 1) % corners, next = (a + step) % corners;
+      const Eigen::RowVector3d from = loop.Points.row(here) - first,
+                               to = loop.Points.row(next) - first;
+      area += 0.5 * from.cross(to);
+      normal += loop.Normals.row(next);
+    }
+    return area.norm() < flat * (loop.Points.row(b) - first).squaredNorm() ||
+      area.dot(normal.stableNormalized()) < opposite * area.norm();
   };
 }
 

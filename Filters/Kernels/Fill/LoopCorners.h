@@ -1,6 +1,7 @@
 #pragma once
 
-#include "Mesh/Mesh.h"
+#include "Fill/FairSurface.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -29,7 +30,7 @@ LoopCorners FindRimCorners(const std::vector<int>& loop, const Eigen::MatrixXd& 
 class UsedEdges
 {
 public:
-  UsedEdges(const Mesh& surface, const std::vector<std::vector<int>>& loops);
+  UsedEdges(const Surface& surface, const std::vector<std::vector<int>>& loops);
 
   /// For a rim, by number, and points of it.
   std::function<bool(int, int)> Of(int loop, const std::vector<int>& corners) const;
@@ -39,5 +40,13 @@ private:
   std::vector<std::vector<int>> LoopsOf; ///< of each place
   std::vector<std::vector<int>> Joined;  ///< of each place on a rim, those joined to it, in order
 };
+
+/**
+ * Whether a fill should have no edge between two points of its rim, by number: seen along the rim's
+ * normals the few points between them are on the other side, so that the edge would cut off a piece
+ * that lies over the surface around the hole; or they are on one line with it. False where more
+ * than eight sides are between them, and where neither is sure.
+ */
+std::function<bool(int, int)> FindOuterChords(const BoundaryLoop& loop);
 
 } // namespace shape

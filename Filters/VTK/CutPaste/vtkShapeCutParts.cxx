@@ -18,7 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include "Fill/FillValues.h"
+#include "Fill/FillHoles.h"
 
 #include <algorithm>
 #include <string>

@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
+#include "CutPaste/FootprintLayout.h"
 #include "Mesh/BoundaryLoops.h"
 
 #include <algorithm>
@@ -125,7 +126,7 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
   const std::vector<int> loop = ChooseLoop(surface, normals, loopIndex);
   if (!WasCut(loop, normals))
   {
-    return { shape::BuildFeatureBaseOnOwnFill(surface, loop, progress), true };
+    return { shape::BuildFootprintOnOwnFill(surface, loop, progress), true };
   }
   const auto radius = Fact(data, "ConformalRadius", 1), refined = Fact(data, "Refined", 1);
   return { { loop, vtkShapeConvert::Rows(positions, loop).leftCols(2),

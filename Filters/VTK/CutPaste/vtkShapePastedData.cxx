@@ -11,7 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include "CutPaste/SeamBlend.h"
+#include "CutPaste/Seam.h"
 #include "Geometry/SurfaceWelding.h"
 
 #include <algorithm>
@@ -153,7 +153,7 @@ void Blend(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feat
   const Eigen::VectorXd& depths = feature.Deformation().Arrivals();
   const double reach = width * depths.maxCoeff();
   const std::vector<int>& loop = feature.Base().Loop;
-  const Eigen::MatrixXd& points = feature.Surface().Points;
+  const Eigen::MatrixXd& points = feature.Surface().Points();
   const auto first = static_cast<vtkIdType>(pasted.TargetPoints.size());
   vtkPointData* targetData = target.Data->GetPointData();
   vtkPointData* featureData = featurePart.Data->GetPointData();

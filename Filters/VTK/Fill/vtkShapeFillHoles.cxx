@@ -125,12 +125,12 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   {
     fresh.Curves = CurvesOf(data);
     std::vector<std::vector<int>> rims = fresh.Curves.Loops;
-    fresh.Chosen = shape::ChooseLoops(surface, rims, this->Choice);
+    fresh.Chosen = shape::ChooseLoops(surface.Points, rims, this->Choice);
   }
   else
   {
     fresh.Border = shape::FindBoundaryLoops(surface);
-    fresh.Chosen = shape::ChooseLoops(surface, fresh.Border.Loops, this->Choice);
+    fresh.Chosen = shape::ChooseLoops(surface.Points, fresh.Border.Loops, this->Choice);
   }
   progress(0.6);
   Kept& kept = *this->Cache;

@@ -5,7 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 
-#include "Fill/FillValues.h"
+#include "Fill/FillHoles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,8 +15,8 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
-#include "Fill/FillValues.h"
-#include "Geometry/PatchNormals.h"
+#include "Fill/FillHoles.h"
+#include "Geometry/VertexNormals.h"
 
 #include <Eigen/Geometry>
 
@@ -104,7 +104,8 @@ void WritePointData(const FilledSurface& filled, const std::vector<shape::FillSo
   vtkShapeFillValues::Continue(filled.Surface, filled.Holes, data, normals);
   if (normals)
   {
-    WriteNormals(shape::ComputeMaxNormals(filled.Surface), old, old, normals);
+    WriteNormals(
+      shape::ComputeVertexNormals(filled.Surface, shape::NormalWeight::Max), old, old, normals);
   }
 }
 

@@ -3,7 +3,7 @@
 // surface knows where the loop of what was cut from it is.
 
 #include "Base/Errors.h"
-#include "CutPaste/FeatureFootprint.h"
+#include "CutPaste/FootprintLayout.h"
 #include "Mesh/OpenSurface.h"
 #include "Support/TestShapes.h"
 
@@ -24,7 +24,7 @@ TEST(FeatureFootprint, AFlatRimStandsOnAPlane)
     bump.Points(i, 2) = share < 1.0 ? std::pow(1.0 - share, 2) : 0.0;
   }
   const std::vector<int> loop = shape::FindManifoldBoundaryLoops(bump)[0];
-  const shape::FeatureFootprint base = shape::BuildFeatureBaseOnOwnFill(bump, loop);
+  const shape::FeatureFootprint base = shape::BuildFootprintOnOwnFill(bump, loop);
   ASSERT_EQ(base.Loop, loop);
   EXPECT_LT((base.Normals.rowwise() - Eigen::RowVector3d(0, 0, 1)).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT((base.Normal - Eigen::RowVector3d(0, 0, 1)).norm(), 1e-6);
@@ -59,7 +59,7 @@ TEST(FeatureFootprint, ACapOfASphereStandsOnTheSphere)
 {
   const shape::Mesh cap = Cap(5, 0.7);
   const std::vector<int> loop = shape::FindManifoldBoundaryLoops(cap)[0];
-  const shape::FeatureFootprint base = shape::BuildFeatureBaseOnOwnFill(cap, loop);
+  const shape::FeatureFootprint base = shape::BuildFootprintOnOwnFill(cap, loop);
   for (Eigen::Index i = 0; i < base.LoopPositions.rows(); ++i)
   {
     const Eigen::RowVector3d position = cap.Points.row(loop[i]);
@@ -76,7 +76,7 @@ TEST(FeatureFootprint, ASurfaceKnowsTheLoopOfWhatWasCutFromIt)
   std::vector<int> numbers(loop.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   const shape::FeatureFootprint base =
-    shape::BuildFeatureBaseOnSurface(sphere, Eigen::RowVector3d(0, 0, 1), numbers, loop);
+    shape::BuildFootprintOnSurface(sphere, Eigen::RowVector3d(0, 0, 1), numbers, loop);
   EXPECT_EQ(base.Loop, numbers);
   for (Eigen::Index i = 0; i < base.LoopPositions.rows(); ++i)
   {
@@ -90,7 +90,7 @@ TEST(FeatureFootprint, ASurfaceKnowsTheLoopOfWhatWasCutFromIt)
   two.Triangles.conservativeResize(2 * sphere.Triangles.rows(), 3);
   two.Triangles.bottomRows(sphere.Triangles.rows()) =
     sphere.Triangles.array() + static_cast<int>(sphere.Points.rows());
-  EXPECT_THROW(shape::BuildFeatureBaseOnSurface(two, Eigen::RowVector3d(0, 0, 6), numbers, loop),
+  EXPECT_THROW(shape::BuildFootprintOnSurface(two, Eigen::RowVector3d(0, 0, 6), numbers, loop),
     shape::InvalidInput);
 }
 

@@ -8,6 +8,7 @@
 #include "CutPaste/PasteTarget.h"
 
 #include "Base/Errors.h"
+#include "CutPaste/FootprintLayout.h"
 #include "Mesh/OpenSurface.h"
 #include "Support/CurveShapes.h"
 #include "Support/DeformShapes.h"
@@ -156,7 +157,7 @@ struct CutBase
     this->On = shape::FindManifoldBoundaryLoops(part).front();
     std::vector<int> loop(this->On.size());
     std::iota(loop.begin(), loop.end(), 0);
-    this->Base = shape::BuildFeatureBaseOnSurface(surface, seed, loop, this->On);
+    this->Base = shape::BuildFootprintOnSurface(surface, seed, loop, this->On);
     for (int t = 0; t < static_cast<int>(surface.Triangles.rows()); ++t)
     {
       if (isNear(shape::GetCorners(surface, t).colwise().mean()))

@@ -2,7 +2,7 @@
 // once; what they have in common is not in it.
 
 #include "Base/Errors.h"
-#include "CutPaste/SeamBand.h"
+#include "CutPaste/Seam.h"
 #include "Support/CurveShapes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Facts checked: at the loop the values are the target's, beyond the width the feature's own; a
 // difference that is the same all around stays so inwards; values in between lie between.
 
-#include "CutPaste/SeamBlend.h"
+#include "CutPaste/Seam.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>

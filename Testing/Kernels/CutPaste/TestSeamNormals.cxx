@@ -2,7 +2,7 @@
 // are asked for; points beyond the width and those of the loop stay; nothing is turned by a share
 // of 0, and all turns with the space; points at the same place do no harm.
 
-#include "CutPaste/SeamNormals.h"
+#include "CutPaste/Seam.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>

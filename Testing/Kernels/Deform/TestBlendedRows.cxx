@@ -1,7 +1,6 @@
 // Facts checked: a row blends as the sums over its samples say, wherever in the blocks of eight it
 // begins and whatever other rows hold; samples that do not move blend to exactly that, those that
-// all move rigidly to that motion, by any weights; the nearest rotation is the polar factor, or
-// where that mirrors the rotation nearest in the Frobenius norm.
+// all move rigidly to that motion, by any weights.
 
 #include "Deform/Private/BlendedRows.h"
 #include "Support/DeformShapes.h"
@@ -159,32 +158,6 @@ TEST(BlendedRows, NumbersAndTheSizeOfWeightsDoNotCount)
   EXPECT_EQ(Difference(BlendOf(0, wider, MotionsOf(samples)),
               BlendOf(9, { weights.begin(), weights.begin() + 11 }, MotionsOf(samples))),
     0.0);
-}
-
-TEST(BlendedRows, FitRotation)
-{
-  for (int i = 0; i < 100; ++i)
-  {
-    const Matrix3d rotation = RandomRotation(), axes = RandomRotation();
-    EXPECT_LT((shape::FitRotation(rotation) - rotation).norm(), 1e-14);
-    // A stretch along any axes after it, little or much, does not turn.
-    const Vector3d stretches(std::pow(10.0, -0.05 * i), 1.0, 1.5);
-    const Matrix3d stretched = axes * stretches.asDiagonal() * axes.transpose() * rotation;
-    EXPECT_LT((shape::FitRotation(stretched) - rotation).norm(), 1e-9);
-
-    const Matrix3d any = Matrix3d::Random(); // half of them mirror
-    const Matrix3d nearest = shape::FitRotation(any);
-    EXPECT_LT((nearest * nearest.transpose() - Matrix3d::Identity()).norm(), 1e-13);
-    EXPECT_GT(nearest.determinant(), 0.0);
-    EXPECT_LT((shape::FitRotation(axes * any * rotation) - axes * nearest * rotation).norm(),
-      1e-6); // ill-conditioned where two singular values cancel
-    for (int other = 0; other < 100; ++other)
-    {
-      const Matrix3d near =
-        Eigen::AngleAxisd(0.03 * other, Vector3d::Random().normalized()) * nearest;
-      EXPECT_GE((any - near).norm(), (any - nearest).norm() - 1e-14);
-    }
-  }
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 // weigh what the handle does: as much as the nodes of a regular border, three times the area of
 // triangles; motions and scales change none of that; wrong handles are refused.
 
-#include "Deform/Private/HandleSources.h"
+#include "Deform/Private/HandleAttachment.h"
 
 #include "Base/Errors.h"
 #include "Support/DeformShapes.h"

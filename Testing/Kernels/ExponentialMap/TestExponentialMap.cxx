@@ -217,7 +217,7 @@ TEST(ExponentialMap, ALargerRadiusOnlyAdds)
   }
   // Many points at one distance.
   shape::ExponentialMap sphere(shapetest::Icosphere(4));
-  const RowVector3d pole = sphere.Surface().Points.row(0);
+  const RowVector3d pole = sphere.Surface().Points().row(0);
   ExpectPrefix(sphere.Around(pole, 0.6), sphere.Around(pole, 1.0));
 }
 

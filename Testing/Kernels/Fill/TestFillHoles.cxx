@@ -1,6 +1,5 @@
 #include "Base/Errors.h"
 #include "Fill/FillHoles.h"
-#include "Fill/FillValues.h"
 #include "Mesh/Surface.h"
 #include "Support/HoleShapes.h"
 

@@ -335,17 +335,17 @@ TEST(HoleLoops, LoopsAreChosen)
   ASSERT_EQ(loops.size(), 3u);
   shape::LoopChoice choice;
   using Type = shape::LoopChoice::LoopsType;
-  EXPECT_EQ(shape::ChooseLoops(open, loops, choice), (std::vector<int>{ 0, 1, 2 }));
+  EXPECT_EQ(shape::ChooseLoops(open.Points, loops, choice), (std::vector<int>{ 0, 1, 2 }));
   choice.Loops = Type::Longest;
-  EXPECT_EQ(shape::ChooseLoops(open, loops, choice), (std::vector<int>{ 0 }));
+  EXPECT_EQ(shape::ChooseLoops(open.Points, loops, choice), (std::vector<int>{ 0 }));
   choice.Loops = Type::Chosen;
   choice.Indices = { 2, 1, 2 };
-  EXPECT_EQ(shape::ChooseLoops(open, loops, choice), (std::vector<int>{ 1, 2 }));
+  EXPECT_EQ(shape::ChooseLoops(open.Points, loops, choice), (std::vector<int>{ 1, 2 }));
   choice.Indices = { 3 };
-  EXPECT_THROW(shape::ChooseLoops(open, loops, choice), shape::InvalidInput);
+  EXPECT_THROW(shape::ChooseLoops(open.Points, loops, choice), shape::InvalidInput);
   choice = {};
   choice.MaximumLength = 0.5 *
     (shape::ComputeLoopLength(open.Points, loops[0]) +
       shape::ComputeLoopLength(open.Points, loops[1]));
-  EXPECT_EQ(shape::ChooseLoops(open, loops, choice), (std::vector<int>{ 1, 2 }));
+  EXPECT_EQ(shape::ChooseLoops(open.Points, loops, choice), (std::vector<int>{ 1, 2 }));
 }

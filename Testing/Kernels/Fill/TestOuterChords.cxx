@@ -3,7 +3,8 @@
 // numbered, and never past eight sides; a flipped tip leaves a triangulation of the same outline
 // without that chord, and stays where the other diagonal would not be inside or is taken.
 
-#include "Fill/Private/OuterChords.h"
+#include "Fill/LoopCorners.h"
+#include "Fill/Private/HoleDisk.h"
 #include "Support/DeformShapes.h"
 
 #include <gtest/gtest.h>

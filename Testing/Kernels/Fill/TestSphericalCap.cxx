@@ -3,7 +3,7 @@
 // pole; what a rim differs is spread by the harmonics of the disk; it goes through any rim, turns
 // over with the normals, and moves and scales with the rim.
 
-#include "Fill/Private/SphericalCap.h"
+#include "Fill/Private/FairPatch.h"
 
 #include "Support/DeformShapes.h"
 

@@ -1,5 +1,4 @@
 #include "Base/Errors.h"
-#include "ExponentialMap/ExponentialFacts.h"
 #include "ExponentialMap/PatchLayout.h"
 #include "Geometry/Orientation.h"
 #include "Parameterize/FlipRepair.h"

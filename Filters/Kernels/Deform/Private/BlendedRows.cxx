@@ -71,10 +71,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/SVD>
-
 #include <algorithm>
 #include <cmath>
 
@@ -151,39 +147,6 @@ BlendedTransform BlendedRows::Blend(int row, const SampleTransforms& motions) co
   blend.Turned = Eigen::Map<const Eigen::Vector3d>(sums + 3) / one.Sum;
   blend.Rotation = Eigen::Map<const Eigen::Matrix3d>(sums + 6) / one.Sum;
   return blend;
-}
-
-Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix)
-{
-  // Newton's iteration X -> (X + X^-T) / 2 from a blend of not too different rotations converges
-  // quadratically, and costs a tenth of a decomposition.
-  Eigen::Matrix3d x = matrix;
-  for (int step = 0; step < 12; ++step)
-  {
-    Eigen::Matrix3d cofactors;
-    cofactors.col(0) = x.col(1).cross(x.col(2));
-    cofactors.col(1) = x.col(2).cross(x.col(0));
-    cofactors.col(2) = x.col(0).cross(x.col(1));
-    const double determinant = x.col(0).dot(cofactors.col(0));
-    if (!(determinant > 0.05))
-    {
-      break;
-    }
-    const Eigen::Matrix3d next = 0.5 * (x + cofactors / determinant);
-    const double change = (next - x).squaredNorm();
-    x = next;
-    if (change < 1e-18)
-    {
-      return x;
-    }
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  if (u.determinant() * svd.matrixV().determinant() < 0.0)
-  {
-    u.col(2) = -u.col(2);
-  }
-  return u * svd.matrixV().transpose();
 }
 
 } // namespace shape

@@ -71,8 +71,4 @@ private:
   std::size_t Total = 0;
 };
 
-/// The rotation nearest to a matrix (its polar factor, or where that mirrors, the nearest
-/// rotation).
-Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix);
-
 } // namespace shape

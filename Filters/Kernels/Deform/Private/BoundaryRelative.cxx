@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Geometry/FitRotation.h"
 
 #include <algorithm>
 #include <atomic>
@@ -151,7 +152,7 @@ NodeTransforms BoundaryRelative::Move(
         const int node = this->Sweep.Nodes[first + i];
         const Eigen::Vector3d rest = this->Rests.col(first + i);
         motions.Shifts.col(node) = blend.Apply(rest, this->Problem.Scales(node)) - rest + shift;
-        motions.Rotations[node] = FitRotation(blend.Rotation);
+        motions.Rotations[node] = FitBlendedRotation(blend.Rotation);
       }
     },
     progress);

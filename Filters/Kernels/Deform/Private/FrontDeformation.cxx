@@ -1,6 +1,7 @@
 #include "Deform/Private/FrontDeformation.h"
 
 #include "Base/Parallel.h"
+#include "Geometry/FitRotation.h"
 
 #include <algorithm>
 #include <utility>
@@ -104,7 +105,7 @@ NodeTransforms FrontDeformation::Move(
     {
       const BlendedTransform blend = this->Blend(rank, samples, one, weights);
       position = blend.Apply(rest, this->Problem.Scales(node));
-      rotation = FitRotation(blend.Rotation);
+      rotation = FitBlendedRotation(blend.Rotation);
       motions.Shifts.col(node) = position - rest + shift;
     }
     samples.Set(rank, rest, position, rotation);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Base/Progress.h"
 #include "Deform/BoundaryHandle.h"
+#include "Deform/Private/NodeDeformation.h"
 #include "Geometry/PointGraph.h"
 
 #include <Eigen/Core>
@@ -31,9 +31,9 @@ struct HandleSources
   Eigen::MatrixXd Shares;  ///< k x 3: its barycentric coordinates there
 };
 
-/// Throws InvalidInput where the handle has no samples, a sample that is not finite, or a segment
-/// or triangle out of range; Aborted.
-HandleSources AttachHandle(
-  const PointGraph& shape, const BoundaryHandle& handle, const Progress& progress = {});
+/// The motions of the sources of a posed handle, in their order. scales: of offsets from the
+/// handle, for nodes that are only almost on it; one for each node.
+NodeTransforms MoveSources(const HandleSources& sources, const BoundaryHandle& handle,
+  const HandlePose& pose, const Eigen::VectorXd& scales);
 
 } // namespace shape

@@ -2,6 +2,7 @@
 
 #include "Base/Parallel.h"
 #include "Deform/Private/BlendedRows.h"
+#include "Geometry/FitRotation.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -277,7 +278,7 @@ NodeTransforms MultiresolutionDeformation::Move(
         const int node = this->Sweep.Nodes[first + i];
         const Eigen::Vector3d rest = this->Problem.Graph.Positions.row(node).transpose() - centre;
         motions.Shifts.col(node) = blend.Apply(rest, this->Problem.Scales(node)) - rest + shift;
-        motions.Rotations[node] = FitRotation(blend.Rotation);
+        motions.Rotations[node] = FitBlendedRotation(blend.Rotation);
       }
     },
     progress.Part(0.5, 1.0));

@@ -31,7 +31,7 @@ ExponentialFront::ExponentialFront(const PointGraph& graph, const Eigen::MatrixX
 EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
   const Sample& from, const Sample& to)
 {
-  constexpr double opposite = 1e-6; // between opposite normals there is no shortest turn
+  constexpr double opposite = 1e-6; // between opposite normals no least rotation is defined
   const Vector3d edge = to.Position - from.Position;
   const Vector2d flat = from.Axes * edge;
   const double length2 = edge.squaredNorm(), flat2 = flat.squaredNorm();
@@ -46,19 +46,19 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
   return prediction;
 }
 
-/// The squared distance of the apex from where the distances at the ends of an edge come from:
-/// straight, with the triangle laid out flat; infinite where the way does not cross the edge.
-/// nearFirst: whether it does so in the half of `first`.
+/// The squared distance of the apex from the source of the distances at the ends of an edge: along
+/// the straight line in the unfolded triangle; infinite if this does not cross the edge. nearFirst:
+/// whether it does so in the half of `first`.
 inline double ExponentialFront::Distance2Across(
   const Sample& first, const Sample& second, const Vector3d& apex, bool& nearFirst)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
   const Vector3d edge = second.Position - first.Position, side = apex - first.Position;
-  // The apex, and where the way begins, along the edge and across: all times the edge's length.
+  // The apex and the source, along the edge and across it: all times the edge's length.
   const double length2 = edge.squaredNorm(), first2 = first.Distance * first.Distance;
   const double apexAlong = side.dot(edge);
   const double along = 0.5 * (first2 - second.Distance * second.Distance + length2);
-  // No height: an apex on the edge, where a triangle without area closes a cleft.
+  // No height: an apex on the edge, of a triangle without area that closes a gap.
   const double height2 = std::max(0.0, side.squaredNorm() * length2 - apexAlong * apexAlong);
   const double depth2 = first2 * length2 - along * along;
   if (!(depth2 >= 0.0))
@@ -94,7 +94,7 @@ void ExponentialFront::Reach(int node, double distance, int source, State state)
 {
   Sample& sample = this->Samples[node];
   int& mark = this->Marks[node];
-  // No way is shorter than that straight from the seed but by rounding.
+  // Only by rounding is a path shorter than the straight one from the seed.
   if (mark < this->FirstMark || (distance < sample.Distance && sample.Source >= 0))
   {
     mark = this->FirstMark + state;
@@ -154,10 +154,10 @@ void ExponentialFront::Spread(int node)
   }
 }
 
-/// The neighbours that were met before, but for the one that the front came from.
+/// The neighbours that were met before, except the one that the front came from.
 void ExponentialFront::FindUpwind(int node)
 {
-  // Whether one is settled cannot be foreseen: a branch would cost more than the rest.
+  // Whether one is settled cannot be predicted: a branch would cost more than the rest.
   const int source = this->Samples[node].Source;
   int count = 0;
   for (int i = this->Fans.First[node]; i < this->Fans.First[node + 1]; ++i)
@@ -169,10 +169,10 @@ void ExponentialFront::FindUpwind(int node)
   this->UpwindCount = count;
 }
 
-/// The mean of what all of them say, times a factor. Weights are inverse squares of the edges'
-/// lengths, times 1 - tilt x, x being how far a neighbour is to the left of the way from the seed,
-/// so that they are in balance on it: what is off the way by as much on both sides errs by as much
-/// in both directions.
+/// Equation 11: the mean of all predictions, times a factor. Weights are the inverse squares of the
+/// edge lengths, times 1 - tilt x, where x is how far a neighbour is to the left of the line from
+/// the seed. So they are balanced on it: neighbours at the same distance on both sides err by the
+/// same amount in opposite directions.
 EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
   const Sample& sample, const Prediction& first) const
 {
@@ -199,7 +199,7 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
   for (int i = 0; i < this->UpwindCount; ++i)
   {
     const Prediction one = Predict(this->Samples[this->Upwind[i]], sample);
-    // About the sum of the edges' lengths apart: the other way round a limb.
+    // About the sum of the edge lengths apart: the other way around a protrusion.
     const double most2 = 2.0 * (one.Length2 + first.Length2);
     if ((one.Image - first.Image).squaredNorm() <= most2)
     {
@@ -240,7 +240,7 @@ void ExponentialFront::Settle(int node)
     const double length = mean.Image.norm();
     if (this->Marks[node] == this->FirstMark + AlongEdge)
     {
-      // Ways along edges are too long. No way is shorter than the straight one in space.
+      // Paths along edges are too long. None is shorter than the straight line in space.
       const double minimum = (sample.Position - this->Seed.Position).norm();
       sample.Distance = std::min(sample.Distance, std::max(length / mean.Factor, minimum));
     }
@@ -251,7 +251,7 @@ void ExponentialFront::Settle(int node)
   this->Marks[node] = this->FirstMark + Settled;
 }
 
-/// Starts from the corners of all triangles that the seed lies in or on the border of.
+/// Starts from the corners of all triangles that contain the seed, also on their boundary.
 void ExponentialFront::Start(
   const Eigen::RowVector3i& corners, const Eigen::RowVector3d& barycentric)
 {

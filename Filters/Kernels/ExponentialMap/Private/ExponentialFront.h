@@ -16,7 +16,7 @@ namespace shape
 
 /**
  * The front of an ExponentialMap: see there. Runs over the nodes of a surface's graph, again and
- * again, each time in the time that what it covers takes. Throws Aborted.
+ * again, each time in time proportional to what it covers. Throws Aborted.
  */
 class ExponentialFront
 {
@@ -25,7 +25,7 @@ public:
   ExponentialFront(const PointGraph& graph, const Eigen::MatrixXi& triangles,
     const Eigen::MatrixXd& normals, bool upwindAverage);
 
-  /// From a frame in the triangle with these nodes until the next one met is beyond the radius.
+  /// From a frame in the triangle with these nodes until the next node is beyond the radius.
   void Run(const TangentFrame& seed, const Eigen::RowVector3i& corners,
     const Eigen::RowVector3d& barycentric, double radius, const Progress& progress = {});
 
@@ -37,8 +37,8 @@ public:
   };
 
   ///@{
-  /// Of the last run: the nodes in the order met, the triangles in the order in which the last of
-  /// their corners was, and what is known of one of these nodes.
+  /// Of the last run: the nodes in the order met, the triangles in the order in which their last
+  /// corner was met, and the data of one of these nodes.
   const std::vector<int>& Nodes() const { return this->Met; }
   const std::vector<Triangle>& Triangles() const { return this->Covered; }
   const Eigen::Vector2d& Image(int node) const { return this->Samples[node].Image; }
@@ -55,7 +55,7 @@ private:
     StateCount
   };
 
-  /// What the front knows of a node; two cache lines.
+  /// The data of a node; two cache lines.
   struct alignas(64) Sample
   {
     Eigen::Vector3d Position = Eigen::Vector3d::Zero(), Normal = Eigen::Vector3d::Zero();
@@ -65,7 +65,7 @@ private:
     int Source = -1; ///< the neighbour that the front came from; -1: the seed
   };
 
-  /// What one sample says of another one.
+  /// The image of a node that a neighbour predicts (equation 10).
   struct Prediction
   {
     Eigen::Vector2d Image;
@@ -74,7 +74,7 @@ private:
     double Length2;       ///< of the edge between them, squared
   };
 
-  /// What several say: the image times Factor; the x axis is of any length.
+  /// The mean of several predictions: the image times Factor; the x axis is of any length.
   struct Mean
   {
     Eigen::Vector2d Image;

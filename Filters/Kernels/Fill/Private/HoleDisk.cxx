@@ -1,12 +1,12 @@
 #include "Fill/Private/HoleDisk.h"
 
-#include "Fill/Private/OuterChords.h"
 #include "Planar/PlanarDelaunay.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -246,6 +246,29 @@ std::vector<RowVector2d> MidpointsOfUnwanted(
   return midpoints;
 }
 
+bool IsCounterClockwise(const RowVector2d& a, const RowVector2d& b, const RowVector2d& c)
+{
+  return (b - a).x() * (c - a).y() > (b - a).y() * (c - a).x();
+}
+
+/// Triangles by their edges between two corners of the outline, as they run.
+std::map<std::array<int, 2>, int> TrianglesAtChords(const FlatDisk& disk, int corners)
+{
+  std::map<std::array<int, 2>, int> triangles;
+  for (int t = 0; t < static_cast<int>(disk.Triangles.rows()); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = disk.Triangles(t, k), b = disk.Triangles(t, (k + 1) % 3);
+      if (a < corners && b < corners)
+      {
+        triangles[{ a, b }] = t;
+      }
+    }
+  }
+  return triangles;
+}
+
 } // namespace
 
 Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths)
@@ -318,6 +341,34 @@ FlatDisk TriangulateDisk(
     FlipTips(disk, corners, options.IsOutside, options.IsTaken);
   }
   return disk;
+}
+
+void FlipTips(FlatDisk& disk, int corners, const std::function<bool(int, int)>& isOutside,
+  const std::function<bool(int, int)>& isTaken)
+{
+  const std::map<std::array<int, 2>, int> triangles = TrianglesAtChords(disk, corners);
+  std::vector<bool> isChanged(disk.Triangles.rows(), false);
+  for (int tip = 0; tip < corners; ++tip)
+  {
+    const int last = (tip + corners - 1) % corners, next = (tip + 1) % corners;
+    const auto inner = triangles.find({ next, last }), outer = triangles.find({ last, next });
+    if (inner == triangles.end() || outer == triangles.end() || isChanged[inner->second] ||
+      isChanged[outer->second] || !isOutside(last, next))
+    {
+      continue;
+    }
+    const int far = disk.Triangles.row(outer->second).sum() - last - next;
+    const RowVector2d from = disk.Points.row(tip), to = disk.Points.row(far);
+    if ((far < corners && isTaken && isTaken(tip, far)) ||
+      !IsCounterClockwise(from, to, disk.Points.row(last)) ||
+      !IsCounterClockwise(to, from, disk.Points.row(next)))
+    {
+      continue;
+    }
+    disk.Triangles.row(inner->second) << last, tip, far;
+    disk.Triangles.row(outer->second) << tip, next, far;
+    isChanged[inner->second] = isChanged[outer->second] = true;
+  }
 }
 
 } // namespace shape

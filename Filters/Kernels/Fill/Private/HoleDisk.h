@@ -55,4 +55,13 @@ struct FlatDiskOptions
 FlatDisk TriangulateDisk(
   const Eigen::MatrixXd& outline, const FlatDiskOptions& options, const Progress& progress = {});
 
+/**
+ * Where a triangle of a disk joins two corners of its outline that are two apart, and they should
+ * not be joined, the edge from the corner between them is taken instead.
+ *
+ * corners: of the outline, the disk's first points. isTaken: which edges must not be made, or none.
+ */
+void FlipTips(FlatDisk& disk, int corners, const std::function<bool(int, int)>& isOutside,
+  const std::function<bool(int, int)>& isTaken);
+
 } // namespace shape

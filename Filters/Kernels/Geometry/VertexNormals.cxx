@@ -1,4 +1,4 @@
-#include "Fill/LoopNormals.h"
+#include "Geometry/VertexNormals.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 
 namespace shape
@@ -14,6 +15,30 @@ namespace
 {
 
 using Eigen::RowVector3d;
+
+/// The normal of a triangle, weighted for its corner number `corner`.
+RowVector3d WeightedNormal(const Eigen::MatrixXd& points, const Eigen::RowVector3i& triangle,
+  int corner, NormalWeight weight)
+{
+  // The area does not depend on the corner; from the first one, it is the same to the last bit.
+  const int k = weight == NormalWeight::Area ? 0 : corner;
+  const RowVector3d position = points.row(triangle(k));
+  const RowVector3d next = points.row(triangle((k + 1) % 3)) - position;
+  const RowVector3d last = points.row(triangle((k + 2) % 3)) - position;
+  const RowVector3d across = next.cross(last);
+  switch (weight)
+  {
+    case NormalWeight::Angle:
+      return std::atan2(across.norm(), next.dot(last)) * across.stableNormalized();
+    case NormalWeight::Max:
+    {
+      const double lengths = next.squaredNorm() * last.squaredNorm();
+      return lengths > 0.0 ? RowVector3d(across / lengths) : RowVector3d(RowVector3d::Zero());
+    }
+    default:
+      return across;
+  }
+}
 
 /// Normals of points, areas around them and their rings, found where they are asked for.
 class Neighbourhoods
@@ -33,10 +58,8 @@ public:
     {
       for (int i = this->Fans.First[point]; i < this->Fans.First[point + 1]; ++i)
       {
-        const Eigen::Matrix3d corners = GetCorners(this->Surface, this->Fans.Triangles[i]);
-        const RowVector3d first = corners.row(1) - corners.row(0);
-        const RowVector3d second = corners.row(2) - corners.row(0);
-        position->second += first.cross(second);
+        position->second += WeightedNormal(this->Surface.Points,
+          this->Surface.Triangles.row(this->Fans.Triangles[i]), 0, NormalWeight::Area);
       }
     }
     return position->second;
@@ -159,16 +182,127 @@ RowVector3d LoopNormal(const Mesh& surface, Neighbourhoods& around, int point)
   return normal.dot(mean) > turned ? normal : mean;
 }
 
+/// The mean around a node, its own normal included; not yet of unit length.
+RowVector3d MeanAround(const PointGraph& graph, const Eigen::MatrixXd& normals, int node)
+{
+  const int begin = graph.First[node], end = graph.First[node + 1];
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int k = begin; k < end; ++k)
+  {
+    nearest = graph.Lengths[k] > 0.0 ? std::min(nearest, graph.Lengths[k]) : nearest;
+  }
+  RowVector3d mean = normals.row(node);
+  for (int k = begin; k < end; ++k)
+  {
+    mean += std::min(1.0, nearest / graph.Lengths[k]) * normals.row(graph.Neighbours[k]);
+  }
+  return mean;
+}
+
+/// Gives nodes without a normal that of their neighbours, from those that have one outwards.
+void FillNormals(const PointGraph& graph, Eigen::MatrixXd& normals)
+{
+  std::vector<int> without;
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    if (normals.row(i).isZero(0.0))
+    {
+      without.push_back(i);
+    }
+  }
+  while (!without.empty())
+  {
+    Eigen::MatrixXd found(static_cast<Eigen::Index>(without.size()), 3);
+    bool any = false;
+    for (std::size_t k = 0; k < without.size(); ++k)
+    {
+      const RowVector3d mean = MeanAround(graph, normals, without[k]);
+      found.row(static_cast<Eigen::Index>(k)) = mean.normalized();
+      any = any || !mean.isZero(0.0);
+    }
+    std::vector<int> left;
+    for (std::size_t k = 0; k < without.size(); ++k)
+    {
+      const auto row = found.row(static_cast<Eigen::Index>(k));
+      normals.row(without[k]) = any ? RowVector3d(row) : RowVector3d::UnitZ();
+      if (any && row.isZero(0.0))
+      {
+        left.push_back(without[k]);
+      }
+    }
+    without.swap(left);
+  }
+}
+
 } // namespace
 
+Eigen::MatrixXd ComputeVertexNormals(const Mesh& surface, NormalWeight weight)
+{
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(surface.Points.rows(), 3);
+  for (const auto& triangle : surface.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.row(triangle(k)) += WeightedNormal(surface.Points, triangle, k, weight);
+    }
+  }
+  for (auto normal : normals.rowwise())
+  {
+    normal.stableNormalize();
+  }
+  return normals;
+}
+
+Eigen::MatrixXd ComputeVertexNormals(const Eigen::MatrixXd& points,
+  const Eigen::MatrixXi& triangles, const TriangleFans& fans, const std::vector<int>& vertices,
+  NormalWeight weight)
+{
+  Eigen::MatrixXd normals(static_cast<Eigen::Index>(vertices.size()), 3);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    RowVector3d sum = RowVector3d::Zero();
+    for (int j = fans.First[vertices[i]]; j < fans.First[vertices[i] + 1]; ++j)
+    {
+      const Eigen::RowVector3i triangle = triangles.row(fans.Triangles[j]);
+      int corner = 0;
+      while (triangle(corner) != vertices[i])
+      {
+        ++corner;
+      }
+      sum += WeightedNormal(points, triangle, corner, weight);
+    }
+    normals.row(static_cast<Eigen::Index>(i)) = sum.stableNormalized();
+  }
+  return normals;
+}
+
 Eigen::MatrixXd ComputeBoundaryNormals(
-  const Mesh& surface, const TriangleFans& fans, const std::vector<int>& points)
+  const Mesh& surface, const TriangleFans& fans, const std::vector<int>& vertices)
 {
   Neighbourhoods around(surface, fans);
-  Eigen::MatrixXd normals(points.size(), 3);
-  for (std::size_t i = 0; i < points.size(); ++i)
+  Eigen::MatrixXd normals(vertices.size(), 3);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    normals.row(static_cast<Eigen::Index>(i)) = LoopNormal(surface, around, points[i]);
+    normals.row(static_cast<Eigen::Index>(i)) = LoopNormal(surface, around, vertices[i]);
+  }
+  return normals;
+}
+
+Eigen::MatrixXd SmoothNormals(
+  const PointGraph& graph, Eigen::MatrixXd normals, int rounds, const Progress& progress)
+{
+  FillNormals(graph, normals);
+  for (int round = 0; round < rounds; ++round)
+  {
+    progress((1.0 + round) / (1.0 + rounds));
+    Eigen::MatrixXd smoothed(normals.rows(), 3);
+    for (int i = 0; i < graph.Size(); ++i)
+    {
+      const RowVector3d mean = MeanAround(graph, normals, i);
+      const double length = mean.norm();
+      smoothed.row(i) = length > 0.0 ? RowVector3d(mean / length) : RowVector3d(normals.row(i));
+    }
+    normals.swap(smoothed);
   }
   return normals;
 }

@@ -1,4 +1,4 @@
-#include "Deform/Private/PointParameters.h"
+#include "Deform/DeformOptions.h"
 
 #include "Base/Errors.h"
 #include "Mesh/Topology.h"

@@ -1,0 +1,173 @@
+#include "CutPaste/FootprintLayout.h"
+
+#include "Base/Errors.h"
+#include "CutPaste/PasteTarget.h"
+#include "ExponentialMap/ConformalPatch.h"
+#include "ExponentialMap/ExponentialMap.h"
+#include "Fill/FillHoles.h"
+#include "Geometry/VertexNormals.h"
+#include "Search/ClosestPoint.h"
+#include "Search/TriangleWalk.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+/// Rows of the points in a patch, or none where it does not have them all.
+std::vector<int> RowsOf(const std::vector<int>& points, const ExponentialPatch& patch)
+{
+  std::unordered_map<int, int> rows;
+  for (std::size_t i = 0; i < patch.Points.size(); ++i)
+  {
+    rows[patch.Points[i]] = static_cast<int>(i);
+  }
+  std::vector<int> found;
+  for (const int point : points)
+  {
+    const auto row = rows.find(point);
+    if (row == rows.end())
+    {
+      return {};
+    }
+    found.push_back(row->second);
+  }
+  return found;
+}
+
+/// Whether the base, set down where it is from, comes to lie there.
+bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::vector<int>& loop,
+  const Eigen::RowVector3d& seed)
+{
+  constexpr double tolerance = 1e-9; // of the diagonal
+  const Surface& surface = home.Surface();
+  try
+  {
+    const LoopOnTarget landing = home.Land(base, { seed, 0.0, 1.0 }, false);
+    return IsSimplePolygon(base.LoopPositions) &&
+      (landing.Positions - surface.Points()(loop, Eigen::all)).rowwise().norm().maxCoeff() <=
+      tolerance * ComputeBoxDiagonal(surface.Points());
+  }
+  catch (const InvalidInput&) // it does not fit
+  {
+    return false;
+  }
+}
+
+/// Lays the loop out conformally, with a patch around it that is as small as will do; or else in
+/// the slow way.
+void LayOutConformally(PasteTarget& home, const Eigen::RowVector3d& seed, double radius,
+  const std::vector<int>& loop, FeatureFootprint& base, const Progress& progress)
+{
+  const ClosestPoint position = home.Layout().Locator().FindOne(seed);
+  for (const bool refine : { false, true })
+  {
+    for (const double share : { 1.02, 1.1, 1.25, 1.5 })
+    {
+      try
+      {
+        const ExponentialPatch flat = FlattenPatchConformally(home.Surface(),
+          home.Layout().Around(position, share * radius, Eigen::RowVector3d::Zero(), progress),
+          refine, progress);
+        const std::vector<int> rows = RowsOf(loop, flat);
+        FeatureFootprint other = base;
+        other.LoopPositions = flat.Positions(rows, Eigen::all);
+        other.ConformalRadius = share * radius;
+        other.IsRefined = refine;
+        if (!rows.empty() && StaysInPlace(home, other, loop, seed))
+        {
+          base = std::move(other);
+          base.ReturnsInPlace = true;
+          return;
+        }
+      }
+      catch (const SolveFailure&) // the next one may do
+      {
+      }
+    }
+  }
+}
+
+} // namespace
+
+Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vector<int>& triangles)
+{
+  const Surface part(surface.Points(), surface.Triangles()(triangles, Eigen::all));
+  const Eigen::VectorXd areas = part.AreaVectors().rowwise().norm();
+  const Eigen::MatrixXd midpoints = ComputeCentroids(part);
+  const Eigen::RowVector3d centroid = areas.sum() > 0.0
+    ? Eigen::RowVector3d(areas.transpose() * midpoints / areas.sum())
+    : Eigen::RowVector3d(midpoints.colwise().mean());
+  return SurfaceLocator(part).FindOne(centroid).Position;
+}
+
+FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::RowVector3d& seed,
+  std::vector<int> loop, const std::vector<int>& on, const Progress& progress)
+{
+  // Features are set down on manifolds only: on others there is no place of its own to return to.
+  std::optional<PasteTarget> home;
+  std::optional<ExponentialMap> alone;
+  const Topology& kind = filled.Topology();
+  if (kind.NonManifoldEdges + kind.NonManifoldPoints + kind.MisorientedEdges == 0)
+  {
+    home.emplace(filled, ExponentialMapOptions(), progress.Part(0.0, 0.5));
+  }
+  else
+  {
+    alone.emplace(filled, ExponentialMapOptions(), progress.Part(0.0, 0.5));
+  }
+  ExponentialMap& map = home ? home->Layout() : *alone;
+  const ClosestPoint position = map.Locator().FindOne(seed);
+  double radius = 0.0;
+  for (const int point : on)
+  {
+    radius = std::max(radius, (filled.Points().row(point) - position.Position).norm());
+  }
+  // Ways along the surface are longer than straight ones: the patch grows until it has the loop.
+  constexpr int rounds = 8;
+  for (int round = 0; round < rounds; ++round)
+  {
+    radius *= 1.5;
+    const ExponentialPatch patch =
+      map.Around(position, radius, Eigen::RowVector3d::Zero(), progress.Part(0.5, 0.8));
+    const std::vector<int> rows = RowsOf(on, patch);
+    if (!rows.empty())
+    {
+      FeatureFootprint base{ std::move(loop), patch.Positions(rows, Eigen::all),
+        filled.PointNormals()(on, Eigen::all), patch.Seed.Normal, patch.Seed.XAxis };
+      base.ReturnsInPlace = home && StaysInPlace(*home, base, on, seed);
+      if (home && !base.ReturnsInPlace)
+      {
+        LayOutConformally(
+          *home, seed, patch.Distances(rows).maxCoeff(), on, base, progress.Part(0.8, 1.0));
+      }
+      return base;
+    }
+  }
+  throw InvalidInput("the feature's loop is on another part of the surface than the middle of the "
+                     "fill; keep one component with Connectivity");
+}
+
+FeatureFootprint BuildFootprintOnOwnFill(
+  const Surface& feature, const std::vector<int>& loop, const Progress& progress)
+{
+  const Surface curve(feature.Points()(loop, Eigen::all), Eigen::MatrixXi(0, 3));
+  std::vector<int> rim(loop.size());
+  std::iota(rim.begin(), rim.end(), 0);
+  const TriangleFans fans(feature.Triangles(), feature.Points().rows());
+  SurfaceFiller filler(curve, { rim }, { ComputeBoundaryNormals(feature, fans, loop) });
+  const FilledSurface filled = filler.Fill({}, progress.Part(0.0, 0.6));
+  std::vector<int> triangles(filled.Surface.Triangles.rows());
+  std::iota(triangles.begin(), triangles.end(), 0);
+  const Surface surface(filled.Surface);
+  return BuildFootprintOnSurface(
+    surface, FindCenterOfTriangles(surface, triangles), loop, rim, progress.Part(0.6, 1.0));
+}
+
+} // namespace shape

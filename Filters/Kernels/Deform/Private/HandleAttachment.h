@@ -1,0 +1,77 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Deform/Private/HandleSources.h"
+#include "Search/PointTree.h"
+
+#include <Eigen/Core>
+
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+
+/**
+ * Gathers the sources of a handle, element by element. Order of calls: AddSamples; then AddSegment
+ * for each segment of a curve and each edge of a triangle; then AddTriangle for each triangle; then
+ * Finish, once.
+ */
+class HandleAttachment
+{
+public:
+  /// Both are kept by reference. handle: with samples, its elements in range.
+  HandleAttachment(const PointGraph& shape, const BoundaryHandle& handle);
+
+  /// Makes a source of each sample; of coincident samples, of the first one.
+  void AddSamples(const Progress& progress);
+
+  /// Makes sources of the shape's nodes on a segment, and of new positions between those that are
+  /// too far apart. onCurve: whether they count by the length that each stands for.
+  void AddSegment(int a, int b, bool onCurve);
+
+  /// Makes sources of the shape's nodes inside a triangle or, if there are none and it is large, of
+  /// the nodes of a grid in it.
+  void AddTriangle(Eigen::RowVector3i corners);
+
+  HandleSources Finish();
+
+private:
+  /// A position on a segment in [0, 1], and the source there.
+  using SegmentSource = std::pair<double, int>;
+
+  double EdgeLength(const Eigen::RowVector3i& corners, int k) const;
+  int CountParts(double length) const;
+  std::vector<int> FindNodesNear(
+    const Eigen::RowVector3d& from, const Eigen::RowVector3d& to) const;
+  void BindNodesOnSegment(int a, int b, std::vector<SegmentSource>& along);
+  void FillGaps(int a, int b, std::vector<SegmentSource>& along);
+  void BindNodesInTriangle(const Eigen::RowVector3i& corners, std::vector<int>& sources);
+  void AddGrid(const Eigen::RowVector3i& corners, double area, std::vector<int>& sources);
+  int AddPosition(const Eigen::RowVector3d& position, const Eigen::RowVector3i& samples,
+    const Eigen::RowVector3d& shares);
+  void Bind(int node, const Eigen::RowVector3i& samples, const Eigen::RowVector3d& shares);
+  int Add(int node, const Eigen::RowVector3i& samples, const Eigen::RowVector3d& shares);
+  void LinkToShape(
+    int node, const Eigen::RowVector3d& position, std::vector<std::pair<int, int>>& links) const;
+
+  const PointGraph& Shape;
+  const BoundaryHandle& Handle;
+  PointTree Tree, SampleTree;
+  double Tolerance, Step;
+  double Gap;                ///< between sources, at most
+  std::vector<int> SourceOf; ///< of the shape's nodes, or -1
+  std::vector<int> OfSample;
+  std::vector<int> Nodes;
+  std::vector<Eigen::RowVector3i> Samples;
+  std::vector<Eigen::RowVector3d> Shares, Extra;
+  std::vector<double> Weights;
+  std::vector<std::pair<int, int>> Links;
+};
+
+/// Throws InvalidInput if the handle has no samples, a sample that is not finite, or a segment or
+/// triangle out of range; Aborted.
+HandleSources AttachHandle(
+  const PointGraph& shape, const BoundaryHandle& handle, const Progress& progress = {});
+
+} // namespace shape
