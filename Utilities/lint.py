@@ -15,7 +15,7 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BUILD = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, 'build'))
-PASSED = os.path.join(BUILD, 'lint.json')
+PASSED = os.path.join(BUILD, 'lint', 'passed.json')
 TIDY = 'clang-tidy-14'
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
@@ -48,8 +48,20 @@ def closure(path, seen):
     return seen
 
 
+def readable(word):
+    """A precompiled header under another name: clang would take the compiler's binary beside it."""
+    if not word.endswith('/cmake_pch.hxx'):
+        return word
+    name = hashlib.sha256(word.encode()).hexdigest()[:16] + '.hxx'
+    link = os.path.join(BUILD, 'lint', name)
+    os.makedirs(os.path.dirname(link), exist_ok=True)
+    if not os.path.lexists(link):
+        os.symlink(word, link)
+    return link
+
+
 def units():
-    """(file, its command without the compiler's precompiled header, key) of each unit of ours."""
+    """(file, its command, the folder it runs in, key) of each translation unit of ours."""
     config = open(os.path.join(ROOT, '.clang-tidy')).read()
     for entry in json.load(open(os.path.join(BUILD, 'compile_commands.json'))):
         path = entry['file']
@@ -64,19 +76,14 @@ def units():
         words = words[next(i for i, word in enumerate(words) if re.search(r'\+\+(-\d+)?$', word)):]
         key = hashlib.sha256(json.dumps([config, words] + [
             [p, SOURCES[p]] for p in sorted(ours)]).encode()).hexdigest()
-        drop, kept = {'-Winvalid-pch', '-fpch-preprocess'}, []
-        for word in words[1:]:
-            if word not in drop:
-                kept.append(word)
+        kept = [readable(word) for word in words[1:] if word not in ('-Winvalid-pch', path)]
         yield path, kept, entry['directory'], key
 
 
 def check(unit):
     path, words, folder, key = unit
-    # The compiler's precompiled header is its own; clang reads the header that it was made from.
     result = subprocess.run([TIDY, '--quiet', '--config-file', os.path.join(ROOT, '.clang-tidy'),
-                             path, '--'] + [w for w in words if w != path],
-                            cwd=folder, capture_output=True, text=True)
+                             path, '--'] + words, cwd=folder, capture_output=True, text=True)
     return key, path, result.returncode, result.stdout + (
         result.stderr if result.returncode else '')
 
@@ -95,6 +102,7 @@ def main():
                 print(text)
             else:
                 passed.add(key)
+    os.makedirs(os.path.dirname(PASSED), exist_ok=True)
     with open(PASSED, 'w') as file:
         json.dump(sorted(passed & {unit[3] for unit in todo}), file)
     print('%d of %d translation units checked, %d with faults' % (len(fresh), len(todo), failed))
