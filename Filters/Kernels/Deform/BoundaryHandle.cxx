@@ -1,6 +1,7 @@
 #include "Deform/BoundaryHandle.h"
 
 #include "Base/Errors.h"
+#include "Geometry/FitRotation.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
 #include "Search/PointTree.h"
@@ -100,12 +101,7 @@ Eigen::Matrix3d FittedRotation(const Eigen::Matrix3d& products, const Eigen::Mat
   {
     return MinimumRotation(before * svd.matrixV().col(0), svd.matrixU().col(0)) * before;
   }
-  Eigen::Matrix3d u = svd.matrixU();
-  if (u.determinant() * svd.matrixV().determinant() < 0.0)
-  {
-    u.col(2) = -u.col(2);
-  }
-  return u * svd.matrixV().transpose();
+  return FitRotation(svd.matrixU(), svd.matrixV());
 }
 
 /// How much of the handle each sample stands for, so that dense samples count no more.

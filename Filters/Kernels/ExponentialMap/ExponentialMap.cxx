@@ -4,7 +4,7 @@
 #include "ExponentialMap/Private/ExponentialFront.h"
 #include "Geometry/Orientation.h"
 #include "Geometry/PointGraph.h"
-#include "Geometry/SmoothedNormals.h"
+#include "Geometry/VertexNormals.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Topology.h"
 

@@ -1,7 +1,7 @@
 #include "Fill/FairSurface.h"
 
 #include "Base/Errors.h"
-#include "Geometry/PatchNormals.h"
+#include "Geometry/VertexNormals.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 

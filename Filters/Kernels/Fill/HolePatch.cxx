@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Fill/Private/HoleDisk.h"
-#include "Geometry/PatchNormals.h"
+#include "Geometry/VertexNormals.h"
 #include "Laplacian/Membrane.h"
 #include "Parameterize/ConformalFlattening.h"
 #include "Planar/PlanarLocator.h"

@@ -1,11 +1,11 @@
 #include "Solids/SolidBoundary.h"
 
 #include "Geometry/SelfIntersections.h"
-#include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,10 +15,10 @@ namespace
 {
 
 /// Triangles that are neighbours across an edge.
-std::vector<std::vector<int>> Neighbours(const Mesh& mesh)
+std::vector<std::vector<int>> Neighbours(const Surface& surface)
 {
-  std::vector<std::vector<int>> neighbours(mesh.Triangles.rows());
-  const std::vector<HalfEdge> edges = SortHalfEdges(mesh.Triangles, mesh.Points.rows());
+  std::vector<std::vector<int>> neighbours(surface.Triangles().rows());
+  const std::vector<HalfEdge>& edges = surface.HalfEdges();
   for (std::size_t i = 0; i + 1 < edges.size(); ++i)
   {
     if (edges[i].Low() == edges[i + 1].Low() && edges[i].High() == edges[i + 1].High())
@@ -30,11 +30,17 @@ std::vector<std::vector<int>> Neighbours(const Mesh& mesh)
   return neighbours;
 }
 
-} // namespace
-
-SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progress)
+/// What a surface keeps: its bounding triangles, or nothing if those are all.
+struct KeptSolidBoundary
 {
-  SolidBoundaryResult result{ mesh };
+  std::optional<Surface> Part;
+  int Crossings = 0;
+};
+
+KeptSolidBoundary Extract(const Surface& surface, const Progress& progress)
+{
+  const Mesh& mesh = surface;
+  KeptSolidBoundary result;
   const Eigen::Index count = mesh.Triangles.rows();
   // Flat triangles bound nothing, and say nothing about crossings that others do not.
   std::vector<char> apart(count, 0);
@@ -50,7 +56,9 @@ SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progr
       solid.push_back(t);
     }
   }
-  const Mesh tested{ mesh.Points, mesh.Triangles(solid, Eigen::all) };
+  const Surface tested = static_cast<Eigen::Index>(solid.size()) == count
+    ? surface
+    : Surface(mesh.Points, mesh.Triangles(solid, Eigen::all));
   const std::vector<Crossing> crossings = FindSelfIntersections(tested, progress.Part(0.0, 0.5));
   result.Crossings = static_cast<int>(crossings.size());
   if (crossings.empty())
@@ -61,8 +69,8 @@ SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progr
   {
     apart[solid[crossing.First]] = apart[solid[crossing.Second]] = 1;
   }
-  // All triangles that hang together without crossing others are on one side of them.
-  const std::vector<std::vector<int>> neighbours = Neighbours(mesh);
+  // Triangles that are connected without crossing others are all inside, or all outside.
+  const std::vector<std::vector<int>> neighbours = Neighbours(surface);
   const double step = 1e-6 * ComputeLongestBoxEdge(mesh.Points);
   std::vector<int> kept;
   std::vector<char> seen = apart;
@@ -100,8 +108,17 @@ SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progr
       kept.insert(kept.end(), cluster.begin(), cluster.end());
     }
   }
-  result.Surface.Triangles = mesh.Triangles(kept, Eigen::all);
+  result.Part.emplace(mesh.Points, mesh.Triangles(kept, Eigen::all));
   return result;
+}
+
+} // namespace
+
+SolidBoundaryResult ExtractSolidBoundary(const Surface& surface, const Progress& progress)
+{
+  const auto kept =
+    surface.Cached<KeptSolidBoundary>([&]() { return Extract(surface, progress); });
+  return { kept->Part.value_or(surface), kept->Crossings };
 }
 
 } // namespace shape

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -9,8 +9,10 @@ namespace shape
 /// What bounds the solid that a surface winds around.
 struct SolidBoundaryResult
 {
-  Mesh Surface;      ///< the surface's triangles that bound it, with all of the surface's points
-  int Crossings = 0; ///< pairs of triangles that cross or touch; with none, nothing is left out
+  /// The triangles that bound it, with all of the surface's points: the surface itself if none
+  /// cross.
+  shape::Surface Surface;
+  int Crossings = 0; ///< pairs of triangles that cross or touch
 };
 
 /**
@@ -19,8 +21,8 @@ struct SolidBoundaryResult
  * segmentation using generalized winding numbers", 2013). Triangles that cross others are kept
  * whole, so a little of them may lie inside.
  *
- * mesh: closed, oriented consistently. Throws Aborted.
+ * surface: closed, oriented consistently. The result is cached in it. Throws Aborted.
  */
-SolidBoundaryResult ExtractSolidBoundary(const Mesh& mesh, const Progress& progress = {});
+SolidBoundaryResult ExtractSolidBoundary(const Surface& surface, const Progress& progress = {});
 
 } // namespace shape

@@ -16,7 +16,7 @@
 #include "vtkStringArray.h"
 
 #include "Fill/FillValues.h"
-#include "Geometry/PatchNormals.h"
+#include "Geometry/VertexNormals.h"
 
 #include <Eigen/Geometry>
 

@@ -115,8 +115,8 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
     return;
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
-  const shape::Mesh mesh = vtkShapeConvert::ToMesh(surface, "the Input");
-  std::vector<shape::Mesh> innerSurfaces;
+  const shape::Surface mesh = vtkShapeConvert::ToMesh(surface, "the Input");
+  std::vector<shape::Surface> innerSurfaces;
   for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {
     innerSurfaces.push_back(vtkShapeConvert::ToMesh(

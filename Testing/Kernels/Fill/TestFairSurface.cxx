@@ -2,7 +2,7 @@
 #include "Fill/HolePatch.h"
 #include "Fill/LoopNormals.h"
 #include "Fill/Private/HoleDisk.h"
-#include "Geometry/PatchNormals.h"
+#include "Geometry/VertexNormals.h"
 #include "Laplacian/Membrane.h"
 #include "Mesh/Topology.h"
 #include "Support/TestShapes.h"

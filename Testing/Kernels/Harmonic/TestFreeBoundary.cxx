@@ -1,4 +1,4 @@
-#include "Harmonic/FreeBoundary.h"
+#include "Harmonic/Private/FreeBoundary.h"
 #include "Search/ClosestPoint.h"
 #include "Support/TestShapes.h"
 

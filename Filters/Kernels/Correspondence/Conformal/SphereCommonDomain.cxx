@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Geometry/FitRotation.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Mesh/HalfEdges.h"
 #include "Parameterize/SphereMap.h"
@@ -11,7 +12,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
@@ -60,15 +60,6 @@ Eigen::MatrixXd OnSphere(const Mesh& surface, const std::string& name, const Pro
   {
     throw SolveFailure("Surface " + name + ": " + problem.what());
   }
-}
-
-/// The rotation R for which the sum of |R from_i - to_i|^2 is least (Kabsch 1976).
-Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
-{
-  const Eigen::Matrix3d products = to.transpose() * from;
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-  return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
 /// The least distance between two of them; 2 for one.
@@ -237,7 +228,8 @@ SphereCommonDomainResult MapThroughSphere(const Mesh& a, const std::vector<int>&
   result.SphereA = OnSphere(a, "A", progress.Part(0.0, 0.2));
   result.SphereB = OnSphere(b, "B", progress.Part(0.2, 0.4));
   const Eigen::MatrixXd goals = result.SphereB(landmarksB, Eigen::all);
-  const Eigen::Matrix3d turn = BestRotation(result.SphereA(landmarksA, Eigen::all), goals);
+  const Eigen::Matrix3d turn =
+    FitRotation(goals.transpose() * result.SphereA(landmarksA, Eigen::all));
   result.SphereA = (result.SphereA * turn.transpose()).rowwise().normalized().eval();
   Warp(a, landmarksA, goals, options, result.SphereA, progress.Part(0.4, 0.8));
 

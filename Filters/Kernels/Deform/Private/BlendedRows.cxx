@@ -71,9 +71,10 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
+#include "Geometry/FitRotation.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -177,13 +178,7 @@ Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix)
       return x;
     }
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  if (u.determinant() * svd.matrixV().determinant() < 0.0)
-  {
-    u.col(2) = -u.col(2);
-  }
-  return u * svd.matrixV().transpose();
+  return FitRotation(matrix);
 }
 
 } // namespace shape

@@ -1,6 +1,6 @@
-#include "Geometry/SmoothedNormals.h"
+#include "Geometry/VertexNormals.h"
 
-#include "Mesh/Mesh.h"
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
@@ -8,10 +8,11 @@
 
 namespace shape
 {
-namespace
-{
 
 using Eigen::RowVector3d;
+
+namespace
+{
 
 /// The mean around a node, its own normal included; not yet of unit length.
 RowVector3d MeanAround(const PointGraph& graph, const Eigen::MatrixXd& normals, int node)
@@ -67,6 +68,45 @@ void FillNormals(const PointGraph& graph, Eigen::MatrixXd& normals)
 
 } // namespace
 
+Eigen::MatrixXd ComputeMaxNormals(const Mesh& surface)
+{
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(surface.Points.rows(), 3);
+  for (const auto& triangle : surface.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const RowVector3d position = surface.Points.row(triangle(k));
+      const RowVector3d next = surface.Points.row(triangle((k + 1) % 3)) - position;
+      const RowVector3d last = surface.Points.row(triangle((k + 2) % 3)) - position;
+      const double lengths = next.squaredNorm() * last.squaredNorm();
+      if (lengths > 0.0)
+      {
+        normals.row(triangle(k)) += next.cross(last) / lengths;
+      }
+    }
+  }
+  for (auto normal : normals.rowwise())
+  {
+    normal.stableNormalize();
+  }
+  return normals;
+}
+
+Eigen::MatrixXd ComputeAreaWeightedNormals(const Surface& surface)
+{
+  const Eigen::MatrixXd& vectors = surface.AreaVectors();
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(surface.Points().rows(), 3);
+  for (Eigen::Index t = 0; t < vectors.rows(); ++t)
+  {
+    for (const int corner : surface.Triangles().row(t))
+    {
+      normals.row(corner) += vectors.row(t);
+    }
+  }
+  normals.rowwise().normalize(); // leaves zero as it is
+  return normals;
+}
+
 Eigen::MatrixXd SmoothNormals(
   const PointGraph& graph, const Eigen::MatrixXi& triangles, int rounds, const Progress& progress)
 {
@@ -85,6 +125,28 @@ Eigen::MatrixXd SmoothNormals(
     normals.swap(smoothed);
   }
   return normals;
+}
+
+RowVector3d EvaluateCurvedTriangle(
+  const Eigen::Matrix3d& corners, const Eigen::Matrix3d& normals, const RowVector3d& barycentric)
+{
+  RowVector3d position = RowVector3d::Zero();
+  // The control points beside the corners, and by their mean the one in the middle.
+  RowVector3d middle = -0.5 * corners.colwise().mean();
+  for (int i = 0; i < 3; ++i)
+  {
+    const RowVector3d corner = corners.row(i), normal = normals.row(i);
+    const double u = barycentric(i);
+    position += u * u * u * corner;
+    for (const int j : { (i + 1) % 3, (i + 2) % 3 })
+    {
+      const RowVector3d way = corners.row(j) - corner;
+      const RowVector3d control = corner + (way - way.dot(normal) * normal) / 3.0;
+      position += 3.0 * u * u * barycentric(j) * control;
+      middle += 0.25 * control;
+    }
+  }
+  return position + 6.0 * barycentric.prod() * middle;
 }
 
 } // namespace shape
