@@ -5,5 +5,5 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=${1:-$root/build/demo}
 mkdir -p "$out"
-"$root/Utilities/setup.sh"
+"$root/Utilities/setup.sh" plugin
 exec "$root/Utilities/pvpython.sh" "$root/Utilities/demo.py" "$root/build/models/bunny00.off" "$out"

@@ -1,22 +1,33 @@
 #!/usr/bin/env bash
-# Installs what is missing (Debian 12, apt), builds ShapeMap into build/ and unpacks the real models
+# Installs what is missing (Debian 12, apt), builds ShapeMap in build/ and unpacks the real models
 # into build/models. Does only what is still to do, and says what it does.
+#   Utilities/setup.sh           everything: the plugin, the Python package, the tests
+#   Utilities/setup.sh plugin    what the demo needs: no tests, and not their packages
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+what=${1:-all}
 
 packages=(
   # tools
   g++ cmake ninja-build ccache git ca-certificates
-  # ParaView and what its CMake package asks for
-  paraview paraview-dev python3-paraview qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
-  libqt5opengl5-dev libopenmpi-dev libdouble-conversion-dev libglew-dev
+  # ParaView, the icons of its window, and what its CMake package asks for
+  paraview paraview-dev python3-paraview libqt5svg5 qtbase5-dev qttools5-dev
+  qtxmlpatterns5-dev-tools libqt5opengl5-dev libopenmpi-dev libdouble-conversion-dev libglew-dev
   # libraries
   libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
   libsuitesparse-dev libtet1.5-dev libboost-dev
-  # tests: frameworks, style, a display, real models, readers of what is written
-  libgtest-dev clang-format-14 clang-tidy-14 xvfb xauth xdotool imagemagick libcgal-demo
-  gmsh calculix-ccx
+  # a display and real models
+  xvfb xauth libcgal-demo
 )
+test_packages=(
+  # frameworks, style, keys and pictures of a window, readers of what is written
+  libgtest-dev clang-format-14 clang-tidy-14 xdotool imagemagick gmsh calculix-ccx
+)
+targets=(ShapeMap vtkShapeFiltersPython)
+if [ "$what" = all ]; then
+  packages+=("${test_packages[@]}")
+  targets=(all)
+fi
 
 say() { printf 'setup: %s\n' "$*"; }
 
@@ -43,14 +54,19 @@ if [ "${#missing[@]}" -gt 0 ]; then
   rm -f "$log"
 fi
 
-if [ ! -f build/build.ninja ]; then
+# A build that was set up for the plugin alone gets its tests once they are asked for.
+if [ ! -f build/build.ninja ] ||
+  { [ "$what" = all ] && grep -q '^SHAPEMAP_TESTS:BOOL=OFF' build/CMakeCache.txt; }; then
   say "configuring build/"
   mkdir -p build
-  cmake --preset release -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+  # Files of one room are compiled together: half the time for a build from nothing.
+  cmake --preset release -DCMAKE_UNITY_BUILD=ON \
+    -DSHAPEMAP_TESTS="$([ "$what" = all ] && echo ON || echo OFF)" \
     >build/configure.log 2>&1 || { tail -n 30 build/configure.log; exit 1; }
 fi
-say "building build/"
-cmake --build --preset release >build/build.log 2>&1 || { tail -n 60 build/build.log; exit 1; }
+say "building build/ (${targets[*]})"
+cmake --build --preset release --target "${targets[@]}" >build/build.log 2>&1 ||
+  { tail -n 60 build/build.log; exit 1; }
 
 if [ ! -f build/models/bunny00.off ]; then
   say "unpacking the models of libcgal-demo into build/models"

@@ -9,8 +9,8 @@ PAIR      one of CorrespondencePairs.py's, which FOLDER/pairs gets: PAIR.png, a 
           segmentation carried from B to A by Shape Transfer Fields, and how much of A has the label
           that it truly has.
 
-Without words: solid, three pairs, and overview.png of solid and the first one, which is README's
-second picture in 256 colours. Needs Debian's python3-scipy. With the pairs there, three minutes on one
+Without words: solid, three pairs, and overview.png of solid and the first one, which is the
+picture of Shape Correspondence's page in 256 colours. Needs Debian's python3-scipy. With the pairs there, three minutes on one
 thread.
 """
 import collections

@@ -82,11 +82,13 @@ for part in ('Filters', 'Plugin', 'Testing'):
 for header in (path for path in kernels if path.endswith('.h')):
     private = '/Private/' in header
     outside = any(user is None or room(user) != room(header) for user in users[header])
-    doors = any(user is not None and user.endswith('.h') and '/Private/' not in user
-                for user in users[header])
+    shown_by = [user for user in users[header] if user is not None and user.endswith('.h') and
+                '/Private/' not in user]
+    if private and shown_by:
+        faults.append('%s is private, and %s shows it to others' % (header, shown_by[0]))
     if private and outside:
         faults.append('%s is private, and used outside of its room' % header)
-    if not private and not outside and not doors:
+    if not private and not outside and not shown_by:
         faults.append('%s is used in its room alone: it belongs to Private/' % header)
 
 # A unit is a header with its source: no circle of units.

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import shapetesting
 import window
 
-proxies = {proxy.get('name'): proxy for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*.xml'))
+proxies = {proxy.get('name'): proxy for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*', '*.xml'))
            for proxy in ElementTree.parse(path).iter('SourceProxy')}
 filters = [proxy for proxy in proxies.values() if proxy.find('Hints/ShowInMenu') is not None]
 assert len(filters) >= 2

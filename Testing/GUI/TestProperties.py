@@ -7,7 +7,7 @@ import shapetesting
 import window
 
 xml = ElementTree.parse(
-    os.path.join(shapetesting.ROOT, 'Filters', 'VTK', 'vtkShapeHarmonicVolumeMap.xml'))
+    os.path.join(shapetesting.ROOT, 'Filters', 'VTK', 'Harmonic', 'vtkShapeHarmonicVolumeMap.xml'))
 properties = [item for item in xml.getroot().iter()
               if item.tag.endswith('VectorProperty') and item.get('panel_visibility') != 'never']
 assert len(properties) >= 10

@@ -125,7 +125,7 @@ MultiSurfaceConstraint::MultiSurfaceConstraint(
 {
   for (std::size_t i = 0; i < interfaces.Count(); ++i)
   {
-    const Mesh& surface = (*interfaces.Surfaces)[i].Surface();
+    const Mesh& surface = (*interfaces.Surfaces)[i].GetSurface();
     const Eigen::MatrixXi& quads = interfaces.Cells->Interfaces[i];
     SurfaceFeatures features;
     features.Patches = 1;
@@ -172,7 +172,7 @@ double ComputeInterfaceDistance(const Eigen::MatrixXd& points,
   {
     largest = std::max(largest,
       ComputeHausdorffDistance(
-        surfaces[i].Surface(), { points, SplitQuads(interfaces[i]) }, progress)
+        surfaces[i].GetSurface(), { points, SplitQuads(interfaces[i]) }, progress)
         .Larger());
   }
   return largest;

@@ -55,7 +55,7 @@ public:
   {
     for (const TopologyPreservingVoxels& inner : this->Regions.Inner())
     {
-      this->InnerBounding.emplace_back(inner.GetSurface());
+      this->InnerBounding.emplace_back(inner.Surface());
     }
   }
 
