@@ -31,8 +31,8 @@ struct FmmSummationOptions
  * (L. Ying, G. Biros, D. Zorin, J. Comput. Phys. 196, 2004; see FmmOperators.h and
  * FmmTree.h).
  *
- * This is the entry of the library shape_fmm, which has nothing to do with shapes: it needs Base and
- * Linear alone. Link shape_fmm, include this header, and
+ * This is the entry of the library shape_fmm, which has nothing to do with shapes: it needs Base
+ * and Linear alone. Link shape_fmm, include this header, and
  *
  *     const shape::FmmSummation sum(sources, points);             // m x 3 and n x 3 coordinates
  *     const Eigen::MatrixXd potentials = sum.Potentials(charges); // of m x k charges: n x k

@@ -6,10 +6,10 @@ namespace shape
 {
 
 /**
- * The rotation nearest to a matrix, in the Frobenius norm (Kabsch, "A solution for the best rotation
- * to relate two sets of vectors", 1976). With the matrix sum_j to_j from_j^T it is the rotation R
- * with the minimum of sum_j |R from_j - to_j|^2. A matrix whose second singular value is 0 has
- * several such rotations; one of them is returned.
+ * The rotation nearest to a matrix, in the Frobenius norm (Kabsch, "A solution for the best
+ * rotation to relate two sets of vectors", 1976). With the matrix sum_j to_j from_j^T it is the
+ * rotation R with the minimum of sum_j |R from_j - to_j|^2. A matrix whose second singular value is
+ * 0 has several such rotations; one of them is returned.
  */
 Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix);
 

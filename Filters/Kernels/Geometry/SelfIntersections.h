@@ -32,7 +32,8 @@ std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
  *
  * A hierarchy of boxes finds the candidates, exact orientations (Geometry/Orientation.h) decide: a
  * pair is listed if and only if the triangles meet. Points are shared by index: join points at the
- * same position first. mesh: any triangles, none of them in FindDegenerateTriangles. Throws Aborted.
+ * same position first. mesh: any triangles, none of them in FindDegenerateTriangles. Throws
+ * Aborted.
  */
 std::vector<Crossing> FindSelfIntersections(const Mesh& mesh, const Progress& progress = {});
 

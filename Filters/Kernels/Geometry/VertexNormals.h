@@ -19,9 +19,9 @@ Eigen::MatrixXd ComputeMaxNormals(const Mesh& surface);
 Eigen::MatrixXd ComputeAreaWeightedNormals(const Surface& surface);
 
 /**
- * Unit normals of a surface at the nodes of its graph (n x 3): those of ComputePointNormals, each replaced
- * by the mean of those at its neighbours, weighted by their inverse distances, and its own, which
- * counts as much as the nearest one's. This is repeated `rounds` times.
+ * Unit normals of a surface at the nodes of its graph (n x 3): those of ComputePointNormals, each
+ * replaced by the mean of those at its neighbours, weighted by their inverse distances, and its
+ * own, which counts as much as the nearest one's. This is repeated `rounds` times.
  *
  * A node without an area around it has the mean of its neighbours' normals, or (0, 0, 1) where no
  * node linked to it has one. triangles: m x 3, of nodes. Throws Aborted.
@@ -29,8 +29,8 @@ Eigen::MatrixXd ComputeAreaWeightedNormals(const Surface& surface);
 Eigen::MatrixXd SmoothNormals(const PointGraph& graph, const Eigen::MatrixXi& triangles, int rounds,
   const Progress& progress = {});
 
-/// A position in a triangle curved to normals at its corners (one a row): the cubic patch of Vlachos
-/// and others, "Curved PN triangles", 2001.
+/// A position in a triangle curved to normals at its corners (one a row): the cubic patch of
+/// Vlachos and others, "Curved PN triangles", 2001.
 Eigen::RowVector3d EvaluateCurvedTriangle(const Eigen::Matrix3d& corners,
   const Eigen::Matrix3d& normals, const Eigen::RowVector3d& barycentric);
 

@@ -35,8 +35,8 @@ class InverseMap
 {
 public:
   /// domain: closed and consistently oriented (the caller has checked). farthest: how far outside
-  /// it a preimage may lie, see FindPointsOutsideDomain. Throws InvalidInput for options out of range or a
-  /// map that is not finite on the boundary; Aborted.
+  /// it a preimage may lie, see FindPointsOutsideDomain. Throws InvalidInput for options out of
+  /// range or a map that is not finite on the boundary; Aborted.
   InverseMap(const ChargeSet& map, const Surface& domain, double farthest,
     const InverseMapOptions& options = {}, const Progress& progress = {});
 

@@ -39,8 +39,8 @@ double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
  * of r and s(u) = (1 - u)^2 (1 + 2 u) below 1, else 0. So f is f_r but for the skin, and is
  * continuous across borders, with its first derivative, however well two fitted maps agree there.
  *
- * A region r > 0 is what the components with r enclose, without the regions inside them. A position on
- * a border belongs to the region around it.
+ * A region r > 0 is what the components with r enclose, without the regions inside them. A position
+ * on a border belongs to the region around it.
  */
 class PiecewiseHarmonicMap
 {

@@ -38,8 +38,8 @@ struct PiecewiseVolumeMapResult
     double RMSEVertices = 0.0; ///< at its points
     double RMSEInside = 0.0;   ///< at a position in each of its triangles (ComputeOffCentres)
     double Maximum = 0.0;      ///< over both
-    /// How far the two layers' fitted maps are from each other, without the skin, at random positions;
-    /// 0 for the boundary.
+    /// How far the two layers' fitted maps are from each other, without the skin, at random
+    /// positions; 0 for the boundary.
     double JumpRMS = 0.0, JumpMaximum = 0.0;
   };
   PiecewiseCharges Charges;

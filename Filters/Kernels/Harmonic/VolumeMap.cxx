@@ -53,9 +53,8 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
   }
   if (options.FreeBoundary)
   {
-    FreeBoundaryResult slid =
-      SlideBoundary(boundary, result.Targets, *conditions.Target, conditions.Features,
-        options.Harmonic, one, progress.Part(0.3, options.Exact ? 0.6 : 1.0));
+    FreeBoundaryResult slid = SlideBoundary(boundary, result.Targets, *conditions.Target,
+      conditions.Features, options.Harmonic, one, progress.Part(0.3, options.Exact ? 0.6 : 1.0));
     result.DistortionBefore = slid.DistortionBefore;
     result.DistortionAfter = slid.DistortionAfter;
     result.Slid = slid.Kept;

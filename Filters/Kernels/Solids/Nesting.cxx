@@ -157,8 +157,7 @@ KeptOrientation Orient(const Surface& surface, const std::string& name, const Pr
 
 } // namespace
 
-Surface OrientByNesting(
-  const Surface& surface, const std::string& name, const Progress& progress)
+Surface OrientByNesting(const Surface& surface, const std::string& name, const Progress& progress)
 {
   return surface.Cached<KeptOrientation>([&]() { return Orient(surface, name, progress); })
     ->Inverted.value_or(surface);

@@ -18,9 +18,10 @@ namespace shape
  * orientations whether two meet (Geometry/SelfIntersections.h).
  *
  * surface: as for RequireClosedSurface; `name` is what errors call it. If every component faces the
- * right way already, the result is the same surface, with what is cached in it. The result itself is
- * cached in `surface`. Throws InvalidInput if it is not closed, or if two components touch or cross,
- * so that neither lies within the other; Aborted. A component that touches itself is not noticed.
+ * right way already, the result is the same surface, with what is cached in it. The result itself
+ * is cached in `surface`. Throws InvalidInput if it is not closed, or if two components touch or
+ * cross, so that neither lies within the other; Aborted. A component that touches itself is not
+ * noticed.
  */
 Surface OrientByNesting(
   const Surface& surface, const std::string& name, const Progress& progress = {});

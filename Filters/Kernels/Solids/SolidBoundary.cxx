@@ -116,8 +116,7 @@ KeptSolidBoundary Extract(const Surface& surface, const Progress& progress)
 
 SolidBoundaryResult ExtractSolidBoundary(const Surface& surface, const Progress& progress)
 {
-  const auto kept =
-    surface.Cached<KeptSolidBoundary>([&]() { return Extract(surface, progress); });
+  const auto kept = surface.Cached<KeptSolidBoundary>([&]() { return Extract(surface, progress); });
   return { kept->Part.value_or(surface), kept->Crossings };
 }
 

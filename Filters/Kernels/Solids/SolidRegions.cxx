@@ -38,8 +38,8 @@ double RayLength(
 
 } // namespace
 
-SolidRegions::SolidRegions(const std::vector<Surface>& surfaces, const std::vector<std::string>& names,
-  const Progress& progress)
+SolidRegions::SolidRegions(const std::vector<Surface>& surfaces,
+  const std::vector<std::string>& names, const Progress& progress)
   : RegionVolumes(Eigen::VectorXd::Zero(surfaces.size()))
 {
   for (std::size_t s = 0; s < surfaces.size(); ++s)
@@ -199,7 +199,8 @@ Eigen::MatrixXd SolidRegions::FindPositionsInVoids() const
       for (int wall = i; wall < static_cast<int>(this->Components.size()); ++wall)
       {
         const Component& other = this->Components[wall];
-        for (int u = 0; (wall == i || other.Parent == i) && u < other.Surface.Triangles().rows(); ++u)
+        for (int u = 0; (wall == i || other.Parent == i) && u < other.Surface.Triangles().rows();
+             ++u)
         {
           length = wall == i && u == t
             ? length

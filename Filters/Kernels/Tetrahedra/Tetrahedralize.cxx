@@ -268,7 +268,8 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
 } // namespace
 
 TetrahedralizeResult Tetrahedralize(const Surface& surface,
-  const std::vector<Surface>& innerSurfaces, const TetrahedralizeOptions& options, const Progress& progress)
+  const std::vector<Surface>& innerSurfaces, const TetrahedralizeOptions& options,
+  const Progress& progress)
 {
   CheckOptions(options);
   std::vector<Surface> surfaces = { surface };

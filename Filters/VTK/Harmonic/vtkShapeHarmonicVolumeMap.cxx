@@ -161,8 +161,8 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   if (this->FoldFree)
   {
     const auto inverted = vtkShapeSolid::MakeFoldFree(domain, moved,
-      vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Boundary"), result.Targets, controller,
-      progress.Part(0.9, 1.0));
+      vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Boundary"), result.Targets,
+      controller, progress.Part(0.9, 1.0));
     vtkShapeConvert::AddFact(moved, Facts + "InvertedBefore", inverted.first);
     vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);
   }

@@ -259,7 +259,7 @@ TEST(Tetrahedralize, InnerSurfacesAreRegionsAlsoInsideOneAnother)
     EXPECT_NEAR(RegionVolume(solid, 3), v[2], 1e-12);
     // The inner surfaces' points follow the outer one's.
     EXPECT_EQ(
-      solid.Points.middleRows(outer.Points.rows(), inner[0].Points.rows()), inner[0].Points);
+      solid.Points.middleRows(outer.Points.rows(), inner[0].Points().rows()), inner[0].Points());
   }
 }
 

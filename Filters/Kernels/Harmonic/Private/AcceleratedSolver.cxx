@@ -129,7 +129,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     gmres.LeastGain = options.LeastGain;
     const GmresResult fit = system.Solve(left, gmres, part.Part(0.4, 0.9));
     result.Iterations += fit.Iterations;
-    result.RefinedPoints = static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
+    result.RefinedPoints =
+      static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
     const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
 
     AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);

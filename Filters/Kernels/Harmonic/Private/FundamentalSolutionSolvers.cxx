@@ -24,7 +24,8 @@ constexpr double InsertedShare = 0.1;
 int ComputeSampleCount(const Surface& boundary, double ratio)
 {
   constexpr double minimum = 16.0, maximum = 1e8;
-  return static_cast<int>(std::clamp(std::round(ratio * boundary.Points().rows()), minimum, maximum));
+  return static_cast<int>(
+    std::clamp(std::round(ratio * boundary.Points().rows()), minimum, maximum));
 }
 
 /// The rows of all matrices.
@@ -58,7 +59,8 @@ Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
 /// The sources in subsets, each spread evenly: every so many-th source along a curve that keeps
 /// neighbours together. The shell of a small void has too few to be divided: every subset gets all
 /// of them.
-std::vector<Eigen::MatrixXd> DivideIntoSubsets(const std::vector<Eigen::MatrixXd>& shells, int subsets)
+std::vector<Eigen::MatrixXd> DivideIntoSubsets(
+  const std::vector<Eigen::MatrixXd>& shells, int subsets)
 {
   std::vector<std::vector<Eigen::MatrixXd>> subsetParts(subsets);
   Eigen::Index largest = 0;
@@ -205,9 +207,9 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
   const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
-  std::vector<Eigen::MatrixXd> sources =
-    DivideIntoSubsets(shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)),
-      subsets);
+  std::vector<Eigen::MatrixXd> sources = DivideIntoSubsets(
+    shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)),
+    subsets);
   for (int s = 0; s + 1 < subsets; ++s)
   {
     const double finer = static_cast<double>(s) / (subsets - 1);

@@ -33,8 +33,8 @@ std::vector<int> UsedPointsByPosition(const Mesh& boundary)
   std::stable_sort(
     used.begin(), used.end(), [&](int a, int b) { return position(a) < position(b); });
   const Eigen::MatrixXd positions = boundary.Points(used, Eigen::all);
-  const FmmLatticeOrder order = OrderOnLattice(
-    positions, { positions.colwise().minCoeff(), ComputeLongestBoxEdge(positions) });
+  const FmmLatticeOrder order =
+    OrderOnLattice(positions, { positions.colwise().minCoeff(), ComputeLongestBoxEdge(positions) });
   std::vector<int> ordered;
   ordered.reserve(used.size());
   for (const int k : order.Ids)

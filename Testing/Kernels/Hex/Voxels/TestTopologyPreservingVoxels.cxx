@@ -70,11 +70,11 @@ TEST(SolidBoundary, LeavesOutWhatLiesInside)
 {
   const shape::SolidBoundaryResult apart = shape::ExtractSolidBoundary(TwoSpheres(3.0));
   EXPECT_EQ(apart.Crossings, 0);
-  EXPECT_EQ(apart.Surface.Triangles.rows(), 2 * 1280);
+  EXPECT_EQ(apart.Surface.Triangles().rows(), 2 * 1280);
   const shape::Mesh surface = TwoSpheres(1.0);
   const shape::SolidBoundaryResult result = shape::ExtractSolidBoundary(surface);
   EXPECT_GT(result.Crossings, 0);
-  EXPECT_LT(result.Surface.Triangles.rows(), surface.Triangles.rows());
+  EXPECT_LT(result.Surface.Triangles().rows(), surface.Triangles.rows());
   // Kept whole at the most: triangles that cross, which are near the plane between the spheres.
   const Eigen::MatrixXd centroids = shape::ComputeCentroids(result.Surface);
   double inside = 0.0;

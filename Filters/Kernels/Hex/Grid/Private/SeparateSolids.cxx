@@ -45,7 +45,8 @@ std::vector<Mesh> SplitSolids(const Mesh& surface, const Progress& progress)
   const Mesh outward = OrientOutwards(surface);
   if (RequireClosedSurface(outward, "the surface").Components == 1 ||
     ExtractSolidBoundary(outward, progress.Part(0.0, 0.5)).Crossings > 0 ||
-    OrientByNesting(outward, "the surface", progress.Part(0.5, 1.0)).Triangles() != outward.Triangles)
+    OrientByNesting(outward, "the surface", progress.Part(0.5, 1.0)).Triangles() !=
+      outward.Triangles)
   {
     return {};
   }
