@@ -2,38 +2,18 @@
 
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
+#include "Mesh/CoincidentPoints.h"
 #include "Mesh/Topology.h"
 #include "Mesh/UsedPoints.h"
 
 #include <algorithm>
-#include <array>
 #include <locale>
-#include <numeric>
 #include <sstream>
 
 namespace shape
 {
 namespace
 {
-
-/// For each point the first one at the same position.
-std::vector<int> FindCoincidentPoints(const Eigen::MatrixXd& points)
-{
-  const auto position = [&](int i) {
-    return std::array<double, 3>{ points(i, 0), points(i, 1), points(i, 2) };
-  };
-  std::vector<int> order(points.rows());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&](int a, int b) { return position(a) != position(b) ? position(a) < position(b) : a < b; });
-  std::vector<int> first(points.rows());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    first[order[i]] =
-      i > 0 && position(order[i]) == position(order[i - 1]) ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
 
 /// The same triangles over the first points at each position, without those that collapse.
 Mesh Joined(const Mesh& mesh, int& duplicates, int& firstDuplicate)

@@ -61,7 +61,7 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
 }
 
 /// Passes the surface's point data on, and says which of its points each point is.
-void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Mesh& mesh,
+void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surface& mesh,
   vtkPolyData* surface, vtkUnstructuredGrid* output, const shape::Progress& progress)
 {
   std::vector<int> others;
@@ -94,7 +94,7 @@ void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Mesh& 
     double weights[3];
     for (int k = 0; k < 3; ++k)
     {
-      corners->SetId(k, mesh.Triangles(closest.Triangles(other), k));
+      corners->SetId(k, mesh.Triangles()(closest.Triangles(other), k));
       weights[k] = closest.Barycentrics(other, k);
     }
     to->InterpolatePoint(from, i, corners, weights);
