@@ -10,7 +10,7 @@ namespace shape
 namespace
 {
 
-Mesh Oriented(const Mesh& surface, const Progress& progress)
+Surface Oriented(const Surface& surface, const Progress& progress)
 {
   try
   {
@@ -25,14 +25,14 @@ Mesh Oriented(const Mesh& surface, const Progress& progress)
 } // namespace
 
 BoundaryDistance::BoundaryDistance(
-  const Mesh& surface, const BoundaryDistanceOptions& options, const Progress& progress)
+  const Surface& surface, const BoundaryDistanceOptions& options, const Progress& progress)
 {
-  if (surface.Triangles.rows() == 0)
+  if (surface.Triangles().rows() == 0)
   {
     throw InvalidInput(
       "the Surface has no polygons; give a surface, such as Extract Surface makes");
   }
-  RequireFinite(surface.Points, "the Surface");
+  RequireFinite(surface.Points(), "the Surface");
   if (options.Signed)
   {
     this->WithSign.emplace(Oriented(surface, progress.Part(0.0, 0.5)));

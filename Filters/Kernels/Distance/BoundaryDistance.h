@@ -24,12 +24,12 @@ struct BoundaryDistanceOptions
 class BoundaryDistance
 {
 public:
-  /// Throws InvalidInput where the surface has no triangle or a point that is not finite, and with
-  /// Signed where it is not closed or its components touch; Aborted.
-  explicit BoundaryDistance(const Mesh& surface, const BoundaryDistanceOptions& options = {},
+  /// Throws InvalidInput if the surface has no triangle or a point that is not finite, and with
+  /// Signed if it is not closed or its components touch; Aborted.
+  explicit BoundaryDistance(const Surface& surface, const BoundaryDistanceOptions& options = {},
     const Progress& progress = {});
 
-  /// The distance of each of `points` (n x 3, in the surface's units). Throws InvalidInput where
+  /// The distance of each of `points` (n x 3, in the surface's units). Throws InvalidInput if
   /// one is not finite, Aborted.
   Eigen::VectorXd Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 

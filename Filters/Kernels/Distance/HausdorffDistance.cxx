@@ -1,21 +1,42 @@
 #include "Distance/HausdorffDistance.h"
 
+#include "Mesh/UsedPoints.h"
+
 #include <utility>
 #include <vector>
 
 namespace shape
 {
 
-SampledDistances ComputeDistancesToSurface(
-  const Mesh& from, const SurfaceLocator& to, int random, const Progress& progress)
+namespace
 {
-  std::vector<int> used(from.Triangles.data(), from.Triangles.data() + from.Triangles.size());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+
+/// Where a surface is compared with others.
+struct ComparedPositions
+{
+  Eigen::MatrixXd OfSurface; ///< k x 3
+};
+
+ComparedPositions ChoosePositions(const Surface& surface)
+{
+  constexpr int random = 50000;
   constexpr unsigned int seed = 1;
+  const Eigen::MatrixXi& triangles = surface.Triangles();
+  const std::vector<int> used = FindUsedPoints(triangles, surface.Points().rows());
+  ComparedPositions positions;
+  positions.OfSurface.resize(static_cast<Eigen::Index>(used.size()) + random, 3);
+  positions.OfSurface << surface.Points()(used, Eigen::all), SampleRandomly(surface, random, seed);
+  return positions;
+}
+
+} // namespace
+
+SampledDistances ComputeDistancesToSurface(
+  const Surface& from, const SurfaceLocator& to, const Progress& progress)
+{
   SampledDistances result;
-  result.Positions.resize(static_cast<Eigen::Index>(used.size()) + random, 3);
-  result.Positions << from.Points(used, Eigen::all), SampleRandomly(from, random, seed);
+  result.Positions =
+    from.Cached<ComparedPositions>([&]() { return ChoosePositions(from); })->OfSurface;
   ClosestPoints closest = to.Find(result.Positions, progress);
   result.Nearest = std::move(closest.Positions);
   result.Distances = std::move(closest.Distances);
@@ -26,11 +47,9 @@ HausdorffDistances ComputeHausdorffDistance(
   const Surface& first, const Surface& second, const Progress& progress)
 {
   return {
-    ComputeDistancesToSurface(
-      first, SurfaceLocator(second), ComparedPositions, progress.Part(0.0, 0.5))
+    ComputeDistancesToSurface(first, SurfaceLocator(second), progress.Part(0.0, 0.5))
       .Distances.maxCoeff(),
-    ComputeDistancesToSurface(
-      second, SurfaceLocator(first), ComparedPositions, progress.Part(0.5, 1.0))
+    ComputeDistancesToSurface(second, SurfaceLocator(first), progress.Part(0.5, 1.0))
       .Distances.maxCoeff(),
   };
 }

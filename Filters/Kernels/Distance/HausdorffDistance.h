@@ -1,7 +1,6 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
@@ -17,28 +16,25 @@ struct SampledDistances
   Eigen::VectorXd Distances; ///< n
 };
 
-/// How many random places on a surface are compared with the other one.
-inline constexpr int ComparedPositions = 50000;
-
-/// Those of the points that triangles of `from` use, and of `random` places evenly over its area.
-/// Throws InvalidInput where it has no triangle, Aborted.
-SampledDistances ComputeDistancesToSurface(const Mesh& from, const SurfaceLocator& to,
-  int random = ComparedPositions, const Progress& progress = {});
+/// Those of the points that triangles of `from` use, and of 50,000 random positions evenly over its
+/// area, which are kept with the surface. Throws InvalidInput if it has no triangle, Aborted.
+SampledDistances ComputeDistancesToSurface(
+  const Surface& from, const SurfaceLocator& to, const Progress& progress = {});
 
 /// How far two surfaces are apart, in their units.
 struct HausdorffDistances
 {
-  double FromFirst = 0.0;  ///< the largest distance of a place on the first to the second
-  double FromSecond = 0.0; ///< of a place on the second to the first
+  double FromFirst = 0.0;  ///< the largest distance of a position on the first to the second
+  double FromSecond = 0.0; ///< of a position on the second to the first
   double Larger() const { return std::max(this->FromFirst, this->FromSecond); }
 };
 
 /**
- * The two one-sided Hausdorff distances between triangulated surfaces, at the places of
+ * The two one-sided Hausdorff distances between triangulated surfaces, at the positions of
  * ComputeDistancesToSurface: what is found is never more than the distance, and misses it by less
- * than the mean spacing of the places.
+ * than the mean spacing of the positions.
  *
- * Throws InvalidInput where a surface has no triangle, Aborted.
+ * Throws InvalidInput if a surface has no triangle, Aborted.
  */
 HausdorffDistances ComputeHausdorffDistance(
   const Surface& first, const Surface& second, const Progress& progress = {});

@@ -1,7 +1,6 @@
 #include "Distance/SignedDistance.h"
 
 #include "Base/Parallel.h"
-#include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
 
@@ -23,13 +22,22 @@ constexpr double Flat = 1e-10;
 
 } // namespace
 
-SignedDistance::SignedDistance(const Mesh& surface)
-  : Surface(surface)
-  , TriangleNormals(ComputeAreaVectors(surface).rowwise().normalized())
-  , EdgeNormals(3 * surface.Triangles.rows(), 3)
-  , PointNormals(Eigen::MatrixXd::Zero(surface.Points.rows(), 3))
+/// NaN where a triangle is flat, or one beside the edge or the point.
+struct SignedDistance::Pseudonormals
 {
-  for (int t = 0; t < surface.Triangles.rows(); ++t)
+  Eigen::MatrixXd OfTriangles; ///< m x 3
+  Eigen::MatrixXd OfEdges;     ///< 3m x 3: row 3 t + k is the edge opposite corner k of t
+  Eigen::MatrixXd OfPoints;    ///< n x 3, angle-weighted
+
+  explicit Pseudonormals(const Surface& surface);
+};
+
+SignedDistance::Pseudonormals::Pseudonormals(const Surface& surface)
+  : OfTriangles(surface.AreaVectors().rowwise().normalized())
+  , OfEdges(3 * surface.Triangles().rows(), 3)
+  , OfPoints(Eigen::MatrixXd::Zero(surface.Points().rows(), 3))
+{
+  for (int t = 0; t < surface.Triangles().rows(); ++t)
   {
     const Eigen::Matrix3d corners = GetCorners(surface, t);
     const RowVector3d u = corners.row(1) - corners.row(0);
@@ -37,40 +45,45 @@ SignedDistance::SignedDistance(const Mesh& surface)
     const double longest2 = std::max({ u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm() });
     if (!(u.cross(v).norm() > Flat * longest2))
     {
-      this->TriangleNormals.row(t).setConstant(std::numeric_limits<double>::quiet_NaN());
+      this->OfTriangles.row(t).setConstant(std::numeric_limits<double>::quiet_NaN());
     }
     for (int k = 0; k < 3; ++k)
     {
       const RowVector3d a = corners.row((k + 1) % 3) - corners.row(k);
       const RowVector3d b = corners.row((k + 2) % 3) - corners.row(k);
       const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-      this->PointNormals.row(surface.Triangles(t, k)) += angle * this->TriangleNormals.row(t);
+      this->OfPoints.row(surface.Triangles()(t, k)) += angle * this->OfTriangles.row(t);
     }
   }
-  const std::vector<HalfEdge> sides = SortHalfEdges(surface.Triangles, surface.Points.rows());
-  for (auto first = sides.begin(); first != sides.end();)
+  const std::vector<HalfEdge>& halfEdges = surface.HalfEdges();
+  for (auto first = halfEdges.begin(); first != halfEdges.end();)
   {
     RowVector3d sum = RowVector3d::Zero();
     auto last = first;
-    for (; last != sides.end() && last->Low() == first->Low() && last->High() == first->High();
+    for (; last != halfEdges.end() && last->Low() == first->Low() && last->High() == first->High();
          ++last)
     {
-      sum += this->TriangleNormals.row(last->Triangle);
+      sum += this->OfTriangles.row(last->Triangle);
     }
     for (; first != last; ++first)
     {
-      this->EdgeNormals.row(3 * first->Triangle + (first->Corner + 2) % 3) = sum;
+      this->OfEdges.row(3 * first->Triangle + (first->Corner + 2) % 3) = sum;
     }
   }
+}
+
+SignedDistance::SignedDistance(const Surface& surface)
+  : Nearest(surface)
+  , Normals(surface.Cached<Pseudonormals>([&]() { return Pseudonormals(surface); }))
+{
 }
 
 SignedDistance::Result SignedDistance::Evaluate(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  Result result{ {}, this->Surface.Find(points, progress.Part(0.0, 0.9)) };
+  Result result{ {}, this->Nearest.Find(points, progress.Part(0.0, 0.9)) };
   result.Distances = result.Closest.Distances;
-  const Mesh& surface = this->Surface.GetSurface();
-  const Eigen::MatrixXi& triangles = surface.Triangles;
+  const Eigen::MatrixXi& triangles = this->GetSurface().Triangles();
   std::vector<int> unsure;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
@@ -82,9 +95,9 @@ SignedDistance::Result SignedDistance::Evaluate(
       zeros += isZero;
       (isZero ? zero : other) = k;
     }
-    const RowVector3d normal = zeros == 0 ? this->TriangleNormals.row(t)
-      : zeros == 1                        ? this->EdgeNormals.row(3 * t + zero)
-                                          : this->PointNormals.row(triangles(t, other));
+    const RowVector3d normal = zeros == 0 ? this->Normals->OfTriangles.row(t)
+      : zeros == 1                        ? this->Normals->OfEdges.row(3 * t + zero)
+                                          : this->Normals->OfPoints.row(triangles(t, other));
     const double side = (points.row(i) - result.Closest.Positions.row(i)).dot(normal);
     if (side < 0.0)
     {
@@ -102,7 +115,7 @@ SignedDistance::Result SignedDistance::Evaluate(
       for (int k = begin; k < end; ++k)
       {
         const int i = unsure[k];
-        if (ComputeWindingNumber(surface.Points, triangles, points.row(i)) > 0.5)
+        if (ComputeWindingNumber(this->GetSurface().Points(), triangles, points.row(i)) > 0.5)
         {
           result.Distances(i) = -result.Distances(i);
         }
@@ -111,6 +124,36 @@ SignedDistance::Result SignedDistance::Evaluate(
     progress.Part(0.9, 1.0));
   progress(1.0);
   return result;
+}
+
+Eigen::VectorXd ComputeDomainTolerances(
+  const Surface& surface, const ClosestPoints& closest, double farthest)
+{
+  const double minimum = 1e-6 * ComputeLongestBoxEdge(surface.Points());
+  Eigen::VectorXd tolerances(closest.Triangles.size());
+  for (Eigen::Index i = 0; i < tolerances.size(); ++i)
+  {
+    const int t = closest.Triangles(i);
+    double longest = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      longest = std::max(longest,
+        (surface.Points().row(surface.Triangles()(t, k)) -
+          surface.Points().row(surface.Triangles()(t, (k + 1) % 3)))
+          .norm());
+    }
+    tolerances(i) = std::max(minimum, std::min(farthest, 0.25 * longest));
+  }
+  return tolerances;
+}
+
+Eigen::VectorXi FindPointsOutsideDomain(const SignedDistance& boundary,
+  const Eigen::MatrixXd& points, double farthest, const Progress& progress)
+{
+  const SignedDistance::Result at = boundary.Evaluate(points, progress);
+  const Eigen::VectorXd tolerances =
+    ComputeDomainTolerances(boundary.GetSurface(), at.Closest, farthest);
+  return (at.Distances.array() > tolerances.array()).cast<int>();
 }
 
 } // namespace shape

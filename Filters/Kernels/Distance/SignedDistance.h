@@ -2,6 +2,8 @@
 
 #include "Search/ClosestPoint.h"
 
+#include <memory>
+
 namespace shape
 {
 
@@ -17,7 +19,8 @@ class SignedDistance
 {
 public:
   /// surface: closed, triangles counter-clockwise when seen from outside (the caller has checked).
-  explicit SignedDistance(const Mesh& surface);
+  /// Its search tree and pseudonormals are kept with it: a second distance of it costs nothing.
+  explicit SignedDistance(const Surface& surface);
 
   struct Result
   {
@@ -28,14 +31,34 @@ public:
   /// points: n x 3, finite. Throws as SurfaceLocator::Find.
   Result Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  const SurfaceLocator& Locator() const { return this->Surface; }
+  const SurfaceLocator& Locator() const { return this->Nearest; }
+
+  /// The surface that distances are to.
+  const Surface& GetSurface() const { return this->Nearest.GetSurface(); }
 
 private:
-  SurfaceLocator Surface;
-  // NaN where a triangle is flat, or one beside the edge or the point.
-  Eigen::MatrixXd TriangleNormals; ///< m x 3
-  Eigen::MatrixXd EdgeNormals;     ///< 3m x 3: row 3 t + k is the edge opposite corner k of t
-  Eigen::MatrixXd PointNormals;    ///< n x 3, angle-weighted
+  struct Pseudonormals;
+  SurfaceLocator Nearest;
+  std::shared_ptr<const Pseudonormals> Normals;
 };
+
+/// How far outside a closed surface points belong to its domain all the same, given the closest
+/// points of `surface` (n): see FindPointsOutsideDomain.
+Eigen::VectorXd ComputeDomainTolerances(
+  const Surface& surface, const ClosestPoints& closest, double farthest);
+
+/**
+ * Which of `points` (n x 3, finite) lie outside the domain that a closed, outward facing surface
+ * bounds: 1 outside, 0 inside or within the tolerance.
+ *
+ * The tolerance is a quarter of the longest edge of the closest triangle, at most `farthest` and at
+ * least 1e-6 of the surface's longest side: a solid that was meshed against the smooth surface
+ * sticks out of its facets by less than that, and its points belong to the domain. `farthest` is
+ * half the distance of the charges: near them a harmonic map means nothing.
+ *
+ * Throws Aborted.
+ */
+Eigen::VectorXi FindPointsOutsideDomain(const SignedDistance& boundary,
+  const Eigen::MatrixXd& points, double farthest, const Progress& progress = {});
 
 } // namespace shape

@@ -1,8 +1,6 @@
 #include "Distance/TargetDistance.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
@@ -17,8 +15,9 @@ namespace
 {
 
 /// The genus of each component of a closed surface, ascending. Each triangle has three half edges.
-std::vector<int> GenusOfComponents(const Mesh& surface, const Topology& topology)
+std::vector<int> GenusOfComponents(const Surface& surface, const std::string& name)
 {
+  const Topology topology = RequireClosedSurface(surface, name);
   std::vector<int> points(topology.Components, 0), triangles(topology.Components, 0);
   for (const int component : topology.ComponentId)
   {
@@ -27,9 +26,9 @@ std::vector<int> GenusOfComponents(const Mesh& surface, const Topology& topology
       ++points[component];
     }
   }
-  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  for (Eigen::Index t = 0; t < surface.Triangles().rows(); ++t)
   {
-    ++triangles[topology.ComponentId(surface.Triangles(t, 0))];
+    ++triangles[topology.ComponentId(surface.Triangles()(t, 0))];
   }
   std::vector<int> genus(topology.Components);
   for (std::size_t c = 0; c < genus.size(); ++c)
@@ -55,13 +54,11 @@ std::string Described(const std::vector<int>& genus)
 
 } // namespace
 
-double ComputeTargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets,
-  const Mesh& target, const Progress& progress)
+double ComputeTargetDistance(const Surface& boundary, const Eigen::MatrixXd& targets,
+  const Surface& target, const Progress& progress)
 {
-  const std::vector<int> from =
-    GenusOfComponents(boundary, RequireClosedSurface(boundary, "the Boundary"));
-  const std::vector<int> onto =
-    GenusOfComponents(target, RequireClosedSurface(target, "the Target"));
+  const std::vector<int> from = GenusOfComponents(boundary, "the Boundary");
+  const std::vector<int> onto = GenusOfComponents(target, "the Target");
   if (from != onto)
   {
     throw InvalidInput("the Boundary has " + Described(from) + " and the Target has " +
@@ -71,7 +68,7 @@ double ComputeTargetDistance(const Mesh& boundary, const Eigen::MatrixXd& target
   }
   const Eigen::VectorXd distances = SurfaceLocator(target).Find(targets, progress).Distances;
   return std::sqrt(distances.squaredNorm() / distances.size()) /
-    ComputeLongestBoxEdge(target.Points);
+    ComputeLongestBoxEdge(target.Points());
 }
 
 } // namespace shape

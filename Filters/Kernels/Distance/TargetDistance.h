@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 namespace shape
 {
@@ -11,11 +11,11 @@ namespace shape
  * by the longest side of the target: the error of the boundary map itself, which a harmonic map
  * inherits.
  *
- * boundary: closed; targets (n x 3, finite): the images of its points. Throws InvalidInput where
+ * boundary: closed; targets (n x 3, finite): the images of its points. Throws InvalidInput if
  * the target is not closed, or its components have other genera than the boundary's: then no
  * continuous map takes one onto the other one to one; Aborted.
  */
-double ComputeTargetDistance(const Mesh& boundary, const Eigen::MatrixXd& targets,
-  const Mesh& target, const Progress& progress = {});
+double ComputeTargetDistance(const Surface& boundary, const Eigen::MatrixXd& targets,
+  const Surface& target, const Progress& progress = {});
 
 } // namespace shape

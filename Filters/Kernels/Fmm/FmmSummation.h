@@ -27,19 +27,25 @@ struct FmmSummationOptions
 
 /**
  * The potentials of point charges, phi(y_i) = sum_j q_j / (4 pi |y_i - x_j|), for many sets of
- * charges in the same places, in time O(m + n): a kernel-independent fast multipole method
+ * charges at the same positions, in time O(m + n): a kernel-independent fast multipole method
  * (L. Ying, G. Biros, D. Zorin, J. Comput. Phys. 196, 2004; see FmmOperators.h and
  * FmmTree.h).
+ *
+ * This is the entry of the library shape_fmm, which has nothing to do with shapes: it needs Base
+ * and Linear alone. Link shape_fmm, include this header, and
+ *
+ *     const shape::FmmSummation sum(sources, points);             // m x 3 and n x 3 coordinates
+ *     const Eigen::MatrixXd potentials = sum.Potentials(charges); // of m x k charges: n x k
  *
  * Setting up costs about a third of a sum for tolerances down to 1e-6, and a sum and more beyond.
  * With Direct and with Multipole, a point's values are the same bits for any number of threads and
  * whichever points stand beside it, so points may be split between processes; they are not finite
- * where a point coincides with a source. Points may lie anywhere, sources in any arrangement.
+ * if a point coincides with a source. Points may lie anywhere, sources in any arrangement.
  */
 class FmmSummation
 {
 public:
-  /// sources: m x 3, the x_j; points: n x 3, the y_i. Throws InvalidInput where a coordinate is not
+  /// sources: m x 3, the x_j; points: n x 3, the y_i. Throws InvalidInput if a coordinate is not
   /// finite or the tolerance is out of range, Aborted.
   FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
     const FmmSummationOptions& options = {}, const Progress& progress = {});

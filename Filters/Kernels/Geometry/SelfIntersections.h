@@ -32,12 +32,13 @@ std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
  *
  * A hierarchy of boxes finds the candidates, exact orientations (Geometry/Orientation.h) decide: a
  * pair is listed if and only if the triangles meet. Points are shared by index: join points at the
- * same place first. mesh: any triangles, none of them in FindDegenerateTriangles. Throws Aborted.
+ * same position first. mesh: any triangles, none of them in FindDegenerateTriangles. Throws
+ * Aborted.
  */
 std::vector<Crossing> FindSelfIntersections(const Mesh& mesh, const Progress& progress = {});
 
 /// The same of pairs whose second triangle is `first` or a later one. It stops soon after it has
-/// found `most` of them.
+/// found `maximum` of them.
 std::vector<Crossing> FindSelfIntersectionsFrom(
   const Mesh& mesh, int first, int maximum, const Progress& progress = {});
 

@@ -1,7 +1,6 @@
 #include "Harmonic/ApplyVolumeMap.h"
 
 #include "Base/Errors.h"
-#include "Distance/OutsideDomain.h"
 
 namespace shape
 {

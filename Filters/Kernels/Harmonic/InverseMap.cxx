@@ -2,7 +2,6 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
-#include "Distance/OutsideDomain.h"
 #include "Harmonic/Private/InverseSearch.h"
 #include "Solids/Nesting.h"
 
@@ -57,7 +56,7 @@ Eigen::MatrixXi Nearest(const Eigen::MatrixXd& positions, const Eigen::MatrixXd&
 /// The points of a lattice over the domain's box that lie inside.
 Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress& progress)
 {
-  const Eigen::MatrixXd& points = domain.Locator().GetSurface().Points();
+  const Eigen::MatrixXd& points = domain.GetSurface().Points();
   const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
   const double spacing = ComputeLongestBoxEdge(points) / across;
   const Eigen::RowVector3i counts = ((high - low) / spacing).array().ceil().max(1.0).cast<int>();
@@ -85,9 +84,9 @@ Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress
 /// preimage is within the tolerance of the domain's.
 constexpr double MaximumStretch = 4.0;
 
-Mesh ImageOf(const ChargeSet& map, const Mesh& domain, const Progress& progress)
+Mesh ImageOf(const ChargeSet& map, const Surface& domain, const Progress& progress)
 {
-  Mesh image{ Evaluate(map, domain.Points, progress), domain.Triangles };
+  Mesh image{ Evaluate(map, domain.Points(), progress), domain.Triangles() };
   if (!image.Points.allFinite())
   {
     throw InvalidInput("the map is not finite at a point of the surface that bounds its domain; "
@@ -98,13 +97,13 @@ Mesh ImageOf(const ChargeSet& map, const Mesh& domain, const Progress& progress)
 
 } // namespace
 
-InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest,
+InverseMap::InverseMap(const ChargeSet& map, const Surface& domain, double farthest,
   const InverseMapOptions& options, const Progress& progress)
   : Map(map)
   , Options(options)
   , Farthest(farthest)
   , Domain(OrientByNesting(domain, "the surface of the Map"))
-  , Image(ImageOf(map, this->Domain.Locator().GetSurface(), progress.Part(0.0, 0.2)))
+  , Image(ImageOf(map, this->Domain.GetSurface(), progress.Part(0.0, 0.2)))
 {
   if (!(options.Tolerance > 0.0) || options.MaximumIterations < 1 || options.SeedsAcross < 1)
   {
@@ -116,9 +115,9 @@ InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest
   // A map folds first at its boundary, and in the middle of long triangles, too.
   constexpr Eigen::Index wanted = 5000;
   const Eigen::MatrixXd onBoundary = SampleRandomly(
-    domain, static_cast<int>(std::max(wanted - domain.Points.rows(), Eigen::Index(0))), 1);
-  Eigen::MatrixXd sampled(this->Seeds.rows() + domain.Points.rows() + onBoundary.rows(), 3);
-  sampled << this->Seeds, domain.Points, onBoundary;
+    domain, static_cast<int>(std::max(wanted - domain.Points().rows(), Eigen::Index(0))), 1);
+  Eigen::MatrixXd sampled(this->Seeds.rows() + domain.Points().rows() + onBoundary.rows(), 3);
+  sampled << this->Seeds, domain.Points(), onBoundary;
   const Eigen::MatrixXd jacobians = EvaluateJacobians(map, sampled, progress.Part(0.6, 1.0));
   int positive = 0, negative = 0;
   for (Eigen::Index i = 0; i < jacobians.rows(); ++i)
@@ -132,7 +131,7 @@ InverseMap::InverseMap(const ChargeSet& map, const Mesh& domain, double farthest
 
 std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& point) const
 {
-  const Mesh& image = this->Image.Locator().GetSurface();
+  const Surface& image = this->Image.GetSurface();
   const SignedDistance::Result at = this->Image.Evaluate(point);
   const double tolerance =
     ComputeDomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity())(0);
@@ -141,7 +140,7 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
     return {};
   }
   const Eigen::RowVector3d onBoundary =
-    PullBack(at.Closest, image.Triangles, this->Domain.Locator().GetSurface().Points());
+    PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   if (this->Seeds.rows() == 0)
   {
     return onBoundary;
@@ -158,7 +157,7 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
 
 InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  const Mesh& image = this->Image.Locator().GetSurface();
+  const Surface& image = this->Image.GetSurface();
   const SignedDistance::Result at = this->Image.Evaluate(points, progress.Part(0.0, 0.15));
   const Eigen::VectorXd tolerances =
     ComputeDomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity());
@@ -177,7 +176,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
 
   // The image's triangles are the domain's: a place on the one is a place on the other.
   const Eigen::MatrixXd onBoundary =
-    PullBack(at.Closest, image.Triangles, this->Domain.Locator().GetSurface().Points());
+    PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   const Eigen::MatrixXi nearest =
     Nearest(this->SeedImages, points, MaximumStarts, progress.Part(0.15, 0.2));
   const auto startOf = [&](int i, int attempt) -> Eigen::RowVector3d
@@ -188,8 +187,8 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     return onIt ? onBoundary.row(i) : this->Seeds.row(nearest(i, std::max(0, attempt - 2)));
   };
 
-  const Limits limits{ this->Options.Tolerance * ComputeLongestBoxEdge(image.Points),
-    0.25 * ComputeLongestBoxEdge(this->Domain.Locator().GetSurface().Points()),
+  const Limits limits{ this->Options.Tolerance * ComputeLongestBoxEdge(image.Points()),
+    0.25 * ComputeLongestBoxEdge(this->Domain.GetSurface().Points()),
     this->Options.MaximumIterations };
   Steps steps(progress.Part(0.2, 1.0));
   // First from the nearest start, then walking from the boundary and from the nearest seed, then

@@ -35,9 +35,9 @@ class InverseMap
 {
 public:
   /// domain: closed and consistently oriented (the caller has checked). farthest: how far outside
-  /// it a preimage may lie, see OutsideDomain. Throws InvalidInput for options out of range or a
-  /// map that is not finite on the boundary; Aborted.
-  InverseMap(const ChargeSet& map, const Mesh& domain, double farthest,
+  /// it a preimage may lie, see FindPointsOutsideDomain. Throws InvalidInput for options out of
+  /// range or a map that is not finite on the boundary; Aborted.
+  InverseMap(const ChargeSet& map, const Surface& domain, double farthest,
     const InverseMapOptions& options = {}, const Progress& progress = {});
 
   enum class State

@@ -1,7 +1,7 @@
 #include "Harmonic/NearSourceSystem.h"
 
 #include "Base/Errors.h"
-#include "Harmonic/Private/NearSources.h"
+#include "Geometry/VertexNormals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,22 +22,6 @@ constexpr double SpacingOfRootArea = 1.07;
 constexpr double NearOffsetOfSpacing = 0.9;
 /// Of the coarse charges / the spacing of the clusters.
 constexpr double CoarseOffset = 0.5;
-
-/// The area-weighted normals at the points (n x 3, unit), zero where there is none.
-Eigen::MatrixXd AreaNormals(const Mesh& surface)
-{
-  const Eigen::MatrixXd vectors = ComputeAreaVectors(surface);
-  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(surface.Points.rows(), 3);
-  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
-  {
-    for (const int corner : surface.Triangles.row(t))
-    {
-      normals.row(corner) += vectors.row(t);
-    }
-  }
-  normals.rowwise().normalize(); // leaves zero as it is
-  return normals;
-}
 
 /// Coarse charges and the one that each site belongs to.
 struct CoarseLevel
@@ -97,10 +81,10 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
 /// Means of a hat function over the triangles around each point, by the rule that has 1 / 12 of a
 /// triangle's area at its corners and 3 / 4 at its centroid: points' count x (points, centroids).
 Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
-  const Mesh& surface, const Eigen::VectorXi& points)
+  const Surface& surface, const Eigen::VectorXi& points)
 {
-  const int n = static_cast<int>(surface.Points.rows());
-  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(surface).rowwise().norm();
+  const int n = static_cast<int>(surface.Points().rows());
+  const Eigen::VectorXd areas = 0.5 * surface.AreaVectors().rowwise().norm();
   const Eigen::VectorXd around = ComputePointAreas(surface);
   Eigen::VectorXi number = Eigen::VectorXi::Constant(n, -1);
   for (Eigen::Index k = 0; k < points.size(); ++k)
@@ -108,9 +92,9 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
     number(points(k)) = static_cast<int>(k);
   }
   std::vector<Eigen::Triplet<double>> entries;
-  for (int t = 0; t < surface.Triangles.rows(); ++t)
+  for (int t = 0; t < surface.Triangles().rows(); ++t)
   {
-    for (const int corner : surface.Triangles.row(t))
+    for (const int corner : surface.Triangles().row(t))
     {
       if (number(corner) >= 0)
       {
@@ -122,19 +106,77 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
   {
     entries.emplace_back(static_cast<int>(k), points(k), 0.25);
   }
-  Eigen::SparseMatrix<double, Eigen::RowMajor> means(points.size(), n + surface.Triangles.rows());
+  Eigen::SparseMatrix<double, Eigen::RowMajor> means(points.size(), n + surface.Triangles().rows());
   means.setFromTriplets(entries.begin(), entries.end());
   return means;
 }
 
 } // namespace
 
-NearSourceSystem::NearSourceSystem(
-  const SignedDistance& boundary, const Mesh& surface, Effort effort, const Progress& progress)
+NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
+  const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress)
 {
-  const Eigen::MatrixXd normals = AreaNormals(surface);
+  constexpr double room = 0.6, nearer = 0.7;
+  constexpr int steps = 4;
+  const Eigen::Index n = sites.rows();
+  Eigen::VectorXd reached = offsets;
+  std::vector<int> open;
+  for (int i = 0; i < n; ++i)
+  {
+    if (offsets(i) > 0.0 && normals.row(i).squaredNorm() > 0.0)
+    {
+      open.push_back(i);
+    }
+    else
+    {
+      reached(i) = 0.0;
+    }
+  }
+  const auto positions = [&](const std::vector<int>& rows)
+  {
+    return Eigen::MatrixXd(sites(rows, Eigen::all) +
+      Eigen::VectorXd(reached(rows)).asDiagonal() * normals(rows, Eigen::all));
+  };
+  for (int step = 0; step <= steps && !open.empty(); ++step)
+  {
+    const Eigen::VectorXd distances =
+      boundary
+        .Evaluate(positions(open), progress.Part(step / (steps + 1.0), (step + 1) / (steps + 1.0)))
+        .Distances;
+    std::vector<int> crowded;
+    for (std::size_t k = 0; k < open.size(); ++k)
+    {
+      double& offset = reached(open[k]);
+      if (!(distances(k) >= room * offset))
+      {
+        offset *= step < steps ? nearer : 0.0;
+        crowded.push_back(open[k]);
+      }
+    }
+    open = std::move(crowded);
+  }
+
+  std::vector<int> placed;
+  NearSources sources;
+  for (int i = 0; i < n; ++i)
+  {
+    if (reached(i) > 0.0)
+    {
+      placed.push_back(i);
+    }
+  }
+  sources.Points = positions(placed);
+  sources.Offsets = reached(placed);
+  sources.Sites = Eigen::Map<const Eigen::VectorXi>(placed.data(), placed.size());
+  return sources;
+}
+
+NearSourceSystem::NearSourceSystem(
+  const SignedDistance& boundary, const Surface& surface, Effort effort, const Progress& progress)
+{
+  const Eigen::MatrixXd normals = ComputeVertexNormals(surface, NormalWeight::Area);
   const Eigen::VectorXd areas = ComputePointAreas(surface);
-  const NearSources near = InsertNearSources(boundary, surface.Points, normals,
+  const NearSources near = InsertNearSources(boundary, surface.Points(), normals,
     NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(), progress.Part(0.0, 0.3));
   if (near.Sites.size() == 0)
   {
@@ -142,22 +184,22 @@ NearSourceSystem::NearSourceSystem(
       "no charge finds room outside the boundary; its triangles face the wrong way "
       "or it is folded onto itself");
   }
-  this->WithoutCharge = static_cast<int>(surface.Points.rows() - near.Sites.size());
+  this->WithoutCharge = static_cast<int>(surface.Points().rows() - near.Sites.size());
   Eigen::VectorXd offsets = near.Offsets;
   const auto hundredth = offsets.begin() + offsets.size() / 100;
   std::nth_element(offsets.begin(), hundredth, offsets.end());
   this->NearOffset = *hundredth;
-  const CoarseLevel coarse = PositionCoarse(boundary, surface.Points(near.Sites, Eigen::all),
+  const CoarseLevel coarse = PositionCoarse(boundary, surface.Points()(near.Sites, Eigen::all),
     normals(near.Sites, Eigen::all), areas(near.Sites), effort == Effort::Little ? 128 : 32,
     progress.Part(0.3, 0.4));
-  const Eigen::Index n = surface.Points.rows(), m = surface.Triangles.rows();
-  this->System.Sites = surface.Points(near.Sites, Eigen::all);
+  const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
+  this->System.Sites = surface.Points()(near.Sites, Eigen::all);
   this->System.Sources = near.Points;
   this->System.Rows.resize(n + m, 3);
-  this->System.Rows << surface.Points, ComputeCentroids(surface);
+  this->System.Rows << surface.Points(), ComputeCentroids(surface);
   this->System.Tests = HatMeans(surface, near.Sites);
   this->System.Weights.resize(n + m);
-  this->System.Weights << 0.25 * areas, 0.375 * ComputeAreaVectors(surface).rowwise().norm();
+  this->System.Weights << 0.25 * areas, 0.375 * surface.AreaVectors().rowwise().norm();
   this->AllSources.resize(near.Points.rows() + coarse.Sources.rows(), 3);
   this->AllSources << near.Points, coarse.Sources;
   SchwarzOptions blocks;

@@ -10,6 +10,26 @@
 namespace shape
 {
 
+/// Charges close to a surface, each outside of the position (site) on it that it belongs to.
+struct NearSources
+{
+  Eigen::MatrixXd Points;  ///< k x 3
+  Eigen::VectorXi Sites;   ///< k, ascending: the row of its site
+  Eigen::VectorXd Offsets; ///< k, > 0: the distance from its site
+};
+
+/**
+ * A charge for each site on the normal, at the offset wanted there or as much nearer as it takes to
+ * have at least 0.6 of its offset between it and any part of the surface: in narrow gaps. A site
+ * with room for less than 0.24 of the offset, without a normal or with offset 0 gets none: charges
+ * so close to the surface are spikes between its points.
+ *
+ * boundary: closed, facing out of the solid. sites: n x 3, on or near it. normals: n x 3, unit, or
+ * zero. offsets: n, >= 0. Throws Aborted.
+ */
+NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
+  const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress = {});
+
 /**
  * The equations of charges that sit close to a surface, one outside of each of its points at about
  * the distance of the neighbouring points, and of a few coarse ones farther out. Set up once for a
@@ -18,16 +38,16 @@ namespace shape
 class NearSourceSystem
 {
 public:
-  /// Three times the time and memory, for convergence where the surface's triangles are uneven,
-  /// where parts are thin and gaps narrow, and where little is left to be gained.
+  /// More takes three times the time and memory. It converges where the surface's triangles are
+  /// uneven, parts are thin, gaps are narrow, or little is left to be gained.
   enum class Effort
   {
     Little,
     More
   };
   /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
-  /// refinement of it. Throws SolveFailure where no charge has room, Aborted.
-  NearSourceSystem(const SignedDistance& boundary, const Mesh& surface,
+  /// refinement of it. Throws SolveFailure if no charge has room, Aborted.
+  NearSourceSystem(const SignedDistance& boundary, const Surface& surface,
     Effort effort = Effort::Little, const Progress& progress = {});
 
   /// m x 3: where values are wanted.
@@ -58,7 +78,7 @@ private:
 /// What is set up once for all targets of a boundary.
 struct AcceleratedSetup
 {
-  Mesh Boundary;
+  Surface Boundary;
   std::unique_ptr<NearSourceSystem> System;
 };
 

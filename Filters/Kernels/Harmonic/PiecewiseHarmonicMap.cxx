@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Mesh/Topology.h"
+#include "Mesh/UsedPoints.h"
 #include "Solids/Nesting.h"
 
 #include <algorithm>
@@ -18,45 +19,23 @@ using Eigen::RowVector3d;
 
 /// The triangles in some of the regions over the points that they use.
 template <typename Wanted>
-Mesh Part(const Mesh& surface, const Eigen::VectorXi& regions, const Wanted& wanted)
+Mesh Part(const Surface& surface, const Eigen::VectorXi& regions, const Wanted& wanted)
 {
-  std::vector<int> triangles, points;
-  std::vector<int> newId(surface.Points.rows(), -1);
-  for (int t = 0; t < surface.Triangles.rows(); ++t)
+  std::vector<int> triangles;
+  for (int t = 0; t < surface.Triangles().rows(); ++t)
   {
     if (wanted(regions.size() == 0 ? 0 : regions(t)))
     {
       triangles.push_back(t);
     }
   }
-  Mesh part;
-  part.Triangles = surface.Triangles(triangles, Eigen::all);
-  for (int& corner : part.Triangles.reshaped())
-  {
-    if (newId[corner] == -1)
-    {
-      newId[corner] = static_cast<int>(points.size());
-      points.push_back(corner);
-    }
-    corner = newId[corner];
-  }
-  part.Points = surface.Points(points, Eigen::all);
-  return part;
+  return ExtractTriangles(surface, triangles);
 }
 
-Mesh Joined(const Mesh& a, const Mesh& b)
-{
-  Mesh all{ Eigen::MatrixXd(a.Points.rows() + b.Points.rows(), 3),
-    Eigen::MatrixXi(a.Triangles.rows() + b.Triangles.rows(), 3) };
-  all.Points << a.Points, b.Points;
-  all.Triangles << a.Triangles, b.Triangles.array() + static_cast<int>(a.Points.rows());
-  return all;
-}
-
-void RequireSupportedFeatures(const PiecewiseCharges& charges)
+void RequireValidCharges(const PiecewiseCharges& charges)
 {
   const auto count = static_cast<Eigen::Index>(charges.Maps.size());
-  const Eigen::Index m = charges.Surface.Triangles.rows();
+  const Eigen::Index m = charges.Surface.Triangles().rows();
   const bool regionsFit =
     charges.Regions.size() == m || (charges.Regions.size() == 0 && count == 1);
   if (count == 0 || !regionsFit ||
@@ -87,6 +66,11 @@ void RequireSupportedFeatures(const PiecewiseCharges& charges)
 
 } // namespace
 
+double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points)
+{
+  return 0.5 * offsetDistance * ComputeLongestBoxEdge(points);
+}
+
 PiecewiseHarmonicMap::PiecewiseHarmonicMap(
   const PiecewiseCharges& charges, const Progress& progress)
   : Maps(charges.Maps)
@@ -96,7 +80,7 @@ PiecewiseHarmonicMap::PiecewiseHarmonicMap(
   , Parents(charges.Maps.size(), 0)
   , Walls(charges.Maps.size(), Mesh{ Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) })
 {
-  RequireSupportedFeatures(charges);
+  RequireValidCharges(charges);
   const std::string name = "the surface of the Map";
   if (this->Maps.size() > 1)
   {
@@ -120,7 +104,7 @@ PiecewiseHarmonicMap::PiecewiseHarmonicMap(
     for (const Mesh& wall : SplitComponents(walls))
     {
       Mesh& known = this->Walls[this->RegionsAt(ComputeCentroids(wall).topRows(1))(0)];
-      known = Joined(known, wall);
+      known = JoinMeshes({ known, wall });
     }
   }
 }
@@ -131,7 +115,7 @@ void PiecewiseHarmonicMap::FindParents()
   const auto within = [&](int inner, int outer)
   {
     const Eigen::MatrixXd position =
-      ComputeCentroids(this->Borders[inner]->Locator().GetSurface()).topRows(1);
+      ComputeCentroids(this->Borders[inner]->GetSurface()).topRows(1);
     return this->Borders[outer]->Evaluate(position).Distances(0) < 0.0;
   };
   std::vector<int> depths(count, 0);
@@ -163,31 +147,30 @@ Mesh PiecewiseHarmonicMap::BoundaryOf(int region) const
   Mesh boundary = this->Walls[region];
   if (region == 0)
   {
-    boundary = this->Solid->Locator().GetSurface();
+    boundary = this->Solid->GetSurface().AsMesh();
     // The walls of voids in inner regions are theirs.
     if (this->RegionCount() > 1)
     {
-      const Topology topology = ComputeTopology(boundary);
       const std::vector<Mesh> parts = SplitComponents(boundary);
       boundary = { Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) };
       for (const Mesh& part : parts)
       {
         if (this->RegionsAt(ComputeCentroids(part).topRows(1))(0) == 0)
         {
-          boundary = Joined(boundary, part);
+          boundary = JoinMeshes({ boundary, part });
         }
       }
     }
   }
   else
   {
-    boundary = Joined(this->Borders[region]->Locator().GetSurface(), boundary);
+    boundary = JoinMeshes({ this->Borders[region]->GetSurface(), boundary });
   }
   for (const int other : this->Order)
   {
     if (this->Parents[other] == region)
     {
-      boundary = Joined(boundary, this->Borders[other]->Locator().GetSurface());
+      boundary = JoinMeshes({ boundary, this->Borders[other]->GetSurface() });
     }
   }
   return boundary;
@@ -204,9 +187,9 @@ PiecewiseHarmonicMap::Positions PiecewiseHarmonicMap::Locate(
   {
     const double next = done + 1.0 / static_cast<double>(this->Order.size());
     const SignedDistance& border = *this->Borders[region];
-    const Mesh& surface = border.Locator().GetSurface();
-    const RowVector3d low = surface.Points.colwise().minCoeff();
-    const RowVector3d high = surface.Points.colwise().maxCoeff();
+    const Eigen::MatrixXd& onBorder = border.GetSurface().Points();
+    const RowVector3d low = onBorder.colwise().minCoeff();
+    const RowVector3d high = onBorder.colwise().maxCoeff();
     std::vector<int> near;
     for (int i = 0; i < n; ++i)
     {

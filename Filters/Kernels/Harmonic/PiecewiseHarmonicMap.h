@@ -16,15 +16,19 @@ struct PiecewiseCharges
   static constexpr int Void = -1; ///< the region of what is not solid
 
   std::vector<ChargeSet> Maps = std::vector<ChargeSet>(1); ///< by region; at least 1
-  Mesh Surface; ///< closed, facing any way: around the solid, its voids and its inner regions
+  shape::Surface Surface; ///< closed, facing any way: around the solid, voids and inner regions
   /// m: the region that the component of each triangle encloses, 0 for the one around the solid,
   /// Void for the wall of a void; empty where there is one region.
   Eigen::VectorXi Regions;
-  double Farthest = 0.0; ///< how far outside the solid the map holds: see OutsideDomain
+  double Farthest = 0.0; ///< how far outside the solid the map holds: see FindPointsOutsideDomain
   /// By region, >= 0: in how thick a skin inside the border around it the map of the region that is
   /// around passes into its own; empty = 0.
   Eigen::VectorXd Skins;
 };
+
+/// How far outside its domain a map holds (PiecewiseCharges::Farthest): half the distance of its
+/// charges, which is `offsetDistance` times the longest side of the boundary's `points` (n x 3).
+double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
 
 /**
  * The volume map that is harmonic in each region by itself:
@@ -35,13 +39,13 @@ struct PiecewiseCharges
  * of r and s(u) = (1 - u)^2 (1 + 2 u) below 1, else 0. So f is f_r but for the skin, and is
  * continuous across borders, with its first derivative, however well two fitted maps agree there.
  *
- * A region r > 0 is what the components with r enclose, without the regions inside them. A place on
- * a border belongs to the region around it.
+ * A region r > 0 is what the components with r enclose, without the regions inside them. A position
+ * on a border belongs to the region around it.
  */
 class PiecewiseHarmonicMap
 {
 public:
-  /// Throws InvalidInput where a surface is not closed, components touch or cross, or sizes do not
+  /// Throws InvalidInput if a surface is not closed, components touch or cross, or sizes do not
   /// agree; Aborted.
   explicit PiecewiseHarmonicMap(const PiecewiseCharges& charges, const Progress& progress = {});
 

@@ -1,6 +1,5 @@
 #include "Harmonic/PiecewiseInverseMap.h"
 
-#include "Distance/OutsideDomain.h"
 #include "Harmonic/Private/InverseSearch.h"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ PiecewiseInverseMap::PiecewiseInverseMap(std::shared_ptr<const PiecewiseHarmonic
     this->Inverses.emplace_back(this->Map->Map(r), this->Map->BoundaryOf(r), this->Map->Farthest(),
       options, progress.Part(static_cast<double>(r) / count, static_cast<double>(r + 1) / count));
   }
-  const Eigen::MatrixXd& points = this->Map->Domain().Locator().GetSurface().Points();
+  const Eigen::MatrixXd& points = this->Map->Domain().GetSurface().Points();
   this->Goal = options.Tolerance * ComputeLongestBoxEdge(this->Map->Evaluate(points));
   this->MaxStep = 0.25 * ComputeLongestBoxEdge(points);
 }

@@ -1,8 +1,9 @@
 #include "Harmonic/PiecewiseVolumeMap.h"
 
 #include "Base/Errors.h"
-#include "Mesh/Surface.h"
+#include "Harmonic/HarmonicVolumeMap.h"
 #include "Mesh/Topology.h"
+#include "Mesh/UsedPoints.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/Nesting.h"
 #include "Solids/SolidRegions.h"
@@ -27,16 +28,10 @@ struct Mapped
 
 void Append(Mapped& all, const Mapped& part)
 {
-  const Eigen::Index points = all.Surface.Points.rows(), triangles = all.Surface.Triangles.rows();
-  const Eigen::Index morePoints = part.Surface.Points.rows();
-  const Eigen::Index moreTriangles = part.Surface.Triangles.rows();
-  all.Surface.Points.conservativeResize(points + morePoints, 3);
-  all.Surface.Points.bottomRows(morePoints) = part.Surface.Points;
-  all.Surface.Triangles.conservativeResize(triangles + moreTriangles, 3);
-  all.Surface.Triangles.bottomRows(moreTriangles) =
-    part.Surface.Triangles.array() + static_cast<int>(points);
-  all.Targets.conservativeResize(points + morePoints, 3);
-  all.Targets.bottomRows(morePoints) = part.Targets;
+  all.Surface = JoinMeshes({ all.Surface, part.Surface });
+  const Eigen::Index before = all.Targets.rows();
+  all.Targets.conservativeResize(before + part.Targets.rows(), 3);
+  all.Targets.bottomRows(part.Targets.rows()) = part.Targets;
 }
 
 Mapped Nothing()
@@ -44,13 +39,13 @@ Mapped Nothing()
   return { { Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) }, Eigen::MatrixXd(0, 3) };
 }
 
-/// Every triangle cut into four at the middles of its edges.
+/// Every triangle cut into four at the midpoints of its edges.
 Mesh Refined(const Mesh& mesh)
 {
   std::map<std::pair<int, int>, int> midpoints;
   std::vector<std::pair<int, int>> edges;
   const auto n = static_cast<int>(mesh.Points.rows());
-  const auto middle = [&](int a, int b)
+  const auto midpoint = [&](int a, int b)
   {
     const auto [found, isNew] =
       midpoints.try_emplace(std::minmax(a, b), n + static_cast<int>(edges.size()));
@@ -65,8 +60,8 @@ Mesh Refined(const Mesh& mesh)
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corner = mesh.Triangles.row(t);
-    const int a = middle(corner(1), corner(2)), b = middle(corner(2), corner(0));
-    const int c = middle(corner(0), corner(1));
+    const int a = midpoint(corner(1), corner(2)), b = midpoint(corner(2), corner(0));
+    const int c = midpoint(corner(0), corner(1));
     refined.Triangles.middleRows<4>(4 * t) << corner(0), c, b, c, corner(1), a, b, a, corner(2), a,
       b, c;
   }
@@ -84,7 +79,7 @@ Mesh Refined(const Mesh& mesh)
 struct Layer
 {
   int Region = 0;
-  int Parent = -1;           ///< the layer around it, by its place in the list
+  int Parent = -1;           ///< the layer around it, by its index in the list
   Mapped Around;             ///< facing outwards
   Mapped Within = Nothing(); ///< borders of layers inside, and walls of voids
   Mapped Voids = Nothing();  ///< the walls alone
@@ -92,16 +87,15 @@ struct Layer
 
 std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const Progress& progress)
 {
-  std::vector<Mesh> meshes;
+  std::vector<Surface> meshes;
   std::vector<std::string> names;
-  std::vector<Topology> topologies;
   for (const ExactSurface& surface : surfaces)
   {
-    topologies.push_back(RequireClosedSurface(surface.Surface, surface.Name));
+    RequireClosedSurface(surface.Surface, surface.Name);
     RequireFinite(surface.Targets, "the list of images of " + surface.Name);
-    if (surface.Targets.rows() != surface.Surface.Points.rows() || surface.Targets.cols() != 3)
+    if (surface.Targets.rows() != surface.Surface.Points().rows() || surface.Targets.cols() != 3)
     {
-      throw InvalidInput(surface.Name + " has " + std::to_string(surface.Surface.Points.rows()) +
+      throw InvalidInput(surface.Name + " has " + std::to_string(surface.Surface.Points().rows()) +
         " points and " + std::to_string(surface.Targets.rows()) +
         " images; give each point three coordinates");
     }
@@ -112,10 +106,8 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
   {
     for (std::size_t j = i + 1; j < meshes.size(); ++j)
     {
-      Mapped both{ meshes[i], surfaces[i].Targets };
-      Append(both, { meshes[j], surfaces[j].Targets });
-      OrientByNesting(
-        both.Surface, "what " + names[i] + " and " + names[j] + " make together", progress);
+      OrientByNesting(JoinMeshes({ meshes[i], meshes[j] }),
+        "what " + names[i] + " and " + names[j] + " make together", progress);
     }
   }
   const SolidRegions regions(meshes, names, progress);
@@ -128,7 +120,7 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
   {
     const SolidRegions::Component& piece = pieces[i];
     const ExactSurface& owner = surfaces[piece.Owner];
-    const Eigen::VectorXi& ids = topologies[piece.Owner].ComponentId;
+    const Eigen::VectorXi& ids = owner.Surface.Topology().ComponentId;
     std::vector<int> rows;
     for (int p = 0; p < ids.size(); ++p)
     {
@@ -178,8 +170,8 @@ PiecewiseCharges WithoutCharges(const std::vector<Layer>& layers)
     Append(all, layer.Voids);
     runs.emplace_back(layer.Voids.Surface.Triangles.rows(), PiecewiseCharges::Void);
   }
-  charges.Surface = all.Surface;
   charges.Regions.resize(all.Surface.Triangles.rows());
+  charges.Surface = std::move(all.Surface);
   Eigen::Index first = 0;
   for (const auto& [count, region] : runs)
   {
@@ -208,11 +200,6 @@ VolumeFeatures Select(const VolumeFeatures& features, const Eigen::VectorXi& reg
   }
   return selected;
 }
-
-} // namespace
-
-namespace
-{
 
 /// What one layer's map is fitted to, and what it leaves over.
 struct LayerProblem
@@ -255,7 +242,7 @@ PiecewiseVolumeMapResult::Border ErrorsAt(const Mapped& surface, const ChargeSet
 
 } // namespace
 
-PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Mesh& boundary,
+PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   const Eigen::MatrixXd& targets, const std::vector<ExactSurface>& surfaces,
   const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
   const PiecewiseVolumeMapOptions& layered, const Progress& progress)
@@ -276,7 +263,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Mesh& boundary,
   result.OffsetDistance = 1.0;
   const PiecewiseHarmonicMap positions(result.Charges, progress.Part(0.05, 0.1));
   const Eigen::VectorXi featureRegions = positions.RegionsAt(features.Points);
-  const double size = ComputeLongestBoxEdge(boundary.Points),
+  const double size = ComputeLongestBoxEdge(boundary.Points()),
                targetSize = ComputeLongestBoxEdge(targets);
   std::vector<double> offsets(count, 0.0); // of the nearest charges, in the layers' order
   double featureSquares = 0.0;
@@ -323,7 +310,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Mesh& boundary,
       (targetSize * targetSize);
     result.Charges.Maps[layer.Region] = own.Map;
   }
-  result.Charges.Farthest = 0.5 * result.OffsetDistance * size;
+  result.Charges.Farthest = ComputeFarthest(result.OffsetDistance, boundary.Points());
   if (features.Points.rows() > 0)
   {
     result.RMSEFeatures = std::sqrt(featureSquares / features.Points.rows());

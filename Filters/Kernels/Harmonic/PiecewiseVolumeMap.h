@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Harmonic/HarmonicVolumeMap.h"
+#include "Harmonic/HarmonicMapTypes.h"
 #include "Harmonic/PiecewiseHarmonicMap.h"
 
 #include <string>
@@ -12,7 +12,7 @@ namespace shape
 /// A closed surface inside a solid whose image is given.
 struct ExactSurface
 {
-  Mesh Surface;
+  shape::Surface Surface;
   Eigen::MatrixXd Targets; ///< n x 3: the images of its points
   std::string Name;        ///< what errors call it: "feature 2"
 };
@@ -36,10 +36,10 @@ struct PiecewiseVolumeMapResult
   struct Border
   {
     double RMSEVertices = 0.0; ///< at its points
-    double RMSEInside = 0.0;   ///< at a place in each of its triangles (ComputeOffCentres)
+    double RMSEInside = 0.0;   ///< at a position in each of its triangles (ComputeOffCentres)
     double Maximum = 0.0;      ///< over both
-    /// How far the two layers' fitted maps are from each other, without the skin, at random places;
-    /// 0 for the boundary.
+    /// How far the two layers' fitted maps are from each other, without the skin, at random
+    /// positions; 0 for the boundary.
     double JumpRMS = 0.0, JumpMaximum = 0.0;
   };
   PiecewiseCharges Charges;
@@ -47,7 +47,7 @@ struct PiecewiseVolumeMapResult
   std::vector<Border> Borders;                 ///< by region: of the surface around it; 0: of
                                                ///< the boundary and the voids beside it
   double RMSEFeatures = 0.0;                   ///< as in HarmonicVolumeMapResult
-  double OffsetDistance = 0.0; ///< the least of the layers', / the boundary's longest side
+  double OffsetDistance = 0.0; ///< the minimum of the layers', / the boundary's longest side
 };
 
 /**
@@ -72,10 +72,10 @@ struct PiecewiseVolumeMapResult
  * region in several pieces that do not touch has a map for each: all but the first are numbered
  * after the last surface. Features are soft and belong to the layer that they lie in.
  *
- * Throws as ComputeHarmonicVolumeMap and SolidRegions do; InvalidInput where surfaces are not
+ * Throws as ComputeHarmonicVolumeMap and SolidRegions do; InvalidInput if surfaces are not
  * closed, cross or touch, or lie outside.
  */
-PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Mesh& boundary,
+PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   const Eigen::MatrixXd& targets, const std::vector<ExactSurface>& surfaces,
   const VolumeFeatures& features = {}, const HarmonicVolumeMapOptions& options = {},
   const PiecewiseVolumeMapOptions& layered = {}, const Progress& progress = {});

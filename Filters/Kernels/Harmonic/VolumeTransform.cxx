@@ -1,7 +1,6 @@
 #include "Harmonic/VolumeTransform.h"
 
 #include "Base/Parallel.h"
-#include "Distance/OutsideDomain.h"
 
 #include <Eigen/LU>
 

@@ -2,13 +2,13 @@
 
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
-#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -54,7 +54,7 @@ std::vector<Component> Split(const Mesh& mesh, const Topology& topology)
 /// Asks Eigen's walk through two trees whether a triangle of one meets a triangle of the other.
 struct Meeting
 {
-  const Mesh& Surface;
+  const Mesh& Searched;
   const Progress& Report;
   double Done; ///< what is reported while the search lasts
   bool Found = false;
@@ -71,7 +71,7 @@ struct Meeting
   }
   bool intersectVolumeObject(const Eigen::AlignedBox3d& box, int triangle) const
   {
-    const Eigen::Matrix3d corners = GetCorners(this->Surface, triangle);
+    const Eigen::Matrix3d corners = GetCorners(this->Searched, triangle);
     return box.intersects({ corners.colwise().minCoeff(), corners.colwise().maxCoeff() });
   }
   bool intersectObjectVolume(int triangle, const Eigen::AlignedBox3d& box) const
@@ -80,7 +80,7 @@ struct Meeting
   }
   bool intersectObjectObject(int a, int b)
   {
-    this->Found = DoTrianglesIntersect(this->Surface, a, b);
+    this->Found = DoTrianglesIntersect(this->Searched, a, b);
     return this->Found; // true ends the search
   }
   // NOLINTEND(readability-identifier-naming)
@@ -98,15 +98,17 @@ bool IsFacingOutwards(const Mesh& mesh, const Component& component, const RowVec
   return sixVolumes > 0.0;
 }
 
-} // namespace
-
-Surface OrientByNesting(const Surface& surface, const std::string& name, const Progress& progress)
+/// What a surface keeps: itself with components inverted, or nothing if none had to be.
+struct KeptOrientation
 {
-  const Topology topology = RequireClosedSurface(surface, name);
+  std::optional<Surface> Inverted;
+};
+
+KeptOrientation Orient(const Surface& surface, const std::string& name, const Progress& progress)
+{
   const Mesh& mesh = surface;
-  const std::vector<Component> components = Split(mesh, topology);
-  Mesh oriented = mesh;
-  bool isOriented = true;
+  const std::vector<Component> components = Split(mesh, RequireClosedSurface(surface, name));
+  std::vector<int> inverted;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
     const RowVector3d position = mesh.Points.row(mesh.Triangles(components[i].Triangles[0], 0));
@@ -136,15 +138,29 @@ Surface OrientByNesting(const Surface& surface, const std::string& name, const P
     }
     if (IsFacingOutwards(mesh, components[i], position) != (depth % 2 == 0))
     {
-      isOriented = false;
-      for (const int t : components[i].Triangles)
-      {
-        std::swap(oriented.Triangles(t, 1), oriented.Triangles(t, 2));
-      }
+      inverted.insert(
+        inverted.end(), components[i].Triangles.begin(), components[i].Triangles.end());
     }
     progress(static_cast<double>(i + 1) / static_cast<double>(components.size()));
   }
-  return isOriented ? surface : Surface(std::move(oriented));
+  if (inverted.empty())
+  {
+    return {};
+  }
+  Mesh oriented = mesh;
+  for (const int t : inverted)
+  {
+    std::swap(oriented.Triangles(t, 1), oriented.Triangles(t, 2));
+  }
+  return { Surface(std::move(oriented)) };
+}
+
+} // namespace
+
+Surface OrientByNesting(const Surface& surface, const std::string& name, const Progress& progress)
+{
+  return surface.Cached<KeptOrientation>([&]() { return Orient(surface, name, progress); })
+    ->Inverted.value_or(surface);
 }
 
 } // namespace shape

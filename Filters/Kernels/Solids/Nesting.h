@@ -14,12 +14,14 @@ namespace shape
  * Each component of a closed surface bounds the solid from outside, or a void in it, or a solid in
  * that void, and so on: a component that lies within an even number of others is turned to face
  * outwards, one within an odd number to face inwards. It does not matter how they face before.
- * Where a component lies is told by the winding number at one of its points (Mesh/Mesh.h), and
- * whether two meet by exact orientations (Geometry/Crossings.h).
+ * The winding number at one of its points decides where a component lies (Mesh/Mesh.h), and exact
+ * orientations whether two meet (Geometry/SelfIntersections.h).
  *
- * surface: as for RequireClosedSurface; `name` is what errors call it. Throws InvalidInput where it
- * is not closed, or where two components touch or cross, so that neither lies within the other;
- * Aborted. A component that touches itself is not noticed.
+ * surface: as for RequireClosedSurface; `name` is what errors call it. If every component faces the
+ * right way already, the result is the same surface, with what is cached in it. The result itself
+ * is cached in `surface`. Throws InvalidInput if it is not closed, or if two components touch or
+ * cross, so that neither lies within the other; Aborted. A component that touches itself is not
+ * noticed.
  */
 Surface OrientByNesting(
   const Surface& surface, const std::string& name, const Progress& progress = {});

@@ -1,7 +1,6 @@
 #include "Solids/SolidBoundary.h"
 
 #include "Geometry/SelfIntersections.h"
-#include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
 
@@ -62,7 +61,9 @@ KeptBoundary FindBoundary(const Surface& surface, const Progress& progress)
       solid.push_back(t);
     }
   }
-  const Mesh tested{ mesh.Points, mesh.Triangles(solid, Eigen::all) };
+  const Surface tested = static_cast<Eigen::Index>(solid.size()) == count
+    ? surface
+    : Surface(mesh.Points, mesh.Triangles(solid, Eigen::all));
   const std::vector<Crossing> crossings = FindSelfIntersections(tested, progress.Part(0.0, 0.5));
   result.Crossings = static_cast<int>(crossings.size());
   if (crossings.empty())
@@ -73,7 +74,7 @@ KeptBoundary FindBoundary(const Surface& surface, const Progress& progress)
   {
     apart[solid[crossing.First]] = apart[solid[crossing.Second]] = 1;
   }
-  // All triangles that hang together without crossing others are on one side of them.
+  // Triangles that are connected without crossing others are all inside, or all outside.
   const std::vector<std::vector<int>> neighbours = Neighbours(surface);
   const double step = 1e-6 * ComputeLongestBoxEdge(mesh.Points);
   std::vector<int> kept;

@@ -18,7 +18,7 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// How far a ray runs until it meets a triangle; infinity where it does not.
+/// How far a ray runs until it meets a triangle; infinity if it does not.
 double RayLength(
   const Mesh& mesh, Eigen::Index triangle, const RowVector3d& from, const RowVector3d& direction)
 {
@@ -38,16 +38,16 @@ double RayLength(
 
 } // namespace
 
-SolidRegions::SolidRegions(const std::vector<Mesh>& surfaces, const std::vector<std::string>& names,
-  const Progress& progress)
+SolidRegions::SolidRegions(const std::vector<Surface>& surfaces,
+  const std::vector<std::string>& names, const Progress& progress)
   : RegionVolumes(Eigen::VectorXd::Zero(surfaces.size()))
 {
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
-    const Mesh& surface = surfaces[s];
-    const Topology topology = ComputeTopology(surface);
+    const Surface& surface = surfaces[s];
+    const Topology& topology = surface.Topology();
     std::vector<int> firstPoint(topology.Components, -1);
-    for (int i = 0; i < surface.Points.rows(); ++i)
+    for (int i = 0; i < surface.Points().rows(); ++i)
     {
       const int id = topology.ComponentId(i);
       if (id >= 0 && firstPoint[id] == -1)
@@ -63,9 +63,9 @@ SolidRegions::SolidRegions(const std::vector<Mesh>& surfaces, const std::vector<
       component.FirstPoint = firstPoint[c];
       component.Volume = ComputeEnclosedVolume(component.Surface);
       component.Owner = static_cast<int>(s);
-      component.Low = component.Surface.Points.colwise().minCoeff();
-      component.High = component.Surface.Points.colwise().maxCoeff();
-      const double area = 0.5 * ComputeAreaVectors(component.Surface).rowwise().norm().sum();
+      component.Low = component.Surface.Points().colwise().minCoeff();
+      component.High = component.Surface.Points().colwise().maxCoeff();
+      const double area = 0.5 * component.Surface.AreaVectors().rowwise().norm().sum();
       if (!(component.Volume > 1e-14 * area * (component.High - component.Low).maxCoeff()))
       {
         throw InvalidInput(names[s] + " has a component that encloses no volume (it has point " +
@@ -84,17 +84,17 @@ bool SolidRegions::IsInside(const RowVector3d& position, const Component& compon
 {
   return (position.array() > component.Low.array()).all() &&
     (position.array() < component.High.array()).all() &&
-    ComputeWindingNumber(component.Surface.Points, component.Surface.Triangles, position) > 0.5;
+    ComputeWindingNumber(component.Surface.Points(), component.Surface.Triangles(), position) > 0.5;
 }
 
 void SolidRegions::FindParents(const Progress& progress)
 {
   for (std::size_t i = 0; i < this->Components.size(); ++i)
   {
-    // Components do not cross: where one triangle's middle is, the whole component is.
+    // Components do not cross: the whole component lies where one triangle's centroid does.
     Component& component = this->Components[i];
-    const Eigen::RowVector3i corners = component.Surface.Triangles.row(0);
-    const RowVector3d position = component.Surface.Points(corners, Eigen::all).colwise().mean();
+    const Eigen::RowVector3i corners = component.Surface.Triangles().row(0);
+    const RowVector3d position = component.Surface.Points()(corners, Eigen::all).colwise().mean();
     for (int other = static_cast<int>(i) - 1; other >= 0 && component.Parent == -1; --other)
     {
       if (this->IsInside(position, this->Components[other]))
@@ -178,12 +178,12 @@ Eigen::MatrixXd SolidRegions::FindPositionsInVoids() const
     {
       continue;
     }
-    // The middle of a chord from a large triangle inwards to the next wall: the longest one that
+    // The midpoint of a chord from a large triangle inwards to the next wall: the longest one that
     // proves to lie in this void.
-    const Mesh& surface = component.Surface;
-    const Eigen::MatrixXd normals = ComputeAreaVectors(surface);
+    const Surface& surface = component.Surface;
+    const Eigen::MatrixXd& normals = surface.AreaVectors();
     const Eigen::VectorXd areas = normals.rowwise().norm();
-    std::vector<int> largest(surface.Triangles.rows());
+    std::vector<int> largest(surface.Triangles().rows());
     std::iota(largest.begin(), largest.end(), 0);
     const auto samples = largest.begin() + std::min<std::ptrdiff_t>(64, largest.size());
     std::partial_sort(largest.begin(), samples, largest.end(),
@@ -192,14 +192,15 @@ Eigen::MatrixXd SolidRegions::FindPositionsInVoids() const
     std::vector<std::pair<double, RowVector3d>> chords;
     for (const int t : largest)
     {
-      const Eigen::RowVector3i corners = surface.Triangles.row(t);
-      const RowVector3d from = surface.Points(corners, Eigen::all).colwise().mean();
+      const Eigen::RowVector3i corners = surface.Triangles().row(t);
+      const RowVector3d from = surface.Points()(corners, Eigen::all).colwise().mean();
       const RowVector3d inwards = -normals.row(t).normalized();
       double length = std::numeric_limits<double>::infinity();
       for (int wall = i; wall < static_cast<int>(this->Components.size()); ++wall)
       {
         const Component& other = this->Components[wall];
-        for (int u = 0; (wall == i || other.Parent == i) && u < other.Surface.Triangles.rows(); ++u)
+        for (int u = 0; (wall == i || other.Parent == i) && u < other.Surface.Triangles().rows();
+             ++u)
         {
           length = wall == i && u == t
             ? length
@@ -215,7 +216,7 @@ Eigen::MatrixXd SolidRegions::FindPositionsInVoids() const
       { return chord.second.allFinite() && this->InnermostAt(chord.second) == i; });
     if (found == chords.end())
     {
-      throw SolveFailure("a void inside the solid is too thin to find a place in it (at point " +
+      throw SolveFailure("a void inside the solid is too thin to find a position in it (at point " +
         std::to_string(component.FirstPoint) + "); widen or remove it");
     }
     positions.push_back(found->second);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <string>
 #include <vector>
@@ -16,9 +16,9 @@ namespace shape
  * surface (the boundary) inside an even number of others of it bounds solid, RegionId 0; inside an
  * odd number, a void. Components of the other surfaces (material borders) i = 0, 1, ... lie in the
  * solid and bound region i + 1; inside an odd number of others of the same border the region around
- * that border begins again. A place belongs to the innermost component around it.
+ * that border begins again. A position belongs to the innermost component around it.
  *
- * Which component is around which is told by winding numbers (Mesh/Mesh.h; Jacobson et al., "Robust
+ * Winding numbers decide which component is around which (Mesh/Mesh.h; Jacobson et al., "Robust
  * inside-outside segmentation", 2013).
  */
 class SolidRegions
@@ -27,12 +27,12 @@ public:
   static constexpr int Void = -1; ///< the region of what is not solid
 
   /// surfaces: the boundary, then the material borders; each closed and consistently oriented,
-  /// facing either way. names: what errors call them. Throws InvalidInput where a component
+  /// facing either way. names: what errors call them. Throws InvalidInput if a component
   /// encloses no volume or a border lies outside the solid, Aborted.
-  SolidRegions(const std::vector<Mesh>& surfaces, const std::vector<std::string>& names,
+  SolidRegions(const std::vector<Surface>& surfaces, const std::vector<std::string>& names,
     const Progress& progress = {});
 
-  /// The region at a place that lies on no surface.
+  /// The region at a position that lies on no surface.
   int RegionAt(const Eigen::RowVector3d& position) const;
 
   /// The volume of each region (1 + number of borders).
@@ -41,7 +41,7 @@ public:
   /// A connected piece of a surface.
   struct Component
   {
-    Mesh Surface;                 ///< facing outwards, with its own points
+    shape::Surface Surface;       ///< facing outwards, with its own points
     int FirstPoint = -1;          ///< the first of them, by its number in the surface it is of
     Eigen::RowVector3d Low, High; ///< its box
     int Owner = 0;                ///< the index of its surface
@@ -52,8 +52,8 @@ public:
   /// All of them by falling volume: a parent comes before its children.
   const std::vector<Component>& Pieces() const { return this->Components; }
 
-  /// A place inside each void that the solid surrounds (n x 3), far from its walls. Throws
-  /// SolveFailure where a void is too thin to find one.
+  /// A position inside each void that the solid surrounds (n x 3), far from its walls. Throws
+  /// SolveFailure if a void is too thin to find one.
   Eigen::MatrixXd FindPositionsInVoids() const;
 
 private:

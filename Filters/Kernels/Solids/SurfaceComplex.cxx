@@ -2,13 +2,12 @@
 
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
-#include "Mesh/Surface.h"
+#include "Mesh/CoincidentPoints.h"
 #include "Mesh/Topology.h"
+#include "Mesh/UsedPoints.h"
 
 #include <algorithm>
-#include <array>
 #include <locale>
-#include <numeric>
 #include <sstream>
 
 namespace shape
@@ -16,26 +15,7 @@ namespace shape
 namespace
 {
 
-/// For each point the first one at the same place.
-std::vector<int> FindCoincidentPoints(const Eigen::MatrixXd& points)
-{
-  const auto position = [&](int i) {
-    return std::array<double, 3>{ points(i, 0), points(i, 1), points(i, 2) };
-  };
-  std::vector<int> order(points.rows());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&](int a, int b) { return position(a) != position(b) ? position(a) < position(b) : a < b; });
-  std::vector<int> first(points.rows());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    first[order[i]] =
-      i > 0 && position(order[i]) == position(order[i - 1]) ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
-
-/// The same triangles over the first points at each place, without those that collapse.
+/// The same triangles over the first points at each position, without those that collapse.
 Mesh Joined(const Mesh& mesh, int& duplicates, int& firstDuplicate)
 {
   const std::vector<int> first = FindCoincidentPoints(mesh.Points);
@@ -116,7 +96,7 @@ int Owner(const SurfaceComplex& complex, int triangle)
 
 } // namespace
 
-void RequireClosed(const Mesh& surface, const std::string& name)
+void RequireClosed(const Surface& surface, const std::string& name)
 {
   try
   {
@@ -124,11 +104,11 @@ void RequireClosed(const Mesh& surface, const std::string& name)
   }
   catch (const InvalidInput&)
   {
-    if (surface.Triangles.rows() == 0 || !surface.Points.allFinite())
+    if (surface.Triangles().rows() == 0 || !surface.Points().allFinite())
     {
       throw;
     }
-    const Topology topology = ComputeTopology(surface);
+    const Topology& topology = surface.Topology();
     int duplicates = 0, first = -1;
     const Mesh joined = Joined(surface, duplicates, first);
     if (topology.BoundaryLoops == 0 || duplicates == 0 || joined.Triangles.rows() == 0 ||
@@ -143,40 +123,19 @@ void RequireClosed(const Mesh& surface, const std::string& name)
   }
 }
 
-SurfaceComplex JoinSurfaces(const std::vector<Mesh>& surfaces)
+SurfaceComplex JoinSurfaces(const std::vector<Surface>& surfaces)
 {
-  Eigen::Index points = 0, triangles = 0;
+  Eigen::Index triangles = 0;
   SurfaceComplex complex;
-  for (const Mesh& surface : surfaces)
+  for (const Surface& surface : surfaces)
   {
     complex.FirstTriangle.push_back(static_cast<int>(triangles));
-    points += surface.Points.rows();
-    triangles += surface.Triangles.rows();
+    triangles += surface.Triangles().rows();
   }
-  Mesh all{ Eigen::MatrixXd(points, 3), Eigen::MatrixXi(triangles, 3) };
-  points = triangles = 0;
-  for (const Mesh& surface : surfaces)
-  {
-    all.Points.middleRows(points, surface.Points.rows()) = surface.Points;
-    all.Triangles.middleRows(triangles, surface.Triangles.rows()) =
-      surface.Triangles.array() + static_cast<int>(points);
-    points += surface.Points.rows();
-    triangles += surface.Triangles.rows();
-  }
+  Mesh all = JoinMeshes({ surfaces.begin(), surfaces.end() });
   // Only points in use take part, so that none stands for them all.
-  std::vector<char> used(points, 0);
-  for (const int point : all.Triangles.reshaped())
-  {
-    used[point] = 1;
-  }
-  std::vector<int> kept;
-  for (int i = 0; i < points; ++i)
-  {
-    if (used[i])
-    {
-      kept.push_back(i);
-    }
-  }
+  const Eigen::Index points = all.Points.rows();
+  const std::vector<int> kept = FindUsedPoints(all.Triangles, points);
   const Eigen::MatrixXd positions = all.Points(kept, Eigen::all);
   const std::vector<int> first = FindCoincidentPoints(positions);
   std::vector<int> distinct, newIndex(points, -1), original;
@@ -186,7 +145,7 @@ SurfaceComplex JoinSurfaces(const std::vector<Mesh>& surfaces)
     {
       newIndex[kept[i]] = static_cast<int>(distinct.size());
       distinct.push_back(i);
-      if (kept[i] < surfaces[0].Points.rows())
+      if (kept[i] < surfaces[0].Points().rows())
       {
         original.push_back(kept[i]);
       }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <string>
 #include <vector>
@@ -18,15 +18,15 @@ struct SurfaceComplex
 };
 
 /// Throws InvalidInput unless `surface` is a closed, consistently oriented 2-manifold
-/// (RequireClosedSurface); where it is open only because points are there several times, that is
-/// what the message says.
-void RequireClosed(const Mesh& surface, const std::string& name);
+/// (RequireClosedSurface); if it is open only because points are duplicated, the message says
+/// so.
+void RequireClosed(const Surface& surface, const std::string& name);
 
-/// Points at the same place become the first of them, points that no triangle uses are left out.
+/// Points at the same position become the first of them, points that no triangle uses are left out.
 /// The first surface's points come first, each surface's in order.
-SurfaceComplex JoinSurfaces(const std::vector<Mesh>& surfaces);
+SurfaceComplex JoinSurfaces(const std::vector<Surface>& surfaces);
 
-/// Throws InvalidInput where triangles are flat, cross or coincide, with the number of them, the
+/// Throws InvalidInput if triangles are flat, cross or coincide, with the number of them, the
 /// first and where it lies in units of `unit`; Aborted. names: what errors call the surfaces.
 void RequireConformingComplex(const SurfaceComplex& complex, const std::vector<std::string>& names,
   double unit, const Progress& progress = {});

@@ -46,7 +46,7 @@ void ReportEvery(Eigen::Index i, Eigen::Index count, const Progress& progress)
   }
 }
 
-/// Turns all tetrahedra so that they are positive. Throws where they do not all agree.
+/// Turns all tetrahedra so that they are positive. Throws if they do not all agree.
 void MakePositive(
   const Eigen::MatrixXd& points, Eigen::MatrixXi& tetrahedra, const Progress& progress)
 {
@@ -62,7 +62,7 @@ void MakePositive(
   if (wrong > 0)
   {
     throw SolveFailure("TetGen made " + std::to_string(wrong) +
-      " tetrahedra that are flat or turned inside out; remesh where triangles are thin, or change "
+      " tetrahedra that are flat or inverted; remesh where triangles are thin, or change "
       "PreserveBoundary");
   }
   if (expected < 0)
@@ -71,7 +71,7 @@ void MakePositive(
   }
 }
 
-/// A face of a tetrahedron, or a part of a surface where Tetrahedron is -1.
+/// A face of a tetrahedron, or a part of a surface if Tetrahedron is -1.
 struct Face
 {
   std::array<int, 3> Points; ///< sorted
@@ -123,7 +123,7 @@ std::vector<Face> SortFaces(
   return sorted;
 }
 
-/// Sets of tetrahedra that no surface separates: the number of each one's set, from 0. Throws where
+/// Sets of tetrahedra that no surface separates: the number of each one's set, from 0. Throws if
 /// a part of a surface is no face of a tetrahedron, or the tetrahedra end elsewhere.
 Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
   const Eigen::MatrixXi& onSurfaces, int& sets, const Progress& progress)
@@ -220,7 +220,7 @@ Measures Measure(
   return measures;
 }
 
-/// The region of each tetrahedron. Throws where one lies in a void or a region's volume is wrong.
+/// The region of each tetrahedron. Throws if one lies in a void or a region's volume is wrong.
 Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& onSurfaces,
   const Eigen::VectorXd& volumes, const SolidRegions& regions, const Progress& progress)
 {
@@ -267,11 +267,12 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
 
 } // namespace
 
-TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>& innerSurfaces,
-  const TetrahedralizeOptions& options, const Progress& progress)
+TetrahedralizeResult Tetrahedralize(const Surface& surface,
+  const std::vector<Surface>& innerSurfaces, const TetrahedralizeOptions& options,
+  const Progress& progress)
 {
   CheckOptions(options);
-  std::vector<Mesh> surfaces = { surface };
+  std::vector<Surface> surfaces = { surface };
   std::vector<std::string> names = { "the Input" };
   for (std::size_t i = 0; i < innerSurfaces.size(); ++i)
   {
@@ -283,11 +284,11 @@ TetrahedralizeResult Tetrahedralize(const Mesh& surface, const std::vector<Mesh>
     RequireClosed(surfaces[s], names[s]);
   }
   // TetGen's own tolerances suit a model of size 1; a power of two changes no bit of the mantissas.
-  const double size = ComputeLongestBoxEdge(surface.Points);
+  const double size = ComputeLongestBoxEdge(surface.Points());
   const double scale = size > 0.0 ? std::exp2(-std::ilogb(size)) : 1.0;
-  for (Mesh& mesh : surfaces)
+  for (Surface& each : surfaces)
   {
-    mesh.Points *= scale;
+    each = scale == 1.0 ? each : Surface(scale * each.Points(), each.Triangles());
   }
   const SurfaceComplex complex = JoinSurfaces(surfaces);
   RequireConformingComplex(complex, names, 1.0 / scale, progress.Part(0.02, 0.2));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <vector>
 
@@ -24,7 +24,7 @@ struct TetrahedralizeOptions
 
 struct TetrahedralizeResult
 {
-  /// n x 3: the surface's points that triangles use, in order, one for each place; then those of
+  /// n x 3: the surface's points that triangles use, in order, one for each position; then those of
   /// the inner surfaces; then the new ones.
   Eigen::MatrixXd Points;
   Eigen::MatrixXi Tetrahedra;    ///< m x 4: (b - a) x (c - a) . (d - a) > 0
@@ -33,7 +33,7 @@ struct TetrahedralizeResult
   int SteinerPoints = 0;         ///< how many points are of no surface
   int Regions = 0;               ///< how many regions have tetrahedra
   double Volume = 0.0;           ///< of all tetrahedra
-  /// The least scaled Jacobian: 6 sqrt(2) volume over the largest product of the three edges at a
+  /// The minimum scaled Jacobian: 6 sqrt(2) volume over the largest product of the three edges at a
   /// corner; 1 for the regular tetrahedron, near 0 for a flat one.
   double MinimumScaledJacobian = 0.0;
 };
@@ -46,22 +46,22 @@ struct TetrahedralizeResult
  *
  * surface: closed, oriented consistently, may have several components: one inside an odd number of
  * others bounds a void, which stays empty. innerSurfaces: the same, inside the solid, also inside
- * one another: borders between materials. RegionId is i + 1 where inner surface i is the innermost
- * around a tetrahedron, and 0 where none is. Which region a set of tetrahedra between surfaces has
- * is told by winding numbers inside its largest one. No two surfaces may cross or touch but in
- * points; points at the same place count as one.
+ * one another: borders between materials. RegionId is i + 1 if inner surface i is the innermost
+ * around a tetrahedron, and 0 if none is. Winding numbers inside its largest tetrahedron decide
+ * which region a set of tetrahedra between surfaces has. No two surfaces may cross or touch but in
+ * points; points at the same position count as one.
  *
  * The result is checked: every tetrahedron is positive (exactly), each region's volume agrees with
- * the surfaces' to 1e-9, and, where the boundary is preserved, each triangle of a surface is a
+ * the surfaces' to 1e-9, and, if the boundary is preserved, each triangle of a surface is a
  * face.
  *
- * Throws InvalidInput where a surface is not closed, has flat triangles, crosses itself or another,
+ * Throws InvalidInput if a surface is not closed, has flat triangles, crosses itself or another,
  * encloses no volume, an inner surface lies outside the solid, an option is out of its range, or
- * ShapeMap was built without TetGen; SolveFailure where TetGen fails or its result does not pass;
+ * ShapeMap was built without TetGen; SolveFailure if TetGen fails or its result does not pass;
  * Aborted.
  */
-TetrahedralizeResult Tetrahedralize(const Mesh& surface,
-  const std::vector<Mesh>& innerSurfaces = {}, const TetrahedralizeOptions& options = {},
+TetrahedralizeResult Tetrahedralize(const Surface& surface,
+  const std::vector<Surface>& innerSurfaces = {}, const TetrahedralizeOptions& options = {},
   const Progress& progress = {});
 
 } // namespace shape

@@ -2,6 +2,7 @@
 
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeGather.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -9,6 +10,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -20,6 +22,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace
@@ -74,12 +77,12 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
   return ids;
 }
 
-/// Half the least distance of a charge to the surface; without charges the map holds everywhere.
-double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Mesh& surface)
+/// Half the minimum distance of a charge to the surface; without charges the map holds everywhere.
+double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Surface& surface)
 {
   return charges.rows() > 0
     ? 0.5 * shape::SurfaceLocator(surface).Find(charges).Distances.minCoeff()
-    : shape::ComputeLongestBoxEdge(surface.Points);
+    : shape::ComputeLongestBoxEdge(surface.Points());
 }
 
 /// The rows of a charge set that carry a charge.
@@ -97,11 +100,6 @@ std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
 }
 
 } // namespace
-
-double vtkShapeChargeSet::Farthest(double offsetDistance, const shape::Mesh& surface)
-{
-  return 0.5 * offsetDistance * shape::ComputeLongestBoxEdge(surface.Points);
-}
 
 shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::string& name)
 {
@@ -130,33 +128,34 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
       vtkShapeConvert::Rows(charges, own), affines[r] };
   }
   std::vector<int> corners;
-  std::vector<int> placeInSurface(all.Points.rows(), -1);
+  std::vector<int> positionInSurface(all.Points.rows(), -1);
   for (int i = 0; i < charges.rows(); ++i)
   {
     if (!std::binary_search(sources.begin(), sources.end(), i))
     {
-      placeInSurface[i] = static_cast<int>(corners.size());
+      positionInSurface[i] = static_cast<int>(corners.size());
       corners.push_back(i);
     }
   }
-  contents.Surface.Points = vtkShapeConvert::Rows(all.Points, corners);
-  contents.Surface.Triangles = all.Triangles.unaryExpr(
+  Eigen::MatrixXi triangles = all.Triangles.unaryExpr(
     [&](int point)
     {
-      if (placeInSurface[point] < 0)
+      if (positionInSurface[point] < 0)
       {
         throw shape::InvalidInput(name +
           " has a charge on the surface that bounds its domain (at "
           "point " +
           std::to_string(point) + "); charges belong outside, and 0 at the surface's points");
       }
-      return placeInSurface[point];
+      return positionInSurface[point];
     });
-  if (contents.Surface.Triangles.rows() == 0)
+  if (triangles.rows() == 0)
   {
     throw shape::InvalidInput(
       name + " has no triangles; its cells must be the surface that bounds the map's domain");
   }
+  contents.Surface =
+    shape::Surface(vtkShapeConvert::Rows(all.Points, corners), std::move(triangles));
   shape::RequireClosedSurface(contents.Surface, "the surface of " + name);
   if (count > 1)
   {
@@ -173,9 +172,42 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
   }
   vtkDataArray* offset = data->GetFieldData()->GetArray("HarmonicVolumeMap.OffsetDistance");
   contents.Farthest = offset && offset->GetNumberOfTuples() > 0
-    ? Farthest(offset->GetComponent(0, 0), contents.Surface)
+    ? shape::ComputeFarthest(offset->GetComponent(0, 0), contents.Surface.Points())
     : MeasuredMaximum(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
   return contents;
+}
+
+void vtkShapeChargeSet::Share(
+  vtkMultiProcessController* controller, shape::PiecewiseCharges& charges)
+{
+  if (!controller || controller->GetNumberOfProcesses() == 1)
+  {
+    return;
+  }
+  // All as real numbers, which hold indices exactly.
+  Eigen::MatrixXd sizes(1, 2);
+  sizes << static_cast<double>(charges.Maps.size()), charges.Farthest;
+  vtkShapeGather::Share(controller, sizes);
+  charges.Maps.resize(static_cast<std::size_t>(sizes(0)));
+  charges.Farthest = sizes(1);
+  for (shape::ChargeSet& map : charges.Maps)
+  {
+    Eigen::MatrixXd affine = map.Affine;
+    vtkShapeGather::Share(controller, map.Points);
+    vtkShapeGather::Share(controller, map.Charges);
+    vtkShapeGather::Share(controller, affine);
+    map.Affine = affine;
+  }
+  Eigen::MatrixXd points = charges.Surface.Points();
+  Eigen::MatrixXd triangles = charges.Surface.Triangles().cast<double>();
+  Eigen::MatrixXd regions = charges.Regions.cast<double>(), skins = charges.Skins;
+  for (Eigen::MatrixXd* matrix : { &points, &triangles, &regions, &skins })
+  {
+    vtkShapeGather::Share(controller, *matrix);
+  }
+  charges.Surface = shape::Surface(std::move(points), triangles.cast<int>());
+  charges.Regions = regions.cast<int>();
+  charges.Skins = skins;
 }
 
 void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* output)
@@ -189,9 +221,9 @@ void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* o
     count += static_cast<int>(sources.back().size());
   }
   // The charges come first, region by region, then the surface's points, which carry no charge.
-  shape::Mesh mesh{ Eigen::MatrixXd(count + set.Surface.Points.rows(), 3),
-    set.Surface.Triangles.array() + count };
-  mesh.Points.bottomRows(set.Surface.Points.rows()) = set.Surface.Points;
+  shape::Mesh mesh{ Eigen::MatrixXd(count + set.Surface.Points().rows(), 3),
+    set.Surface.Triangles().array() + count };
+  mesh.Points.bottomRows(set.Surface.Points().rows()) = set.Surface.Points();
   Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
   Eigen::VectorXi ids = Eigen::VectorXi::Zero(mesh.Points.rows());
   Eigen::MatrixXd affines(regions, 12);

@@ -2,7 +2,6 @@
 
 #include "Base/Progress.h"
 #include "Harmonic/ApplyVolumeMap.h"
-#include "Mesh/Mesh.h"
 
 #include "vtkType.h"
 
@@ -11,6 +10,7 @@
 #include <string>
 
 class vtkDataObject;
+class vtkMultiProcessController;
 class vtkPolyData;
 
 /**
@@ -25,13 +25,12 @@ class vtkPolyData;
 namespace vtkShapeChargeSet
 {
 
-/// How far outside the surface the map still holds: half the distance of the charges, where
-/// offsetDistance is that distance divided by the longest side of the surface.
-double Farthest(double offsetDistance, const shape::Mesh& surface);
-
 /// Throws shape::InvalidInput where `data` is no charge set; `name` is what the message calls it.
 /// The charges' distance is the field data HarmonicVolumeMap.OffsetDistance, or else measured.
 shape::PiecewiseCharges Read(vtkPolyData* data, const std::string& name);
+
+/// What the first process has, on every process.
+void Share(vtkMultiProcessController* controller, shape::PiecewiseCharges& charges);
 
 /// Makes `output` the charge set; charges of zero are left out.
 void Write(const shape::PiecewiseCharges& charges, vtkPolyData* output);

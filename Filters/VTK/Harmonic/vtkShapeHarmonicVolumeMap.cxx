@@ -8,22 +8,17 @@
 #include "vtkShapeSolid.h"
 #include "vtkShapeVolumeMapFacts.h"
 
-#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
 #include "Base/Errors.h"
-#include "Distance/TargetDistance.h"
 #include "Harmonic/ApplyVolumeMap.h"
-#include "Harmonic/FreeBoundary.h"
 #include "Harmonic/NearSourceSystem.h"
-#include "Harmonic/PiecewiseVolumeMap.h"
 #include "Mesh/Topology.h"
 
 #include <string>
@@ -78,43 +73,21 @@ constexpr double LongestStep = 0.01;
 /// What the names of the facts begin with.
 const std::string Facts = vtkShapeVolumeMapFacts::Prefix;
 
-/// One harmonic map as a solution of one region.
-shape::PiecewiseVolumeMapResult OneRegion(
-  shape::HarmonicVolumeMapResult map, const shape::Mesh& mesh)
-{
-  shape::PiecewiseVolumeMapResult result;
-  result.Charges = { { map.Map }, mesh };
-  result.Charges.Farthest = vtkShapeChargeSet::Farthest(map.OffsetDistance, mesh);
-  // The last level's errors are those of the whole sum, whether it was kept or not.
-  const auto& last = map.Levels.back();
-  result.Borders.push_back({ last.RMSEVertices, last.RMSEInside, last.Maximum });
-  result.RMSEFeatures = map.RMSEFeatures;
-  result.OffsetDistance = map.OffsetDistance;
-  result.Layers.push_back(std::move(map));
-  return result;
-}
-
 } // namespace
 
-Eigen::MatrixXd vtkShapeHarmonicVolumeMap::Solve(
-  vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress)
+shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
+  vtkPolyData* facts, const shape::Progress& progress)
 {
   vtkPolyData* boundary = this->GetGatheredInput(1).Data;
-  const shape::Mesh mesh = vtkShapeConvert::ToMesh(boundary, "the Boundary");
-  Eigen::MatrixXd targets =
-    vtkShapeConvert::ToPointArray(boundary, this->MapArray, 3, "the Boundary");
-  shape::RequireFinite(targets, "the map array of the Boundary");
+  shape::VolumeMapConditions conditions;
+  conditions.Boundary = vtkShapeConvert::ToMesh(boundary, "the Boundary");
+  conditions.Targets = vtkShapeConvert::ToPointArray(boundary, this->MapArray, 3, "the Boundary");
+  shape::RequireFinite(conditions.Targets, "the map array of the Boundary");
   const bool hasTarget = this->GetNumberOfInputConnections(4) > 0;
-  if (this->FreeBoundary && !hasTarget)
+  if (hasTarget)
   {
-    throw shape::InvalidInput("FreeBoundary needs the input 'Target', the surface that the "
-                              "boundary's images slide on; connect it, or turn FreeBoundary off");
+    conditions.Target = vtkShapeConvert::ToMesh(this->GetGatheredInput(4).Data, "the Target");
   }
-  const double targetDistance = hasTarget
-    ? shape::ComputeTargetDistance(mesh, targets,
-        vtkShapeConvert::ToMesh(this->GetGatheredInput(4).Data, "the Target"),
-        progress.Part(0.0, 0.02))
-    : 0.0;
   const auto wholes = [&](int port)
   {
     std::vector<vtkPolyData*> all;
@@ -129,45 +102,28 @@ Eigen::MatrixXd vtkShapeHarmonicVolumeMap::Solve(
   {
     given = vtkShapeFeatures::TakeSurfaces(given.Features, given.Targets, this->MapArray);
   }
-  const shape::VolumeFeatures features =
-    vtkShapeFeatures::Read(given.Features, given.Targets, this->MapArray,
-      this->Options.FeatureWeight, LongestStep * shape::ComputeLongestBoxEdge(mesh.Points));
-  shape::HarmonicVolumeMapResult one;
-  shape::FreeBoundaryResult freed;
-  if (this->FreeBoundary || !this->Exact)
-  {
-    one = shape::ComputeHarmonicVolumeMap(mesh, targets, features, this->Options,
-      progress.Part(0.02, this->FreeBoundary ? 0.3 : 1.0), this->Setup.get());
-  }
-  if (this->FreeBoundary)
-  {
-    freed = shape::SlideBoundary(mesh, targets,
-      vtkShapeConvert::ToMesh(this->GetGatheredInput(4).Data, "the Target"), features,
-      this->Options, one, progress.Part(0.3, this->Exact ? 0.6 : 1.0));
-    targets = freed.Targets;
-    one = freed.Map;
-  }
-  const shape::PiecewiseVolumeMapResult result = this->Exact
-    ? shape::ComputePiecewiseVolumeMap(mesh, targets, given.Surfaces, features, this->Options, {},
-        progress.Part(this->FreeBoundary ? 0.6 : 0.02, 1.0))
-    : OneRegion(std::move(one), mesh);
+  conditions.Surfaces = given.Surfaces;
+  conditions.Features = vtkShapeFeatures::Read(given.Features, given.Targets, this->MapArray,
+    this->Options.FeatureWeight,
+    LongestStep * shape::ComputeLongestBoxEdge(conditions.Boundary.Points()));
 
-  vtkShapeChargeSet::Write(result.Charges, charges);
-  vtkShapeVolumeMapFacts::WriteLevels(result.Layers, levels);
-  vtkShapeVolumeMapFacts::AddFacts(result, this->Options.Method, this->Exact, charges);
+  const shape::VolumeMapOptions options{ this->Options, this->Exact, this->FreeBoundary };
+  shape::VolumeMapResult result =
+    shape::ComputeVolumeMap(conditions, options, progress, this->Setup.get());
+  vtkShapeVolumeMapFacts::AddFacts(result.Map, this->Options.Method, this->Exact, facts);
   vtkShapeConvert::AddFact(
-    charges, Facts + "FeaturePoints", static_cast<double>(features.Points.rows()));
+    facts, Facts + "FeaturePoints", static_cast<double>(conditions.Features.Points.rows()));
   if (hasTarget)
   {
-    vtkShapeConvert::AddFact(charges, Facts + "TargetDistance", targetDistance);
+    vtkShapeConvert::AddFact(facts, Facts + "TargetDistance", result.TargetDistance);
   }
   if (this->FreeBoundary)
   {
-    vtkShapeConvert::AddFact(charges, Facts + "DistortionBefore", freed.DistortionBefore);
-    vtkShapeConvert::AddFact(charges, Facts + "DistortionAfter", freed.DistortionAfter);
-    vtkShapeConvert::AddFact(charges, Facts + "FreeBoundary", freed.Kept ? "Slid" : "NotLower");
+    vtkShapeConvert::AddFact(facts, Facts + "DistortionBefore", result.DistortionBefore);
+    vtkShapeConvert::AddFact(facts, Facts + "DistortionAfter", result.DistortionAfter);
+    vtkShapeConvert::AddFact(facts, Facts + "FreeBoundary", result.Slid ? "Slid" : "NotLower");
   }
-  return targets;
+  return result;
 }
 
 void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
@@ -176,9 +132,8 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   const bool first = !controller || controller->GetLocalProcessId() == 0;
   vtkDataObject* domain = this->GetInputDataObject(0, 0);
   vtkDataObject* moved = this->GetOutputDataObject(0);
-  vtkNew<vtkPolyData> found;
-  vtkNew<vtkTable> table;
-  Eigen::MatrixXd images; // of the boundary's points
+  vtkNew<vtkPolyData> holder; // of the facts, as field data
+  shape::VolumeMapResult result;
   vtkShapeGather::RunOnAllOrFail(controller,
     [&]
     {
@@ -192,13 +147,13 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       }
       if (first)
       {
-        images = this->Solve(found, table, progress.Part(0.0, 0.8));
+        result = this->Solve(holder, progress.Part(0.0, 0.8));
       }
     });
-  vtkShapeGather::Share(controller, found);
-  vtkShapeGather::Share(controller, images);
-  const shape::PiecewiseHarmonicMap map(
-    vtkShapeChargeSet::Read(found, "the map"), progress.Part(0.8, 0.82));
+  vtkShapeGather::Share(controller, holder);
+  vtkShapeChargeSet::Share(controller, result.Map.Charges);
+  vtkShapeGather::Share(controller, result.Targets);
+  const shape::PiecewiseHarmonicMap map(result.Map.Charges, progress.Part(0.8, 0.82));
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
@@ -207,8 +162,8 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   if (this->FoldFree)
   {
     const auto inverted = vtkShapeSolid::MakeFoldFree(domain, moved,
-      vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Boundary"), images, controller,
-      progress.Part(0.9, 1.0));
+      vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Boundary"), result.Targets,
+      controller, progress.Part(0.9, 1.0));
     vtkShapeConvert::AddFact(moved, Facts + "InvertedBefore", inverted.first);
     vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);
   }
@@ -217,22 +172,15 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   auto* charges = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
   if (first)
   {
-    charges->CopyStructure(found);
-    charges->GetPointData()->ShallowCopy(found->GetPointData());
-    charges->GetCellData()->ShallowCopy(found->GetCellData());
-    charges->GetFieldData()->ShallowCopy(found->GetFieldData());
-    auto* levels = vtkTable::SafeDownCast(this->GetOutputDataObject(2));
-    levels->GetRowData()->ShallowCopy(table->GetRowData());
+    vtkShapeChargeSet::Write(result.Map.Charges, charges);
+    vtkShapeVolumeMapFacts::WriteLevels(
+      result.Map.Layers, vtkTable::SafeDownCast(this->GetOutputDataObject(2)));
   }
-  vtkFieldData* facts = found->GetFieldData();
+  vtkFieldData* facts = holder->GetFieldData();
   for (int i = 0; i < facts->GetNumberOfArrays(); ++i)
   {
-    vtkAbstractArray* fact = facts->GetAbstractArray(i);
-    if (std::string(fact->GetName()).rfind(Facts, 0) == 0)
-    {
-      moved->GetAttributesAsFieldData(vtkDataObject::FIELD)->AddArray(fact);
-      charges->GetFieldData()->AddArray(fact);
-    }
+    moved->GetAttributesAsFieldData(vtkDataObject::FIELD)->AddArray(facts->GetAbstractArray(i));
+    charges->GetFieldData()->AddArray(facts->GetAbstractArray(i));
   }
   for (const int port : { 0, 1 })
   {

@@ -65,19 +65,18 @@
  *
  * A singular value decomposition is a single library call: an abort takes effect at its end.
  *
- * The mathematics: shape::ComputeHarmonicVolumeMap.
+ * The mathematics: shape::ComputeVolumeMap, shape::ComputeHarmonicVolumeMap.
  */
 #ifndef vtkShapeHarmonicVolumeMap_h
 #define vtkShapeHarmonicVolumeMap_h
 
 #include "vtkShapeAlgorithm.h"
 
-#include "Harmonic/HarmonicVolumeMap.h" // for the options
+#include "Harmonic/VolumeMap.h" // for the options
 
 #include <memory>
 
 class vtkPolyData;
-class vtkTable;
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeHarmonicVolumeMap : public vtkShapeAlgorithm
 {
@@ -201,9 +200,8 @@ private:
   vtkShapeHarmonicVolumeMap(const vtkShapeHarmonicVolumeMap&) = delete;
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
 
-  /// Makes the charge set with the facts about it, and the table of levels, of the whole inputs.
-  /// Returns the images of the boundary's points.
-  Eigen::MatrixXd Solve(vtkPolyData* charges, vtkTable* levels, const shape::Progress& progress);
+  /// The map of the whole inputs; the facts about it become field data of `facts`.
+  shape::VolumeMapResult Solve(vtkPolyData* facts, const shape::Progress& progress);
 
   std::string MapArray = "TargetPosition";
   bool Exact = false;

@@ -61,7 +61,7 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
 }
 
 /// Passes the surface's point data on, and says which of its points each point is.
-void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Mesh& mesh,
+void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surface& mesh,
   vtkPolyData* surface, vtkUnstructuredGrid* output, const shape::Progress& progress)
 {
   std::vector<int> others;
@@ -94,7 +94,7 @@ void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Mesh& 
     double weights[3];
     for (int k = 0; k < 3; ++k)
     {
-      corners->SetId(k, mesh.Triangles(closest.Triangles(other), k));
+      corners->SetId(k, mesh.Triangles()(closest.Triangles(other), k));
       weights[k] = closest.Barycentrics(other, k);
     }
     to->InterpolatePoint(from, i, corners, weights);
@@ -115,8 +115,8 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
     return;
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
-  const shape::Mesh mesh = vtkShapeConvert::ToMesh(surface, "the Input");
-  std::vector<shape::Mesh> innerSurfaces;
+  const shape::Surface mesh = vtkShapeConvert::ToMesh(surface, "the Input");
+  std::vector<shape::Surface> innerSurfaces;
   for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
   {
     innerSurfaces.push_back(vtkShapeConvert::ToMesh(

@@ -107,6 +107,16 @@ TEST(OrientByNesting, MakesTheVolumeOfTheSolidWhicheverWayItsSurfacesFace)
   }
 }
 
+TEST(OrientByNesting, ASurfaceThatFacesTheRightWayIsItself)
+{
+  const shape::Surface ball = Sphere(1.0, Origin);
+  EXPECT_EQ(&shape::OrientByNesting(ball, "it").Points(), &ball.Points());
+  const shape::Surface inverted = Turned(ball);
+  EXPECT_EQ(shape::OrientByNesting(inverted, "it").Triangles().rows(), ball.Triangles().rows());
+  EXPECT_LT(shape::ComputeEnclosedVolume(inverted), 0.0);
+  EXPECT_GT(shape::ComputeEnclosedVolume(shape::OrientByNesting(inverted, "it")), 0.0);
+}
+
 TEST(OrientByNesting, AComponentInTheHoleOfATorusIsNotInside)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.3, 48, 24), ball = Sphere(0.2, Origin);

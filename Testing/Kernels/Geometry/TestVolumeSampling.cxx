@@ -1,5 +1,5 @@
 #include "Base/Errors.h"
-#include "Distance/OutsideDomain.h"
+#include "Distance/SignedDistance.h"
 #include "Geometry/Sampling.h"
 #include "Harmonic/Private/OffsetSurface.h"
 #include "Mesh/Surface.h"

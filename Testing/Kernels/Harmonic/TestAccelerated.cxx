@@ -3,7 +3,6 @@
 #include "Fmm/DirectSummation.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Harmonic/NearSourceSystem.h"
-#include "Harmonic/Private/NearSources.h"
 #include "Linear/Gmres.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"

@@ -1,4 +1,6 @@
-#include "Harmonic/FreeBoundary.h"
+#include "Harmonic/HarmonicVolumeMap.h"
+#include "Harmonic/Private/FreeBoundary.h"
+#include "Harmonic/VolumeMap.h"
 #include "Search/ClosestPoint.h"
 #include "Support/TestShapes.h"
 
@@ -38,6 +40,22 @@ TEST(FreeBoundary, TakesBackASlideOfABallsBoundary)
   const shape::ClosestPoints closest = shape::SurfaceLocator(ball).Find(result.Targets);
   EXPECT_LT(closest.Distances.maxCoeff(), 1e-9) << "still on the target";
   EXPECT_GT((result.Targets - targets).rowwise().norm().maxCoeff(), 0.1) << "they slid";
+}
+
+TEST(FreeBoundary, IsAStepOfTheVolumeMap)
+{
+  const shape::Surface ball = shapetest::Icosphere(2);
+  const Eigen::MatrixXd targets = Slid(ball);
+  shape::VolumeMapOptions options;
+  options.FreeBoundary = true;
+  const shape::VolumeMapResult result =
+    shape::ComputeVolumeMap({ ball, targets, ball, {}, {} }, options);
+  const shape::FreeBoundaryResult slid = shape::SlideBoundary(
+    ball, targets, ball, {}, {}, shape::ComputeHarmonicVolumeMap(ball, targets));
+  EXPECT_TRUE(result.Slid);
+  EXPECT_EQ(result.Targets, slid.Targets);
+  EXPECT_EQ(result.Map.Charges.Maps[0].Charges, slid.Map.Map.Charges);
+  EXPECT_EQ(result.DistortionAfter, slid.DistortionAfter);
 }
 
 TEST(FreeBoundary, KeepsWhatCannotBeBetter)

@@ -101,7 +101,7 @@ TEST(VolumeTransform, OnePlaceAtATimeIsWhatManyAre)
 TEST(VolumeTransform, ForwardUndoesBackwardAndOutsideKeepsItsPlace)
 {
   const shape::VolumeTransform transform(Charges(), true);
-  const double goal = 1e-11 * shape::ComputeLongestBoxEdge(Charges().Surface.Points) * 1.3;
+  const double goal = 1e-11 * shape::ComputeLongestBoxEdge(Charges().Surface.Points()) * 1.3;
   int found = 0;
   for (const Eigen::MatrixXd& positions : { Positions(0.75), Positions(2.0) })
   {

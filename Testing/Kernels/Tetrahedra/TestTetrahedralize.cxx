@@ -133,7 +133,7 @@ shape::TetrahedralizeOptions MinutesOfWork()
 }
 
 /// What the kernel says against it.
-std::string Refusal(const shape::Mesh& mesh, const std::vector<shape::Mesh>& inner = {},
+std::string Refusal(const shape::Mesh& mesh, const std::vector<shape::Surface>& inner = {},
   const shape::TetrahedralizeOptions& options = {})
 {
   try
@@ -239,7 +239,7 @@ TEST(Tetrahedralize, MaximumVolumeAndRadiusEdgeRatioBoundEveryTetrahedron)
 TEST(Tetrahedralize, InnerSurfacesAreRegionsAlsoInsideOneAnother)
 {
   // Given in an order that is not that of their nesting, and one beside the others.
-  const std::vector<shape::Mesh> inner = { Sphere(2, 0.3), Sphere(2, 0.6),
+  const std::vector<shape::Surface> inner = { Sphere(2, 0.3), Sphere(2, 0.6),
     Sphere(1, 0.1, { 0.8, 0, 0 }) };
   const shape::Mesh outer = Icosphere(3);
   for (const bool preserve : { true, false })
@@ -259,7 +259,7 @@ TEST(Tetrahedralize, InnerSurfacesAreRegionsAlsoInsideOneAnother)
     EXPECT_NEAR(RegionVolume(solid, 3), v[2], 1e-12);
     // The inner surfaces' points follow the outer one's.
     EXPECT_EQ(
-      solid.Points.middleRows(outer.Points.rows(), inner[0].Points.rows()), inner[0].Points);
+      solid.Points.middleRows(outer.Points.rows(), inner[0].Points().rows()), inner[0].Points());
   }
 }
 

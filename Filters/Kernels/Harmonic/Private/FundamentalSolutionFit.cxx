@@ -1,7 +1,6 @@
 #include "Harmonic/Private/FundamentalSolutionFit.h"
 
 #include "Base/Errors.h"
-#include "Distance/OutsideDomain.h"
 #include "Geometry/Sampling.h"
 #include "Linear/DenseSolve.h"
 #include "Mesh/Topology.h"
@@ -36,16 +35,16 @@ Eigen::Matrix<double, 3, 4> AffineFit(
   return solution.transpose();
 }
 
-/// The same field with one charge where several sit at the same place.
-ChargeSet WithEachPlaceOnce(const ChargeSet& set)
+/// The same field with one charge at each position, and none that is zero.
+ChargeSet MergeCharges(const ChargeSet& set)
 {
-  std::map<std::array<double, 3>, int> places;
+  std::map<std::array<double, 3>, int> positions;
   std::vector<int> first;
   Eigen::VectorXi position(set.Points.rows());
   for (int i = 0; i < set.Points.rows(); ++i)
   {
     const std::array<double, 3> point{ set.Points(i, 0), set.Points(i, 1), set.Points(i, 2) };
-    const auto [found, isNew] = places.try_emplace(point, static_cast<int>(first.size()));
+    const auto [found, isNew] = positions.try_emplace(point, static_cast<int>(first.size()));
     position(i) = found->second;
     if (isNew)
     {
@@ -58,6 +57,16 @@ ChargeSet WithEachPlaceOnce(const ChargeSet& set)
   {
     merged.Charges.row(position(i)) += set.Charges.row(i);
   }
+  std::vector<int> charged;
+  for (int i = 0; i < merged.Charges.rows(); ++i)
+  {
+    if ((merged.Charges.row(i).array() != 0.0).any())
+    {
+      charged.push_back(i);
+    }
+  }
+  merged.Points = merged.Points(charged, Eigen::all).eval();
+  merged.Charges = merged.Charges(charged, Eigen::all).eval();
   return merged;
 }
 
@@ -75,7 +84,6 @@ FundamentalSolutionFit::FundamentalSolutionFit(const ScaledBoundary& scaled,
   const VolumeFeatures& features, const HarmonicVolumeMapOptions& options, const Progress& progress)
   : Scaled(scaled)
   , Field(scaled.Surface)
-  , Components(ComputeTopology(scaled.Surface).ComponentId)
   , SumError(std::clamp(0.03 * options.Tolerance, 1e-10, 1e-5))
   , Threshold(options.SingularValueThreshold)
   , MaximumMemory(options.MaximumMemory)
@@ -84,9 +92,9 @@ FundamentalSolutionFit::FundamentalSolutionFit(const ScaledBoundary& scaled,
   this->RootWeights = features.Weights.size() == count
     ? Eigen::VectorXd(features.Weights.cwiseSqrt())
     : Eigen::VectorXd::Constant(count, std::sqrt(options.FeatureWeight));
-  const Eigen::MatrixXd places = (features.Points.rowwise() - scaled.Origin) / scaled.Size;
+  const Eigen::MatrixXd positions = (features.Points.rowwise() - scaled.Origin) / scaled.Size;
   const Eigen::VectorXi outside =
-    FindPointsOutsideDomain(this->Field, places, 0.5 * options.OffsetDistance, progress);
+    FindPointsOutsideDomain(this->Field, positions, 0.5 * options.OffsetDistance, progress);
   if (count > 0 && outside.maxCoeff() > 0)
   {
     Eigen::Index first = 0;
@@ -97,40 +105,41 @@ FundamentalSolutionFit::FundamentalSolutionFit(const ScaledBoundary& scaled,
       "); leave them out or correct their positions");
   }
 
-  const Mesh& surface = scaled.Surface;
-  const Eigen::Index n = surface.Points.rows(), m = surface.Triangles.rows();
+  const Surface& surface = scaled.Surface;
+  const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
   this->Probes.resize(n + m + count, 3);
-  this->Probes << surface.Points, ComputeOffCentres(surface), places;
+  this->Probes << surface.Points(), ComputeOffCentres(surface), positions;
   this->Residual.resize(n + m + count, 3);
   this->Residual << scaled.Targets, InterpolateAtOffCentres(surface, scaled.Targets),
     (features.Targets.rowwise() - scaled.TargetOrigin) / scaled.TargetSize;
-  this->Sum.Affine = AffineFit(surface.Points, scaled.Targets, ComputePointAreas(surface));
+  this->Sum.Affine = AffineFit(surface.Points(), scaled.Targets, ComputePointAreas(surface));
   this->Residual -= Evaluate(this->Sum, this->Probes);
   this->Positions.resize(0, 3);
   this->CollocationResidual.resize(0, 3);
 }
 
 Eigen::MatrixXd FundamentalSolutionFit::Left(
-  const Eigen::MatrixXd& places, const Eigen::MatrixXd& targets, const Progress& progress) const
+  const Eigen::MatrixXd& positions, const Eigen::MatrixXd& targets, const Progress& progress) const
 {
-  return targets - Evaluate(this->Sum, places, progress, this->SumError);
+  return targets - Evaluate(this->Sum, positions, progress, this->SumError);
 }
 
 void FundamentalSolutionFit::Collocate(const Eigen::MatrixXd& points, const Progress& progress)
 {
-  const ClosestPoints places = this->Field.Locator().Find(points, progress.Part(0.0, 0.5));
+  const Surface& surface = this->Scaled.Surface;
+  const ClosestPoints closest = this->Field.Locator().Find(points, progress.Part(0.0, 0.5));
   const Eigen::Index before = this->Positions.rows();
   this->Positions.conservativeResize(before + points.rows(), 3);
-  this->Positions.bottomRows(points.rows()) = places.Positions;
-  for (const int triangle : places.Triangles)
+  this->Positions.bottomRows(points.rows()) = closest.Positions;
+  for (const int triangle : closest.Triangles)
   {
     this->CollocationComponents.push_back(
-      this->Components(this->Scaled.Surface.Triangles(triangle, 0)));
+      surface.Topology().ComponentId(surface.Triangles()(triangle, 0)));
   }
   this->CollocationResidual.conservativeResize(before + points.rows(), 3);
   this->CollocationResidual.bottomRows(points.rows()) =
-    PullBack(places, this->Scaled.Surface.Triangles, this->Scaled.Targets) -
-    Evaluate(this->Sum, places.Positions, progress.Part(0.5, 1.0), this->SumError);
+    PullBack(closest, surface.Triangles(), this->Scaled.Targets) -
+    Evaluate(this->Sum, closest.Positions, progress.Part(0.5, 1.0), this->SumError);
 }
 
 void FundamentalSolutionFit::RequireMemory(int boundaryRows, int sources) const
@@ -153,7 +162,7 @@ void FundamentalSolutionFit::RequireMemory(int boundaryRows, int sources) const
 
 Eigen::VectorXd FundamentalSolutionFit::GetCollocationAreas(int count) const
 {
-  std::vector<std::vector<int>> rows(this->Components.maxCoeff() + 1);
+  std::vector<std::vector<int>> rows(this->Scaled.Surface.Topology().Components);
   for (int i = 0; i < count; ++i)
   {
     rows[this->CollocationComponents[i]].push_back(i);
@@ -204,8 +213,8 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
 double FundamentalSolutionFit::Add(
   const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress)
 {
-  const Eigen::Index n = this->Scaled.Surface.Points.rows();
-  const Eigen::Index m = this->Scaled.Surface.Triangles.rows();
+  const Eigen::Index n = this->Scaled.Surface.Points().rows();
+  const Eigen::Index m = this->Scaled.Surface.Triangles().rows();
   ChargeSet step{ sources, charges };
   step.Affine.setZero();
   const Eigen::MatrixXd change =
@@ -268,8 +277,8 @@ Eigen::MatrixXd FundamentalSolutionFit::WorstPoints(int count, double spacing) c
 
 HarmonicVolumeMapResult::Level FundamentalSolutionFit::Errors() const
 {
-  const Eigen::Index n = this->Scaled.Surface.Points.rows();
-  const Eigen::Index m = this->Scaled.Surface.Triangles.rows();
+  const Eigen::Index n = this->Scaled.Surface.Points().rows();
+  const Eigen::Index m = this->Scaled.Surface.Triangles().rows();
   HarmonicVolumeMapResult::Level level;
   level.RMSEVertices = std::sqrt(this->Residual.topRows(n).squaredNorm() / n);
   level.RMSEInside = std::sqrt(this->Residual.middleRows(n, m).squaredNorm() / m);
@@ -287,7 +296,7 @@ ChargeSet FundamentalSolutionFit::Map() const
 {
   // With y' = (y - o) / s and f = o' + s' f'(y'), a potential of y' is s times that of y.
   const ScaledBoundary& scaled = this->Scaled;
-  ChargeSet map = WithEachPlaceOnce(this->Sum);
+  ChargeSet map = MergeCharges(this->Sum);
   map.Points = (scaled.Size * map.Points).rowwise() + scaled.Origin;
   map.Charges *= scaled.Size * scaled.TargetSize;
   const Eigen::Matrix3d linear = scaled.TargetSize / scaled.Size * this->Sum.Affine.leftCols<3>();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Distance/SignedDistance.h"
+#include "Harmonic/HarmonicMapTypes.h"
 #include "Harmonic/Private/ScaledBoundary.h"
 
 #include <vector>
@@ -10,29 +11,29 @@ namespace shape
 
 /**
  * What the methods of the harmonic volume map share: boundary, targets and features scaled to unit
- * size, and what the sum of the maps fitted so far leaves over at the places that count.
+ * size, and what the sum of the maps fitted so far leaves over at the positions that count.
  */
 class FundamentalSolutionFit
 {
 public:
-  /// Fits the affine part. Throws InvalidInput where a feature lies outside, Aborted.
+  /// Fits the affine part. Throws InvalidInput if a feature lies outside, Aborted.
   FundamentalSolutionFit(const ScaledBoundary& scaled, const VolumeFeatures& features,
     const HarmonicVolumeMapOptions& options, const Progress& progress);
 
-  const Mesh& Boundary() const { return this->Scaled.Surface; }           ///< longest side 1
+  const Surface& Boundary() const { return this->Scaled.Surface; }        ///< longest side 1
   const Eigen::MatrixXd& Targets() const { return this->Scaled.Targets; } ///< longest side 1
   const SignedDistance& Distance() const { return this->Field; }
   bool HasFeatures() const { return this->RootWeights.size() > 0; }
 
-  /// What the sum so far leaves over at `places` that should go to `targets` (each k x 3).
+  /// What the sum so far leaves over at `positions` that should go to `targets` (each k x 3).
   Eigen::MatrixXd Left(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& targets,
     const Progress& progress) const;
 
-  /// Appends the boundary's places closest to `points` (n x 3) to those where maps are fitted.
+  /// Appends the boundary's positions closest to `points` (n x 3) to those where maps are fitted.
   void Collocate(const Eigen::MatrixXd& points, const Progress& progress);
   int Collocations() const { return static_cast<int>(this->Positions.rows()); }
 
-  /// Throws InvalidInput where a system of `boundaryRows` places and `sources` charges is too
+  /// Throws InvalidInput if a system of `boundaryRows` positions and `sources` charges is too
   /// large.
   void RequireMemory(int boundaryRows, int sources) const;
 
@@ -71,10 +72,9 @@ private:
 
   ScaledBoundary Scaled;
   SignedDistance Field;                   ///< of the scaled boundary
-  Eigen::VectorXi Components;             ///< of its points
   std::vector<int> CollocationComponents; ///< of the collocations
   Eigen::VectorXd RootWeights;            ///< of the features
-  Eigen::MatrixXd Probes;                 ///< boundary points, places inside triangles, features
+  Eigen::MatrixXd Probes;                 ///< boundary points, positions in triangles, features
   Eigen::MatrixXd Residual;               ///< at the probes
   Eigen::MatrixXd Positions;              ///< of the collocations
   Eigen::MatrixXd CollocationResidual;    ///< there

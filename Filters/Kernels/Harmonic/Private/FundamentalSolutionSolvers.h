@@ -22,41 +22,22 @@ void SolveSingleShot(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
  * Beyond the paper: the first subset lies farther from the boundary than the last, as much as it is
  * coarser than all of them, and those between in geometric steps. Charges at the distance that
  * suits all of them together are too near for a few: their fields are bumps, of which no smooth
- * map can be made. Stops where neither of two levels in a row lowers what is left by the least
+ * map can be made. Stops when neither of two levels in a row lowers what is left by the least
  * gain. Adds its levels to `result`.
  */
 void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
   HarmonicVolumeMapResult& result, const Progress& progress);
-
-/**
- * One map from charges close to the boundary (NearSourceSystem), and more of them where that leaves
- * too much over: the triangles that hold most of it are halved, and what is left is fitted with the
- * charges of the refined boundary. Adds its levels to `result`, and keeps in `setup` what the next
- * targets on the same boundary can use.
- */
-void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
-  AcceleratedSetup& setup, HarmonicVolumeMapResult& result, const Progress& progress);
 
 /// Adds the level that has just been fitted: its errors and, since `start`, which becomes now, its
 /// seconds.
 void AddLevel(const FundamentalSolutionFit& problem, Eigen::Index sources, Eigen::Index rows,
   double gain, std::chrono::steady_clock::time_point& start, HarmonicVolumeMapResult& result);
 
-/// How many points a ratio of the boundary's asks for, at least 16.
-int ComputeSampleCount(const Mesh& boundary, double ratio);
-
-/// Among how many levels MultiLevel deals the sources, at least 16 to each.
-int ComputeSubsetCount(const Mesh& boundary, const HarmonicVolumeMapOptions& options);
+/// Into how many subsets MultiLevel divides the sources, at least 16 in each.
+int ComputeSubsetCount(const Surface& boundary, const HarmonicVolumeMapOptions& options);
 
 /// How many times farther from the boundary the first of `subsets` lies than the last: as much as
 /// the spacing of its sources is wider than that of all.
 double ComputeCoarseness(int subsets);
-
-/// The rows of all matrices.
-Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts);
-
-/// So many collocation points, and more where a component would have less than 48.
-Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
-  const HarmonicVolumeMapOptions& options, const Progress& progress);
 
 } // namespace shape

@@ -173,7 +173,7 @@ Mesh BuildOffsetSurface(const SignedDistance& field, double distance,
   {
     throw InvalidInput("the offset distance must be greater than 0");
   }
-  SampledGrid grid = EmptyGrid(field.Locator().GetSurface().Points(), distance, options);
+  SampledGrid grid = EmptyGrid(field.GetSurface().Points(), distance, options);
   Sample(grid, field, distance, progress);
   return ExtractIsoSurface(grid, distance);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "Harmonic/HarmonicVolumeMap.h"
+#include "Mesh/Surface.h"
+
+#include <Eigen/Core>
 
 namespace shape
 {
@@ -11,7 +13,7 @@ namespace shape
 /// cut among processes.
 struct ScaledBoundary
 {
-  Mesh Surface;            ///< without unused points, facing outwards, ordered by place
+  shape::Surface Surface;  ///< without unused points, facing outwards, ordered by position
   Eigen::MatrixXd Targets; ///< n x 3, of its points
   Eigen::RowVector3d Origin;
   double Size = 1.0;
@@ -21,10 +23,6 @@ struct ScaledBoundary
 
 /// Throws InvalidInput unless `boundary` is one closed surface that encloses a volume, and
 /// `targets` has three finite coordinates for each of its points.
-ScaledBoundary ScaleBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets);
-
-/// Throws InvalidInput where an option is out of range or the features are incomplete.
-void RequireSupportedFeatures(
-  const VolumeFeatures& features, const HarmonicVolumeMapOptions& options);
+ScaledBoundary ScaleBoundary(const Surface& boundary, const Eigen::MatrixXd& targets);
 
 } // namespace shape

@@ -2,6 +2,7 @@
 
 #include "Harmonic/Private/OffsetSurface.h"
 #include "Mesh/Topology.h"
+#include "Mesh/UsedPoints.h"
 
 #include <algorithm>
 #include <vector>
@@ -28,12 +29,23 @@ double Depth(const Mesh& component, const SignedDistance& field, const Progress&
   return field.Evaluate(lattice, progress).Distances.maxCoeff();
 }
 
+/// The components; the surface itself, with its search tree, if it is one.
+std::vector<Surface> Components(const Surface& boundary)
+{
+  if (boundary.Topology().Components == 1)
+  {
+    return { boundary };
+  }
+  const std::vector<Mesh> split = SplitComponents(boundary);
+  return { split.begin(), split.end() };
+}
+
 } // namespace
 
-SourceShells::SourceShells(const Mesh& boundary, double offset, const Progress& progress)
+SourceShells::SourceShells(const Surface& boundary, double offset, const Progress& progress)
   : Offset(offset)
 {
-  const std::vector<Mesh> components = SplitComponents(boundary);
+  const std::vector<Surface> components = Components(boundary);
   const double share = 1.0 / static_cast<double>(components.size());
   for (std::size_t c = 0; c < components.size(); ++c)
   {
@@ -68,23 +80,7 @@ std::vector<Eigen::MatrixXd> SourceShells::Sample(
 
 Mesh SourceShells::Joined() const
 {
-  Eigen::Index points = 0, triangles = 0;
-  for (const Mesh& shell : this->Shells)
-  {
-    points += shell.Points.rows();
-    triangles += shell.Triangles.rows();
-  }
-  Mesh all{ Eigen::MatrixXd(points, 3), Eigen::MatrixXi(triangles, 3) };
-  points = triangles = 0;
-  for (const Mesh& shell : this->Shells)
-  {
-    all.Points.middleRows(points, shell.Points.rows()) = shell.Points;
-    all.Triangles.middleRows(triangles, shell.Triangles.rows()) =
-      shell.Triangles.array() + static_cast<int>(points);
-    points += shell.Points.rows();
-    triangles += shell.Triangles.rows();
-  }
-  return all;
+  return JoinMeshes(this->Shells);
 }
 
 } // namespace shape

@@ -17,14 +17,14 @@ class SourceShells
 {
 public:
   /// boundary: closed, facing out of the solid: one component around it, any number around voids.
-  /// offset: > 0, in its units. Throws InvalidInput where the offset is too small to sample,
+  /// offset: > 0, in its units. Throws InvalidInput if the offset is too small to sample,
   /// Aborted.
-  SourceShells(const Mesh& boundary, double offset, const Progress& progress = {});
+  SourceShells(const Surface& boundary, double offset, const Progress& progress = {});
 
   double Area() const;                            ///< of all shells
   double Nearest() const { return this->Offset; } ///< the least distance of a shell; > 0
 
-  /// `count` places on the shells, and more where one would have less than Fewest. Those on each.
+  /// `count` positions on the shells, and more if one would have less than Fewest. Those on each.
   static constexpr int Fewest = 24;
   std::vector<Eigen::MatrixXd> Sample(
     int count, SamplingMode mode, unsigned int seed, const Progress& progress = {}) const;

@@ -101,11 +101,11 @@ private:
     const SurfaceLocator boundary({ this->Solid.Points, this->Triangles });
     this->Far.clear();
     this->Reached = 0.0;
-    this->Add(ComputeDistancesToSurface(
-                this->Target.GetSurface(), boundary, ComparedPositions, progress.Part(0.0, 0.5)),
+    this->Add(
+      ComputeDistancesToSurface(this->Target.GetSurface(), boundary, progress.Part(0.0, 0.5)),
       &SampledDistances::Positions, &SampledDistances::Nearest);
-    this->Add(ComputeDistancesToSurface(
-                boundary.GetSurface(), this->Target, ComparedPositions, progress.Part(0.5, 1.0)),
+    this->Add(
+      ComputeDistancesToSurface(boundary.GetSurface(), this->Target, progress.Part(0.5, 1.0)),
       &SampledDistances::Nearest, &SampledDistances::Positions);
     std::stable_sort(this->Far.begin(), this->Far.end(),
       [](const FarPosition& a, const FarPosition& b) { return a.Distance > b.Distance; });

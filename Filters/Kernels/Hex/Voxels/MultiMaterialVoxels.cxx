@@ -20,7 +20,7 @@ namespace
 void RequireNested(
   const Mesh& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress)
 {
-  std::vector<Mesh> surfaces = { surface };
+  std::vector<Surface> surfaces = { surface };
   std::vector<std::string> names = { "the Surface" };
   for (std::size_t i = 0; i < innerSurfaces.size(); ++i)
   {

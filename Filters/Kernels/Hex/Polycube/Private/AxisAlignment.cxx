@@ -1,12 +1,12 @@
 #include "Hex/Polycube/Private/AxisAlignment.h"
 
 #include "Base/Parallel.h"
+#include "Geometry/FitRotation.h"
 #include "Linear/SparseSolve.h"
 #include "Untangle/EllipticEnergy.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -29,18 +29,6 @@ constexpr double MaximumReach = 8.0, NearestReach = 1.0;
 /// The weight of flatness against rigidity, in units of the one over an edge.
 constexpr double MinimumFlatness = 0.2, MaximumFlatness = 100.0;
 constexpr int AlignmentGrain = 512;
-
-/// The rotation closest to a matrix.
-Eigen::Matrix3d Rotation(const Eigen::Matrix3d& matrix)
-{
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() < 0.0)
-  {
-    u.col(2) = -u.col(2);
-  }
-  return u * svd.matrixV().transpose();
-}
 
 Eigen::Matrix3d FromVector(const Eigen::Vector3d& vector)
 {
@@ -114,7 +102,7 @@ public:
       {
         for (int t = begin; t < end; ++t)
         {
-          const Eigen::Matrix3d wanted = further(t) * Rotation(this->JacobianOf(t, positions));
+          const Eigen::Matrix3d wanted = further(t) * FitRotation(this->JacobianOf(t, positions));
           parts[t] = this->Volumes(t) * this->Hats[t] * wanted.transpose();
         }
       });

@@ -1,3 +1,5 @@
+#include "Harmonic/Private/AcceleratedSolver.h"
+
 #include "Harmonic/NearSourceSystem.h"
 #include "Harmonic/Private/FundamentalSolutionSolvers.h"
 #include "Remesh/LongestEdgeBisection.h"
@@ -15,14 +17,14 @@ namespace
 {
 
 /// Iterations go on until each coordinate's error is so much of the tolerance, for all three and
-/// places between the rows to keep it, or until they hardly lower it.
+/// positions between the rows to keep it, or until they hardly lower it.
 constexpr double ShareOfTolerance = 0.5;
 
 /// Boundaries of fewer points may be refined as far as one of so many: it takes seconds, and
 /// those of a few hundred points have the longest triangles.
 constexpr double CheapPoints = 2500.0;
 
-/// So many tolerances that a map leaves over make the next one's solver more patient.
+/// If a map leaves over more than so many tolerances, the next one's solver is more patient.
 constexpr double ToughTolerances = 1.5;
 
 /// A refined boundary with the images of its points.
@@ -82,17 +84,21 @@ void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
   }
 }
 
+bool AreEqual(const Surface& a, const Surface& b)
+{
+  return a.Points().rows() == b.Points().rows() && a.Triangles().rows() == b.Triangles().rows() &&
+    a.Points() == b.Points() && a.Triangles() == b.Triangles();
+}
+
 } // namespace
 
 void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
   AcceleratedSetup& setup, HarmonicVolumeMapResult& result, const Progress& progress)
 {
   auto start = std::chrono::steady_clock::now();
-  const Mesh& boundary = problem.Boundary();
+  const Surface& boundary = problem.Boundary();
   auto effort = NearSourceSystem::Effort::Little;
-  if (!setup.System || setup.Boundary.Points.rows() != boundary.Points.rows() ||
-    setup.Boundary.Triangles.rows() != boundary.Triangles.rows() ||
-    setup.Boundary.Points != boundary.Points || setup.Boundary.Triangles != boundary.Triangles)
+  if (!setup.System || !AreEqual(setup.Boundary, boundary))
   {
     setup.Boundary = boundary;
     setup.System = std::make_unique<NearSourceSystem>(
@@ -102,7 +108,7 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
   RefinedBoundary refined{ boundary, problem.Targets() };
   const double maximum =
-    options.MostRefined * std::max(CheapPoints, static_cast<double>(boundary.Points.rows()));
+    options.MostRefined * std::max(CheapPoints, static_cast<double>(boundary.Points().rows()));
   for (int number = 1;; ++number)
   {
     const double done = 0.3 + 0.7 * (1.0 - 1.0 / number);
@@ -123,7 +129,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     gmres.LeastGain = options.LeastGain;
     const GmresResult fit = system.Solve(left, gmres, part.Part(0.4, 0.9));
     result.Iterations += fit.Iterations;
-    result.RefinedPoints = static_cast<int>(refined.Surface.Points.rows() - boundary.Points.rows());
+    result.RefinedPoints =
+      static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
     const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
 
     AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);

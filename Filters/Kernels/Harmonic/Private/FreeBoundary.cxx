@@ -1,6 +1,8 @@
-#include "Harmonic/FreeBoundary.h"
+#include "Harmonic/Private/FreeBoundary.h"
 
 #include "Base/Errors.h"
+#include "Geometry/VertexNormals.h"
+#include "Harmonic/HarmonicVolumeMap.h"
 #include "Mesh/Cells.h"
 #include "Quality/MapQuality.h"
 #include "Search/ClosestPoint.h"
@@ -21,27 +23,17 @@ namespace shape
 namespace
 {
 
-constexpr int Tetrahedron = 10;
 constexpr int MaximumSteps = 30;
 
 /// Some points stay on a surface, the others are free.
 class OnSurface : public PointConstraint
 {
 public:
-  OnSurface(const Mesh& surface, std::vector<char> held)
+  OnSurface(const Surface& surface, std::vector<char> held)
     : Locator(surface)
     , Held(std::move(held))
-    , Normals(Eigen::MatrixXd::Zero(surface.Points.rows(), 3))
+    , Normals(ComputeVertexNormals(surface, NormalWeight::Area))
   {
-    const Eigen::MatrixXd areas = ComputeAreaVectors(surface);
-    for (Eigen::Index t = 0; t < areas.rows(); ++t)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        this->Normals.row(surface.Triangles(t, k)) += areas.row(t);
-      }
-    }
-    this->Normals.rowwise().normalize();
   }
 
   int Freedom(int point) const override { return this->Held[point] ? 2 : 3; }
@@ -75,11 +67,11 @@ Cells ToCells(const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra)
 {
   const int count = static_cast<int>(tetrahedra.rows());
   const Eigen::MatrixXi byCell = tetrahedra.transpose();
-  return { points, Eigen::VectorXi::Constant(count, Tetrahedron),
+  return { points, Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
     Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), byCell.reshaped() };
 }
 
-/// The tetrahedra of an untangled solid with the places at rest of all its points.
+/// The tetrahedra of an untangled solid with the positions at rest of all its points.
 struct Solid
 {
   Cells Moved;
@@ -166,8 +158,8 @@ SimplexPatch WholePatch(const Solid& solid, double size)
 
 } // namespace
 
-FreeBoundaryResult SlideBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets,
-  const Mesh& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
+FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd& targets,
+  const Surface& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
   const HarmonicVolumeMapResult& map, const Progress& progress)
 {
   const TetrahedralizeResult tetrahedra = Tetrahedralize(boundary, {}, {}, progress.Part(0.0, 0.1));
@@ -185,7 +177,7 @@ FreeBoundaryResult SlideBoundary(const Mesh& boundary, const Eigen::MatrixXd& ta
     return images;
   };
   const double size = std::cbrt(std::abs(
-    ComputeEnclosedVolume({ targets, boundary.Triangles }) / ComputeEnclosedVolume(boundary)));
+    ComputeEnclosedVolume({ targets, boundary.Triangles() }) / ComputeEnclosedVolume(boundary)));
   FreeBoundaryResult result{ targets, map, 0.0, 0.0, false };
   const Eigen::MatrixXd images = carry(map.Map, targets);
   result.DistortionBefore = Distortion(tetrahedra, images / size);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Harmonic/HarmonicVolumeMap.h"
-#include "Mesh/Mesh.h"
+#include "Harmonic/HarmonicMapTypes.h"
+#include "Mesh/Surface.h"
 
 #include <Eigen/Core>
 
@@ -26,11 +26,11 @@ struct FreeBoundaryResult
  * map with these values is solved. Creases of the target do not hold points.
  *
  * boundary, targets, features, options: of ComputeHarmonicVolumeMap; map: its result. Throws what
- * that, Tetrahedralize and Untangle throw; SolveFailure where tetrahedra stay inverted, as they do
- * where the boundary map folds; Aborted.
+ * that, Tetrahedralize and Untangle throw; SolveFailure if tetrahedra stay inverted, as they do
+ * if the boundary map folds; Aborted.
  */
-FreeBoundaryResult SlideBoundary(const Mesh& boundary, const Eigen::MatrixXd& targets,
-  const Mesh& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
+FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd& targets,
+  const Surface& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
   const HarmonicVolumeMapResult& map, const Progress& progress = {});
 
 } // namespace shape

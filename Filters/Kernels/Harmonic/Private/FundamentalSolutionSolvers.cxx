@@ -1,6 +1,7 @@
 #include "Harmonic/Private/FundamentalSolutionSolvers.h"
 #include "Harmonic/Private/OffsetSurface.h"
 #include "Harmonic/Private/SourceShells.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,11 +20,49 @@ constexpr int CoarseRowsPerSource = 2;
 /// New sources of a level, as a share of a subset.
 constexpr double InsertedShare = 0.1;
 
-/// The sources dealt out along a curve that keeps neighbours together: each subset is spread
-/// evenly. The shell of a small void has too few to be divided: every subset gets all of them.
-std::vector<Eigen::MatrixXd> Deal(const std::vector<Eigen::MatrixXd>& shells, int subsets)
+/// How many points a ratio of the boundary's asks for, at least 16.
+int ComputeSampleCount(const Surface& boundary, double ratio)
 {
-  std::vector<std::vector<Eigen::MatrixXd>> hands(subsets);
+  constexpr double minimum = 16.0, maximum = 1e8;
+  return static_cast<int>(
+    std::clamp(std::round(ratio * boundary.Points().rows()), minimum, maximum));
+}
+
+/// The rows of all matrices.
+Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts)
+{
+  Eigen::Index rows = 0;
+  for (const Eigen::MatrixXd& part : parts)
+  {
+    rows += part.rows();
+  }
+  Eigen::MatrixXd all(rows, 3);
+  rows = 0;
+  for (const Eigen::MatrixXd& part : parts)
+  {
+    all.middleRows(rows, part.rows()) = part;
+    rows += part.rows();
+  }
+  return all;
+}
+
+/// So many collocation points, and more if a component would have less than 48.
+Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
+  const HarmonicVolumeMapOptions& options, const Progress& progress)
+{
+  constexpr int minimum = 48;
+  return Concatenate(SampleSurfaces(SplitComponents(problem.Boundary()),
+    ComputeSampleCount(problem.Boundary(), options.CollocationRatio), minimum,
+    options.CollocationSampling, options.Seed, progress));
+}
+
+/// The sources in subsets, each spread evenly: every so many-th source along a curve that keeps
+/// neighbours together. The shell of a small void has too few to be divided: every subset gets all
+/// of them.
+std::vector<Eigen::MatrixXd> DivideIntoSubsets(
+  const std::vector<Eigen::MatrixXd>& shells, int subsets)
+{
+  std::vector<std::vector<Eigen::MatrixXd>> subsetParts(subsets);
   Eigen::Index largest = 0;
   for (const Eigen::MatrixXd& sources : shells)
   {
@@ -36,20 +75,20 @@ std::vector<Eigen::MatrixXd> Deal(const std::vector<Eigen::MatrixXd>& shells, in
     const Eigen::VectorXi order = FindSpatialOrder(sources);
     for (int s = 0; s < subsets; ++s)
     {
-      std::vector<int> hand;
+      std::vector<int> chosen;
       for (Eigen::Index i = divided ? s : 0; i < order.size(); i += divided ? subsets : 1)
       {
-        hand.push_back(order(i));
+        chosen.push_back(order(i));
       }
-      hands[s].push_back(sources(hand, Eigen::all));
+      subsetParts[s].push_back(sources(chosen, Eigen::all));
     }
   }
-  std::vector<Eigen::MatrixXd> dealt;
-  for (const std::vector<Eigen::MatrixXd>& hand : hands)
+  std::vector<Eigen::MatrixXd> joined;
+  for (const std::vector<Eigen::MatrixXd>& parts : subsetParts)
   {
-    dealt.push_back(Concatenate(hand));
+    joined.push_back(Concatenate(parts));
   }
-  return dealt;
+  return joined;
 }
 
 /// Moves sources to `factor` times their distance from the boundary. Those that meet another part
@@ -109,7 +148,7 @@ void AppendRows(Eigen::MatrixXd& matrix, const Eigen::MatrixXd& rows)
 
 } // namespace
 
-int ComputeSubsetCount(const Mesh& boundary, const HarmonicVolumeMapOptions& options)
+int ComputeSubsetCount(const Surface& boundary, const HarmonicVolumeMapOptions& options)
 {
   constexpr int fewest = 16; // sources of a subset
   return std::clamp(options.SourceSubsets, 1,
@@ -119,6 +158,43 @@ int ComputeSubsetCount(const Mesh& boundary, const HarmonicVolumeMapOptions& opt
 double ComputeCoarseness(int subsets)
 {
   return std::sqrt(static_cast<double>(subsets));
+}
+
+void AddLevel(const FundamentalSolutionFit& problem, Eigen::Index sources, Eigen::Index rows,
+  double gain, std::chrono::steady_clock::time_point& start, HarmonicVolumeMapResult& result)
+{
+  HarmonicVolumeMapResult::Level level = problem.Errors();
+  level.Number = static_cast<int>(result.Levels.size());
+  level.Sources = static_cast<int>(sources);
+  level.Collocations = static_cast<int>(rows);
+  level.Kept = gain > 0.0;
+  const auto now = std::chrono::steady_clock::now();
+  level.Seconds = std::chrono::duration<double>(now - start).count();
+  start = now;
+  result.Levels.push_back(level);
+}
+
+void SolveSingleShot(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
+  HarmonicVolumeMapResult& result, const Progress& progress)
+{
+  auto start = std::chrono::steady_clock::now();
+  const int rows = ComputeSampleCount(problem.Boundary(), options.CollocationRatio);
+  const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
+  problem.RequireMemory(rows, sourceCount);
+  const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
+  result.OffsetDistance = shells.Nearest();
+  const Eigen::MatrixXd sources = Concatenate(
+    shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)));
+  problem.Collocate(SampleBoundary(problem, options, progress.Part(0.15, 0.2)), Progress());
+  const FundamentalSolutionFit::Fit fit =
+    problem.Solve(problem.Collocations(), sources, progress.Part(0.2, 0.95));
+  const double gain = problem.Add(sources, fit.Charges, progress.Part(0.95, 1.0));
+  AddLevel(problem, sources.rows(), fit.Rows, gain, start, result);
+  const bool kept = gain > 0.0;
+  result.Reason = !kept ? HarmonicVolumeMapResult::Stop::NoImprovement
+    : result.Levels.back().RMSEInside <= options.Tolerance
+    ? HarmonicVolumeMapResult::Stop::Tolerance
+    : HarmonicVolumeMapResult::Stop::Levels;
 }
 
 void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
@@ -131,9 +207,9 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
   const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
-  std::vector<Eigen::MatrixXd> sources =
-    Deal(shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)),
-      subsets);
+  std::vector<Eigen::MatrixXd> sources = DivideIntoSubsets(
+    shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)),
+    subsets);
   for (int s = 0; s + 1 < subsets; ++s)
   {
     const double finer = static_cast<double>(s) / (subsets - 1);
