@@ -1,7 +1,7 @@
 #include "Hex/Fit/Snapping.h"
 
 #include "Distance/HausdorffDistance.h"
-#include "Hex/Features/OverridableConstraint.h"
+#include "Hex/Features/FeatureConstraint.h"
 #include "Hex/Optimize/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
 #include "Search/ClosestPoint.h"

@@ -3,8 +3,8 @@
 #include "Base/Errors.h"
 #include "Distance/HausdorffDistance.h"
 #include "Hex/Grid/Private/SeparateSolids.h"
+#include "Hex/Voxels/GridDensity.h"
 #include "Hex/Voxels/MultiMaterialVoxels.h"
-#include "Hex/Voxels/RefinementSeeds.h"
 #include "Quality/ScaledJacobian.h"
 #include "Remesh/SurfaceFeatures.h"
 #include "Search/ClosestPoint.h"
@@ -27,8 +27,6 @@ constexpr double Shrinkage = 0.85;
 /// By which there are more hexahedra in the next grids with an automatic size, and where most of
 /// the solid asks for smaller cells.
 constexpr double Growth = 1.4, LargeGrowth = 3.0;
-/// The area of the smallest patch with borders of its own, in faces of cells.
-constexpr double MinimumPatch = 4.0;
 /// What is good enough not to go on to smaller cells everywhere.
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
 /// The worst scaled Jacobian that may well become an accepted one by more time spent on it.
@@ -194,15 +192,11 @@ private:
         GridHexesResult result;
         result.CellSize = size;
         result.Crossings = this->Cubes.Boundary().Crossings;
-        result.Features =
-          FindFeatures(this->Bounding, this->Options.FeatureAngle, MinimumPatch * size * size);
+        result.Features = FindFeatures(this->Bounding, this->Options, size);
         result.InnerCreasesKept =
           std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
             [&](const Surface& inner)
-            {
-              return FindFeatures(inner, this->Options.FeatureAngle, MinimumPatch * size * size)
-                .Curves.empty();
-            });
+            { return FindFeatures(inner, this->Options, size).Curves.empty(); });
         result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, this->FitOptions(),
           progress.Part(0.1, 1.0), { &*cells, &this->InnerBounding });
         return result;
@@ -398,16 +392,10 @@ private:
   int Rounds = 0;
 };
 
-void RequireInRange(const GridHexesOptions& options)
+void RequireGridInRange(const GridHexesOptions& options)
 {
-  RequireOption(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize",
-    options.CellSize, "positive, or 0 for an automatic one");
-  RequireOption(
-    options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
-  RequireOption(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
+  RequireInRange(options);
   RequireOption(options.Rounds >= 1, "Rounds", options.Rounds, "at least 1");
-  RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
-    options.FeatureAngle, "in (0, 180]");
   RequireOption(options.WantedCreaseDistance > 0.0, "WantedCreaseDistance",
     options.WantedCreaseDistance, "positive");
   RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
@@ -483,7 +471,7 @@ GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Mesh>& 
 GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
-  RequireInRange(options);
+  RequireGridInRange(options);
   if (innerSurfaces.empty())
   {
     const std::vector<Mesh> solids = SplitSolids(surface, progress.Part(0.0, 0.02));

@@ -11,16 +11,11 @@
 namespace shape
 {
 
-struct GridHexesOptions
+/// CellSize 0: one that gives about 20,000 hexahedra, or smaller ones if these are not good enough
+/// anywhere but at corners that are kept, where other grids have the same.
+struct GridHexesOptions : HexMeshOptions
 {
-  /// Of the grid, in the surface's units; a smaller one is used where this one cannot have the
-  /// solid's topology. 0: one that gives about 20,000 hexahedra, or smaller ones where these are
-  /// not good enough anywhere but at corners that are kept, where other grids have the same.
-  double CellSize = 0.0;
-  int MaximumHexahedra = 200000;   ///< no smaller cells are tried than give so many
   double FirstHexahedra = 16500.0; ///< about so many cells in the first grid of an automatic size
-  int PaddingLayers = 1;           ///< of hexahedra around the cells; >= 1
-  double FeatureAngle = 40.0;      ///< between normals, in degrees: what is sharper is a crease
   /// The scaled Jacobian of the worst hexahedron that is aimed at.
   double WantedScaledJacobian = 0.62;
   /// What distances are shares of, in the surface's units; 0: the diagonal of the surface's box.
