@@ -59,7 +59,7 @@ HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
   return result;
 }
 
-/// With smaller cells where creases are farther than wanted, if there may be so many and they are
+/// With smaller cells where creases are farther than wanted, if there may be this many and they are
 /// nearer then: the distance falls with the square of the size.
 PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions options,
   PolycubeHexesResult coarse, const Progress& progress)

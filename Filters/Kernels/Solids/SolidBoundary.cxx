@@ -73,7 +73,7 @@ KeptBoundary FindBoundary(const Surface& surface, const Progress& progress)
   {
     apart[solid[crossing.First]] = apart[solid[crossing.Second]] = 1;
   }
-  // All triangles that hang together without crossing others are on one side of them.
+  // All triangles that are connected without crossing others are on one side of them.
   const std::vector<std::vector<int>> neighbours = Neighbours(surface);
   const double step = 1e-6 * ComputeLongestBoxEdge(mesh.Points);
   std::vector<int> kept;

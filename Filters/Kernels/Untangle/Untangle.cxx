@@ -143,7 +143,7 @@ private:
     return !this->Solid.OnBoundary(point) || (this->Sliding && this->Sliding->Freedom(point) > 0);
   }
 
-  /// Each set of movable points around inverted cells that hangs together is a patch of its own.
+  /// Each set of movable points around inverted cells that is connected is a patch of its own.
   void MovePoints(int rings, const Progress& progress)
   {
     const Eigen::VectorXd sizes = ComputeLogarithmicSizes(this->Solid);

@@ -41,9 +41,9 @@ struct UntangleResult
  * cells: tetrahedra, pyramids, wedges, hexahedra, in VTK's order of points. A cell is inverted
  * where a corner tetrahedron is not positive (a tetrahedron is its own; the corners of a pyramid's
  * base, which suffice; all corners of wedges and hexahedra, which are necessary for a positive
- * Jacobian, and nearly always suffice); this is told exactly. rest (n x 3, or empty): the same
- * points before the map to be untangled, whose distortion is what the energy measures; else cells
- * become like regular ones. Sizes are those of the boundary, smooth inside.
+ * Jacobian, and nearly always suffice); exact predicates decide this. rest (n x 3, or empty): the
+ * same points before the map to be untangled, whose distortion is what the energy measures; else
+ * cells become like regular ones. Sizes are those of the boundary, smooth inside.
  *
  * Only points around inverted cells move, with more of their surroundings where that does not
  * suffice. With a fixed boundary, which stays to the bit, some tetrahedra cannot be positive, such

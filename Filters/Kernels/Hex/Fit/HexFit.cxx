@@ -46,7 +46,7 @@ struct Segments
     return mesh;
   }
 
-  /// Their ends and places between, about as many altogether as asked for.
+  /// Their ends and positions between, about as many altogether as asked for.
   Eigen::MatrixXd Positions(int count) const
   {
     double whole = 0.0;
@@ -105,7 +105,7 @@ Segments ChainsOf(
   return chains;
 }
 
-constexpr int ComparedAlong = 20000; // places along curves, and along chains
+constexpr int ComparedAlong = 20000; // positions along curves, and along chains
 
 SampledDistances Compare(const Segments& curves, const Segments& chains,
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads)

@@ -22,7 +22,7 @@ namespace shape
 struct FeatureDeviation
 {
   /// The larger one-sided Hausdorff distance between the surface's curves and the edges between
-  /// quads of different patches, at places along both; to the whole boundary where it is of one
+  /// quads of different patches, at positions along both; to the whole boundary where it is of one
   /// patch. 0 where the surface has no curves.
   double Distance = 0.0;
   std::vector<int> CornerPoints; ///< of the boundary, those exactly at a corner of the surface
@@ -43,7 +43,7 @@ struct HexMeshOptions
   /// Of the cells, in the surface's units; smaller ones are used if these cannot have the solid's
   /// topology. 0: automatic.
   double CellSize = 0.0;
-  int MaximumHexahedra = 200000; ///< no smaller cells are tried than give so many
+  int MaximumHexahedra = 200000; ///< no smaller cells are tried than give this many
   int PaddingLayers = 1;         ///< of hexahedra along the surface; >= 1
   double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
 };

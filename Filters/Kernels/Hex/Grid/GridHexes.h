@@ -15,7 +15,7 @@ namespace shape
 /// anywhere but at corners that are kept, where other grids have the same.
 struct GridHexesOptions : HexMeshOptions
 {
-  double FirstHexahedra = 16500.0; ///< about so many cells in the first grid of an automatic size
+  double FirstHexahedra = 16500.0; ///< about this many cells in the first grid of an automatic size
   /// The scaled Jacobian of the worst hexahedron that is aimed at.
   double WantedScaledJacobian = 0.62;
   /// What distances are shares of, in the surface's units; 0: the diagonal of the surface's box.
@@ -50,7 +50,7 @@ struct GridHexesResult
  * (FitHexahedra).
  *
  * Where the result is farther from the surface than wanted, or has bad hexahedra, the next grid is
- * one of smaller cells there: space is magnified around these places before the grid is laid
+ * one of smaller cells there: space is magnified around these positions before the grid is laid
  * (GridDensity), and the connections stay those of a regular grid. The best result is kept. What is
  * near the wanted distance, and the best one, are snapped to what is farther (SnapToSurface).
  *

@@ -19,7 +19,7 @@ namespace
 
 /// Of the natural logarithm of a size: what is not mended, and what is too large or too small.
 const double Tolerated = std::log(1.1), Accepted = std::log(1.2);
-/// No magnifier is smaller than so many cells, where it stands.
+/// No seed is smaller than this many cells, where it stands.
 constexpr double MinimumRadius = 3.0;
 constexpr int MaximumSeeds = 400;
 
@@ -52,7 +52,7 @@ public:
     return (this->CellSize - this->Stretch.array() - this->Wanted.array()).matrix();
   }
 
-  /// Adds magnifiers where cells have not the size wanted; false where there is no such place.
+  /// Adds seeds where cells have not the size wanted; false where there is no such position.
   bool Add(double radius)
   {
     const Eigen::VectorXd excess = this->Excess().cwiseAbs();
@@ -90,11 +90,11 @@ public:
     for (Eigen::Index j = 0; j < count; ++j)
     {
       // The divergence of the velocity at both ends of the way.
-      const RefinementSeed& magnifier = this->Seeds[j];
+      const RefinementSeed& seed = this->Seeds[j];
       for (Eigen::Index i = 0; i < slopes.rows(); ++i)
       {
-        slopes(i, j) = 0.5 *
-          (Divergence(magnifier, this->Positions.row(i)) + Divergence(magnifier, moved.row(i)));
+        slopes(i, j) =
+          0.5 * (Divergence(seed, this->Positions.row(i)) + Divergence(seed, moved.row(i)));
       }
     }
     slopes.col(count).setConstant(-1.0);
@@ -128,22 +128,21 @@ public:
   }
 
 private:
-  /// A third of the divergence of a magnifier's velocity at strength 1.
-  static double Divergence(const RefinementSeed& magnifier, const Eigen::RowVector3d& position)
+  /// A third of the divergence of a seed's velocity at strength 1.
+  static double Divergence(const RefinementSeed& seed, const Eigen::RowVector3d& position)
   {
-    const double scaled =
-      (position - magnifier.Centre).squaredNorm() / (magnifier.Radius * magnifier.Radius);
+    const double scaled = (position - seed.Centre).squaredNorm() / (seed.Radius * seed.Radius);
     return (1.0 - scaled / 3.0) * std::exp(-0.5 * scaled);
   }
 
-  /// The logarithm of the flow's stretch, the cubic root of its determinant, at the places.
+  /// The logarithm of the flow's stretch, the cubic root of its determinant, at the positions.
   void FindStretch()
   {
     const GridDensity warp(this->Seeds);
     double minimum = this->Seeds.front().Radius;
-    for (const RefinementSeed& magnifier : this->Seeds)
+    for (const RefinementSeed& seed : this->Seeds)
     {
-      minimum = std::min(minimum, magnifier.Radius);
+      minimum = std::min(minimum, seed.Radius);
     }
     const double step = 1e-3 * minimum;
     Eigen::MatrixXd slopes[3];

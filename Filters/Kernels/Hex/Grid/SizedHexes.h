@@ -27,8 +27,8 @@ struct SizedGrid
  * it, before they are moved.
  *
  * The size that a cell has at x is that of the grid / det(DF(x))^(1/3), with the flow F of the
- * magnifiers. Its logarithm depends on their strengths nearly linearly, so these and the size of
- * the grid are found by Gauss and Newton's method, with magnifiers as wide as the surface at first
+ * seeds. Its logarithm depends on their strengths nearly linearly, so these and the size of
+ * the grid are found by Gauss and Newton's method, with seeds as wide as the surface at first
  * and more, half as wide, where that leaves more than a tenth, down to a few cells.
  *
  * surface: its triangles are all used. sizes (n): > 0, in the surface's units; between its points
@@ -41,7 +41,7 @@ SizedGrid BuildSizedGrid(
 void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes);
 
 /// The sizes of quads (q: the root of the area of each), divided by the size that is
-/// wanted at the place of the surface closest to its middle.
+/// wanted at the position of the surface closest to its middle.
 Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const Surface& surface, const Eigen::VectorXd& sizes);
 

@@ -42,7 +42,7 @@ struct PolycubeHexesResult
 /**
  * Hexahedra inside a closed surface: the unit cells of a polycube of the solid (FindPolycubeMap),
  * brought back by the harmonic map of the polycube's boundary onto the surface
- * (ComputeHarmonicVolumeMap) where that turns no more hexahedra over than the inverse of the
+ * (ComputeHarmonicVolumeMap) where that inverts no more hexahedra than the inverse of the
  * tetrahedra's own map, which needs no polycube that is free of overlaps; with layers around them
  * whose boundary lies on the surface and has its creases (FitHexahedra).
  *

@@ -13,14 +13,14 @@ namespace shape
 Eigen::RowVector3d GridDensity::Velocity(const Eigen::RowVector3d& position) const
 {
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-  for (const RefinementSeed& magnifier : this->Seeds)
+  for (const RefinementSeed& seed : this->Seeds)
   {
-    const Eigen::RowVector3d off = position - magnifier.Centre;
-    const double scaled = off.squaredNorm() / (2.0 * magnifier.Radius * magnifier.Radius);
+    const Eigen::RowVector3d off = position - seed.Centre;
+    const double scaled = off.squaredNorm() / (2.0 * seed.Radius * seed.Radius);
     constexpr double negligible = 40.0;
     if (scaled < negligible)
     {
-      sum += magnifier.Strength * std::exp(-scaled) * off;
+      sum += seed.Strength * std::exp(-scaled) * off;
     }
   }
   return sum;
@@ -57,7 +57,7 @@ Eigen::MatrixXd GridDensity::Flow(const Eigen::MatrixXd& points, double time) co
 namespace
 {
 
-constexpr double Radius = 2.5; // of a magnifier, in cells
+constexpr double Radius = 2.5; // of a seed, in cells
 
 } // namespace
 

@@ -62,7 +62,7 @@ public:
   /// Takes any manifold from now on where the surface crosses itself.
   void TakeAnyTopology() { this->TakesAny = true; }
 
-  /// The size of cells in the warped space that make about so many hexahedra, those of a layer
+  /// The size of cells in the warped space that make about this many hexahedra, those of a layer
   /// around them included.
   double CellSizeFor(double hexahedra, const GridDensity& warp) const;
 

@@ -59,7 +59,7 @@ struct CornerEdges
 
   /// The derivative of the scaled determinant by the first edge.
   Vector3d Slope() const { return this->Normal / this->Lengths - this->Along(this->A); }
-  /// Minus that by all three: by the place of the corner itself.
+  /// Minus that by all three: by the position of the corner itself.
   Vector3d SlopeAtCorner() const
   {
     return this->Along(this->A) + this->Along(this->B) + this->Along(this->C) -
@@ -185,7 +185,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
   {
     return false;
   }
-  // The expansion says nothing about places beyond the neighbours.
+  // The expansion says nothing about positions beyond the neighbours.
   const double longest = 0.5 * star.Reach(x), length = step.norm();
   if (length < Negligible * longest)
   {

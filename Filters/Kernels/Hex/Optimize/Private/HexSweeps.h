@@ -19,12 +19,13 @@ namespace shape
  *   E(x) = sum over the corners that x belongs to of exp(sharpness (1 - s)),
  *
  * s being the determinant of a corner's three edges divided by their lengths, where it is positive
- * by sqrt(length^2 + least^2): the scaled Jacobian alone would let edges shrink to nothing. least
- * is 0.05 of an edge of the hexahedron, and stays so while points move: else the stars would not be
- * parts of one energy, and lowering them by turns would lead nowhere. (Where it is negative,
- * shrinking must not help.) Any place has a value, also where hexahedra are inverted. The greater
- * the sharpness, the more it is the worst corner that counts: log(E) / sharpness tends to 1 - min
- * s.
+ * by sqrt(length^2 + minimum^2): the scaled Jacobian alone would let edges shrink to nothing.
+ * minimum is 0.05 of an edge of the hexahedron, and stays so while points move: else the stars
+ * would not be parts of one energy, and lowering them by turns would lead nowhere. (Where it is
+ * negative, shrinking must not help.) Any position has a value, also where hexahedra are inverted.
+ * The greater the sharpness, the more it is the worst corner that counts: log(E) / sharpness tends
+ * to 1
+ * - min s.
  */
 class StarEnergy
 {
@@ -32,12 +33,12 @@ public:
   /// Hexahedra whose corners are beside each other in memory.
   using Corners = Eigen::Matrix<int, Eigen::Dynamic, 8, Eigen::RowMajor>;
 
-  /// around: the hexahedra of a point, each with the corner that it is; leastSquares: least^2 of
+  /// around: the hexahedra of a point, each with the corner that it is; leastSquares: minimum^2 of
   /// each hexahedron.
   StarEnergy(const Eigen::Matrix3Xd& points, const Corners& hexahedra,
     const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around);
 
-  /// least^2 of each hexahedron.
+  /// minimum^2 of each hexahedron.
   static Eigen::VectorXd MinimumSquares(const HexMesh& mesh);
 
   double Value(const Eigen::Vector3d& x, double sharpness) const;

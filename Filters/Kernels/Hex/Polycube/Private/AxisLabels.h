@@ -35,7 +35,7 @@ Eigen::VectorXi SolveGraphCutLabelling(
  * that of a border compactness exp(-((n . m - 1) / 0.25)^2 / 2) for an edge of the mean length
  * between triangles whose normals at rest are n and m. Opposite labels are never neighbours.
  *
- * places (n x 3): where the normals are taken. further (m x 6): added to the costs, or empty.
+ * positions (n x 3): where the normals are taken. further (m x 6): added to the costs, or empty.
  */
 Eigen::VectorXi FindAxisLabels(const WorkingSolid& solid, const Eigen::MatrixXd& positions,
   double compactness, const Eigen::MatrixXd& further = {});

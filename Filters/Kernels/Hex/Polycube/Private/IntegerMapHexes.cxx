@@ -15,7 +15,7 @@ namespace shape
 namespace
 {
 
-/// How far outside of a tetrahedron a place still counts as in it, for rounding.
+/// How far outside of a tetrahedron a position still counts as in it, for rounding.
 constexpr double Rounding = 1e-9;
 
 } // namespace

@@ -28,7 +28,7 @@ public:
     int Face = -1;           ///< the corner opposite the face of the boundary that it met
   };
 
-  /// From a place in a tetrahedron to another place.
+  /// From a position in a tetrahedron to another position.
   Position Go(int tetrahedron, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   /// Barycentric coordinates.
@@ -53,7 +53,7 @@ struct IntegerMapHexesResult
 /**
  * The hexahedra that a map of tetrahedra takes to the unit cells of the integer grid: the map is
  * positive on every tetrahedron, and takes each triangle of the boundary into a plane of integer
- * coordinate. The images may overlap: what lies side by side is told by walks through the
+ * coordinate. The images may overlap: what lies side by side is found by walks through the
  * tetrahedra, not by coordinates.
  *
  * points, images (n x 3), tetrahedra (m x 4). Throws SolveFailure where there is no cell, or walks
