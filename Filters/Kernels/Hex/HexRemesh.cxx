@@ -2,7 +2,6 @@
 
 #include "Base/Errors.h"
 #include "Hex/Grid/GridHexes.h"
-#include "Hex/Grid/SizeField.h"
 #include "Hex/Grid/SizedHexes.h"
 #include "Hex/Polycube/PolycubeHexes.h"
 #include "Mesh/Surface.h"
@@ -25,25 +24,17 @@ using MethodType = HexRemeshOptions::MethodType;
 /// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
 constexpr double MinimumScaledJacobian = 0.3, LargestDistance = 0.01;
 
-/// The area of the smallest patch with borders of its own, in faces of cells.
-constexpr double MinimumPatch = 4.0;
-
 /// Who gives a size gets as many as it makes, as far as their corners can be numbered.
 constexpr int MaximumOfGivenSize = std::numeric_limits<int>::max() / 64;
 
-int MostHexahedra(const HexRemeshOptions& options)
+/// The options of one way to hexahedra.
+template <typename MethodOptions>
+MethodOptions OfMethod(const HexMeshOptions& options)
 {
-  return options.CellSize > 0.0 ? MaximumOfGivenSize : options.MaximumHexahedra;
-}
-
-GridHexesOptions OfGrid(const HexRemeshOptions& options)
-{
-  GridHexesOptions grid;
-  grid.CellSize = options.CellSize;
-  grid.MaximumHexahedra = MostHexahedra(options);
-  grid.PaddingLayers = options.PaddingLayers;
-  grid.FeatureAngle = options.FeatureAngle;
-  return grid;
+  MethodOptions own;
+  static_cast<HexMeshOptions&>(own) = options;
+  own.MaximumHexahedra = options.CellSize > 0.0 ? MaximumOfGivenSize : options.MaximumHexahedra;
+  return own;
 }
 
 HexRemeshResult OfHexes(GridHexesResult result)
@@ -55,7 +46,7 @@ HexRemeshResult OfHexes(GridHexesResult result)
 HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
   const Progress& progress, const HexRemeshGuides& guides = {})
 {
-  GridHexesOptions grid = OfGrid(options);
+  auto grid = OfMethod<GridHexesOptions>(options);
   if (guides.Sizes.size() == 0)
   {
     return OfHexes(BuildGridHexahedra(surface, grid, progress, guides.InnerSurfaces));
@@ -68,7 +59,7 @@ HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
   return result;
 }
 
-/// With smaller cells where creases are farther than wanted, if there may be so many and they are
+/// With smaller cells where creases are farther than wanted, if there may be this many and they are
 /// nearer then: the distance falls with the square of the size.
 PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions options,
   PolycubeHexesResult coarse, const Progress& progress)
@@ -116,11 +107,7 @@ void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress)
 HexRemeshResult ByPolycube(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
-  PolycubeHexesOptions polycube;
-  polycube.CellSize = options.CellSize;
-  polycube.MaximumHexahedra = MostHexahedra(options);
-  polycube.PaddingLayers = options.PaddingLayers;
-  polycube.FeatureAngle = options.FeatureAngle;
+  const auto polycube = OfMethod<PolycubeHexesOptions>(options);
   const bool isAutomatic = options.CellSize == 0.0;
   PolycubeHexesResult result =
     BuildPolycubeHexahedra(surface, polycube, progress.Part(0.0, isAutomatic ? 0.4 : 0.9));
@@ -139,13 +126,12 @@ HexRemeshResult ByPolycube(
 HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& options,
   const GivenPolycube& polycube, const Progress& progress)
 {
-  const GivenPolycubeCells cells = BuildPolycubeCells(
-    polycube, surface, options.CellSize, MostHexahedra(options), progress.Part(0.0, 0.4));
+  const GivenPolycubeCells cells = BuildPolycubeCells(polycube, surface, options.CellSize,
+    OfMethod<HexMeshOptions>(options).MaximumHexahedra, progress.Part(0.0, 0.4));
   HexRemeshResult result;
   result.Method = MethodType::Polycube;
   result.CellSize = cells.CellSize;
-  result.Features =
-    FindFeatures(surface, options.FeatureAngle, MinimumPatch * cells.CellSize * cells.CellSize);
+  result.Features = FindFeatures(surface, options, cells.CellSize);
   result.Fit = FitHexahedra(
     cells.Solid, surface, result.Features, { options.PaddingLayers }, progress.Part(0.4, 0.9));
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
@@ -213,10 +199,9 @@ HexRemeshResult ByTheBetter(
   return grid;
 }
 
-void RequireInRange(const HexRemeshOptions& options)
+/// Throws if the options of the size are out of range or contradict one another.
+void RequireOneSize(const HexRemeshOptions& options)
 {
-  RequireOption(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize",
-    options.CellSize, "positive, or 0 for an automatic one");
   RequireOption(options.CellsOnLongestSide >= 0, "CellsOnLongestSide", options.CellsOnLongestSide,
     "positive, or 0 for none");
   if (options.CellSize > 0.0 && options.CellsOnLongestSide > 0)
@@ -225,11 +210,6 @@ void RequireInRange(const HexRemeshOptions& options)
       " and CellsOnLongestSide is " + std::to_string(options.CellsOnLongestSide) +
       ", which both give the size of cells; set one of them to 0");
   }
-  RequireOption(
-    options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
-  RequireOption(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
-  RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
-    options.FeatureAngle, "in (0, 180]");
 }
 
 bool NeedsGrid(const HexRemeshGuides& guides)
@@ -307,6 +287,7 @@ HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& 
   const Progress& progress, const HexRemeshGuides& guides)
 {
   RequireInRange(given);
+  RequireOneSize(given);
   RequireClosedSurface(surface, "the surface");
   RequireAgreement(surface, given, guides);
   HexRemeshOptions options = given;

@@ -15,7 +15,9 @@
 namespace shape
 {
 
-struct HexRemeshOptions
+/// CellSize: smaller cells are used where the surface asks for them, too; 0: one that gives about
+/// 20,000 hexahedra. MaximumHexahedra: with an automatic CellSize.
+struct HexRemeshOptions : HexMeshOptions
 {
   enum class MethodType
   {
@@ -24,16 +26,9 @@ struct HexRemeshOptions
     Grid = 2       ///< the cells of a grid in the solid: BuildGridHexahedra
   };
   MethodType Method = MethodType::Automatic;
-  /// Of the cells, in the surface's units; smaller ones are used where these cannot have the
-  /// solid's topology, and where the surface asks for them. 0: one that gives about 20,000
-  /// hexahedra.
-  double CellSize = 0.0;
   /// How many cells there are on the longest side of the surface's box, instead of a CellSize; 0:
   /// not used.
   int CellsOnLongestSide = 0;
-  int MaximumHexahedra = 200000; ///< with an automatic CellSize
-  int PaddingLayers = 1;         ///< of hexahedra along the surface; >= 1
-  double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
 };
 
 /// What hexahedra follow besides the surface.

@@ -27,7 +27,7 @@ Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges);
  *
  *   (1 - t) |J|^2 / (3 chi^(2/3)) + t (D^2 + 1) / (2 chi),  chi = (D + sqrt(D^2 + epsilon^2)) / 2
  *
- * with t = VolumeShare: 1, the least, for a rotation. Finite for every J while epsilon > 0; as
+ * with t = VolumeShare: 1, the minimum, for a rotation. Finite for every J while epsilon > 0; as
  * epsilon falls it becomes a barrier at D = 0.
  */
 class EllipticEnergy
@@ -38,7 +38,7 @@ public:
   /// The stand-in for the determinant; positive where epsilon is.
   static double Chi(double determinant, double epsilon);
 
-  /// The epsilon at which Chi(determinant, epsilon) = chi; `least` where none is greater.
+  /// The epsilon at which Chi(determinant, epsilon) = chi; `minimum` where none is greater.
   static double EpsilonFor(double determinant, double chi, double minimum);
 
   EllipticEnergy(const Eigen::Matrix3d& jacobian, double epsilon);

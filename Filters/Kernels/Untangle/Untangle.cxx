@@ -3,12 +3,12 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
 #include "Mesh/Topology.h"
+#include "Search/ClosestPoint.h"
+#include "Untangle/FoldoverFree.h"
 #include "Untangle/Private/CellSplits.h"
-#include "Untangle/Private/LocalSizes.h"
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"
 #include "Untangle/Private/TutteEmbedding.h"
-#include "Untangle/FoldoverFree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,7 +143,7 @@ private:
     return !this->Solid.OnBoundary(point) || (this->Sliding && this->Sliding->Freedom(point) > 0);
   }
 
-  /// Each set of movable points around inverted cells that hangs together is a patch of its own.
+  /// Each set of movable points around inverted cells that is connected is a patch of its own.
   void MovePoints(int rings, const Progress& progress)
   {
     const Eigen::VectorXd sizes = ComputeLogarithmicSizes(this->Solid);
@@ -316,6 +316,48 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     result.MovedPoints += result.Solid.Points.row(i) != cells.Points.row(i);
   }
   return result;
+}
+
+namespace
+{
+
+constexpr double OnSurface = 1e-6;
+
+} // namespace
+
+UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
+  const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress)
+{
+  RequireFinite(domain.Points, "the Domain");
+  const SolidCells solid(domain, {}, "the Domain");
+  std::vector<int> outer;
+  for (int point = 0; point < solid.PointCount(); ++point)
+  {
+    if (solid.OnBoundary(point))
+    {
+      outer.push_back(point);
+    }
+  }
+  const ClosestPoints closest =
+    SurfaceLocator(boundary).Find(domain.Points(outer, Eigen::all), progress.Part(0.0, 0.1));
+  const Eigen::MatrixXd images = PullBack(closest, boundary.Triangles, targets);
+  Cells carried = domain;
+  carried.Points = moved;
+  const double farthest = OnSurface * ComputeLongestBoxEdge(boundary.Points);
+  for (std::size_t i = 0; i < outer.size(); ++i)
+  {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (closest.Distances(row) <= farthest)
+    {
+      // At a point of the surface its own image, to the bit.
+      int corner = 0;
+      const bool atCorner = closest.Barycentrics.row(row).maxCoeff(&corner) > 1.0 - 1e-9;
+      carried.Points.row(outer[i]) = atCorner
+        ? targets.row(boundary.Triangles(closest.Triangles(row), corner))
+        : images.row(row);
+    }
+  }
+  return Untangle(carried, domain.Points, {}, progress.Part(0.1, 1.0));
 }
 
 } // namespace shape

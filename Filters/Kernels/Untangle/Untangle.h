@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Cells.h"
+#include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
 
@@ -40,9 +41,9 @@ struct UntangleResult
  * cells: tetrahedra, pyramids, wedges, hexahedra, in VTK's order of points. A cell is inverted
  * where a corner tetrahedron is not positive (a tetrahedron is its own; the corners of a pyramid's
  * base, which suffice; all corners of wedges and hexahedra, which are necessary for a positive
- * Jacobian, and nearly always suffice); this is told exactly. rest (n x 3, or empty): the same
- * points before the map to be untangled, whose distortion is what the energy measures; else cells
- * become like regular ones. Sizes are those of the boundary, smooth inside.
+ * Jacobian, and nearly always suffice); exact predicates decide this. rest (n x 3, or empty): the
+ * same points before the map to be untangled, whose distortion is what the energy measures; else
+ * cells become like regular ones. Sizes are those of the boundary, smooth inside.
  *
  * Only points around inverted cells move, with more of their surroundings where that does not
  * suffice. With a fixed boundary, which stays to the bit, some tetrahedra cannot be positive, such
@@ -57,5 +58,17 @@ struct UntangleResult
  */
 UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest = {},
   const UntangleOptions& options = {}, const Progress& progress = {});
+
+/**
+ * A solid that a map of its boundary's surface has carried, without inverted cells: points of the
+ * solid's boundary that lie on the surface (to 1e-6 of its longest side) are put exactly on its
+ * image, the others stay where the map took them, and what is inside is untangled, the boundary
+ * fixed (Untangle). The result is a mesh, not a map that could be evaluated elsewhere.
+ *
+ * domain: solid cells before the map; moved (n x 3): where it took their points. boundary: a
+ * surface in the domain's space; targets: the images of its points. Throws what Untangle throws.
+ */
+UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
+  const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress = {});
 
 } // namespace shape

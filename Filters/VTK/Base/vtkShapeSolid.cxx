@@ -25,7 +25,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
-#include "Untangle/FoldFree.h"
+#include "Untangle/Untangle.h"
 
 #include <map>
 #include <utility>

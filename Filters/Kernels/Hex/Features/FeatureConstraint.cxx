@@ -16,21 +16,21 @@ struct PolylinePosition
   Eigen::Index Segment;
 };
 
-/// The place of a polyline (k x 3, k >= 1) closest to another one.
-PolylinePosition NearestOn(const Eigen::MatrixXd& line, const Eigen::RowVector3d& place)
+/// The position of a polyline (k x 3, k >= 1) closest to another one.
+PolylinePosition NearestOn(const Eigen::MatrixXd& line, const Eigen::RowVector3d& position)
 {
   PolylinePosition nearest{ line.row(0), 0 };
-  double minimum = (line.row(0) - place).squaredNorm();
+  double minimum = (line.row(0) - position).squaredNorm();
   for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
   {
     const Eigen::RowVector3d along = line.row(i + 1) - line.row(i);
     const double length = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
-    const double share = std::clamp((place - line.row(i)).dot(along) / length, 0.0, 1.0);
-    const Eigen::RowVector3d position = line.row(i) + share * along;
-    if (const double distance = (position - place).squaredNorm(); distance < minimum)
+    const double share = std::clamp((position - line.row(i)).dot(along) / length, 0.0, 1.0);
+    const Eigen::RowVector3d candidate = line.row(i) + share * along;
+    if (const double distance = (candidate - position).squaredNorm(); distance < minimum)
     {
       minimum = distance;
-      nearest = { position, i };
+      nearest = { candidate, i };
     }
   }
   return nearest;
@@ -81,34 +81,34 @@ int FeatureConstraint::Freedom(int point) const
   return this->FreedomOf[point];
 }
 
-PointDirections FeatureConstraint::Directions(int point, const Eigen::RowVector3d& place) const
+PointDirections FeatureConstraint::Directions(int point, const Eigen::RowVector3d& position) const
 {
   const int id = this->PositionOf[point];
   if (this->FreedomOf[point] == 1)
   {
     const Eigen::MatrixXd& span = this->Spans[id];
-    const Eigen::Index segment = NearestOn(span, place).Segment;
+    const Eigen::Index segment = NearestOn(span, position).Segment;
     return (span.row(segment + 1) - span.row(segment)).normalized().transpose();
   }
   const Eigen::Vector3d normal =
-    this->Normals[id].row(this->FindOnPatch(point, place).Triangle).transpose();
+    this->Normals[id].row(this->FindOnPatch(point, position).Triangle).transpose();
   const Eigen::Vector3d one = normal.unitOrthogonal();
   Eigen::Matrix<double, 3, 2> directions;
   directions << one, normal.cross(one);
   return directions;
 }
 
-Eigen::RowVector3d FeatureConstraint::Nearest(int point, const Eigen::RowVector3d& place) const
+Eigen::RowVector3d FeatureConstraint::Nearest(int point, const Eigen::RowVector3d& position) const
 {
   const int id = this->PositionOf[point];
-  return this->FreedomOf[point] < 2 ? NearestOn(this->Spans[id], place).Position
-                                    : this->FindOnPatch(point, place).Position;
+  return this->FreedomOf[point] < 2 ? NearestOn(this->Spans[id], position).Position
+                                    : this->FindOnPatch(point, position).Position;
 }
 
-ClosestPoint FeatureConstraint::FindOnPatch(int point, const Eigen::RowVector3d& place) const
+ClosestPoint FeatureConstraint::FindOnPatch(int point, const Eigen::RowVector3d& position) const
 {
   const ClosestPoint found =
-    this->Positions[this->PositionOf[point]].FindOne(place, this->Guesses[point]);
+    this->Positions[this->PositionOf[point]].FindOne(position, this->Guesses[point]);
   this->Guesses[point] = found.Triangle;
   return found;
 }

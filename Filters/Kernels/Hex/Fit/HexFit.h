@@ -1,12 +1,15 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Hex/Features/FeatureDeviation.h"
+#include "Distance/HausdorffDistance.h"
 #include "Hex/Fit/InnerInterfaces.h"
 #include "Hex/Fit/Snapping.h"
 #include "Mesh/HexMesh.h"
+#include "Mesh/Mesh.h"
 #include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
+
+#include <Eigen/Core>
 
 #include <limits>
 #include <memory>
@@ -14,6 +17,44 @@
 
 namespace shape
 {
+
+/// How well the boundary of hexahedra has the creases and corners of a surface.
+struct FeatureDeviation
+{
+  /// The larger one-sided Hausdorff distance between the surface's curves and the edges between
+  /// quads of different patches, at positions along both; to the whole boundary where it is of one
+  /// patch. 0 where the surface has no curves.
+  double Distance = 0.0;
+  std::vector<int> CornerPoints; ///< of the boundary, those exactly at a corner of the surface
+};
+
+/// quads: q x 4, of points. patchOf: q.
+FeatureDeviation CompareCreases(const Mesh& surface, const SurfaceFeatures& features,
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
+
+/// Positions along the surface's curves, and how far each is from the edges between quads of
+/// different patches; from the whole boundary where it is of one patch.
+SampledDistances ComputeDistancesToCurves(const Mesh& surface, const SurfaceFeatures& features,
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
+
+/// What every way to hexahedra has in common.
+struct HexMeshOptions
+{
+  /// Of the cells, in the surface's units; smaller ones are used if these cannot have the solid's
+  /// topology. 0: automatic.
+  double CellSize = 0.0;
+  int MaximumHexahedra = 200000; ///< no smaller cells are tried than give this many
+  int PaddingLayers = 1;         ///< of hexahedra along the surface; >= 1
+  double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
+};
+
+/// Throws InvalidInput if one of the options is out of its range.
+void RequireInRange(const HexMeshOptions& options);
+
+/// The creases that hexahedra of cells of this size can have: those around patches at least 4 faces
+/// of a cell large.
+SurfaceFeatures FindFeatures(
+  const Surface& surface, const HexMeshOptions& options, double cellSize);
 
 struct HexFitOptions
 {

@@ -36,7 +36,7 @@ public:
   /// must outlive this.
   InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers);
 
-  /// Of each hexahedron of a mesh of so many; those that were added later are of region 0.
+  /// Of each hexahedron of a mesh of this many; those that were added later are of region 0.
   Eigen::VectorXi Regions(Eigen::Index hexahedra) const;
 
   /// Puts the points of layers evenly between the interface and what is beyond them.

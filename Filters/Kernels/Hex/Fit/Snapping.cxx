@@ -1,7 +1,7 @@
 #include "Hex/Fit/Snapping.h"
 
 #include "Distance/HausdorffDistance.h"
-#include "Hex/Features/OverridableConstraint.h"
+#include "Hex/Features/FeatureConstraint.h"
 #include "Hex/Optimize/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
 #include "Search/ClosestPoint.h"
@@ -54,9 +54,9 @@ public:
 
   double Distance() const { return this->Reached; }
 
-  /// Puts points on the places that are far; where this makes hexahedra too bad all is undone, and
-  /// the points that did are put less far the next time. False where nothing is gained by one more
-  /// round.
+  /// Puts points on the positions that are far; where this makes hexahedra too bad all is undone,
+  /// and the points that did are put less far the next time. False where nothing is gained by one
+  /// more round.
   bool Round(const SnappingOptions& options, const Progress& progress)
   {
     const Eigen::MatrixXd before = this->Solid.Points;
@@ -143,7 +143,7 @@ private:
     return found;
   }
 
-  /// Of each place that is far the nearest point of the quad there.
+  /// Of each position that is far the nearest point of the quad there.
   std::vector<int> NearestPoints() const
   {
     Eigen::MatrixXd positions(this->Far.size(), 3);
@@ -165,7 +165,7 @@ private:
     return nearest;
   }
 
-  /// Puts the nearest point of the boundary on each place that is far, farthest first, but for
+  /// Puts the nearest point of the boundary on each position that is far, farthest first, but for
   /// points next to another one that is put, and holds them. Marks these; none where there are
   /// none.
   std::vector<char> Snap()

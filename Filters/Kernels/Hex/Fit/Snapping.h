@@ -22,7 +22,7 @@ struct SnappingOptions
 
 /**
  * Ridges and tips that are sharper than the cells lie between the points of a boundary that is on a
- * surface, and are cut off. Here the points nearest to the places that are farthest are put on
+ * surface, and are cut off. Here the points nearest to the positions that are farthest are put on
  * them and held, and the points around are moved so that the worst scaled Jacobian is as good as
  * it can be (OptimizeHexahedra). Done again as long as the distance falls, a few times; a round
  * that makes it larger, or hexahedra too bad, is undone. Points on creases stay.

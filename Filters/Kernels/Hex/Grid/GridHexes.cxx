@@ -3,8 +3,8 @@
 #include "Base/Errors.h"
 #include "Distance/HausdorffDistance.h"
 #include "Hex/Grid/Private/SeparateSolids.h"
+#include "Hex/Voxels/GridDensity.h"
 #include "Hex/Voxels/MultiMaterialVoxels.h"
-#include "Hex/Voxels/RefinementSeeds.h"
 #include "Quality/ScaledJacobian.h"
 #include "Remesh/SurfaceFeatures.h"
 #include "Search/ClosestPoint.h"
@@ -27,17 +27,15 @@ constexpr double Shrinkage = 0.85;
 /// By which there are more hexahedra in the next grids with an automatic size, and where most of
 /// the solid asks for smaller cells.
 constexpr double Growth = 1.4, LargeGrowth = 3.0;
-/// The area of the smallest patch with borders of its own, in faces of cells.
-constexpr double MinimumPatch = 4.0;
 /// What is good enough not to go on to smaller cells everywhere.
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
-/// The worst scaled Jacobian that may well become an accepted one by more time spent on it.
+/// The worst scaled Jacobian that is likely to become an accepted one by more time spent on it.
 constexpr double RaisedFrom = 0.4;
-/// What is farther by more than so many times is not snapped to, but asks for another grid.
+/// What is farther by more than this many times is not snapped to, but asks for another grid.
 constexpr double SnappedFrom = 2.0;
 /// How much better smaller cells must make the result for still smaller ones to be tried.
 constexpr double LeastGain = 0.02;
-/// After so many rounds without such a gain no more are made.
+/// After this many rounds without such a gain no more are made.
 constexpr int MaximumIdleSteps = 2;
 
 class GridSearch
@@ -69,13 +67,13 @@ public:
   /// the next.
   double Refine(double size, double hexahedra, int rounds, const Progress& progress)
   {
-    std::vector<RefinementSeed> magnifiers = this->Options.Seeds;
+    std::vector<RefinementSeed> seeds = this->Options.Seeds;
     double growth = Growth;
     double reached = -std::numeric_limits<double>::infinity();
     int idle = 0; // rounds without a gain
     for (int round = 0; round < rounds; ++round)
     {
-      const GridDensity warp(magnifiers);
+      const GridDensity warp(seeds);
       const Progress part =
         progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
       const double first = size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp);
@@ -86,11 +84,11 @@ public:
         break;
       }
       this->LargestSize = result->CellSize / Shrinkage;
-      const std::size_t before = magnifiers.size();
+      const std::size_t before = seeds.size();
       bool isSnapped = this->IsAsWanted(*result);
       if (!isSnapped)
       {
-        if (this->Magnify(*result, magnifiers))
+        if (this->AddSeeds(*result, seeds))
         {
           growth = LargeGrowth;
         }
@@ -101,8 +99,7 @@ public:
         }
       }
       // Where nothing is magnified the next grid would be the same.
-      const bool isLast =
-        magnifiers.size() == before || this->IsAsWanted(*result) || growth > Growth;
+      const bool isLast = seeds.size() == before || this->IsAsWanted(*result) || growth > Growth;
       ++this->Rounds;
       const double score = this->Score(*result);
       idle = score < reached + LeastGain ? idle + 1 : 0;
@@ -194,15 +191,11 @@ private:
         GridHexesResult result;
         result.CellSize = size;
         result.Crossings = this->Cubes.Boundary().Crossings;
-        result.Features =
-          FindFeatures(this->Bounding, this->Options.FeatureAngle, MinimumPatch * size * size);
+        result.Features = FindFeatures(this->Bounding, this->Options, size);
         result.InnerCreasesKept =
           std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
             [&](const Surface& inner)
-            {
-              return FindFeatures(inner, this->Options.FeatureAngle, MinimumPatch * size * size)
-                .Curves.empty();
-            });
+            { return FindFeatures(inner, this->Options, size).Curves.empty(); });
         result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, this->FitOptions(),
           progress.Part(0.1, 1.0), { &*cells, &this->InnerBounding });
         return result;
@@ -305,7 +298,8 @@ private:
     }
   }
 
-  /// Whether snapping may well make it what is wanted, or what is accepted where nothing is yet.
+  /// Whether snapping is likely to make it what is wanted, or what is accepted where nothing is
+  /// yet.
   bool IsWorthSnapping(const GridHexesResult& result) const
   {
     return this->Reaches(result,
@@ -326,7 +320,7 @@ private:
       Distance(result) <= distance * this->Diagonal;
   }
 
-  /// Whether snapping may well reach the accepted distance.
+  /// Whether snapping is likely to reach the accepted distance.
   bool IsNear(const GridHexesResult& result) const
   {
     return this->Reaches(result, 0.0, SnappedFrom * AcceptedDistance);
@@ -347,10 +341,10 @@ private:
       (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
   }
 
-  /// Adds magnifiers where the surfaces or their creases are far from each other, at corners that
+  /// Adds seeds where the surfaces or their creases are far from each other, at corners that
   /// patches too small for the cells have, and at bad hexahedra. Whether these are for most of the
   /// solid.
-  bool Magnify(const GridHexesResult& result, std::vector<RefinementSeed>& magnifiers) const
+  bool AddSeeds(const GridHexesResult& result, std::vector<RefinementSeed>& seeds) const
   {
     const HexMesh& solid = result.Fit.Solid;
     RefinementSeeds positions(result.CellSize);
@@ -380,7 +374,7 @@ private:
       }
     }
     positions.AddBad(solid, AcceptedScaledJacobian);
-    magnifiers.insert(magnifiers.end(), positions.Seeds().begin(), positions.Seeds().end());
+    seeds.insert(seeds.end(), positions.Seeds().begin(), positions.Seeds().end());
     return positions.AreMostOf(solid.Hexahedra.rows());
   }
 
@@ -398,16 +392,10 @@ private:
   int Rounds = 0;
 };
 
-void RequireInRange(const GridHexesOptions& options)
+void RequireGridInRange(const GridHexesOptions& options)
 {
-  RequireOption(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize",
-    options.CellSize, "positive, or 0 for an automatic one");
-  RequireOption(
-    options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
-  RequireOption(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");
+  RequireInRange(options);
   RequireOption(options.Rounds >= 1, "Rounds", options.Rounds, "at least 1");
-  RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
-    options.FeatureAngle, "in (0, 180]");
   RequireOption(options.WantedCreaseDistance > 0.0, "WantedCreaseDistance",
     options.WantedCreaseDistance, "positive");
   RequireOption(options.WantedDistance > 0.0, "WantedDistance", options.WantedDistance, "positive");
@@ -483,7 +471,7 @@ GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Mesh>& 
 GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Mesh>& innerSurfaces)
 {
-  RequireInRange(options);
+  RequireGridInRange(options);
   if (innerSurfaces.empty())
   {
     const std::vector<Mesh> solids = SplitSolids(surface, progress.Part(0.0, 0.02));

@@ -11,16 +11,11 @@
 namespace shape
 {
 
-struct GridHexesOptions
+/// CellSize 0: one that gives about 20,000 hexahedra, or smaller ones if these are not good enough
+/// anywhere but at corners that are kept, where other grids have the same.
+struct GridHexesOptions : HexMeshOptions
 {
-  /// Of the grid, in the surface's units; a smaller one is used where this one cannot have the
-  /// solid's topology. 0: one that gives about 20,000 hexahedra, or smaller ones where these are
-  /// not good enough anywhere but at corners that are kept, where other grids have the same.
-  double CellSize = 0.0;
-  int MaximumHexahedra = 200000;   ///< no smaller cells are tried than give so many
-  double FirstHexahedra = 16500.0; ///< about so many cells in the first grid of an automatic size
-  int PaddingLayers = 1;           ///< of hexahedra around the cells; >= 1
-  double FeatureAngle = 40.0;      ///< between normals, in degrees: what is sharper is a crease
+  double FirstHexahedra = 16500.0; ///< about this many cells in the first grid of an automatic size
   /// The scaled Jacobian of the worst hexahedron that is aimed at.
   double WantedScaledJacobian = 0.62;
   /// What distances are shares of, in the surface's units; 0: the diagonal of the surface's box.
@@ -55,7 +50,7 @@ struct GridHexesResult
  * (FitHexahedra).
  *
  * Where the result is farther from the surface than wanted, or has bad hexahedra, the next grid is
- * one of smaller cells there: space is magnified around these places before the grid is laid
+ * one of smaller cells there: space is magnified around these positions before the grid is laid
  * (GridDensity), and the connections stay those of a regular grid. The best result is kept. What is
  * near the wanted distance, and the best one, are snapped to what is farther (SnapToSurface).
  *

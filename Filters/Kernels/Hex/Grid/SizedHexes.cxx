@@ -1,13 +1,236 @@
 #include "Hex/Grid/SizedHexes.h"
 
+#include "Base/Errors.h"
 #include "Base/Parallel.h"
-#include "Hex/Grid/SizeField.h"
+#include "Mesh/HexMesh.h"
+#include "Search/ClosestPoint.h"
 
+#include <Eigen/Dense>
+
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace shape
 {
+namespace
+{
+
+/// Of the natural logarithm of a size: what is not mended, and what is too large or too small.
+const double Tolerated = std::log(1.1), Accepted = std::log(1.2);
+/// No seed is smaller than this many cells, where it stands.
+constexpr double MinimumRadius = 3.0;
+constexpr int MaximumSeeds = 400;
+
+class SizeFit
+{
+public:
+  SizeFit(const Surface& surface, const Eigen::VectorXd& sizes)
+  {
+    constexpr int count = 3000;
+    constexpr unsigned int seed = 1;
+    const Eigen::MatrixXd spread = SampleRandomly(surface, count, seed);
+    // Small parts with small cells have points, if not much area.
+    const Eigen::Index stride = surface.Points().rows() / count + 1;
+    const Eigen::Index points = (surface.Points().rows() + stride - 1) / stride;
+    this->Positions.resize(count + points, 3);
+    this->Positions.topRows(count) = spread;
+    for (Eigen::Index i = 0; i < points; ++i)
+    {
+      this->Positions.row(count + i) = surface.Points().row(i * stride);
+    }
+    const ClosestPoints closest = SurfaceLocator(surface).Find(this->Positions);
+    this->Wanted = PullBack(closest, surface.Triangles(), sizes).col(0).array().log();
+    this->Stretch = Eigen::VectorXd::Zero(this->Wanted.size());
+    this->CellSize = this->Wanted.mean();
+  }
+
+  /// What is left over: logarithms of the sizes of cells by those wanted.
+  Eigen::VectorXd Excess() const
+  {
+    return (this->CellSize - this->Stretch.array() - this->Wanted.array()).matrix();
+  }
+
+  /// Adds seeds where cells have not the size wanted; false where there is no such position.
+  bool Add(double radius)
+  {
+    const Eigen::VectorXd excess = this->Excess().cwiseAbs();
+    std::vector<int> order;
+    for (int i = 0; i < static_cast<int>(excess.size()); ++i)
+    {
+      if (excess(i) > Tolerated && radius > MinimumRadius * std::exp(this->Wanted(i)))
+      {
+        order.push_back(i);
+      }
+    }
+    std::stable_sort(
+      order.begin(), order.end(), [&](int a, int b) { return excess(a) > excess(b); });
+    const std::size_t before = this->Seeds.size();
+    for (const int i : order)
+    {
+      const Eigen::RowVector3d centre = this->Positions.row(i);
+      if (this->Seeds.size() < MaximumSeeds &&
+        std::none_of(this->Seeds.begin() + static_cast<std::ptrdiff_t>(before), this->Seeds.end(),
+          [&](const RefinementSeed& other) { return (other.Centre - centre).norm() < radius; }))
+      {
+        this->Seeds.push_back({ centre, radius, 0.0 });
+      }
+    }
+    return this->Seeds.size() > before;
+  }
+
+  /// One step of Gauss and Newton's for all strengths and the size of the grid.
+  void Step()
+  {
+    constexpr double ridge = 1e-3;
+    const auto count = static_cast<Eigen::Index>(this->Seeds.size());
+    const Eigen::MatrixXd moved = GridDensity(this->Seeds).Forward(this->Positions);
+    Eigen::MatrixXd slopes(this->Positions.rows(), count + 1);
+    for (Eigen::Index j = 0; j < count; ++j)
+    {
+      // The divergence of the velocity at both ends of the way.
+      const RefinementSeed& seed = this->Seeds[j];
+      for (Eigen::Index i = 0; i < slopes.rows(); ++i)
+      {
+        slopes(i, j) =
+          0.5 * (Divergence(seed, this->Positions.row(i)) + Divergence(seed, moved.row(i)));
+      }
+    }
+    slopes.col(count).setConstant(-1.0);
+    Eigen::VectorXd strengths(count + 1);
+    for (Eigen::Index j = 0; j < count; ++j)
+    {
+      strengths(j) = this->Seeds[j].Strength;
+    }
+    strengths(count) = 0.0;
+    Eigen::MatrixXd normal = slopes.transpose() * slopes;
+    Eigen::VectorXd right = slopes.transpose() * this->Excess();
+    const double weight = ridge * static_cast<double>(slopes.rows());
+    normal.diagonal().head(count).array() += weight;
+    right.head(count) -= weight * strengths.head(count);
+    const Eigen::VectorXd step = normal.ldlt().solve(right);
+    for (Eigen::Index j = 0; j < count; ++j)
+    {
+      this->Seeds[j].Strength += step(j);
+    }
+    this->CellSize += step(count);
+    this->FindStretch();
+  }
+
+  SizedGrid Result() const
+  {
+    const Eigen::ArrayXd excess = this->Excess();
+    const auto share = [&](const auto& holds)
+    { return static_cast<double>(holds.count()) / static_cast<double>(excess.size()); };
+    return { this->Seeds, std::exp(this->CellSize), share(excess <= Accepted),
+      share(excess >= -Accepted) };
+  }
+
+private:
+  /// A third of the divergence of a seed's velocity at strength 1.
+  static double Divergence(const RefinementSeed& seed, const Eigen::RowVector3d& position)
+  {
+    const double scaled = (position - seed.Centre).squaredNorm() / (seed.Radius * seed.Radius);
+    return (1.0 - scaled / 3.0) * std::exp(-0.5 * scaled);
+  }
+
+  /// The logarithm of the flow's stretch, the cubic root of its determinant, at the positions.
+  void FindStretch()
+  {
+    const GridDensity warp(this->Seeds);
+    double minimum = this->Seeds.front().Radius;
+    for (const RefinementSeed& seed : this->Seeds)
+    {
+      minimum = std::min(minimum, seed.Radius);
+    }
+    const double step = 1e-3 * minimum;
+    Eigen::MatrixXd slopes[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Eigen::RowVector3d way = step * Eigen::RowVector3d::Unit(axis);
+      slopes[axis] = (warp.Forward(this->Positions.rowwise() + way) -
+                       warp.Forward(this->Positions.rowwise() - way)) /
+        (2.0 * step);
+    }
+    for (Eigen::Index i = 0; i < this->Stretch.size(); ++i)
+    {
+      Eigen::Matrix3d jacobian;
+      jacobian << slopes[0].row(i), slopes[1].row(i), slopes[2].row(i);
+      this->Stretch(i) = std::log(std::max(jacobian.determinant(), 1e-12)) / 3.0;
+    }
+  }
+
+  Eigen::MatrixXd Positions;
+  Eigen::VectorXd Wanted;  ///< logarithms of the sizes
+  Eigen::VectorXd Stretch; ///< logarithms
+  double CellSize;         ///< a logarithm
+  std::vector<RefinementSeed> Seeds;
+};
+
+} // namespace
+
+void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes)
+{
+  if (sizes.size() != surface.Points().rows())
+  {
+    throw InvalidInput("the SizeArray has " + std::to_string(sizes.size()) +
+      " values for the surface's " + std::to_string(surface.Points().rows()) +
+      " points; give one for each");
+  }
+  const auto good = [](double size) { return std::isfinite(size) && size > 0.0; };
+  const auto bad =
+    std::count_if(sizes.begin(), sizes.end(), [&](double size) { return !good(size); });
+  if (bad > 0)
+  {
+    const auto first = std::find_if_not(sizes.begin(), sizes.end(), good) - sizes.begin();
+    throw InvalidInput("the SizeArray has " + std::to_string(bad) +
+      " values that are not positive and finite (first at point " + std::to_string(first) + ": " +
+      std::to_string(sizes(first)) + "); sizes are lengths in the surface's units");
+  }
+}
+
+SizedGrid BuildSizedGrid(
+  const Surface& surface, const Eigen::VectorXd& sizes, const Progress& progress)
+{
+  SizeFit fit(surface, sizes);
+  constexpr int levels = 7, steps = 3;
+  double radius = 0.5 * ComputeLongestBoxEdge(surface.Points());
+  for (int level = 0; level < levels; ++level, radius *= 0.5)
+  {
+    if (fit.Add(radius))
+    {
+      for (int step = 0; step < steps; ++step)
+      {
+        fit.Step();
+        progress((level + (step + 1.0) / steps) / levels);
+      }
+    }
+  }
+  progress(1.0);
+  return fit.Result();
+}
+
+Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+  const Surface& surface, const Eigen::VectorXd& sizes)
+{
+  Eigen::MatrixXd midpoints(quads.rows(), 3);
+  for (Eigen::Index q = 0; q < quads.rows(); ++q)
+  {
+    midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
+  }
+  const Eigen::VectorXd wanted =
+    PullBack(SurfaceLocator(surface).Find(midpoints), surface.Triangles(), sizes).col(0);
+  const Eigen::VectorXd areas =
+    0.5 * ComputeAreaVectors({ points, SplitQuads(quads) }).rowwise().norm();
+  Eigen::VectorXd ratios(quads.rows());
+  for (Eigen::Index q = 0; q < quads.rows(); ++q)
+  {
+    ratios(q) = std::sqrt(areas(2 * q) + areas(2 * q + 1)) / wanted(q);
+  }
+  return ratios;
+}
+
 namespace
 {
 

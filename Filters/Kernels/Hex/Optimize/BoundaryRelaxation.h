@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Hex/Features/OverridableConstraint.h"
+#include "Hex/Features/FeatureConstraint.h"
 #include "Mesh/HexMesh.h"
 
 #include <functional>

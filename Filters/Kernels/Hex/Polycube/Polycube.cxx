@@ -43,7 +43,7 @@ public:
       std::count(this->Fixed[point].begin(), this->Fixed[point].end(), false));
   }
 
-  PointDirections Directions(int point, const Eigen::RowVector3d& /*place*/) const override
+  PointDirections Directions(int point, const Eigen::RowVector3d& /*position*/) const override
   {
     PointDirections directions(3, this->Freedom(point));
     for (int axis = 0, column = 0; axis < 3; ++axis)
@@ -182,7 +182,7 @@ std::vector<std::array<bool, 3>> Snap(
   return fixed;
 }
 
-/// Moves the points of triangles that are turned over, and so many rings around them.
+/// Moves the points of triangles that are inverted, and this many rings around them.
 void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
   const std::vector<std::array<bool, 3>>& fixed, int rings, Eigen::MatrixXd& positions,
   const Progress& progress)

@@ -24,19 +24,19 @@ struct PolycubeResult
   double EdgeLength = 0.0;   ///< the unit: charts are at whole multiples of it
   int Charts = 0;            ///< of the triangles
   int Corners = 0;           ///< points of three charts or more
-  double Distortion = 0.0;   ///< the mean elliptic energy of the solid's map; 1 is the least
+  double Distortion = 0.0;   ///< the mean elliptic energy of the solid's map; 1 is the minimum
 };
 
 /**
  * A polycube of a closed surface: a shape whose faces are across the axes at whole multiples of
- * one length, and a map of the surface onto it that turns no triangle over (Tarini, Hormann,
+ * one length, and a map of the surface onto it that inverts no triangle (Tarini, Hormann,
  * Cignoni and Montani, "PolyCube-Maps", 2004), by the polycube of a coarse solid close to it
- * (FindPolycubeMap), whose labels and places its triangles and points take.
+ * (FindPolycubeMap), whose labels and positions its triangles and points take.
  *
- * Each triangle lies exactly in the plane of its chart. Where a triangle is turned over by that, it
+ * Each triangle lies exactly in the plane of its chart. Where a triangle is inverted by that, it
  * and those around it are moved in their planes (MinimizeEnergy).
  *
- * Throws as FindPolycubeMap; SolveFailure where triangles stay turned over, as where they are
+ * Throws as FindPolycubeMap; SolveFailure where triangles stay inverted, as where they are
  * larger than the polycube's faces.
  */
 PolycubeResult BuildPolycube(

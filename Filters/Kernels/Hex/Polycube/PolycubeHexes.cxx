@@ -2,7 +2,6 @@
 
 #include "Base/Errors.h"
 #include "Harmonic/HarmonicVolumeMap.h"
-#include "Hex/Polycube/Polycube.h"
 #include "Hex/Polycube/Private/Charts.h"
 #include "Hex/Polycube/Private/IntegerMapHexes.h"
 #include "Hex/Polycube/Private/PolycubeMap.h"
@@ -25,8 +24,6 @@ namespace shape
 namespace
 {
 
-/// The area of the smallest patch with borders of its own, in faces of cells.
-constexpr double MinimumPatch = 4.0;
 /// Where the worst hexahedron of a polycube with charts is worse, that of a grid is tried, too.
 constexpr double MinimumAccepted = 0.2;
 
@@ -150,8 +147,7 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const Surface& surface,
   const PolycubeHexesOptions& options, const Progress& progress)
 {
   PolycubeHexesResult result;
-  const double size = cubes.CellSize;
-  result.Features = FindFeatures(surface, options.FeatureAngle, MinimumPatch * size * size);
+  result.Features = FindFeatures(surface, options, cubes.CellSize);
   result.Fit = FitHexahedra(cubes.Solid, surface, result.Features,
     { options.PaddingLayers, options.MaximumHexahedra }, progress);
   // Points of the boundary stay points of the boundary.
@@ -179,10 +175,7 @@ PolycubeHexesResult BuildPolycubeHexahedra(
   const Surface& given, const PolycubeHexesOptions& options, const Progress& progress)
 {
   const Surface surface = OrientOutwards(given);
-  if (options.MaximumHexahedra < 1)
-  {
-    throw InvalidInput("MaximumHexahedra must be at least 1");
-  }
+  RequireInRange(options);
   std::string why;
   const std::optional<Cubes> cubes = CubesOfCharts(surface, options, why, progress.Part(0.0, 0.4));
   std::optional<PolycubeHexesResult> result;

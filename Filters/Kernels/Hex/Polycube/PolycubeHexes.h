@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Hex/Fit/HexFit.h"
+#include "Hex/Polycube/Polycube.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Surface.h"
 #include "Remesh/SurfaceFeatures.h"
@@ -11,13 +12,10 @@
 namespace shape
 {
 
-struct PolycubeHexesOptions
+/// CellSize 0: what gives about 16,000 hexahedra.
+struct PolycubeHexesOptions : HexMeshOptions
 {
-  double CellSize = 0.0;    ///< in the surface's units; 0: what gives about 16,000 hexahedra
-  double Compactness = 3.0; ///< see FindPolycubeMap
-  int MaximumHexahedra = 200000;
-  int PaddingLayers = 1;      ///< of hexahedra around the polycube's cells; >= 1
-  double FeatureAngle = 40.0; ///< between normals, in degrees: what is sharper is a crease
+  double Compactness = PolycubeOptions().Compactness;
 };
 
 struct PolycubeHexesResult
@@ -44,7 +42,7 @@ struct PolycubeHexesResult
 /**
  * Hexahedra inside a closed surface: the unit cells of a polycube of the solid (FindPolycubeMap),
  * brought back by the harmonic map of the polycube's boundary onto the surface
- * (ComputeHarmonicVolumeMap) where that turns no more hexahedra over than the inverse of the
+ * (ComputeHarmonicVolumeMap) where that inverts no more hexahedra than the inverse of the
  * tetrahedra's own map, which needs no polycube that is free of overlaps; with layers around them
  * whose boundary lies on the surface and has its creases (FitHexahedra).
  *

@@ -1,8 +1,11 @@
 #include "Hex/Voxels/GridDensity.h"
 
 #include "Base/Parallel.h"
+#include "Quality/ScaledJacobian.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace shape
 {
@@ -10,14 +13,14 @@ namespace shape
 Eigen::RowVector3d GridDensity::Velocity(const Eigen::RowVector3d& position) const
 {
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-  for (const RefinementSeed& magnifier : this->Seeds)
+  for (const RefinementSeed& seed : this->Seeds)
   {
-    const Eigen::RowVector3d off = position - magnifier.Centre;
-    const double scaled = off.squaredNorm() / (2.0 * magnifier.Radius * magnifier.Radius);
+    const Eigen::RowVector3d off = position - seed.Centre;
+    const double scaled = off.squaredNorm() / (2.0 * seed.Radius * seed.Radius);
     constexpr double negligible = 40.0;
     if (scaled < negligible)
     {
-      sum += magnifier.Strength * std::exp(-scaled) * off;
+      sum += seed.Strength * std::exp(-scaled) * off;
     }
   }
   return sum;
@@ -49,6 +52,64 @@ Eigen::MatrixXd GridDensity::Flow(const Eigen::MatrixXd& points, double time) co
       }
     });
   return moved;
+}
+
+namespace
+{
+
+constexpr double Radius = 2.5; // of a seed, in cells
+
+} // namespace
+
+void RefinementSeeds::Add(const Eigen::RowVector3d& centre, double times)
+{
+  constexpr double strength = 0.4, apart = 1.5; // radii
+  if (std::none_of(this->Gathered.begin(), this->Gathered.end(),
+        [&](const RefinementSeed& other)
+        { return (other.Centre - centre).norm() < apart * other.Radius; }))
+  {
+    this->Gathered.push_back({ centre, Radius * this->CellSize, times * strength });
+  }
+}
+
+void RefinementSeeds::AddDistant(const SampledDistances& far, double wanted)
+{
+  constexpr double share = 0.9;
+  std::vector<int> order(far.Distances.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(
+    order.begin(), order.end(), [&](int a, int b) { return far.Distances(a) > far.Distances(b); });
+  for (const int i : order)
+  {
+    if (far.Distances(i) < share * wanted)
+    {
+      break;
+    }
+    // What is more than four times too far would take too many rounds.
+    constexpr double maximum = 2.0;
+    this->Add(
+      far.Positions.row(i), std::clamp(std::log2(0.5 * far.Distances(i) / wanted), 1.0, maximum));
+  }
+}
+
+void RefinementSeeds::AddBad(const HexMesh& mesh, double accepted)
+{
+  const Eigen::VectorXd quality = ComputeScaledJacobians(mesh);
+  for (Eigen::Index hex = 0; hex < quality.size(); ++hex)
+  {
+    if (quality(hex) < accepted)
+    {
+      this->Add(mesh.Points(mesh.Hexahedra.row(hex), Eigen::all).colwise().mean());
+    }
+  }
+}
+
+bool RefinementSeeds::AreMostOf(Eigen::Index cells) const
+{
+  constexpr double pi = 3.14159265358979324, maximum = 0.3; // of the cells
+  const double magnified = 4.0 / 3.0 * pi * Radius * Radius * Radius;
+  return magnified * static_cast<double>(this->Gathered.size()) >
+    maximum * static_cast<double>(cells);
 }
 
 } // namespace shape

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "Distance/HausdorffDistance.h"
+#include "Mesh/HexMesh.h"
+
 #include <Eigen/Core>
 
 #include <utility>
@@ -8,7 +11,7 @@
 namespace shape
 {
 
-/// Space grows around a place: by exp(Strength) there, less and less up to some Radii away.
+/// Space grows around a position: by exp(Strength) there, less and less up to some Radii away.
 struct RefinementSeed
 {
   Eigen::RowVector3d Centre;
@@ -17,18 +20,18 @@ struct RefinementSeed
 };
 
 /**
- * A smooth one-to-one map of space that magnifies it around some places, so that a uniform grid in
- * its image is a finer one there: the flow, for a time of 1, of the velocity
+ * A smooth one-to-one map of space that magnifies it around some positions, so that a uniform grid
+ * in its image is a finer one there: the flow, for a time of 1, of the velocity
  *
- *   v(x) = sum over magnifiers of Strength (x - Centre) exp(-|x - Centre|^2 / (2 Radius^2)).
+ *   v(x) = sum over seeds of Strength (x - Centre) exp(-|x - Centre|^2 / (2 Radius^2)).
  *
- * A flow cannot fold, whatever the magnifiers are.
+ * A flow cannot fold, whatever the seeds are.
  */
 class GridDensity
 {
 public:
-  explicit GridDensity(std::vector<RefinementSeed> magnifiers = {})
-    : Seeds(std::move(magnifiers))
+  explicit GridDensity(std::vector<RefinementSeed> seeds = {})
+    : Seeds(std::move(seeds))
   {
   }
 
@@ -43,6 +46,36 @@ private:
   Eigen::MatrixXd Flow(const Eigen::MatrixXd& points, double time) const;
 
   std::vector<RefinementSeed> Seeds;
+};
+
+/// Gathers positions that ask for smaller cells into seeds that are apart from each other: of two
+/// that are near only the first stays.
+class RefinementSeeds
+{
+public:
+  /// cellSize: of the grid that they are positions of.
+  explicit RefinementSeeds(double cellSize)
+    : CellSize(cellSize)
+  {
+  }
+
+  /// times: how much stronger than usual its seed is.
+  void Add(const Eigen::RowVector3d& centre, double times = 1.0);
+
+  /// Those that are farther than nearly wanted, the farthest first, the stronger the farther.
+  void AddDistant(const SampledDistances& far, double wanted);
+
+  /// Hexahedra of a lower scaled Jacobian than accepted.
+  void AddBad(const HexMesh& mesh, double accepted);
+
+  const std::vector<RefinementSeed>& Seeds() const { return this->Gathered; }
+
+  /// Whether the seeds are for most of a solid of this many cells.
+  bool AreMostOf(Eigen::Index cells) const;
+
+private:
+  double CellSize;
+  std::vector<RefinementSeed> Gathered;
 };
 
 } // namespace shape

@@ -57,7 +57,7 @@ std::vector<char> BoundaryCorners(const SampledGrid& grid, const std::vector<cha
   return marked;
 }
 
-/// How many cells hang together by faces with each cell that is inside.
+/// Of each cell that is inside the size of its part, whose cells are connected by faces.
 std::vector<int> PartSizes(const SampledGrid& grid, const std::vector<char>& inside)
 {
   const int strides[] = { 1, grid.Counts(0), grid.Counts(0) * grid.Counts(1) };

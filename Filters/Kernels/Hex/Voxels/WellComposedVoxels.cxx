@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// Whether the marked ones of eight cells around a corner hang together by faces: cells that
+/// Whether the marked ones of eight cells around a corner are connected by faces: cells that
 /// differ in one bit have a common one.
 bool HangTogether(unsigned int cells)
 {
@@ -153,8 +153,8 @@ private:
   int Flips = 0;
 };
 
-/// How far a place, in a cell's own coordinates in [0, 1], is from the nearest of the cells around
-/// that is on the other side; 2 where none is.
+/// How far a position, in a cell's own coordinates in [0, 1], is from the nearest of the cells
+/// around that is on the other side; 2 where none is.
 double DistanceToOtherSide(const SampledGrid& grid, const std::vector<char>& inside,
   const Eigen::RowVector3i& cell, const Eigen::RowVector3d& position)
 {
@@ -239,7 +239,7 @@ WellComposedVoxels FindVoxelSolid(const SampledGrid& grid)
 int CoverSurface(const SampledGrid& grid, const Eigen::MatrixXd& positions, double reach,
   std::vector<char>& inside)
 {
-  // The places in the coordinates of the cells, cell by cell.
+  // The positions in the coordinates of the cells, cell by cell.
   const Eigen::MatrixXd scaled = ((positions.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
   const Eigen::MatrixXi cells = scaled.array().floor().cast<int>();
   std::vector<int> order(positions.rows());

@@ -28,17 +28,17 @@ struct WellComposedVoxels
 WellComposedVoxels FindVoxelSolid(const SampledGrid& levels);
 
 /**
- * Adds cells where places of the solid's surface lie farther than `reach` cells from the cells
+ * Adds cells where positions of the solid's surface lie farther than `reach` cells from the cells
  * inside, and takes cells away where they lie so far from those outside: tips and slots that are
  * narrower than a cell. The topology stays, and a manifold boundary stays one: a cell changes only
  * where what it shares with the solid is a disc, and once.
  *
- * places: n x 3, dense against the cells. Returns how many cells were changed.
+ * positions: n x 3, dense against the cells. Returns how many cells were changed.
  */
 int CoverSurface(const SampledGrid& grid, const Eigen::MatrixXd& positions, double reach,
   std::vector<char>& inside);
 
-/// Of the parts of a solid that hang together by faces, the `count` that have the most cells.
+/// Of the parts of a solid that are connected by faces, the `count` that have the most cells.
 void KeepLargestParts(const SampledGrid& grid, int count, std::vector<char>& inside);
 
 /// Its cells, cubes of the grid's spacing around the samples.

@@ -28,7 +28,7 @@ public:
 
 private:
   void FindCreases(const std::vector<std::array<int, 3>>& triangles);
-  /// The nearest place on the crease and the crease's direction there.
+  /// The nearest position on the crease and the crease's direction there.
   std::pair<Eigen::RowVector3d, Eigen::RowVector3d> OnCrease(
     int point, const Eigen::RowVector3d& position) const;
 

@@ -13,9 +13,9 @@ namespace shape
 {
 
 /**
- * A solid of tetrahedra, pyramids, wedges and hexahedra in two places at once: where it is, and at
- * rest. A cell is looked at in its corner tetrahedra (CellSimplices), which are positive in a cell
- * that is not inverted; the points of its boundary are those of faces that one cell has alone.
+ * A solid of tetrahedra, pyramids, wedges and hexahedra in two states: as it is, and at
+ * rest. A cell is looked at in its corner tetrahedra (CellSimplices), which are positive in a
+ * cell that is not inverted; the points of its boundary are those of faces that one cell has alone.
  */
 class SolidCells
 {
@@ -38,7 +38,7 @@ public:
   /// The corner tetrahedra of a cell.
   const std::vector<std::array<int, 4>>& SimplicesOf(int cell);
 
-  /// Whether a corner tetrahedron of a cell is not positive, told exactly.
+  /// Whether a corner tetrahedron of a cell is not positive, by exact predicates.
   bool Inverted(int cell);
 
   /// What simplex k of a cell should look like where lengths are `size` times those at rest. A rest

@@ -1,60 +1,150 @@
 #include "Untangle/Private/TutteEmbedding.h"
 
-#include "Linear/SparseSolve.h"
+#include "Linear/DirichletProblem.h"
 
-#include <set>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace shape
 {
 
+namespace
+{
+
+/// Means over the boundary's edges at each of its points, and how many edges.
+void MeasureBoundary(const SolidCells& solid, Eigen::VectorXd& sums, Eigen::VectorXd& counts)
+{
+  for (const std::array<int, 3>& triangle : solid.BoundaryTriangles())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = triangle[k], b = triangle[(k + 1) % 3];
+      const double length = (solid.Points.row(a) - solid.Points.row(b)).norm();
+      const double atRest =
+        solid.Rest.rows() > 0 ? (solid.Rest.row(a) - solid.Rest.row(b)).norm() : 1.0;
+      if (length > 0.0 && atRest > 0.0)
+      {
+        const double size = std::log(length / atRest);
+        sums(a) += size;
+        sums(b) += size;
+        counts(a) += 1.0;
+        counts(b) += 1.0;
+      }
+    }
+  }
+}
+
+/// The points that share a cell with `point`, without it.
+std::vector<int> FindNeighbours(const SolidCells& solid, int point)
+{
+  std::vector<int> all;
+  for (const int cell : solid.CellsOf(point))
+  {
+    const std::vector<int>& points = solid.PointsOf(cell);
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  all.erase(std::remove(all.begin(), all.end(), point), all.end());
+  return all;
+}
+
+} // namespace
+
 Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid)
 {
-  Eigen::VectorXi row = Eigen::VectorXi::Constant(solid.PointCount(), -1);
-  std::vector<int> inside;
+  std::vector<int> fixed;
+  std::vector<Eigen::Triplet<double>> entries;
   for (int point = 0; point < solid.PointCount(); ++point)
   {
-    if (!solid.OnBoundary(point) && !solid.CellsOf(point).empty())
+    const std::vector<int> neighbours = FindNeighbours(solid, point);
+    if (solid.OnBoundary(point) || neighbours.empty())
     {
-      row(point) = static_cast<int>(inside.size());
-      inside.push_back(point);
+      fixed.push_back(point);
     }
-  }
-  Eigen::MatrixXd positions = solid.Points;
-  if (inside.empty())
-  {
-    return positions;
-  }
-  const auto n = static_cast<Eigen::Index>(inside.size());
-  Eigen::MatrixXd fixed = Eigen::MatrixXd::Zero(n, 3);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const int point : inside)
-  {
-    std::set<int> neighbours;
-    for (const int cell : solid.CellsOf(point))
-    {
-      neighbours.insert(solid.PointsOf(cell).begin(), solid.PointsOf(cell).end());
-    }
-    neighbours.erase(point);
-    entries.emplace_back(row(point), row(point), static_cast<double>(neighbours.size()));
+    entries.emplace_back(point, point, static_cast<double>(neighbours.size()));
     for (const int other : neighbours)
     {
-      if (row(other) < 0)
+      entries.emplace_back(point, other, -1.0);
+    }
+  }
+  Eigen::SparseMatrix<double> laplacian(solid.PointCount(), solid.PointCount());
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(solid.PointCount(), 3);
+  positions(fixed, Eigen::all) = solid.Points(fixed, Eigen::all);
+  DirichletProblem(laplacian, fixed).Solve(positions, Eigen::MatrixXd::Zero(solid.PointCount(), 3));
+  return positions;
+}
+
+Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid)
+{
+  const int count = solid.PointCount();
+  Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count), counts = Eigen::VectorXd::Zero(count);
+  MeasureBoundary(solid, sizes, counts);
+  const double mean = counts.sum() > 0.0 ? sizes.sum() / counts.sum() : 0.0;
+  std::vector<int> unknown(count, -1);
+  int unknowns = 0;
+  for (int point = 0; point < count; ++point)
+  {
+    if (counts(point) > 0.0)
+    {
+      sizes(point) /= counts(point);
+    }
+    else
+    {
+      sizes(point) = mean;
+      unknown[point] = unknowns++;
+    }
+  }
+  if (unknowns == 0)
+  {
+    return sizes;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
+  for (int point = 0; point < count; ++point)
+  {
+    const int row = unknown[point];
+    if (row < 0)
+    {
+      continue;
+    }
+    const std::vector<int> neighbours = FindNeighbours(solid, point);
+    // Points without cells or boundary in reach stay at the mean.
+    const double pull = 1e-9;
+    right(row) = pull * mean;
+    entries.emplace_back(row, row, static_cast<double>(neighbours.size()) + pull);
+    for (const int other : neighbours)
+    {
+      if (unknown[other] < 0)
       {
-        fixed.row(row(point)) += solid.Points.row(other);
+        right(row) += sizes(other);
       }
       else
       {
-        entries.emplace_back(row(point), row(other), -1.0);
+        entries.emplace_back(row, unknown[other], -1.0);
       }
     }
   }
-  Eigen::SparseMatrix<double> laplacian(n, n);
+  Eigen::SparseMatrix<double, Eigen::RowMajor> laplacian(unknowns, unknowns);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  SparseCholesky cholesky;
-  cholesky.Factorize(laplacian);
-  positions(inside, Eigen::all) = cholesky.Solve(fixed);
-  return positions;
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>,
+    Eigen::Lower | Eigen::Upper>
+    solver(laplacian);
+  // A few digits of a size will do: much faster than a factorisation.
+  solver.setTolerance(1e-4);
+  solver.setMaxIterations(1000);
+  const Eigen::VectorXd solved =
+    solver.solveWithGuess(right, Eigen::VectorXd::Constant(unknowns, mean));
+  for (int point = 0; point < count; ++point)
+  {
+    sizes(point) = unknown[point] < 0 ? sizes(point) : solved(unknown[point]);
+  }
+  return sizes;
 }
 
 } // namespace shape

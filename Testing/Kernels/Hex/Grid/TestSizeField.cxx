@@ -1,5 +1,4 @@
 #include "Base/Errors.h"
-#include "Hex/Grid/SizeField.h"
 #include "Hex/Grid/SizedHexes.h"
 #include "Support/TestShapes.h"
 

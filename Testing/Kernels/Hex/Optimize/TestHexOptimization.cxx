@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
 #include "Hex/Optimize/HexOptimization.h"
+#include "Hex/Optimize/Private/HexSweeps.h"
 #include "Hex/Optimize/Private/HexUntangling.h"
-#include "Hex/Optimize/Private/StarEnergy.h"
 #include "Quality/ScaledJacobian.h"
 
 #include <Eigen/Geometry>

@@ -2,7 +2,6 @@
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"
 #include "Hex/Polycube/Private/Charts.h"
-#include "Hex/Polycube/Private/GraphCutLabelling.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Remesh/IsotropicRemesh.h"

@@ -1,6 +1,5 @@
 #include "Distance/HausdorffDistance.h"
 #include "Hex/Voxels/GridDensity.h"
-#include "Hex/Voxels/Private/NarrowBandDistance.h"
 #include "Hex/Voxels/TopologyPreservingVoxels.h"
 #include "Hex/Voxels/WellComposedVoxels.h"
 #include "Mesh/Surface.h"

@@ -225,8 +225,8 @@ private:
     }
   }
 
-  /// The rim of a disc, counter-clockwise; empty where it is not one simple closed chain, or where
-  /// a point inside is a corner's.
+  /// The boundary loop of a disc, counter-clockwise; empty where it is not one simple closed chain,
+  /// or where a point inside is a corner's.
   std::vector<int> LoopOf(const std::set<int>& disc) const
   {
     std::map<int, int> next;
@@ -259,8 +259,8 @@ private:
     return loop.size() == edges ? loop : std::vector<int>();
   }
 
-  /// The patches on both sides of each rim point outside the disc differ at these; nothing where
-  /// the patches beyond the rim are not those of the ring.
+  /// The patches on both sides of each point of the loop outside the disc differ at these; nothing
+  /// where the patches beyond the loop are not those of the ring.
   std::optional<std::vector<int>> Ends(const std::vector<int>& loop, const PatchRing& ring) const
   {
     std::vector<int> ends, labels;
@@ -289,7 +289,7 @@ private:
     return BuildPatchRing(labels) == ring ? std::optional(ends) : std::nullopt;
   }
 
-  /// Leads chains from the point to the rim and fills the quads between them.
+  /// Leads chains from the point to the loop and fills the quads between them.
   bool Gather(int point, const std::set<int>& disc, const PatchRing& ring)
   {
     const std::vector<int> loop = this->LoopOf(disc);

@@ -18,7 +18,7 @@ namespace shape
  * Around a point near the corner with as many edges as the corner has patches, a disc of quads is
  * grown until its boundary loop has the patches of the corner in their order; from where patches
  * meet on the boundary loop as many chains of edges are led to the point, with no point in common
- * and as short and near the curves as can be (a flow of least cost), and the quads between two of
+ * and as short and near the curves as can be (a minimum-cost flow), and the quads between two of
  * them get the boundary loop's patch. Corners for which no such disc is found stay as they are.
  *
  * points: n x 3. patchOf: of each quad.

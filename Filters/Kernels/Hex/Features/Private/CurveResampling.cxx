@@ -82,7 +82,7 @@ public:
     return part;
   }
 
-  /// The length to its point closest to a place.
+  /// The length to its point closest to a position.
   double Nearest(const Eigen::RowVector3d& position) const
   {
     Eigen::Index nearest = 0;
@@ -166,7 +166,7 @@ private:
     return this->Along.Length() / static_cast<double>(this->Own.size() - (this->Closed ? 0 : 1));
   }
 
-  /// Of a closed curve, the length to the same place that is closest to another length.
+  /// Of a closed curve, the length to the same position that is closest to another length.
   double NextTo(double length, double other) const
   {
     return this->Closed

@@ -14,7 +14,7 @@ namespace shape
 struct CurvePositions
 {
   Eigen::MatrixXd Positions; ///< n x 3
-  /// n: a part of the curve as a polyline (k x 3), some way before and behind the place: a point
+  /// n: a part of the curve as a polyline (k x 3), some way before and behind the position: a point
   /// that could go anywhere on the curve would leave bends out. One row where the point is fixed.
   std::vector<Eigen::MatrixXd> Spans;
 };

@@ -12,9 +12,9 @@ namespace shape
 {
 
 /**
- * The patch of a surface for each quad (q) of a closed quad mesh near it: the one that is closest
- * to its middle, as far as the quads of a patch hang together by edges; the others are reached from
- * these, closest first. Then quads that stick out into another patch with three edges join it,
+ * The patch of a surface for each quad (q) of a closed quad mesh near it: the closest
+ * one to its centroid in the largest connected piece of each patch; the other quads are reached
+ * from these, closest first. Then quads that stick out into another patch with three edges join it,
  * corners are gathered (MatchCornerValences) and pinches opened (SplitPinches). Empty where a patch
  * has no quad, or a component of the quads no patch.
  */

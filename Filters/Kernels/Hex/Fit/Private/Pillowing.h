@@ -13,9 +13,9 @@ namespace shape
 /**
  * A layer of hexahedra under some quads of the boundary. The quads and their points stay where they
  * are and remain the boundary's; the hexahedra that had them get copies of the points, at the
- * same positions, and each quad a hexahedron between it and its copy. Where the quads end, the sides
- * of the layer become quads of the boundary: (a, b, copy of b, copy of a) for each edge a b of a
- * quad that has no other of them beside it.
+ * same positions, and each quad a hexahedron between it and its copy. Where the quads end, the
+ * sides of the layer become quads of the boundary: (a, b, copy of b, copy of a) for each edge a b
+ * of a quad that has no other of them beside it.
  *
  * mesh: its boundary is a manifold. quads: k x 4, counter-clockwise seen from outside. Returns for
  * each point that was there its copy, or -1.

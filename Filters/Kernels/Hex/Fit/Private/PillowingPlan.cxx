@@ -242,7 +242,7 @@ private:
     return pairs;
   }
 
-  /// The patches have so many quads at the corners.
+  /// The patches have this many quads at the corners.
   std::vector<std::map<int, int>> QuadsAtCorners(const PatchedBoundary& boundary) const
   {
     std::vector<std::map<int, int>> quads(this->Rings.size());

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr int Rings[] = { 1, 2, 3, 4, 6 };
-/// After so many rounds that turned few, the rest is left.
+/// After this many rounds that turned few, the rest is left.
 constexpr int MaximumIdleSteps = 2;
 
 /// The hexahedra around each point.
@@ -31,7 +31,7 @@ std::vector<std::vector<int>> HexahedraAround(const HexMesh& mesh)
   return around;
 }
 
-/// Hexahedra with a marked point, each set of them that hangs together by marked points.
+/// Hexahedra with a marked point, each set of them that is connected by marked points.
 std::vector<std::vector<int>> Pieces(
   const HexMesh& mesh, const std::vector<std::vector<int>>& around, const std::vector<char>& marked)
 {

@@ -21,7 +21,7 @@ Eigen::Matrix3d FindAxisRotation(const Mesh& surface);
  * by them, and so on (Gregson, Sheffer and Zhang, "All-hex mesh generation via volumetric polycube
  * deformation", 2011, section 4).
  *
- * Returns the places of the points (n x 3), which may fold. Throws Aborted.
+ * Returns the positions of the points (n x 3), which may fold. Throws Aborted.
  */
 Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progress = {});
 
@@ -29,7 +29,7 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
  * The same with the axis of each triangle given: the shape whose tetrahedra are as rigid as can be
  * while the triangles are flat across their axes, ever more so.
  *
- * labels: of the triangles; start: places to begin with.
+ * labels: of the triangles; start: positions to begin with.
  */
 Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress = {});

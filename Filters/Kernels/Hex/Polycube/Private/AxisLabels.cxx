@@ -1,15 +1,178 @@
 #include "Hex/Polycube/Private/AxisLabels.h"
 
 #include "Hex/Polycube/Private/AxisAlignment.h"
-#include "Hex/Polycube/Private/GraphCutLabelling.h"
 #include "Mesh/HalfEdges.h"
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace shape
 {
+namespace
+{
+
+constexpr double Forbidden = 1e6;
+constexpr int MaximumRounds = 20;
+
+/// What it costs that neighbours have these labels, in weights of their edge.
+double PairCost(int first, int second, double weight)
+{
+  if (first == second)
+  {
+    return 0.0;
+  }
+  return first / 2 == second / 2 ? Forbidden : weight;
+}
+
+double Energy(
+  const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges, const Eigen::VectorXi& labels)
+{
+  double sum = 0.0;
+  for (int i = 0; i < labels.size(); ++i)
+  {
+    sum += costs(i, labels(i));
+  }
+  for (const LabelEdge& edge : edges)
+  {
+    sum += PairCost(labels(edge.First), labels(edge.Second), edge.Weight);
+  }
+  return sum;
+}
+
+using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
+
+struct Node
+{
+  boost::default_color_type Color = boost::white_color;
+  long Distance = 0;
+  Traits::edge_descriptor Predecessor;
+};
+
+struct Arc
+{
+  double Capacity = 0.0, Residual = 0.0;
+  Traits::edge_descriptor Reverse;
+};
+
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, Node, Arc>;
+
+/// A minimum cut: sites on the source's side keep their label.
+class Cut
+{
+public:
+  explicit Cut(int sites)
+    : Network(sites + 2)
+    , Keep(Eigen::VectorXd::Zero(sites))
+    , Change(Eigen::VectorXd::Zero(sites))
+  {
+  }
+
+  void AddCosts(int site, double keep, double change)
+  {
+    this->Keep(site) += keep;
+    this->Change(site) += change;
+  }
+
+  /// The cost where `first` keeps and `second` changes.
+  void AddPair(int first, int second, double cost, double reverse)
+  {
+    this->AddArcs(first, second, cost, reverse);
+  }
+
+  /// Whether each site changes.
+  std::vector<char> Solve()
+  {
+    const int sites = static_cast<int>(this->Keep.size());
+    const int source = sites, sink = sites + 1;
+    for (int i = 0; i < sites; ++i)
+    {
+      const double minimum = std::min(this->Keep(i), this->Change(i));
+      this->AddArcs(source, i, this->Change(i) - minimum, 0.0);
+      this->AddArcs(i, sink, this->Keep(i) - minimum, 0.0);
+    }
+    boost::boykov_kolmogorov_max_flow(this->Network, get(&Arc::Capacity, this->Network),
+      get(&Arc::Residual, this->Network), get(&Arc::Reverse, this->Network),
+      get(&Node::Predecessor, this->Network), get(&Node::Color, this->Network),
+      get(&Node::Distance, this->Network), get(boost::vertex_index, this->Network), source, sink);
+    std::vector<char> changes(sites);
+    const auto ofSource = this->Network[source].Color;
+    for (int i = 0; i < sites; ++i)
+    {
+      changes[i] = this->Network[i].Color != ofSource;
+    }
+    return changes;
+  }
+
+private:
+  void AddArcs(int from, int to, double capacity, double reverse)
+  {
+    const auto there = add_edge(from, to, this->Network).first;
+    const auto back = add_edge(to, from, this->Network).first;
+    this->Network[there].Capacity = capacity;
+    this->Network[back].Capacity = reverse;
+    this->Network[there].Reverse = back;
+    this->Network[back].Reverse = there;
+  }
+
+  Graph Network;
+  Eigen::VectorXd Keep, Change;
+};
+
+Eigen::VectorXi Expanded(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
+  const Eigen::VectorXi& labels, int label)
+{
+  Cut cut(static_cast<int>(labels.size()));
+  for (int i = 0; i < labels.size(); ++i)
+  {
+    cut.AddCosts(i, costs(i, labels(i)), costs(i, label));
+  }
+  for (const auto& [p, q, weight] : edges)
+  {
+    // With 1 for a change: both + (first - both) p + (- first) q + (second + first - both) (1-p) q
+    const double both = PairCost(labels(p), labels(q), weight);
+    const double second = PairCost(labels(p), label, weight);
+    const double first = PairCost(label, labels(q), weight);
+    cut.AddCosts(p, 0.0, first - both);
+    cut.AddCosts(q, 0.0, -first);
+    cut.AddPair(p, q, std::max(0.0, second + first - both), 0.0);
+  }
+  const std::vector<char> changes = cut.Solve();
+  Eigen::VectorXi expanded = labels;
+  for (int i = 0; i < labels.size(); ++i)
+  {
+    expanded(i) = changes[i] ? label : labels(i);
+  }
+  return expanded;
+}
+
+} // namespace
+
+Eigen::VectorXi SolveGraphCutLabelling(
+  const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges)
+{
+  Eigen::VectorXi labels = Eigen::VectorXi::Zero(costs.rows());
+  double energy = Energy(costs, edges, labels);
+  for (int round = 0, unchanged = 0; round < MaximumRounds && unchanged < 6; ++round)
+  {
+    for (int label = 0; label < 6 && unchanged < 6; ++label)
+    {
+      const Eigen::VectorXi expanded = Expanded(costs, edges, labels, label);
+      const double now = Energy(costs, edges, expanded);
+      ++unchanged;
+      if (now < energy - 1e-9 * (1.0 + std::abs(energy)))
+      {
+        labels = expanded;
+        energy = now;
+        unchanged = 0;
+      }
+    }
+  }
+  return labels;
+}
+
 namespace
 {
 

@@ -12,7 +12,7 @@
 namespace shape
 {
 
-/// The charts of a labelled surface: its largest parts of one label that hang together by edges.
+/// The charts of a labelled surface: its largest parts of one label that are connected by edges.
 struct Charts
 {
   Eigen::VectorXi Of;                       ///< m: the chart of each triangle
@@ -57,7 +57,8 @@ struct ChartFault
  * Livesu, Vining, Sheffer, Gregson and Scateni ("PolyCut", 2013) use them. None: the charts are
  * likely to be those of a polycube.
  *
- * places (n x 3): where along the axes turns are looked for; going back by up to `slack` is none.
+ * positions (n x 3): where along the axes turns are looked for; going back by up to `slack` is
+ * none.
  */
 std::vector<ChartFault> FindChartFaults(
   const Charts& charts, const Eigen::MatrixXd& positions, double slack);

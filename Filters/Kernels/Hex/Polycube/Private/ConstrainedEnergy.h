@@ -22,7 +22,7 @@ struct ConstrainedCoordinates
  * coordinates of its points are tied together or fixed: the regularised elliptic energy
  * (EllipticEnergy, weighted by volume) by Newton's method, as MinimizeEnergy.
  *
- * places (n x 3): tied coordinates start equal, and stay so to the bit. Throws Aborted.
+ * positions (n x 3): tied coordinates start equal, and stay so to the bit. Throws Aborted.
  */
 PatchResult MinimizeConstrainedEnergy(Eigen::MatrixXd& positions, const WorkingSolid& solid,
   const ConstrainedCoordinates& tied, const PatchOptions& options, const Progress& progress = {});

@@ -1,7 +1,7 @@
 #include "Hex/Polycube/Private/IntegerCharts.h"
 
 #include "Hex/Polycube/Private/AxisAlignment.h"
-#include "Hex/Polycube/Private/TetrahedralWalk.h"
+#include "Hex/Polycube/Private/IntegerMapHexes.h"
 
 #include <algorithm>
 #include <array>

@@ -13,8 +13,8 @@ namespace shape
  * two ends of a polycube edge, and charts that face each other across the solid, stay at least one
  * apart and in order.
  *
- * places (n x 3): the points of the solid on the polycube, positive on its tetrahedra, in units of
- * the cells. Returns one number for each chart, along its axis.
+ * positions (n x 3): the points of the solid on the polycube, positive on its tetrahedra, in units
+ * of the cells. Returns one number for each chart, along its axis.
  */
 Eigen::VectorXi RoundCharts(const WorkingSolid& solid, const Charts& charts,
   const ConstrainedCoordinates& tied, const Eigen::MatrixXd& positions);

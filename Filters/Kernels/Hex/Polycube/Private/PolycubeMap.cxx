@@ -36,13 +36,13 @@ constexpr int Flattenings = 3;
 constexpr int Repairs = 2;
 /// Newton steps after which a deformation with as many negative tetrahedra is given up.
 constexpr int FirstSteps = 8, Hopeless = 60;
-/// No more trials are begun after so many deformed tetrahedra.
+/// No more trials are begun after this many deformed tetrahedra.
 constexpr int MaximumWork = 150000;
 /// What a label costs more where it did not work, for a triangle of the mean area.
 constexpr double Dearer = 1.0, Forbidden = 50.0;
 /// Charts of a greater share of the area are not given up.
 constexpr double MaximumGivenUp = 0.03;
-/// A chart of which a greater share is turned over is folded.
+/// A chart of which a greater share is inverted is folded.
 constexpr double Folded = 0.1;
 constexpr int QuantisationAttempts = 4;
 constexpr double QuantisationShrinkage = 0.75;
@@ -57,7 +57,7 @@ struct Attempt
   ConstrainedCoordinates Tied;
   std::vector<ChartFault> Faults;
   PatchResult Result;
-  Eigen::Matrix3d Rotation; ///< of the solid from the surface's place
+  Eigen::Matrix3d Rotation; ///< of the solid from the surface's position
 };
 
 double ComputeMeanEdgeLength(const WorkingSolid& solid)
@@ -152,7 +152,7 @@ bool IsPositive(const WorkingSolid& solid, const Eigen::MatrixXd& positions, Eig
 }
 
 /// Adds to the costs of labels that did not work: of charts with too few neighbours, and around
-/// tetrahedra that stayed negative, and triangles turned over where they have to face their labels.
+/// tetrahedra that stayed negative, and inverted triangles where they have to face their labels.
 /// `before`: labels of the triangles that costs are for.
 void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const Attempt& attempt,
   bool isFacing, Eigen::MatrixXd& costs)

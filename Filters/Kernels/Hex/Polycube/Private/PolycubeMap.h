@@ -33,12 +33,12 @@ std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::Vecto
 /// A solid and the polycube it is mapped to.
 struct PolycubeMap
 {
-  WorkingSolid Solid;        ///< close to the solid of the surface; its own places
+  WorkingSolid Solid;        ///< close to the solid of the surface; its own positions
   Eigen::MatrixXd Positions; ///< n x 3: on the polycube, in cells; charts are at whole numbers
   Eigen::VectorXi Labels;    ///< of the solid's triangles: 0..5 = +x, -x, +y, -y, +z, -z
   shape::Charts Charts;
   double CellSize = 0.0;
-  double Distortion = 0.0; ///< the mean elliptic energy; 1 is the least
+  double Distortion = 0.0; ///< the mean elliptic energy; 1 is the minimum
 };
 
 /**

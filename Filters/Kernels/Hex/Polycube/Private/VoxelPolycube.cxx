@@ -135,7 +135,7 @@ double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
   return folded / all;
 }
 
-/// The places of a solid bent towards the axes: flattened, or only aligned where that folds.
+/// The positions of a solid bent towards the axes: flattened, or only aligned where that folds.
 Eigen::MatrixXd Bent(
   const WorkingSolid& solid, double compactness, Eigen::VectorXi& labels, const Progress& progress)
 {

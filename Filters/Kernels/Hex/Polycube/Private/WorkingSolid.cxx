@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// Each simplex with both ends becomes two, with `middle` in place of the one or the other.
+  /// Each simplex with both ends becomes two, with `middle` instead of the one or the other.
   void Split(int a, int b, int middle)
   {
     this->Around.resize(std::max<std::size_t>(this->Around.size(), middle + 1));

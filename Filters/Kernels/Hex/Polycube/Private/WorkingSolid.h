@@ -25,7 +25,7 @@ struct WorkingSolid
 };
 
 /**
- * A coarse tetrahedralisation of the solid inside a closed surface: of a surface of about so many
+ * A coarse tetrahedralisation of the solid inside a closed surface: of a surface of about this many
  * triangles of even size near it, which keeps its creases. Every tetrahedron has an inner point,
  * and so has every inner edge, so that the boundary may be flattened.
  *
@@ -34,8 +34,8 @@ struct WorkingSolid
 WorkingSolid BuildWorkingSolid(
   const Surface& surface, int triangles, const Progress& progress = {});
 
-/// Puts a point into each of these edges of the surface (each once), in `places`, too; the parts of
-/// a triangle have its label.
+/// Puts a point into each of these edges of the surface (each once), in `positions`, too; the parts
+/// of a triangle have its label.
 void SplitSurfaceEdges(WorkingSolid& solid, const std::vector<std::pair<int, int>>& edges,
   Eigen::MatrixXd& positions, Eigen::VectorXi& labels);
 
