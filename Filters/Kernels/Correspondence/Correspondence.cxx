@@ -105,7 +105,7 @@ SurfaceMaps ThroughOrbifold(
   return { std::move(map.AToB), std::move(map.BToA) };
 }
 
-/// Finds landmarks where none are given, and which surface is a part of the other one.
+/// Finds landmarks if none are given, and which surface is a part of the other one.
 void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, Options::PartType part,
   CorrespondenceResult& result, const Progress& progress)
 {

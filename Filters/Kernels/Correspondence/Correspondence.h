@@ -15,11 +15,11 @@ struct CorrespondenceResult
 {
   SurfaceMaps Maps; ///< a row for each point, one that no triangle uses goes with the nearest used
   Landmarks Used;   ///< points of A and B: those given, or found
-  bool Found = false;             ///< whether landmarks were found, not given
-  AutomaticLandmarksResult Start; ///< where they were
-  SurfacePart Part;               ///< what is a part, and at what scale
-  int CoarsePoints = 0;           ///< of the larger surface that the method worked on
-  int Iterations = 0; ///< of ReversibleHarmonic, on these; 0 where it ended at its start
+  bool Found = false;               ///< whether landmarks were found, not given
+  AutomaticLandmarksResult Start;   ///< where they were
+  SurfacePart Part;                 ///< what is a part, and at what scale
+  int CoarsePoints = 0;             ///< of the larger surface that the method worked on
+  int Iterations = 0;               ///< of ReversibleHarmonic, on these; 0 if it ended at its start
   double CouplingDistortion = -1.0; ///< of GromovWasserstein: GromovWassersteinResult's Distortion
   double CouplingError = -1.0;      ///< and its Error
   SurfaceMapFacts Facts;
@@ -31,7 +31,7 @@ struct CorrespondenceResult
  * FindLandmarks are used, on surfaces of one component; they are not pinned. CommonOrbifold
  * takes the first four of these.
  *
- * a, b: consistently oriented 2-manifolds, facing outwards where they are closed; points that no
+ * a, b: consistently oriented 2-manifolds, facing outwards if they are closed; points that no
  * triangle uses are left aside. Throws InvalidInput, SolveFailure, Aborted.
  */
 CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,

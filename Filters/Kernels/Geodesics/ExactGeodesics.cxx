@@ -18,7 +18,7 @@ namespace
 constexpr int StepsBetween = 4096; ///< a few milliseconds
 constexpr std::chrono::milliseconds Slice(100);
 
-/// What works on one pair after the other, and stops in the middle of one.
+/// Works on one pair after the other, and may be interrupted within one.
 struct Worker
 {
   WindowPropagation Paths;

@@ -59,7 +59,7 @@ Eigen::SparseMatrix<double> MeanValueMatrix(const Mesh& surface)
       for (const int side : { 1, 2 })
       {
         const int j = surface.Triangles(t, (corner + side) % 3);
-        // Where the surface is one point all weights are equal.
+        // If the surface is one point all weights are equal.
         const double length = std::max(EdgeLength(surface, i, j), shortest);
         const double weight = length > 0.0 ? tangent / length : tangent;
         entries.emplace_back(i, j, -weight);
@@ -96,7 +96,7 @@ struct FreeEquations
   Eigen::MatrixXd B;
 };
 
-/// place: for each point its row among the free ones, or -1 - its row among the fixed.
+/// position: for each point its row among the free ones, or -1 - its row among the fixed.
 FreeEquations EquationsOf(const Eigen::SparseMatrix<double>& matrix,
   const std::vector<int>& position, int count, const Eigen::MatrixXd& positions)
 {

@@ -18,7 +18,7 @@ namespace
 constexpr double ShortestLoopEdge = 1e-14;
 
 /// Turns the loop so that the point with the greatest coordinates comes first, and of several at
-/// one place the first by number.
+/// one position the first by number.
 void StartAtGreatest(std::vector<int>& loop, const Eigen::MatrixXd& points)
 {
   const auto comesBefore = [&](int a, int b)

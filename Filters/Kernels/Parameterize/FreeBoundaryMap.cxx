@@ -47,7 +47,7 @@ Eigen::MatrixXd CircularMap(
     .topRows(surface.Points.rows());
 }
 
-/// The image turned, and moved, to where it lies whatever its place was.
+/// Rotates and moves the image to a position that does not depend on where it was.
 void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
 {
   Mesh flat{ Eigen::MatrixXd::Zero(image.rows(), 3), triangles };
@@ -58,7 +58,7 @@ void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
   constexpr double clear = 1e-6; // as a share: less than this is rounding
   const double size = std::sqrt(solver.eigenvalues().sum() / weights.sum());
-  Eigen::Index first = 0; // the lowest number that is off the middle
+  Eigen::Index first = 0; // the lowest number that is off the centre
   while (first + 1 < image.rows() && image.row(first).norm() < 0.1 * size)
   {
     ++first;

@@ -94,7 +94,7 @@ public:
     return gradient;
   }
 
-  /// The way from here to the least sum of the forms.
+  /// The step from here to the minimum of the sum of the forms.
   Eigen::VectorXd Direction(const LocalTerms& terms, const Eigen::VectorXd& gradient)
   {
     this->Assemble(terms);
@@ -226,7 +226,7 @@ void RequireStart(
 }
 
 /// Halves the step until the energy falls by a share of what the gradient promises; leaves points
-/// as they are and returns false where it never does.
+/// as they are and returns false if it never does.
 bool Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& steps, double slope,
   const PlanarElements& elements, const InjectiveRefinementOptions& options)
 {

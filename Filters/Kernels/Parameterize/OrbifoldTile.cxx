@@ -76,7 +76,7 @@ std::vector<PlaneIsometry> ComputeOrbifoldMotions(
     generators.push_back(leg);
     generators.push_back(Inverse(leg));
   }
-  // One generator moves a place near the tile by less than this; so no wanted motion is cut off
+  // One generator moves a position near the tile by less than this; so no wanted motion is cut off
   // from the identity by unwanted ones.
   constexpr double slack = 4.0;
   const auto moved = [&](const PlaneIsometry& motion) { return std::abs(motion(centre) - centre); };

@@ -23,7 +23,7 @@ namespace
 
 using Complex = std::complex<double>;
 
-/// The least weight of an edge: with positive weights nothing flips.
+/// The minimum weight of an edge: with positive weights nothing flips.
 constexpr double MinimumWeight = 1e-2;
 
 void RequireSphere(const Surface& surface)
@@ -74,18 +74,18 @@ void RequireCones(const Mesh& surface, const std::vector<int>& cones, OrbifoldTy
   }
 }
 
-/// Where a point of the cut surface is seen: moved from the unknown place of a point, or given.
+/// Where a point of the cut surface is seen: moved from the unknown position of a point, or given.
 struct Position
 {
   int Unknown = -1;
-  PlaneIsometry Motion; ///< of the unknown; without one, Shift is the place
+  PlaneIsometry Motion; ///< of the unknown; without one, Shift is the position
 };
 
 /// Positions of the cut surface's points, and the number of unknowns.
 std::pair<std::vector<Position>, int> GetLoopPositions(
   const CutSurface& cut, const EdgePath& path, const OrbifoldTile& tile)
 {
-  // The border runs along the path to its end, and back.
+  // The boundary runs along the path to its end, and back.
   std::vector<int> loop = FindManifoldBoundaryLoops(cut.Surface).front();
   std::rotate(loop.begin(),
     std::find_if(loop.begin(), loop.end(),
@@ -123,7 +123,7 @@ std::pair<std::vector<Position>, int> GetLoopPositions(
   return { std::move(positions), unknowns };
 }
 
-/// The least of the sum of w |p - q|^2 / 2 over the sides of all triangles.
+/// The minimum of the sum of w |p - q|^2 / 2 over the edges of all triangles.
 class MeanEquations
 {
 public:
@@ -139,7 +139,7 @@ public:
     this->AddHalf(q, p, weight);
   }
 
-  /// The places of the unknowns.
+  /// The positions of the unknowns.
   std::vector<Complex> Solve()
   {
     if (this->Right.size() == 0)
@@ -270,7 +270,7 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
 
 Eigen::MatrixXd FitToBestParallelogram(const OrbifoldImage& image)
 {
-  // The Dirichlet energy of a linear image T is the trace of T D T'; with det T = 1 it is least
+  // The Dirichlet energy of a linear image T is the trace of T D T'; with det T = 1 it is minimal
   // where that is a multiple of the identity.
   const Mesh& cut = image.Cut.Surface;
   const Eigen::SparseMatrix<double> stiffness = BuildCotangentStiffness(

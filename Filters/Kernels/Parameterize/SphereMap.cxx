@@ -55,7 +55,7 @@ void Check(const Surface& surface, const SphereMapOptions& options)
   }
 }
 
-/// The surface with area 1 and its middle at the origin.
+/// The surface with area 1 and its centre at the origin.
 Mesh Normalised(const Mesh& surface)
 {
   const double size = ComputeLongestBoxEdge(surface.Points);
@@ -131,7 +131,7 @@ private:
 };
 
 /// The mean over the given surface of (s1 / s2 + s2 / s1) / 2, s1 and s2 the map's singular values:
-/// 1 where conformal. A triangle counts for at most 1000, whether flipped or not.
+/// 1 if conformal. A triangle counts for at most 1000, whether flipped or not.
 double MeanDistortion(const Mesh& mesh, const TriangleAngles& angles, const Eigen::MatrixXd& sphere)
 {
   double sum = 0.0;
@@ -166,7 +166,7 @@ Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
     const Eigen::MatrixXd sphere = flow.OnSphere();
     const double distortion = MeanDistortion(mesh, angles, sphere);
     const bool held = iterations + 1 >= options.FreeIterations;
-    // Smaller gains are left: which step has the least of them hangs on rounding.
+    // Smaller gains are left: which step has the smallest depends on rounding.
     const bool better = distortion < (1.0 - options.Tolerance) * minimum;
     idle = better || !held ? 0 : idle + 1;
     if (better)
@@ -219,7 +219,7 @@ int CountFlips(const Mesh& mesh, const Eigen::MatrixXd& sphere)
   return static_cast<int>(FindFlippedTriangles(mesh.Triangles, sphere).size());
 }
 
-/// One method from its beginning to a centred map, or false where flipped triangles are left.
+/// One method from its beginning to a centred map, or false if flipped triangles are left.
 bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& options,
   SphereMapResult& result, const Progress& progress)
 {

@@ -20,7 +20,7 @@ double TriangleEnergy(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
     ComputeSphericalDeterminant(a, b, c);
 }
 
-/// The energy of a star with its middle at `a`; infinite where a triangle does not face outwards.
+/// The energy of a star with its centre at `a`; infinite if a triangle does not face outwards.
 double Energy(
   const Eigen::MatrixXd& points, const Eigen::RowVector3d& a, const std::vector<StarTriangle>& star)
 {

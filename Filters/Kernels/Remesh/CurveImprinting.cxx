@@ -160,7 +160,7 @@ private:
     }
   }
 
-  /// The points of a triangle that is split, and their places in it; first those of its outline,
+  /// The points of a triangle that is split, and their positions in it; first those of its outline,
   /// whose number is returned.
   int PointsOf(int triangle, const Parted& parted, std::vector<int>& ids,
     std::vector<RowVector3d>& positions) const

@@ -1,6 +1,7 @@
 #include "Remesh/SurfaceFeatures.h"
 
 #include "Base/DisjointSets.h"
+#include "Mesh/Graph.h"
 #include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
@@ -32,7 +33,7 @@ struct Hinge
 /// Creases fade out: where one ends, it goes on along the shortest way over edges whose normals are
 /// at least this share of the angle apart, to another crease. Without such a way it stays as it is.
 constexpr double FadingShare = 0.375;
-/// Patches of a smaller share of the area are as noise makes them; where the borders of others are
+/// Patches of a smaller share of the area are as noise makes them; if the boundaries of others are
 /// less than such a share of what is sharp, all of that is noise.
 constexpr double NoiseArea = 1e-3, MinimumCurves = 2.0 / 3.0;
 /// A way that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
@@ -64,129 +65,164 @@ std::vector<Hinge> FindHinges(const Surface& surface, double angle)
   return hinges;
 }
 
-/// Ways from the ends of creases over edges that are less sharp, to other creases.
+/// Paths from the ends of creases over edges that are less sharp, to other creases.
 class FadingCreases
 {
 public:
   FadingCreases(const Mesh& mesh, std::vector<Hinge>& hinges, double angle)
-    : Points(mesh.Points)
-    , Hinges(hinges)
+    : Hinges(hinges)
   {
+    constexpr double straight = 180.0;
+    std::map<int, std::vector<int>> edgesAt; // of each point
     for (int i = 0; i < static_cast<int>(hinges.size()); ++i)
     {
-      constexpr double straight = 180.0;
       if (hinges[i].Sharp || std::abs(hinges[i].Angle - straight) > FadingShare * angle)
       {
-        this->At[hinges[i].Low].push_back(i);
-        this->At[hinges[i].High].push_back(i);
+        edgesAt[hinges[i].Low].push_back(i);
+        edgesAt[hinges[i].High].push_back(i);
       }
     }
+    std::vector<int> points;
+    std::map<int, int> nodeOf;
+    for (const auto& [point, edges] : edgesAt)
+    {
+      nodeOf[point] = static_cast<int>(points.size());
+      points.push_back(point);
+    }
+    this->Positions = mesh.Points(points, Eigen::all);
+    this->Links.First.push_back(0);
+    for (const auto& [point, edges] : edgesAt)
+    {
+      for (const int edge : edges)
+      {
+        this->Links.Neighbours.push_back(
+          nodeOf[hinges[edge].Low == point ? hinges[edge].High : hinges[edge].Low]);
+        this->Links.Lengths.push_back(hinges[edge].Length);
+        this->HingeOf.push_back(edge);
+      }
+      this->Links.First.push_back(static_cast<int>(this->HingeOf.size()));
+    }
+    this->Distances =
+      Eigen::VectorXd::Constant(this->Links.Size(), std::numeric_limits<double>::infinity());
+    this->Before.assign(this->Links.Size(), -1);
   }
 
   void Extend()
   {
-    for (const auto& [point, edges] : this->At)
+    for (int node = 0; node < this->Links.Size(); ++node)
     {
-      if (this->Creases(point) == 1)
+      if (this->CountCreases(node) == 1)
       {
-        this->ExtendFrom(point);
+        this->ExtendFrom(node);
       }
     }
   }
 
 private:
-  int Creases(int point) const
+  bool IsCrease(int link) const { return this->Hinges[this->HingeOf[link]].IsCrease; }
+
+  int CountCreases(int node) const
   {
-    const std::vector<int>& edges = this->At.at(point);
-    return static_cast<int>(std::count_if(
-      edges.begin(), edges.end(), [&](int edge) { return this->Hinges[edge].IsCrease; }));
+    int count = 0;
+    for (int k = this->Links.First[node]; k < this->Links.First[node + 1]; ++k)
+    {
+      count += this->IsCrease(k) ? 1 : 0;
+    }
+    return count;
   }
 
-  /// Dijkstra's algorithm to the closest point on a crease.
+  /// Marks the shortest path to the closest point on a crease.
   void ExtendFrom(int end)
   {
-    std::map<int, std::pair<double, int>> reached = { { end, { 0.0, -1 } } }; // length, last edge
-    std::set<std::pair<double, int>> open = { { 0.0, end } };
-    while (!open.empty())
+    std::vector<int> reached;
+    int target = -1;
+    RunDijkstra(
+      this->Links, { { end }, Eigen::VectorXd::Zero(1) }, this->Distances,
+      [&](double distance, int link)
+      {
+        return this->IsCrease(link) ? std::numeric_limits<double>::infinity()
+                                    : distance + this->Links.Lengths[link];
+      },
+      [&](int node, int before)
+      {
+        this->Before[node] = before;
+        reached.push_back(node);
+      },
+      [&](int node)
+      {
+        target = node != end && this->CountCreases(node) > 0 ? node : -1;
+        return target >= 0;
+      });
+    if (target >= 0 && !this->IsTip(target, end))
     {
-      const auto [length, point] = *open.begin();
-      open.erase(open.begin());
-      if (point != end && this->Creases(point) > 0)
-      {
-        if (!this->IsTip(point, end))
-        {
-          this->MarkWay(end, point, reached);
-        }
-        return;
-      }
-      for (const int edge : this->At.at(point))
-      {
-        const Hinge& hinge = this->Hinges[edge];
-        const int next = hinge.Low == point ? hinge.High : hinge.Low;
-        const double sum = length + hinge.Length;
-        if (const auto before = reached.find(next);
-            !hinge.IsCrease && (before == reached.end() || sum < before->second.first))
-        {
-          reached[next] = { sum, edge };
-          open.insert({ sum, next });
-        }
-      }
+      this->MarkPath(target);
+    }
+    for (const int node : reached)
+    {
+      this->Distances(node) = std::numeric_limits<double>::infinity();
     }
   }
 
-  int Beyond(int point, int edge) const
+  /// From a node along a crease to where it is at least `length` away, or forks.
+  Eigen::RowVector3d Chord(int node, int link, double length) const
   {
-    const Hinge& hinge = this->Hinges[edge];
-    return hinge.Low == point ? hinge.High : hinge.Low;
-  }
-
-  /// From a point along a crease to where it is some way off, or forks.
-  Eigen::RowVector3d Chord(int point, int edge, double length) const
-  {
-    const Eigen::RowVector3d begin = this->Points.row(point);
-    point = this->Beyond(point, edge);
-    constexpr int maximum = 1000; // of a closed crease that stays near, some
-    for (int i = 0; i < maximum && (this->Points.row(point) - begin).norm() < length &&
-         this->Creases(point) == 2;
+    const Eigen::RowVector3d begin = this->Positions.row(node);
+    node = this->Links.Neighbours[link];
+    constexpr int maximum = 1000; // edges of a closed crease that stays near
+    for (int i = 0; i < maximum && (this->Positions.row(node) - begin).norm() < length &&
+         this->CountCreases(node) == 2;
          ++i)
     {
-      const std::vector<int>& edges = this->At.at(point);
-      edge = *std::find_if(edges.begin(), edges.end(),
-        [&](int other) { return other != edge && this->Hinges[other].IsCrease; });
-      point = this->Beyond(point, edge);
-    }
-    return this->Points.row(point) - begin;
-  }
-
-  bool IsTip(int point, int end) const
-  {
-    const Eigen::RowVector3d way = this->Points.row(end) - this->Points.row(point);
-    const std::vector<int>& edges = this->At.at(point);
-    return std::any_of(edges.begin(), edges.end(),
-      [&](int edge)
+      const int last = this->HingeOf[link];
+      link = this->Links.First[node];
+      while (this->HingeOf[link] == last || !this->IsCrease(link))
       {
-        return this->Hinges[edge].IsCrease &&
-          this->Chord(point, edge, way.norm()).normalized().dot(way.normalized()) >
-          std::cos(MinimumTip * M_PI / 180.0);
-      });
+        ++link;
+      }
+      node = this->Links.Neighbours[link];
+    }
+    return this->Positions.row(node) - begin;
   }
 
-  void MarkWay(int end, int point, const std::map<int, std::pair<double, int>>& reached)
+  bool IsTip(int node, int end) const
   {
-    while (point != end)
+    const Eigen::RowVector3d way = this->Positions.row(end) - this->Positions.row(node);
+    for (int k = this->Links.First[node]; k < this->Links.First[node + 1]; ++k)
     {
-      const int edge = reached.at(point).second;
-      this->Hinges[edge].IsCrease = true;
-      point = this->Beyond(point, edge);
+      if (this->IsCrease(k) &&
+        this->Chord(node, k, way.norm()).normalized().dot(way.normalized()) >
+          std::cos(MinimumTip * M_PI / 180.0))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Makes creases of the edges that the path to a node runs along.
+  void MarkPath(int node)
+  {
+    for (; this->Before[node] >= 0; node = this->Before[node])
+    {
+      for (int k = this->Links.First[node]; k < this->Links.First[node + 1]; ++k)
+      {
+        if (this->Links.Neighbours[k] == this->Before[node])
+        {
+          this->Hinges[this->HingeOf[k]].IsCrease = true;
+        }
+      }
     }
   }
 
-  const Eigen::MatrixXd& Points;
   std::vector<Hinge>& Hinges;
-  std::map<int, std::vector<int>> At; ///< of each point the edges that are sharp, or nearly so
+  Graph Links;              ///< edges that are sharp, or nearly so, and their points
+  std::vector<int> HingeOf; ///< of each link
+  Eigen::MatrixXd Positions;
+  Eigen::VectorXd Distances; ///< infinite between searches
+  std::vector<int> Before;   ///< of each node reached: the one before it on the path
 };
 
-/// Unites the smallest patch with the one it has the longest border with until none is too small.
+/// Merges the smallest patch into the one with the longest common boundary until none is too small.
 void UniteSmall(DisjointSets& sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas,
   double minimum)
 {

@@ -28,8 +28,8 @@ struct SurfaceFeatures
   std::vector<FeatureCurve> Curves; ///< where two patches meet, from corner to corner
   std::vector<int> Corners;         ///< points where creases meet or end
   double CreaseLength = 0.0;        ///< of all edges as sharp as a crease
-  double CurveLength = 0.0;         ///< of those on curves: less where patches were too small
-  /// The share of the creases that are curves; 1 where nothing is sharp.
+  double CurveLength = 0.0;         ///< of those on curves: less if patches were too small
+  /// The share of the creases that are curves; 1 if nothing is sharp.
   double CurveShare() const
   {
     return this->CreaseLength > 0.0 ? this->CurveLength / this->CreaseLength : 1.0;

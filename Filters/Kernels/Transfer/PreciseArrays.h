@@ -39,8 +39,8 @@ struct NumberedSurface
  *
  * tolerance: how far that position and TargetPosition may be apart, as a share of the longest side
  * of the target's box. names: what messages call the points and the target, "the Input". Throws
- * InvalidInput where a number is not finite, a barycentric coordinate is negative or three do not
- * sum to 1 (by more than single precision loses); MapOfAnotherSurface where a cell is no triangle
+ * InvalidInput if a number is not finite, a barycentric coordinate is negative or three do not
+ * sum to 1 (by more than single precision loses); MapOfAnotherSurface if a cell is no triangle
  * of the target, or the positions are farther apart.
  */
 SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,

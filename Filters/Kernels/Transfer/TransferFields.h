@@ -31,7 +31,7 @@ struct TransferWeights
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
   Eigen::VectorXi Cells;   ///< r: the giver's cell, the closest one outside
   Eigen::VectorXi Nearest; ///< r: of the cell's points, the one of most weight
-  Eigen::VectorXi Outside; ///< r: 1 where farther than the tolerance from every cell, else 0
+  Eigen::VectorXi Outside; ///< r: 1 if farther than the tolerance from every cell, else 0
 };
 
 /**
@@ -47,13 +47,13 @@ class TransferFields
 {
 public:
   /// giver: solid or surface, finite. map: with Push, the map at its points (n x 3), in the
-  /// receiver's space; else it may be empty. Throws InvalidInput where the giver has no polygon or
+  /// receiver's space; else it may be empty. Throws InvalidInput if the giver has no polygon or
   /// solid cell, or a position or the map is not finite; Aborted.
   explicit TransferFields(Cells giver, const Eigen::MatrixXd& map = {},
     const TransferFieldsOptions& options = {}, const Progress& progress = {});
 
   /// positions: r x 3, with Pull the receiver's map at its points, with Push these points
-  /// themselves. Throws InvalidInput where one is not finite, Aborted.
+  /// themselves. Throws InvalidInput if one is not finite, Aborted.
   TransferWeights Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:

@@ -20,7 +20,7 @@ struct BlendedIntrinsicOptions
  * somewhere, blended (Kim, Lipman and Funkhouser, "Blended intrinsic maps", 2011).
  *
  * Each surface is mapped to the sphere once, its holes closed by fans, both by the same method of
- * MapToSphere: by positive weights where one has a hole. Every three landmarks, or 300 triples of
+ * MapToSphere: by positive weights if one has a hole. Every three landmarks, or 300 triples of
  * them, give a Moebius map between the spheres each (Lipman and Funkhouser, "Moebius voting for
  * surface correspondence", 2009). A map is trusted at a point as 1 / cosh of the logarithm of how
  * much it enlarges areas there; the agreement of two maps is the integral of the trust in both
@@ -35,7 +35,7 @@ struct BlendedIntrinsicOptions
  *
  * a, b: consistently oriented 2-manifolds of one component and genus 0 with a triangle at each
  * point, closed or with holes, whose triangles face outwards. landmarks: none or three and more
- * points apart. Throws InvalidInput where not, SolveFailure, Aborted.
+ * points apart. Throws InvalidInput if not, SolveFailure, Aborted.
  */
 SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const BlendedIntrinsicOptions& options = {},

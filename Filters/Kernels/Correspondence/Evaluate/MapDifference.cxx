@@ -91,7 +91,7 @@ void Order(const Eigen::MatrixXd& matrix, DifferenceOperator& result, Eigen::Mat
   vectors = solver.eigenvectors()(Eigen::all, order);
 }
 
-/// <d, matrix d> / <d, weights d> with the row d of `functions` at each point; 1 where that is 0.
+/// <d, matrix d> / <d, weights d> with the row d of `functions` at each point; 1 if that is 0.
 Eigen::VectorXd Around(
   const Eigen::MatrixXd& functions, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& weights)
 {

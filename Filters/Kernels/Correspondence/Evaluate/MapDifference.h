@@ -48,7 +48,7 @@ inline constexpr int DifferenceEigenfunctions = 10;
  * whose values at the images are nearest to f, by least squares in the areas of `first`. Then
  * <f, V g> = <F f, F g> (equation 4 there) and <f, R g> = <F f, F g> with the products of gradients
  * (equation 6): V = F' F, R = L1^+ F' L2 F in the eigenbases, with eigenvalues L1 and L2. V is the
- * identity where the map keeps areas, R where it keeps angles; constants, which have no gradient,
+ * identity if the map keeps areas, R if it keeps angles; constants, which have no gradient,
  * are left out of R: their rows and columns are 0.
  *
  * Combinations of which less than a thousandth of the largest share lies on the image, as on a part

@@ -27,7 +27,7 @@ struct HeatKernelMapOptions
  *
  * a, b: consistently oriented 2-manifolds, open or closed, with a triangle at each point and a
  * landmark on each component. Without any landmark, of one component each: those of
- * FindLandmarks. Throws InvalidInput where not, SolveFailure, Aborted.
+ * FindLandmarks. Throws InvalidInput if not, SolveFailure, Aborted.
  */
 SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options = {}, const Progress& progress = {});

@@ -30,7 +30,7 @@ struct Pairs
 
 Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
 {
-  constexpr double minimum = 1e-9; // of the diagonal: where samples are fewer than eigenfunctions
+  constexpr double minimum = 1e-9; // of the diagonal: if samples are fewer than eigenfunctions
   Eigen::MatrixXd normal = to.transpose() * to;
   normal.diagonal().array() += minimum * normal.diagonal().maxCoeff();
   return normal.llt().solve(to.transpose() * from);

@@ -28,7 +28,7 @@ struct SampledSpectrum
 /**
  * The k x l matrix C that minimises |from - to C'|^2: from (s x k) and to (s x l) hold the values
  * of eigenfunctions at s samples that correspond. A ridge of 1e-9 of the normal equations' diagonal
- * decides where samples are fewer than eigenfunctions.
+ * decides if samples are fewer than eigenfunctions.
  */
 Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to);
 

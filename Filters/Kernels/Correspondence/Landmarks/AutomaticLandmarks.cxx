@@ -182,7 +182,7 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
       options, progress.Part(k / 10.0, (k + 1) / 10.0)));
     best = tried[k].Distortion < tried[best].Distortion ? k : best;
   }
-  // The parabola through three of them is least at a share between.
+  // The parabola through three of them has its minimum at a share between.
   double position = static_cast<double>(best);
   if (best > 0 && best + 1 < tried.size())
   {

@@ -17,7 +17,7 @@ namespace
 /// triangles around.
 struct PointGradients
 {
-  std::vector<Eigen::Matrix3Xd> Gradients; ///< s of 3 x k, of unit length; 0 where there is none
+  std::vector<Eigen::Matrix3Xd> Gradients; ///< s of 3 x k, of unit length; 0 if there is none
   Eigen::Matrix3Xd Normals;                ///< 3 x s, of unit length
 };
 

@@ -34,7 +34,7 @@ struct SurfacePart
 SurfacePart FindPart(
   const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress = {});
 
-/// The same where it is known which one is a part; a, b: RequireConnected. Throws InvalidInput
+/// The same if it is known which one is a part; a, b: RequireConnected. Throws InvalidInput
 /// if the part would have more area than the whole, or if no two landmarks tell the scale.
 SurfacePart MeasurePart(const Surface& a, const Surface& b, const Landmarks& landmarks,
   SurfacePart::WhichType which, const Progress& progress = {});

@@ -96,7 +96,7 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
   }
 }
 
-/// Of the volume inside a closed surface: 1, -1, or 0 where it has hardly one.
+/// The sign of the volume inside a closed surface; 0 if there is hardly one.
 int SideOf(const Mesh& mesh)
 {
   const double volume = ComputeEnclosedVolume(mesh), size = ComputeLongestBoxEdge(mesh.Points);

@@ -69,9 +69,9 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
   const ReversibleHarmonicOptions& options = {}, const Progress& progress = {});
 
 /**
- * ReversibleHarmonic of the coarse surfaces of a pair, and where these have fewer points than the
+ * ReversibleHarmonic of the coarse surfaces of a pair, and if these have fewer points than the
  * fine ones the last quarter of the steps of alpha again, of these, from the maps of the coarse
- * ones: the smooth part of the maps, which takes most iterations, is then in place. The embedding's
+ * ones: the smooth part of the maps, which takes most iterations, is then found. The embedding's
  * samples are those of the coarse surfaces.
  *
  * start: of the coarse surfaces; landmarks: of the coarse ones. Returns the maps of the fine

@@ -33,7 +33,7 @@ struct GromovWassersteinResult
 /**
  * Corresponding points of two surfaces by the coupling of samples that keeps distances along the
  * surfaces best (SolveCoupling; Solomon, Peyre, Kim and Sra, "Entropic metric alignment for
- * correspondence problems", 2016), which may be one to many where shapes differ.
+ * correspondence problems", 2016), which may be one to many if shapes differ.
  *
  * Samples weigh as much as the area that is nearest to them. Entropy falls on a quarter of the
  * samples, and once more, from eight times its last value, on all of them. Landmarks are samples

@@ -54,7 +54,7 @@ struct EntropicCoupling
  *
  * start: sA x sB, how much a sample of A is like one of B, in logarithms; the first masses are in
  * proportion to its exponentials. fixed: samples that go to each other, of equal weight, none
- * twice. Throws InvalidInput, SolveFailure where the masses stay far from the weights, Aborted.
+ * twice. Throws InvalidInput, SolveFailure if the masses stay far from the weights, Aborted.
  */
 EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed = {}, const EntropicCouplingOptions& options = {},

@@ -26,7 +26,7 @@ public:
   explicit PlanarFunnel(const Eigen::RowVector2d& start);
 
   ///@{
-  /// The end of a portal on the left or the right, where it is not the last one's.
+  /// The end of a portal on the left or the right, unless it is the previous one's.
   void AddLeft(const Eigen::RowVector2d& position, int portal);
   void AddRight(const Eigen::RowVector2d& position, int portal);
   ///@}

@@ -67,7 +67,7 @@ public:
   /// n: with a goal, of the points on the way only.
   const Eigen::VectorXd& Distances() const { return this->Lengths; }
 
-  /// To the goal; infinite where no path leads.
+  /// To the goal; infinite if no path leads there.
   double GoalDistance() const { return this->Goal.Nearest; }
 
   /// Forgets the seeds and the goal, in less time than the last computation took.

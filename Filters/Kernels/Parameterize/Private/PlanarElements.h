@@ -40,14 +40,14 @@ public:
   /// Jacobian of the map of a triangle to its image; points: n x 2.
   Eigen::Matrix2d Jacobian(Eigen::Index triangle, const Eigen::MatrixXd& points) const;
 
-  /// The mean of a distortion over the surface's area; infinite where a triangle has no positive
+  /// The mean of a distortion over the surface's area; infinite if a triangle has no positive
   /// area. Throws Aborted.
   double Energy(const Eigen::MatrixXd& points, Distortion distortion, double exponent,
     const Progress& progress = {}) const;
 
   /// The greatest t up to which points + s steps, 0 <= s < t, flips no triangle (Smith and
   /// Schaefer, "Bijective parameterization with free boundaries", 2015, section 3.2); infinite
-  /// where no t does.
+  /// if no t does.
   double LargestStep(const Eigen::MatrixXd& points, const Eigen::MatrixXd& steps) const;
 
 private:

@@ -55,8 +55,8 @@ std::vector<StarTriangle> WantedStar(const VertexRings& rings, const std::vector
   return star;
 }
 
-/// The least quality det / (sum of squared sides) of the triangles that merging a point into
-/// ring[0] makes; negative where one does not face outwards.
+/// The minimum quality det / (sum of squared edges) of the triangles that merging a point into
+/// ring[0] makes; negative if one does not face outwards.
 double MergedQuality(const Eigen::MatrixXd& points, const std::vector<int>& ring)
 {
   double minimum = 1.0;
@@ -97,8 +97,8 @@ bool MergeWhereSeen(VertexRings& rings, const Eigen::MatrixXd& points, int point
   return best >= 0;
 }
 
-/// Merges points at and around the flipped triangles until none is left. False where that fails or
-/// takes more than `most` merges.
+/// Merges points at and around the flipped triangles until none is left. False if that fails or
+/// takes more than `maximum` merges.
 bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, int maximum, Merges& merges, const Progress& progress)
 {
@@ -205,7 +205,7 @@ void PlaceTetrahedron(const VertexRings& rings, Eigen::MatrixXd& points)
   }
 }
 
-/// Undoes the merges. Points that were merged, and where there are levels all others, move while
+/// Undoes the merges. Points that were merged, and if there are levels all others, move while
 /// they relax. Returns the point that found no room, or -1.
 int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen::MatrixXd& points,
   const Progress& progress)

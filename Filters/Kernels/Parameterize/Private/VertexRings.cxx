@@ -167,7 +167,7 @@ bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<i
   {
     sum += p;
   }
-  // Long thin kernels: their middle may be unseen by rounding; nearer to the corner it may not.
+  // Long thin kernels: their centre may be unseen by rounding; nearer to the corner it may not.
   for (double share = 1.0; share > 1e-6 && sum.squaredNorm() > 0.0; share *= 0.5)
   {
     const Eigen::RowVector3d position = (corner + share * (sum.normalized() - corner)).normalized();

@@ -90,7 +90,7 @@ public:
   }
 
   std::vector<std::array<int, 2>> Pairs;
-  Eigen::MatrixXd Gain; ///< of two pairs together; -1 where they exclude each other
+  Eigen::MatrixXd Gain; ///< of two pairs together; -1 if they exclude each other
 };
 
 } // namespace
