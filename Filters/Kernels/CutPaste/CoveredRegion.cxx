@@ -25,7 +25,7 @@ Triangle2 ImageOf(const ExponentialPatch& patch, int triangle)
   return image;
 }
 
-/// The loop with each point that is near one of the patch's moved to it, no two to the same.
+/// The loop with its points moved to points of the patch that are near, no two to the same one.
 Eigen::MatrixXd Snapped(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, double snap)
 {
   struct Pull
@@ -73,7 +73,12 @@ Eigen::MatrixXd Snapped(const ExponentialPatch& patch, const Eigen::MatrixXd& lo
   return snapped;
 }
 
-/// What a loop covers of a patch, step by step.
+/// Finds what a loop covers of a patch. Find takes these steps:
+///
+/// 1. Look: for each triangle, whether the loop covers it, and which points of the loop lie in it.
+/// 2. ClearPointsOnSides: removes the triangles around points inside an edge of the loop.
+/// 3. MakeRing: removes triangles until the boundary of the removed ones passes no point twice, and
+///    checks that it ends inside the patch; WalkRing checks that they are a disk.
 class Cover
 {
 public:
@@ -112,7 +117,7 @@ public:
   }
 
 private:
-  /// Whether a triangle must go, and which of the loop's points lie on it.
+  /// Whether a triangle is removed, and which of the loop's points lie in it.
   void Look(int triangle)
   {
     Triangle2 image = ImageOf(this->Patch, triangle);
@@ -167,7 +172,7 @@ private:
           this->Result.Fault = CoveredRegionFault::Overlaps;
         }
         this->IsInside[side] = this->IsInside[side] || zeros == 0;
-        // A corner of the loop within an edge would split it, and so the triangles beside it.
+        // A corner of the loop inside an edge would split it, and so the triangles beside it.
         this->Gone[triangle] = this->Gone[triangle] || zeros == 1;
         const double sum = areas.sum();
         if (this->Result.Positions.Triangles(side) < 0 && sum > 0.0)
@@ -179,7 +184,7 @@ private:
       });
   }
 
-  /// The triangles around a point within a side must go: else the point would split it.
+  /// Removes the triangles around points inside an edge of the loop: they would split it.
   void ClearPointsOnSides()
   {
     const auto points = static_cast<int>(this->Patch.Points.size());
@@ -200,7 +205,7 @@ private:
     this->ClearAround(split);
   }
 
-  /// Returns whether there was a triangle around one of these points that was not gone.
+  /// Removes the triangles around these points; returns whether there was any.
   bool ClearAround(const std::vector<bool>& points)
   {
     bool some = false;
@@ -217,14 +222,15 @@ private:
     return some;
   }
 
-  /// Of side k of a triangle, the one beside it in the patch; -1 beyond the patch, -2 at a rim.
+  /// The triangle of the patch across edge k of another one; -1 beyond the patch, -2 at the
+  /// boundary.
   int NextTo(int triangle, int k) const
   {
     const int twin = this->Twins[3 * this->Patch.Triangles[triangle] + k];
     return twin < 0 ? -2 : this->InPatch[twin / 3];
   }
 
-  /// Whether the loop goes across a side of the patch from p to q.
+  /// Whether the loop crosses an edge of the patch from p to q.
   bool CrossesLoop(const Eigen::RowVector2d& p, const Eigen::RowVector2d& q) const
   {
     return this->Outline.Side(p) > 0 || this->Outline.Side(q) > 0 ||
@@ -272,7 +278,7 @@ private:
     }
   }
 
-  /// Where the patch ends on a side of the ring the loop must not go across it.
+  /// The loop must not cross an edge of the ring where the patch ends.
   void CheckLimit(int beside, int begin, int end)
   {
     if (beside < 0 &&
@@ -332,8 +338,8 @@ private:
   const ExponentialPatch& Patch;
   const std::vector<int>&Twins, &InPatch;
   PlanarOutline Outline;
-  std::vector<bool> Gone;     ///< of the patch's triangles
-  std::vector<bool> IsInside; ///< of the loop's points: the inside of a triangle
+  std::vector<bool> Gone;     ///< whether each triangle of the patch is removed
+  std::vector<bool> IsInside; ///< whether each point of the loop is inside a triangle
   CoveredRegion Result;
 };
 

@@ -20,7 +20,7 @@ namespace shape
 namespace
 {
 
-/// A fill's points and triangles are on no triangle of the surface.
+/// Adds the fills to the rest; their points and triangles are on no triangle of the surface.
 void Append(const FilledSurface& filled, DividedPart& rest)
 {
   const Eigen::Index own = rest.Surface.Points.rows(), all = filled.Surface.Points.rows();
@@ -39,8 +39,8 @@ void Append(const FilledSurface& filled, DividedPart& rest)
   rest.Positions.Barycentrics.bottomRows(all - own).setZero();
 }
 
-/// Of each point of a loop of the feature the one of the rest that stands for its place. On a seam,
-/// whose points are doubled, `loop` keeps one.
+/// For each point of a loop of the feature, the coincident one of the rest. On a seam, whose points
+/// are duplicates, `loop` keeps one.
 std::vector<int> PointsAt(
   std::vector<int>& loop, const DividedPart& feature, const DividedPart& rest)
 {
@@ -63,7 +63,7 @@ std::vector<int> PointsAt(
   return points;
 }
 
-/// The feature's base at a loop, where a hole of the rest is there and was filled.
+/// The feature's base at a loop, if there is a hole of the rest that was filled.
 void FindBase(
   const Surface& filled, std::vector<int> loop, CutFeatureResult& result, const Progress& progress)
 {
@@ -90,8 +90,8 @@ void FindBase(
   }
 }
 
-/// Fills the holes where a feature was. The loop may have many short edges; that does not make
-/// triangles inside small: about as many as would be of the surface's own size are enough.
+/// Fills the holes that a feature leaves. Even if the loop has many short edges, the number of
+/// triangles is limited to about as many as would be of the surface's own size.
 FilledSurface Filled(const Surface& rest, const std::vector<std::vector<int>>& loops,
   double meanArea, FillHolesOptions options, const Progress& progress)
 {
@@ -113,14 +113,15 @@ FilledSurface Filled(const Surface& rest, const std::vector<std::vector<int>>& l
   return FillLoops(rest, loops, options, progress);
 }
 
-/// Where fills have the copies of points that were doubled, from `first` on, their rims have them.
+/// Replaces points of the holes' loops by their duplicates, from `first` on, if the fills use
+/// these.
 void RenumberRims(const DividedPart& part, std::size_t first, std::vector<FilledHole>& holes)
 {
   for (FilledHole& hole : holes)
   {
     const auto corners =
       part.Surface.Triangles.middleRows(hole.FirstTriangle, hole.Triangles).reshaped();
-    std::map<int, int> copies; // by the place on the surface
+    std::map<int, int> copies; // by the point of the surface
     for (const int corner : corners)
     {
       if (corner >= static_cast<int>(first))
@@ -136,7 +137,7 @@ void RenumberRims(const DividedPart& part, std::size_t first, std::vector<Filled
   }
 }
 
-/// The parts of a surface divided.
+/// Builds the parts of a divided surface, and fills the rest.
 void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
   CutFeatureResult& result, const Progress& progress)
 {
@@ -216,7 +217,7 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
     this->LoopsThrough(curves, options.LoopIndex, progress.Part(0.0, 0.2));
   ImprintedCurves split = ImprintCurves(
     this->Locator->GetSurface(), loops, { options.SnapShare }, progress.Part(0.2, 0.3));
-  // Of a curve that touches itself the longest part.
+  // Of a curve that touches itself, the longest part.
   std::vector<std::vector<int>> chosen;
   std::vector<char> isTaken(loops.size(), 0);
   for (std::size_t i = 0; i < split.Loops.size(); ++i)

@@ -22,24 +22,24 @@ namespace shape
 struct CutFeatureOptions
 {
   LoopSide Side = LoopSide::Smaller;
-  int LoopIndex = -1;      ///< which of the curves cuts, from 0 on; -1: all
+  int LoopIndex = -1;      ///< of the curve that cuts, from 0 on; -1: all
   double SnapShare = 0.05; ///< see CurveImprintingOptions
-  bool FillHole = true;    ///< whether what is left is closed where the feature was
-  FillHolesOptions Fill;   ///< its triangles become as large as the surface's beside the loop
+  bool FillHole = true;    ///< whether the hole that the feature leaves is filled
+  FillHolesOptions Fill;   ///< whose triangles become as large as the surface's beside the loop
 };
 
 /// A feature cut from a surface.
 struct CutFeatureResult
 {
   DividedPart Feature;
-  DividedPart Rest;              ///< all else and, where FillHole is on, the fills
+  DividedPart Rest;              ///< the rest of the surface and, if FillHole is set, the fills
   std::vector<FilledHole> Holes; ///< of Rest
   std::optional<FeatureFootprint>
-    Base; ///< at the feature's longest cut loop, where its hole was filled
-  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< of the base: the middle of the fill
+    Base; ///< at the feature's longest cut loop, if its hole was filled
+  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< of the base: the centre of the fill
   int WeldedPoints = 0;                                 ///< of the surface: see WeldedSurface
   int Loops = 0;          ///< closed loops of the feature that were cut
-  int LoopsLeftOut = 0;   ///< parts of curves that touch themselves: the longest part cuts
+  int LoopsLeftOut = 0;   ///< parts of curves that touch themselves, except the longest
   double CutLength = 0.0; ///< of all edges between feature and rest
 };
 
@@ -51,17 +51,17 @@ struct CutFeatureResult
  * a feature back in the same position, we embed the loop in a parameterization of the fill region,
  * and also take the initial boundary frames from this new surface": the result's Base.
  *
- * Curves run anywhere: triangles that they go through are split (ImprintCurves). Holes that the
- * surface had stay. Where a cut ends at the surface's border there is no hole to fill; a point
- * where a part then hangs together at one point only is doubled. Owns what depends on the surface
- * alone; not for several threads at once.
+ * Curves may run anywhere: triangles that they cross are split (ImprintCurves). Holes that the
+ * surface had remain. If a cut ends at the surface's boundary, there is no hole to fill; a point at
+ * which two parts of the result only touch is duplicated. Owns what depends on the surface alone;
+ * not for several threads at once.
  */
 class FeatureCutter
 {
 public:
-  /// surface: any triangles; seams are no borders (WeldedSurface), and triangles with a point twice
-  /// are left out. Throws InvalidInput where there is no triangle of three places, an index is out
-  /// of range or a coordinate is not finite; Aborted.
+  /// surface: any triangles; seams are no boundary (WeldedSurface), and triangles with a point
+  /// twice are ignored. Throws InvalidInput if there is no triangle of three positions, an index is
+  /// out of range or a coordinate is not finite; Aborted.
   explicit FeatureCutter(const shape::Surface& surface, const Progress& progress = {});
   FeatureCutter(const FeatureCutter&) = delete;
   FeatureCutter& operator=(const FeatureCutter&) = delete;
@@ -71,8 +71,8 @@ public:
    * curves: closed, each k x 3 points on the surface or near it, at least 3, the last joined to the
    * first. isSelected: m, of each triangle.
    *
-   * Throws InvalidInput where an option or a point is wrong, where a curve encloses nothing or does
-   * not part the surface, and where the selection has no border to the rest; as SurfaceFiller;
+   * Throws InvalidInput if an option or a point is wrong, if a curve encloses nothing or does not
+   * divide the surface, or if the selection has no edge in common with the rest; as SurfaceFiller;
    * Aborted.
    */
   CutFeatureResult Cut(const std::vector<Eigen::MatrixXd>& curves,
@@ -87,7 +87,7 @@ private:
 
   shape::Surface Surface;
   WeldedSurface Joined;
-  std::unique_ptr<SurfaceLocator> Locator; ///< of Joined, as Paths: made for the first curve
+  std::unique_ptr<SurfaceLocator> Locator; ///< of Joined, like Paths: made for the first curve
   std::unique_ptr<SurfacePaths> Paths;
 };
 

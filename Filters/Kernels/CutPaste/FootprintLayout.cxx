@@ -20,7 +20,7 @@ namespace shape
 namespace
 {
 
-/// Rows of the points in a patch, or none where it does not have them all.
+/// The rows of points in a patch; empty if it does not have them all.
 std::vector<int> RowsOf(const std::vector<int>& points, const ExponentialPatch& patch)
 {
   std::unordered_map<int, int> rows;
@@ -41,7 +41,7 @@ std::vector<int> RowsOf(const std::vector<int>& points, const ExponentialPatch& 
   return found;
 }
 
-/// Whether the base, set down where it is from, comes to lie there.
+/// Whether the loop, pasted where it was cut, returns to its position.
 bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::vector<int>& loop,
   const Eigen::RowVector3d& seed)
 {
@@ -60,8 +60,7 @@ bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::ve
   }
 }
 
-/// Lays the loop out conformally, with a patch around it that is as small as will do; or else in
-/// the slow way.
+/// Flattens the loop conformally, with the smallest patch that suffices; else by the slow method.
 void LayOutConformally(PasteTarget& home, const Eigen::RowVector3d& seed, double radius,
   const std::vector<int>& loop, FeatureFootprint& base, const Progress& progress)
 {
@@ -87,7 +86,7 @@ void LayOutConformally(PasteTarget& home, const Eigen::RowVector3d& seed, double
           return;
         }
       }
-      catch (const SolveFailure&) // the next one may do
+      catch (const SolveFailure&) // the next one may succeed
       {
       }
     }
@@ -110,7 +109,7 @@ Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vect
 FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::RowVector3d& seed,
   std::vector<int> loop, const std::vector<int>& on, const Progress& progress)
 {
-  // Features are set down on manifolds only: on others there is no place of its own to return to.
+  // Features are pasted on manifolds only: on another surface there is no position to return to.
   std::optional<PasteTarget> home;
   std::optional<ExponentialMap> alone;
   const Topology& kind = filled.Topology();
@@ -129,7 +128,7 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
   {
     radius = std::max(radius, (filled.Points().row(point) - position.Position).norm());
   }
-  // Ways along the surface are longer than straight ones: the patch grows until it has the loop.
+  // Paths on the surface are longer than straight lines: the patch grows until it has the loop.
   constexpr int rounds = 8;
   for (int round = 0; round < rounds; ++round)
   {

@@ -7,24 +7,24 @@
 namespace shape
 {
 
-/// On which side of its loops a feature lies.
+/// The side of its loops on which a feature lies.
 enum class LoopSide
 {
-  Smaller, ///< where there is less area
+  Smaller, ///< the one with less area
   Larger,
-  Left, ///< of the loop, as its points are in order, seen from outside; of the longest of several
+  Left, ///< of the loop in the order of its points, seen from outside; of the longest of several
   Right
 };
 
 /**
- * The triangles (m, 0 or 1) on one side of loops along the edges of a surface: two triangles beside
- * an edge of a loop are on different sides, two beside any other edge on the same. So loops inside
- * each other bound rings, and two around a tube the part between. Each component that has loops is
- * parted by them; others are on neither side.
+ * Marks the triangles (m, 0 or 1) on one side of loops along the edges of a surface: two triangles
+ * at an edge of a loop are on different sides, two at any other edge on the same side. So nested
+ * loops bound rings, and two loops around a tube bound the part between. The loops divide each
+ * component that has some; other components are on neither side.
  *
  * loops: closed, the longest first. The surface may be non-manifold elsewhere. Throws InvalidInput
- * where loops do not part their component, as one around a handle does not, or run along its border
- * alone.
+ * if loops do not divide their component, as one around a handle does not, or if all run along its
+ * boundary.
  */
 std::vector<char> MarkTrianglesOnSide(
   const Surface& surface, const std::vector<std::vector<int>>& loops, LoopSide side);

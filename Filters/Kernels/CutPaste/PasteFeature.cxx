@@ -28,7 +28,7 @@ double TwiceArea(const Eigen::MatrixXd& polygon)
   return sum;
 }
 
-/// Throws InvalidInput where the loop crosses or touches itself in the plane, or runs clockwise.
+/// Throws InvalidInput if the loop crosses or touches itself in the plane, or runs clockwise.
 void RequireSimple(const Eigen::MatrixXd& loop)
 {
   if (!IsSimplePolygon(loop))
@@ -62,7 +62,7 @@ BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
   return BuildCurveHandle(positions, true, base.Normals);
 }
 
-/// The greatest angle by which one of the rotations differs from the first, in radians.
+/// The maximum angle between one of the rotations and the first, in radians.
 double Spread(const std::vector<Eigen::Matrix3d>& rotations)
 {
   double farthest = 0.0;
@@ -73,7 +73,7 @@ double Spread(const std::vector<Eigen::Matrix3d>& rotations)
   return 2.0 * std::asin(std::min(farthest / std::sqrt(8.0), 1.0));
 }
 
-/// When the front has met all points of triangles at the loop.
+/// The arrival time of the last point of triangles at the loop.
 double ReachOfRing(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
   const Eigen::VectorXd& times)
 {
@@ -106,7 +106,7 @@ Eigen::VectorXd AnglesAcross(
   return angles;
 }
 
-/// How far from the loop its turning reaches, in mean sides of the loop.
+/// How far from the loop SeamNormals acts, in mean edges of the loop.
 constexpr double TurningWidth = 4.0;
 
 double MeanSide(const BoundaryHandle& curve)
@@ -148,7 +148,7 @@ FeatureToPaste::FeatureToPaste(const shape::Surface& feature, FeatureFootprint b
   RequireSimple(this->Stand.LoopPositions);
   this->Prepared =
     PrepareDeformation(BuildPointGraph(this->Feature), this->Handle, options, fields, progress);
-  // The middles are on chords of the loop: at its points the front begins.
+  // The midpoints are on chords of the loop, where the front begins.
   Eigen::VectorXd arrivals = Eigen::VectorXd::Zero(this->Fans.First.size() - 1);
   arrivals.head(this->Feature.Points().rows()) = this->Prepared->Arrivals();
   const Mesh cut{ this->WithMidpoints(this->Feature.Points()), this->Cut.Triangles };
@@ -216,8 +216,8 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   Eigen::MatrixXd deformed = this->WithMidpoints(
     this->Prepared->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.7, 1.0))
       .Points);
-  // A point at a bend of the loop goes to the mean of several places: what that leaves is turned
-  // again.
+  // A point at a bend of the loop goes to the mean of several positions: further rounds rotate it
+  // by what this leaves.
   const int rounds = options.Dragging ? 1 : 3;
   for (int round = 0; share > 0.0 && round < rounds; ++round)
   {
@@ -231,8 +231,8 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
 {
   LoopOnTarget landing =
     target.Land(this->Stand, placement, !options.Dragging, progress.Part(0.0, 0.3));
-  // The offsets within the feature grow with Scale: as if it were deformed at its own size, to a
-  // pose that is as much smaller.
+  // The offsets within the feature grow with Scale: it is deformed at its own size, to a pose
+  // divided by Scale.
   HandlePose pose = PoseHandle(this->Handle, landing.Positions / placement.Scale, landing.Normals);
   const Eigen::VectorXd before = AnglesAcross(
     this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),
@@ -243,7 +243,7 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
         this->Prepared
           ->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.3, 0.9))
           .Points);
-  // Where the loop takes the place of the ring, point for point, no edge can be there twice.
+  // If the loop replaces the ring, point for point, no edge can exist twice.
   const auto given = static_cast<int>(this->Feature.Points().rows());
   const bool fits = landing.Join.Triangles.rows() == 0;
   PastedFeature result = JoinFeatureAndTarget(target.Surface(),
@@ -254,7 +254,7 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
     ComputeHandleTangents(this->Handle, pose.Positions));
   result.Facts = this->Prepared->Facts();
   result.Position = std::move(landing);
-  // A disk is taken from the target, and the feature glued in along a circle.
+  // A disk is removed from the target, and the feature is joined along a circle.
   result.EulerNumber = target.EulerNumber() - 1 + this->Feature.Topology().EulerNumber;
   if (!options.Dragging)
   {

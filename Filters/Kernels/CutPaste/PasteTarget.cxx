@@ -35,14 +35,14 @@ const Surface& RequireTarget(const Surface& surface)
   return surface;
 }
 
-/// Whether another layout might not have this fault.
+/// Whether another layout may not have this fault.
 bool IsOfLayout(CoveredRegionFault fault)
 {
   return fault == CoveredRegionFault::Flipped || fault == CoveredRegionFault::Overlaps ||
     fault == CoveredRegionFault::Collapsed;
 }
 
-/// What the base's x axis becomes where its normal is turned to `normal` by the shortest way.
+/// The base's x axis, rotated by the least rotation from the base's normal to `normal`.
 Eigen::RowVector3d TurnedAxis(const FeatureFootprint& base, const Eigen::RowVector3d& normal)
 {
   const Eigen::Vector3d from = base.Normal.transpose(), to = normal.transpose();
@@ -51,8 +51,7 @@ Eigen::RowVector3d TurnedAxis(const FeatureFootprint& base, const Eigen::RowVect
     return base.XAxis; // upside down: about the axis itself
   }
   const Eigen::Vector3d turn = from.cross(to), axis = base.XAxis.transpose();
-  // Rodrigues' formula for two unit vectors: nothing is turned where they are the same, bit for
-  // bit.
+  // Rodrigues' formula for two unit vectors: the identity, bit for bit, if they are the same.
   return (axis * from.dot(to) + turn.cross(axis) + turn * (turn.dot(axis) / (1.0 + from.dot(to))))
     .transpose();
 }
@@ -77,8 +76,8 @@ std::string Reason(const CoveredRegion& cover)
   }
 }
 
-/// Whether a side of the loop has lost its length: its points are in triangles whose image has
-/// none.
+/// Whether an edge of the loop has lost its length: its points are in triangles whose image has no
+/// area.
 bool IsCollapsed(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& image)
 {
   constexpr double minimum = 1e-6; // of its length in the plane
@@ -97,7 +96,7 @@ bool IsCollapsed(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& image)
 
 } // namespace
 
-/// A landing or what is wrong with it.
+/// A loop on the target, or its fault.
 struct PasteTarget::Trial
 {
   TangentFrame Seed;
@@ -122,12 +121,12 @@ PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestP
     placement.Scale * base.LoopPositions * turn.toRotationMatrix().transpose();
   const Eigen::RowVector3d axis = TurnedAxis(base, this->Map.Normal(seed));
   Trial trial;
-  // The distance along the surface is longer than that in the plane: the patch grows until it holds
-  // the loop and the ring around it.
+  // Distances on the surface are longer than those in the plane: the patch grows until it has the
+  // loop and the ring around it.
   double radius = 1.1 * loop.rowwise().norm().maxCoeff() + 3.0 * this->MeanEdge;
   if (base.ConformalRadius > 0.0)
   {
-    // Laid out as the base was: on the surface that it is from the loop is where it was.
+    // Flattened as the base was: on the surface that it was cut from, the loop returns.
     const ExponentialPatch patch =
       this->Map.Around(seed, placement.Scale * base.ConformalRadius, axis, progress);
     trial.Seed = patch.Seed;
@@ -199,7 +198,7 @@ CoveredRegionFault PasteTarget::TryConformally(const ExponentialPatch& patch, bo
   {
     this->TryOn(FlattenPatchConformally(this->Surface(), patch, refine, progress), loop, other);
   }
-  catch (const SolveFailure&) // it cannot be laid out: what is wrong with it is known
+  catch (const SolveFailure&) // it cannot be flattened: the fault of the other layout stands
   {
     return CoveredRegionFault::Flipped;
   }

@@ -12,15 +12,15 @@
 namespace shape
 {
 
-/// Where a feature is to be set down.
+/// Where a feature is to be pasted.
 struct PastePlacement
 {
-  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< taken to the closest place
+  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< the closest point of the surface counts
   double Rotation = 0.0;                                ///< degrees, about the outward normal
   double Scale = 1.0;                                   ///< > 0
 };
 
-/// How a target is laid out in the plane: by its exponential map, or in one of the two ways of
+/// How a target is mapped to the plane: by its exponential map, or by one of the two methods of
 /// FlattenPatchConformally.
 enum class TargetLayout
 {
@@ -29,26 +29,25 @@ enum class TargetLayout
   MinimumDistortion
 };
 
-/// Where a feature's loop comes to lie on a target.
+/// A feature's loop on a target.
 struct LoopOnTarget
 {
   TargetLayout Layout = TargetLayout::ExponentialMap;
-  TangentFrame Seed;         ///< XAxis: where the base's is turned to, before Rotation
+  TangentFrame Seed;         ///< XAxis: the rotated one of the base, before Rotation
   Eigen::MatrixXd Positions; ///< n x 3: of the loop's points, on the target
   Eigen::MatrixXd Normals;   ///< n x 3: unit normals of the target there
-  CoveredRegion Cover;       ///< what they cover
+  CoveredRegion Cover;       ///< what the loop covers
   SeamBand Join;             ///< the triangles between the loop and the ring of Cover
 };
 
 /**
- * A surface that features are set down on: owns what depends on it alone, so that a feature is
- * dragged across it in time for what it covers only. Not for several threads at once.
+ * A surface that features are pasted on: owns what depends on it alone, so that dragging a feature
+ * across it takes time proportional to what it covers. Not for several threads at once.
  */
 class PasteTarget
 {
 public:
-  /// surface: an oriented 2-manifold, open or closed. Throws InvalidInput where it is none,
-  /// Aborted.
+  /// surface: an oriented 2-manifold, open or closed. Throws InvalidInput if it is not, Aborted.
   explicit PasteTarget(const shape::Surface& surface, const ExponentialMapOptions& options = {},
     const Progress& progress = {});
 
@@ -57,14 +56,14 @@ public:
   int EulerNumber() const { return this->Surface().Topology().EulerNumber; }
 
   /**
-   * Lays the base's loop on the surface through the exponential maps of both: the directions of the
-   * base's plane are turned by the shortest way from its normal to the one at the seed, then by
-   * Rotation. So a base that comes from this very surface returns to where it was. Where the loop
-   * meets flipped triangles of the target's map, or that overlaps, a conformal one takes its place.
+   * Maps the base's loop to the surface through the exponential maps of both: the base's plane is
+   * rotated by the least rotation from its normal to the one at the seed, then by Rotation. So a
+   * base from this very surface returns to its position. If the loop meets flipped or overlapping
+   * triangles of the target's map, a conformal map replaces it.
    *
-   * Throws InvalidInput where the surface there cannot take the loop, with the reason and the
-   * largest scale that it would take. search: whether to look for that scale, and to refine a
-   * conformal layout: else the landing is quick. Aborted.
+   * Throws InvalidInput if the loop does not fit there, with the reason and the largest scale that
+   * does. search: whether to find that scale, and to refine a conformal layout; else it is quick.
+   * Aborted.
    */
   LoopOnTarget Land(const FeatureFootprint& base, const PastePlacement& placement,
     bool search = true, const Progress& progress = {});

@@ -5,7 +5,7 @@ namespace shape
 namespace
 {
 
-/// The parts of the result, put together point by point and triangle by triangle.
+/// Assembles the result point by point and triangle by triangle.
 class Assembly
 {
 public:
@@ -18,7 +18,7 @@ public:
   {
   }
 
-  /// deformed: the feature's points where they come to lie.
+  /// deformed: the feature's deformed points.
   PastedFeature Make(const Eigen::MatrixXd& deformed)
   {
     PastedFeature result;
@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  /// Of each point of the target: its number in the result, or -1. points: those that stay.
+  /// Of each point of the target: its index in the result, or -1. points: those that are kept.
   std::vector<int> Number(std::vector<int>& points) const
   {
     std::vector<int> number(this->Target.Points().rows(), 0);
@@ -105,7 +105,7 @@ private:
     const auto loop = static_cast<int>(this->Base.Loop.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      // One of the loop's points takes the place of those that lie on it.
+      // A point of the loop replaces those of the ring that lie on it.
       number[ring[i]] =
         this->Position.Join.RingPoints(static_cast<Eigen::Index>(i)) < loop ? -1 : 0;
     }

@@ -17,19 +17,19 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// A point of the loop, with the axes along it, into the feature, and upwards.
+/// A point of the loop with axes along it, into the feature, and upwards.
 struct Hinge
 {
   RowVector3d Position, Along, Inwards, Up;
 
-  /// By how much a point stands above the tangent plane, radians.
+  /// The angle of a point above the tangent plane, in radians.
   double AngleOf(const RowVector3d& point) const
   {
     const RowVector3d way = point - this->Position;
     return std::atan2(this->Up.dot(way), this->Inwards.dot(way));
   }
 
-  /// Down by an angle about the loop.
+  /// Rotates a point down by an angle about the loop.
   RowVector3d Turned(const RowVector3d& point, double angle) const
   {
     const RowVector3d way = point - this->Position;
@@ -129,7 +129,7 @@ SeamNormals::SeamNormals(const Mesh& feature, const TriangleFans& fans,
         {} };
       if (feature.Points.row(point) == feature.Points.row(loop[turned.Samples[0]]))
       {
-        continue; // another point at that place of the loop: it stays with it
+        continue; // a point that coincides with one of the loop stays
       }
       double sum = 0.0;
       for (const int sample : turned.Samples)

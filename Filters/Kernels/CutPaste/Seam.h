@@ -12,20 +12,20 @@ namespace shape
 {
 
 /**
- * Turns a deformed feature about its loop, point by point, until it leaves the loop by given
- * normals: what is left where equation 12 (OptimizeBoundaryNormals) has done its best, since the
- * frames of neighbouring samples blend and a feature is rough at its rim.
+ * Rotates a deformed feature about its loop, point by point, until it has given normals there. It
+ * removes the angles that equation 12 (OptimizeBoundaryNormals) leaves, since the frames of
+ * neighbouring samples are blended and a feature is rough at its boundary.
  *
- * A point next to the loop turns about the loop's tangents at its neighbours q_j there, each time
- * by the angle by which it stands above or below the tangent plane at q_j, and goes to the mean
- * (weights 1 / |p - q_j|^2). Others, no farther than a width, turn likewise about the nearest
- * points of the loop, by the mean angle there times (1 - x^2)^3 at distance x of the width.
+ * A point next to the loop is rotated about the loop's tangents at its neighbours q_j on the loop,
+ * each time by its angle above or below the tangent plane at q_j, and goes to the mean of the
+ * results (weights 1 / |p - q_j|^2). Other points within a width are rotated likewise about the
+ * nearest points of the loop, by the mean angle there times (1 - x^2)^3 at x times the width.
  */
 class SeamNormals
 {
 public:
-  /// feature: any triangles, undeformed; fans: its; loop: points of it in their order, the feature
-  /// to the left. distances: of its points from the loop; width: in their unit.
+  /// feature: any triangles, undeformed; fans: of its triangles; loop: points of it in order, the
+  /// feature to the left. distances: of its points from the loop; width: in the same unit.
   SeamNormals(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
     const Eigen::VectorXd& distances, double width);
 
@@ -34,52 +34,52 @@ public:
   void Apply(Eigen::MatrixXd& points, const Eigen::MatrixXd& normals, double share) const;
 
 private:
-  /// A point and what it turns about.
+  /// A point and the samples that it rotates about.
   struct Turned
   {
     int Point;
-    double Fade;              ///< share of the angles that is left here
-    std::vector<int> Samples; ///< places in the loop
+    double Fade;              ///< the factor of the angles here
+    std::vector<int> Samples; ///< indices in the loop
     std::vector<double> Weights;
   };
 
   std::vector<int> Loop;
-  std::vector<Turned> Ring;   ///< next to the loop; Weights are made anew each time
+  std::vector<Turned> Ring;   ///< next to the loop; Weights are computed each time
   std::vector<Turned> Beyond; ///< the others within the width
 };
 
 /// The triangles that join a loop to the ring around it.
 struct SeamBand
 {
-  /// t x 3, counter-clockwise: the loop's points count from 0, the ring's after them, then
-  /// Midpoints. Where a point of the ring lies on one of the loop's it counts as that one.
+  /// t x 3, counter-clockwise: indices of the loop's points, then of the ring's, then of Midpoints.
+  /// A point of the ring that lies on one of the loop's has the index of that one.
   Eigen::MatrixXi Triangles;
-  Eigen::VectorXi RingPoints; ///< of each point of the ring: its number there, or the loop's
-  /// Points in the middle between two others: an edge of the band that joins two points of the ring
-  /// could be one of the surface around it, too, and is cut in two.
+  Eigen::VectorXi RingPoints; ///< of each point of the ring: its index, or that of the loop's
+  /// The midpoints of edges of the band between two points of the ring: such an edge could also be
+  /// one of the surface around it, and is split.
   std::vector<std::array<int, 2>> Midpoints;
 };
 
 /**
- * Joins a loop to the ring around it by the constrained Delaunay triangulation of what is between
- * them in the plane. They may have points and sides in common.
+ * Joins a loop to the ring around it by the constrained Delaunay triangulation of the band between
+ * them in the plane. They may have points and edges in common.
  *
- * Edges may join two points of the loop: what is within must not have them (FindLoopChords).
+ * Edges may join two points of the loop: the surface inside must not have them (FindLoopChords).
  *
- * loop: n x 2, a polygon that does not cross itself, in either sense. ring: m x 2, another,
- * counter-clockwise, the loop within. Throws InvalidInput where they cross.
+ * loop: n x 2, a simple polygon of either orientation. ring: m x 2, another, counter-clockwise,
+ * around the loop. Throws InvalidInput if they cross.
  */
 SeamBand TriangulateSeamBand(const Eigen::MatrixXd& loop, const Eigen::MatrixXd& ring);
 
 /**
- * Point data of a feature that meet what the target has at their loop: the difference there, spread
- * into the feature by inverse squared distances (equation 4 with k = 2) and fading out with the
- * distance from the loop by (1 - x^2)^3.
+ * Point data of a feature that agree with the target's at their loop: the difference there is
+ * interpolated into the feature by inverse squared distances (equation 4 with k = 2) and fades out
+ * with the distance from the loop by (1 - x^2)^3.
  *
- * values: m x d, at the feature's points (m x 3). differences: n x d, what the target has less what
- * the feature has, at its loop (n x 3). distances: m, of the feature's points from the loop; width:
- * where nothing is left of it, in their unit; 0 changes nothing. At the loop the result is the
- * target's value exactly, where its points are among the feature's.
+ * values: m x d, at the feature's points (m x 3). differences: n x d, the target's values minus the
+ * feature's at its loop (n x 3). distances: m, of the feature's points from the loop; width: the
+ * distance beyond which nothing changes, in the same unit; 0 changes nothing. At points of the
+ * feature on the loop the result is exactly the target's value.
  */
 Eigen::MatrixXd BlendAtSeam(Eigen::MatrixXd values, const Eigen::MatrixXd& points,
   const Eigen::MatrixXd& differences, const Eigen::MatrixXd& loop, const Eigen::VectorXd& distances,

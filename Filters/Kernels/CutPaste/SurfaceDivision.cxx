@@ -80,7 +80,7 @@ int SurfaceDivision::OriginalOf(int triangle) const
   return this->Joined.Triangles[this->Split.OriginalTriangles(triangle)];
 }
 
-/// Which of a triangle's given points is at the place of a joined one.
+/// The given point of a triangle that corresponds to a welded one.
 int SurfaceDivision::GivenPoint(int triangle, int point) const
 {
   const Eigen::RowVector3i joined =
@@ -89,7 +89,7 @@ int SurfaceDivision::GivenPoint(int triangle, int point) const
   return this->Surface.Triangles()(this->OriginalOf(triangle), k);
 }
 
-/// Where a new point is in a triangle that has it.
+/// The position of a new point in a given triangle that contains it.
 SurfacePoint SurfaceDivision::NewPosition(int triangle, int point) const
 {
   const SurfacePoints& added = this->Split.NewPoints;
@@ -105,7 +105,8 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
   const auto given = static_cast<int>(this->Surface.Points().rows());
   DividedPart part;
   std::vector<Eigen::RowVector3i> triangles; // of the given points, then of those added
-  // On a seam, whose points are doubled, a new point is doubled, too: each side has its own data.
+  // On a seam, whose points are duplicates, a new point is duplicated, too: each side has its own
+  // data.
   std::map<std::array<int, 3>, int> numberOfAdded;
   std::vector<std::pair<int, SurfacePoint>> added;
   const auto add = [&](int triangle, int point)
@@ -134,7 +135,7 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
       }
     }
   }
-  // The triangle that each point is found in first.
+  // The first triangle of each point.
   std::vector<int> firsts(given + added.size(), -1), numbers(firsts.size(), -1), points;
   for (int t = static_cast<int>(triangles.size()) - 1; t >= 0; --t)
   {
@@ -186,7 +187,7 @@ std::vector<std::vector<int>> SurfaceDivision::CutLoops(
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
       const int a = ids[loop[i]], b = ids[loop[(i + 1) % loop.size()]];
-      if (a != b && this->Cut.count(std::minmax(a, b)) == 0) // the same: points of a seam
+      if (a != b && this->Cut.count(std::minmax(a, b)) == 0) // the same point: a seam
       {
         return true;
       }
@@ -200,7 +201,7 @@ std::vector<std::vector<int>> SurfaceDivision::CutLoops(
 void SurfaceDivision::PartPinches(DividedPart& part) const
 {
   Mesh& mesh = part.Surface;
-  // Corners at one point are joined across edges that their triangles share.
+  // Corners at one point are connected across edges that their triangles share.
   DisjointSets fans(static_cast<int>(mesh.Triangles.size()));
   const Eigen::MatrixXi whole = MergeSeam(part).Triangles;
   const std::vector<HalfEdge> edges = SortHalfEdges(whole, mesh.Points.rows());

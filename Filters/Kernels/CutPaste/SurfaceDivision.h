@@ -17,15 +17,16 @@ struct DividedPart
 {
   Mesh Surface;                       ///< points of the surface in their order, then new ones
   std::vector<int> OriginalPoints;    ///< of each point: the surface's, or -1
-  SurfacePoints Positions;            ///< where it is on the surface; triangle -1: not on it
-  std::vector<int> OriginalTriangles; ///< of each: the surface's that it is in, or -1: in none
+  SurfacePoints Positions;            ///< on the surface; triangle -1: not on it
+  std::vector<int> OriginalTriangles; ///< of each: the one of the surface that contains it, or -1
   std::vector<int> Ids; ///< of each point: see SurfaceDivision; -1: not on the surface
 };
 
-/// A part whose seams are closed: the same points, of those with one id the first alone.
+/// A part with its seams closed: the same points, but only the first one of those with the same id
+/// is used.
 Mesh MergeSeam(const DividedPart& part);
 
-/// A surface divided in two along edges, which it may have been given by ImprintCurves.
+/// A surface divided in two along edges, which ImprintCurves may have inserted.
 class SurfaceDivision
 {
 public:
@@ -34,17 +35,18 @@ public:
   SurfaceDivision(const shape::Surface& surface, const WeldedSurface& joined, ImprintedCurves split,
     std::vector<char> isFeature);
 
-  double CutLength() const { return this->Length; } ///< 0: nothing is divided
+  double CutLength() const { return this->Length; } ///< 0: there is one part only
   double MeanArea() const;                          ///< of the given triangles beside the cut
 
   /// The feature or the rest. Ids of its points are those of the joined surface after the split.
   DividedPart PartOf(bool feature) const;
 
-  /// The loops of a part's border that were cut all around, with the part to the left; the longest
-  /// first. ids: of its points.
+  /// The boundary loops of a part that consist of cut edges only, with the part to the left; the
+  /// longest first. ids: of its points.
   std::vector<std::vector<int>> CutLoops(const Mesh& part, const std::vector<int>& ids) const;
 
-  /// Doubles points of the cut at which a part hangs together by no edge; copies come last.
+  /// Duplicates points of the cut at which triangles of a part touch without a common edge; the
+  /// duplicates come last.
   void PartPinches(DividedPart& part) const;
 
 private:

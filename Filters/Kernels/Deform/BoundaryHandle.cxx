@@ -121,8 +121,8 @@ Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixX
   return FitRotation(products, Eigen::Matrix3d::Identity());
 }
 
-/// Columns: along the tangent, across the normal, nearest to the normal; false if tangent and normal
-/// are parallel, or one is 0.
+/// Columns: along the tangent, across the normal, nearest to the normal; false if tangent and
+/// normal are parallel, or one is 0.
 bool MakeFrame(
   const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal, Eigen::Matrix3d& frame)
 {

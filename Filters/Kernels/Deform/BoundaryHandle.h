@@ -45,10 +45,10 @@ Eigen::MatrixXd ComputeHandleTangents(
  *
  * With normals, each rotation takes the frame of tangent and normal to the new one, exactly along
  * the tangent. Without, it is the rotation P of the handle as a whole (Kabsch 1976) followed by the
- * least rotation that takes P t to the new tangent. On surfaces, at branches of curves and at points
- * without a curve, it is the rotation that fits the neighbours best, P if they do not determine one.
- * All of these are equivariant: of a rigid motion, every rotation is that motion's, except for a
- * straight handle without normals, whose twist is undetermined.
+ * least rotation that takes P t to the new tangent. On surfaces, at branches of curves and at
+ * points without a curve, it is the rotation that fits the neighbours best, P if they do not
+ * determine one. All of these are equivariant: of a rigid motion, every rotation is that motion's,
+ * except for a straight handle without normals, whose twist is undetermined.
  *
  * Throws InvalidInput if sizes differ, a value is not finite, or one of the handle and the target
  * has normals and the other has none.
@@ -59,8 +59,8 @@ HandlePose PoseHandle(const BoundaryHandle& handle, const Eigen::MatrixXd& posit
 /// The handle at rest.
 HandlePose GetRestPose(const BoundaryHandle& handle);
 
-/// Rotates each sample's frame by an angle (s, radians) about the tangent of the posed curve, by the
-/// right-hand rule along the segments: M_i of equation 12. Samples without a tangent stay.
+/// Rotates each sample's frame by an angle (s, radians) about the tangent of the posed curve, by
+/// the right-hand rule along the segments: M_i of equation 12. Samples without a tangent stay.
 void RotateAboutTangents(
   const BoundaryHandle& handle, const Eigen::VectorXd& angles, HandlePose& pose);
 

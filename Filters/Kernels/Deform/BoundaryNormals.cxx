@@ -27,7 +27,7 @@ double AngleBetween(const RowVector3d& a, const RowVector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Equation 12.
+/// Minimises equation 12.
 class NormalSearch
 {
 public:
@@ -102,7 +102,7 @@ private:
 
   Eigen::VectorXd MissingAngles() const { return this->MissingAngles(this->Now); }
 
-  /// By how much each frame would have to turn, were it alone.
+  /// The angle by which each frame would have to rotate if it were alone.
   Eigen::VectorXd MissingAngles(const State& state) const
   {
     Eigen::VectorXd missing = Eigen::VectorXd::Zero(this->Wanted.rows());
@@ -119,8 +119,8 @@ private:
     return missing;
   }
 
-  /// Angles along the curves, less rough: a sample's normal depends on the frames of those beside
-  /// it, too, so that each frame for itself would turn too far and back.
+  /// Smooths angles along the curves: a sample's normal also depends on the frames of its
+  /// neighbours, so that frames rotated independently would overshoot and oscillate.
   Eigen::VectorXd Smoothed(Eigen::VectorXd angles) const
   {
     constexpr int passes = 2;
@@ -153,8 +153,8 @@ private:
     return total;
   }
 
-  /// Goes along a direction as far as the missing angles ask for: how much of them one step makes
-  /// up for tells how long the next must be. Else back by halves until the energy falls.
+  /// A line search: the share of the missing angles that one step corrects determines the length of
+  /// the next one. If the energy does not decrease, steps are halved until it does.
   bool SearchAlong(const Eigen::VectorXd& direction)
   {
     const Eigen::VectorXd begin = this->Now.Angles, missing = this->MissingAngles();

@@ -63,7 +63,7 @@ ShapeElements Sorted(const ShapeElements& shape, const std::vector<int>& order)
     Sorted(shape.Triangles, number), Sorted(shape.Tetrahedra, number) };
 }
 
-/// A field whose size is wrong stays, for the one who tells.
+/// A field of a wrong size is returned as it is: RequireFields reports it.
 template <typename Field>
 Field Sorted(const Field& field, const std::vector<int>& order)
 {
@@ -114,7 +114,7 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
   this->Fresh = !hasShape || !this->Fits(problem);
   if (this->Fresh)
   {
-    // Where this fails, or is stopped, nothing fits afterwards.
+    // If this fails or is aborted, nothing fits afterwards.
     this->Deformation.reset();
     if (!hasShape)
     {

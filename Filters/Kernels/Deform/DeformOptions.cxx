@@ -35,11 +35,11 @@ void RequireField(const Eigen::VectorXd& field, Eigen::Index points, const std::
   }
 }
 
-/// How curved each node is among the others, in [0, 1): 1/2 where its Gaussian curvature is the
-/// mean.
+/// The curvature of each node relative to the others, in [0, 1): 1/2 if its Gaussian curvature is
+/// the mean.
 Eigen::VectorXd RelativeCurvatures(const PointGraph& graph)
 {
-  // One angle defect is noise: the mean over a node and its neighbours.
+  // A single angle defect is noisy: take the mean over a node and its neighbours.
   Eigen::VectorXd curvatures = graph.Curvatures;
   for (int i = 0; i < graph.Size(); ++i)
   {

@@ -48,8 +48,8 @@ bool operator==(const DeformOptions& a, const DeformOptions& b);
 /// Values at the points of a shape, each n or none.
 struct DeformFields
 {
-  Eigen::VectorXd Rigidity; ///< multiplies DeformOptions::Rigidity; >= 0
-  Eigen::VectorXd Scale;    ///< multiplies DeformOptions::Scale; >= 0
+  Eigen::VectorXd Rigidity; ///< factor of DeformOptions::Rigidity; >= 0
+  Eigen::VectorXd Scale;    ///< factor of DeformOptions::Scale; >= 0
   Eigen::VectorXi Segments; ///< labels: parts that follow one after the other (Fig. 9)
 };
 
@@ -60,15 +60,15 @@ struct PointParameters
   Eigen::VectorXd Scales; ///< of offsets
 };
 
-/// Throws InvalidInput where an option is out of its range.
+/// Throws InvalidInput if an option is out of range.
 void RequireOptions(const DeformOptions& options);
 
-/// Throws InvalidInput where a field has another size than there are points, or a value that is
+/// Throws InvalidInput if the size of a field is not the number of points, or if a value is
 /// negative or not finite.
 void RequireFields(const DeformFields& fields, Eigen::Index points);
 
-/// shape: the graph of the points that `fields` are given at; the first nodes of the swept graph
-/// are its nodes. Throws InvalidInput (RequireFields).
+/// shape: the graph of the points that `fields` belong to; its nodes are the first ones of the
+/// swept graph. Throws InvalidInput (RequireFields).
 PointParameters FindParameters(const PointGraph& shape, const FrontSweep& sweep,
   const DeformOptions& options, const DeformFields& fields);
 

@@ -27,7 +27,8 @@ Eigen::Matrix3d TurnBy(const Eigen::Vector3d& turn)
                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
-/// Pairs of samples that are next to each other along the handle, in terms of the first at a place.
+/// Pairs of neighbouring samples of the handle; of coincident samples, the first one stands for
+/// all.
 std::vector<std::pair<int, int>> HandleLinks(
   const BoundaryHandle& handle, const std::vector<int>& first)
 {
@@ -135,7 +136,8 @@ void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
     const double angle = std::atan2(axis.norm(), normal.dot(direction));
     if (!(axis.norm() > 1e-12))
     {
-      // Opposite: every way is as short; the one about the curve does not twist it.
+      // Opposite: all rotations by half a turn are least; the one about the curve does not twist
+      // it.
       const Eigen::Vector3d tangent = tangents.row(i).transpose();
       axis = tangent - tangent.dot(normal) * normal;
       axis = axis.norm() > 0.0 ? axis : normal.unitOrthogonal();

@@ -22,7 +22,7 @@ namespace shape
 namespace
 {
 
-/// Throws InvalidInput where a pose does not have a place and a rotation for each sample.
+/// Throws InvalidInput unless a pose has a position and a rotation for each sample.
 void RequirePose(const BoundaryHandle& handle, const HandlePose& pose)
 {
   const Eigen::Index samples = handle.Positions.rows();
@@ -49,7 +49,7 @@ std::unique_ptr<NodeDeformation> SolveInFull(
 std::unique_ptr<NodeDeformation> Solve(
   NodeProblem problem, const DeformOptions& options, const Progress& progress)
 {
-  // As the paper has it: above 2000 points, a base of 1000; larger shapes have larger ones.
+  // As in the paper: above 2000 points, a base of 1000; larger shapes have larger bases.
   constexpr int few = 2000, minimum = 1000, share = 20;
   using Type = DeformOptions::MultiresolutionType;
   const int inner = problem.Graph.Size() - static_cast<int>(problem.Sources.size());
@@ -67,7 +67,7 @@ std::unique_ptr<NodeDeformation> Solve(
     progress);
 }
 
-/// Labels of all nodes of a graph whose first ones are the shape's.
+/// The labels of all nodes of a graph whose first nodes are the shape's.
 Eigen::VectorXi LabelsOfNodes(
   const PointGraph& shape, const Eigen::VectorXi& labels, const PointGraph& all)
 {
@@ -85,14 +85,14 @@ Eigen::VectorXi LabelsOfNodes(
   return ofNodes;
 }
 
-/// Beside a handle that is this much larger, or far away, the shape would be one point.
+/// Relative to a much larger or distant handle, the shape would be a single point.
 void RequireNear(const BoundaryHandle& handle, const PointGraph& graph)
 {
   constexpr double minimum = 1e-9;
   Eigen::MatrixXd all(handle.Positions.rows() + graph.Positions.rows(), 3);
   all << handle.Positions, graph.Positions;
   const double shape = ComputeLongestBoxEdge(graph.Positions), both = ComputeLongestBoxEdge(all);
-  // AttachHandle says what is not finite.
+  // AttachHandle reports what is not finite.
   if (std::isfinite(both) && shape < minimum * both && (shape > 0.0 || both > 1e50))
   {
     std::ostringstream words;

@@ -14,13 +14,13 @@
 namespace shape
 {
 
-/// What was met while a deformation was prepared.
+/// Facts about a prepared deformation.
 struct DeformFacts
 {
-  int Islands = 0;       ///< pieces that no edge joins to the handle, joined where they are nearest
+  int Islands = 0;       ///< components not connected to the handle, linked where they are nearest
   int EmptyBands = 0;    ///< points with nothing within UpwindRadius before them
-  int ZeroWeights = 0;   ///< points upwind of which all weights are 0
-  int WeldedPoints = 0;  ///< points at the place of an earlier one
+  int ZeroWeights = 0;   ///< points for which all upwind weights are 0
+  int WeldedPoints = 0;  ///< points that coincide with an earlier one
   int Segments = 0;      ///< connected parts of one label; 0 without labels
   int BasePoints = 0;    ///< of the coarse shape; 0 in full resolution
   bool Streamed = false; ///< the weights are too many to be kept
@@ -29,22 +29,22 @@ struct DeformFacts
 struct DeformedShape
 {
   Eigen::MatrixXd Points;                 ///< n x 3
-  std::vector<Eigen::Matrix3d> Rotations; ///< n: how the shape turns at each point
+  std::vector<Eigen::Matrix3d> Rotations; ///< n: of the shape at each point
 };
 
 /**
- * A shape prepared for being deformed by one handle, again and again: the weights are kept, so that
- * a new pose of the handle is one pass over them.
+ * A shape prepared for being deformed by one handle, again and again: it keeps the weights, so that
+ * a new pose of the handle takes one pass over them.
  *
  * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010), equations 4 to
- * 9. Where sample q_j goes to qhat_j and turns by R_j, point p goes to
+ * 9. If sample q_j goes to qhat_j and rotates by R_j, point p goes to
  *
  *   phat = sum_j w_j (qhat_j + s R_j (p - q_j)) / sum_j w_j,
  *
- * and turns by the rotation nearest to sum_j w_j R_j, which is the blend of frames of section 2.1
- * without the frames: those of inner points cancel. A rigid motion of the handle is that motion of
- * the shape, for any weights; with the handle scaled by s = Scale, that similarity; an unmoved
- * handle returns the points themselves, bit for bit.
+ * and rotates by the rotation nearest to sum_j w_j R_j. This is the blend of frames of section 2.1
+ * without the frames, since those of inner points cancel. A rigid motion of the handle is that
+ * motion of the shape, for any weights; with the handle scaled by s = Scale, that similarity; an
+ * unmoved handle returns the points themselves, bit for bit.
  */
 class ShapeDeformation
 {
@@ -55,14 +55,14 @@ public:
     const Progress& progress = {});
   ~ShapeDeformation();
 
-  /// The shape where the handle has this pose. Points that the front reaches later than `reach`, in
-  /// the model's units, need not be computed: their rows mean nothing. A pass over few points is
-  /// quick: for optimisations of the frames (equation 12). Several threads may call it. Throws
-  /// InvalidInput where the pose has another number of samples; Aborted.
+  /// The shape for a pose of the handle. Points that the front reaches later than `reach`, in the
+  /// model's units, may be left out: their rows are undefined. So a pass over few points is quick,
+  /// for the optimisation of frames (equation 12). Several threads may call it. Throws InvalidInput
+  /// if the pose has another number of samples; Aborted.
   DeformedShape Deform(const HandlePose& pose,
     double reach = std::numeric_limits<double>::infinity(), const Progress& progress = {}) const;
 
-  /// When the front arrives at each point (n): how far it is from the handle along edges.
+  /// The arrival time of the front at each point (n): its distance from the handle along edges.
   const Eigen::VectorXd& Arrivals() const;
 
   const DeformFacts& Facts() const;
@@ -73,11 +73,11 @@ private:
 };
 
 /**
- * Prepares a shape for a handle by the method and at the resolution that the options name.
+ * Prepares a shape for a handle by the method and at the resolution of the options.
  *
- * graph: of the shape's points (BuildPointGraph). Throws InvalidInput where an option is out of its
- * range, a field has another size, the handle has no samples or a wrong one, or the shape is less
- * than 1e-9 as large as it and the handle together; Aborted.
+ * graph: of the shape's points (BuildPointGraph). Throws InvalidInput if an option is out of range,
+ * a field has another size, the handle has no samples or an invalid one, or the shape is smaller
+ * than 1e-9 of the box around it and the handle; Aborted.
  */
 std::unique_ptr<ShapeDeformation> PrepareDeformation(const PointGraph& graph,
   const BoundaryHandle& handle, const DeformOptions& options = {}, const DeformFields& fields = {},

@@ -121,7 +121,7 @@ UpwindFront::UpwindFront(const PointGraph& graph, const FrontSweep& sweep,
   {
     const double arrival = sweep.Arrivals[rank];
     end = sweep.Arrivals[end] < arrival ? rank : end;
-    // A node at a source's place has a step of length 0: the sources are its band all the same.
+    // A node that coincides with a source has a step of length 0: the sources are its band anyway.
     this->Ends[rank] = end;
     this->Empty += sweep.Arrivals[end - 1] <= arrival - this->Radius;
     const auto begin = std::upper_bound(sweep.Arrivals.begin(), sweep.Arrivals.begin() + end - 1,

@@ -11,37 +11,37 @@ namespace shape
 {
 
 /**
- * When a front that starts at sources arrives at the nodes of a graph: the lengths of the shortest
- * ways along its links (Dijkstra 1959), and the nodes by rank: the sources first, in the order
- * given, then the others in the order of their arrival, those of one arrival by number.
+ * The arrival times of a front that starts at sources at the nodes of a graph: the lengths of the
+ * shortest paths along its links (Dijkstra 1959). Nodes are ranked: the sources first, in the given
+ * order, then the others by arrival time, those of equal times by index.
  */
 struct FrontSweep
 {
   std::vector<int> Nodes;       ///< of each rank
   std::vector<int> Ranks;       ///< of each node
-  std::vector<double> Arrivals; ///< of each rank, rising; 0 at sources
-  std::vector<int> Parents;     ///< rank of the node before it on the way; -1 at sources
+  std::vector<double> Arrivals; ///< of each rank, increasing; 0 at sources
+  std::vector<int> Parents;     ///< rank of the previous node on the path; -1 at sources
   std::vector<double> Steps;    ///< length of the link from there; 0 at sources
   int Sources = 0;
 };
 
-/// sources: different nodes. Throws InvalidInput where the front does not reach all nodes
+/// sources: different nodes. Throws InvalidInput if the front does not reach all nodes
 /// (ConnectComponents first), Aborted.
 FrontSweep SweepFront(
   const PointGraph& graph, const std::vector<int>& sources, const Progress& progress = {});
 
 /// w of equation 4, 1 / (d^k + epsilon), with d in mean links and epsilon so small that it only
-/// keeps the weights of points at one place finite: k, `power`, may be 0 to 32 then.
+/// keeps the weights of coincident points finite; k, `power`, from 0 to 32.
 double EvaluateInverseDistanceWeight(double distance, double power);
 
 /// f of equation 7: from 1 at 0 smoothly to 0 at `radius` and beyond.
 double EvaluateSmoothFalloff(double x, double radius);
 
-/// Between which points the distance d of equation 4 is measured.
+/// The distance d of equation 4.
 enum class FrontDistance
 {
   Euclidean,
-  Geodesic ///< along links within the band; points that it does not join have no weight
+  Geodesic ///< along links within the band; points without a path there have no weight
 };
 
 struct UpwindFrontOptions
@@ -51,13 +51,13 @@ struct UpwindFrontOptions
 };
 
 /**
- * What lies upwind of each point on a sweeping front, and how much each of it counts: equations 4
- * and 6 to 9 of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
+ * The points upwind of each point on a sweeping front, and their weights: equations 4 and 6 to 9 of
+ * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
  *
- * Since nodes are ranked by arrival, the band upwind of rank i, those that the front met within
- * Radius before it, is one contiguous range of ranks [Begin(i), End(i)), and a weight's row is
- * dense. Where a link is so long that the point it comes from is not, or hardly, in the band, the
- * band is a quarter longer than the link.
+ * Since nodes are ranked by arrival time, the band upwind of rank i, the nodes that the front met
+ * within Radius before it, is one contiguous range of ranks [Begin(i), End(i)), and a row of
+ * weights is dense. The band is at least a quarter longer than the link that the front came along,
+ * so that it contains the start of that link.
  */
 class UpwindFront
 {
@@ -72,11 +72,11 @@ public:
   int End(int rank) const { return this->Ends[rank]; }
   ///@}
 
-  /// How many ranks have nothing within Radius before them.
+  /// The number of ranks without any node within Radius before them.
   int EmptyBands() const { return this->Empty; }
 
-  /// The weights of the band of a rank, the largest 1: End - Begin of them. Returns false where all
-  /// were 0: then the point that the front came from has all weight. Several threads may call it.
+  /// The weights of the band of a rank (End - Begin), the largest 1. Returns false if all were 0:
+  /// then the point that the front came from has all the weight. Several threads may call it.
   bool Row(int rank, float* weights) const;
 
 private:

@@ -15,8 +15,8 @@ namespace shape
 
 struct ExponentialMapOptions
 {
-  /// Whether each image is the mean of the predictions of all upwind neighbours, those that the front
-  /// met before (equation 11), or only the prediction of the one it came from (equation 10).
+  /// Whether each image is the mean of the predictions of all upwind neighbours, those that the
+  /// front met before (equation 11), or only the prediction of the one it came from (equation 10).
   bool UpwindAverage = true;
   /// Rounds of SmoothNormals; >= 0.
   int NormalSmoothing = 2;
@@ -76,10 +76,10 @@ public:
 
   ///@{
   /**
-   * The patch that the front covers before it is `radius` (> 0) from a seed: a point of the surface,
-   * or the one closest to a position. xDirection: see BuildTangentFrame. guess: a triangle that is
-   * likely near the seed, or -1. Throws InvalidInput if the radius is not positive or a value is not
-   * finite; Aborted.
+   * The patch that the front covers before it is `radius` (> 0) from a seed: a point of the
+   * surface, or the one closest to a position. xDirection: see BuildTangentFrame. guess: a triangle
+   * that is likely near the seed, or -1. Throws InvalidInput if the radius is not positive or a
+   * value is not finite; Aborted.
    */
   ExponentialPatch Around(const ClosestPoint& seed, double radius,
     const Eigen::RowVector3d& xDirection = Eigen::RowVector3d::Zero(),

@@ -33,8 +33,8 @@ ExponentialFacts ComputeExponentialFacts(const Surface& surface, const Exponenti
   double radius, const Progress& progress = {});
 
 /// Whether parts of the image that are not neighbours overlap: whether an edge of its boundary, or
-/// of the boundary of its torn part, runs through the image of a sound triangle. Folds inside, which
-/// flipped triangles show, do not count.
+/// of the boundary of its torn part, runs through the image of a sound triangle. Folds inside,
+/// which flipped triangles show, do not count.
 bool IsOverlappingItself(const ExponentialPatch& patch);
 
 /// The patch as a mesh: its points and triangles, in their order.
@@ -56,8 +56,8 @@ struct PatchLayout
 };
 
 /// The patch around the point of the surface closest to `seed`, and how good it is. map: with the
-/// same options. Throws as ExponentialMap::Around does, and InvalidInput if no point lies within the
-/// radius.
+/// same options. Throws as ExponentialMap::Around does, and InvalidInput if no point lies within
+/// the radius.
 PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
   const Eigen::RowVector3d& xDirection, const PatchLayoutOptions& options = {},
   const Progress& progress = {});

@@ -22,9 +22,10 @@ struct CurveNetwork
 /**
  * The boundary loops of the patches between curves: closed ones, or a network of arcs.
  *
- * If no more than two segments meet anywhere, each closed curve is a loop. It runs counter-clockwise
- * around the given normals; if these lie in its plane, or there are none, it runs in the order of
- * its points. Without normals, the normal is that of the curve's own plane (its area vector).
+ * If no more than two segments meet anywhere, each closed curve is a loop. It runs
+ * counter-clockwise around the given normals; if these lie in its plane, or there are none, it runs
+ * in the order of its points. Without normals, the normal is that of the curve's own plane (its
+ * area vector).
  *
  * If three or more meet, the normals there put the segments around a point in order, and this
  * defines the faces, as on the surface that the patches will be. Those that run counter-clockwise

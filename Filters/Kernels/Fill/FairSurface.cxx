@@ -20,8 +20,8 @@ namespace
 using Sparse = Eigen::SparseMatrix<double>;
 using Eigen::RowVector3d;
 
-/// Voronoi areas of the points (n), at the rim on the patch's side; at least a tenth of what a
-/// third of each triangle gives.
+/// Voronoi areas of the points (n), at the loop those of the patch only; at least a tenth of a
+/// third of the triangles around.
 Eigen::VectorXd VoronoiAreas(const Mesh& patch, const TriangleAngles& angles)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(patch.Points.rows());
@@ -93,7 +93,7 @@ Sparse WithRowsScaled(Sparse matrix, const Eigen::VectorXd& scales)
   return matrix;
 }
 
-/// The rows and columns of the points after the rim.
+/// The rows and columns of the points after the loop.
 Sparse Inner(const Sparse& all, Eigen::Index loop)
 {
   const Eigen::Index inner = all.rows() - loop;

@@ -21,7 +21,7 @@ namespace shape
 namespace
 {
 
-/// In which Automatic tries them.
+/// The order in which Automatic tries them.
 constexpr std::array<FillMethod, 3> Order = { FillMethod::Fair, FillMethod::Deformation,
   FillMethod::Membrane };
 
@@ -118,7 +118,7 @@ void SurfaceFiller::Add(const std::vector<std::vector<int>>& rims,
   }
 }
 
-/// The surface with the fills that are there, that of `last` behind the others.
+/// The surface with the present fills, that of `last` after the others.
 FilledSurface SurfaceFiller::Joined(const Hole* last) const
 {
   std::vector<const Hole*> order;
@@ -164,7 +164,7 @@ FilledSurface SurfaceFiller::Joined(const Hole* last) const
   return joined;
 }
 
-/// Fills a hole by one method; returns whether the result is worth looking at.
+/// Fills a hole by one method; returns whether the result is usable.
 bool SurfaceFiller::Try(
   Hole& hole, FillMethod method, const FillHolesOptions& options, const Progress& progress)
 {
@@ -188,8 +188,8 @@ bool SurfaceFiller::Try(
   }
 }
 
-/// Where Automatic's first method does not do, the best of all: one that did not settle only where
-/// the others meet more.
+/// Replaces a fill whose first method failed by the best of all: one that did not converge only if
+/// the others have more intersections.
 void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const Progress& progress)
 {
   std::string reason;
@@ -251,7 +251,7 @@ void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const P
                   : "least of all " + NameOf(hole.Facts.Method));
 }
 
-/// Fills each by the method asked for, or Automatic's first; returns which need another one.
+/// Fills each by the requested method, or Automatic's first; returns which need another one.
 std::vector<bool> SurfaceFiller::FillEach(const FillHolesOptions& options, const Progress& progress)
 {
   const bool isAutomatic = options.Method == FillMethod::Automatic;
@@ -286,8 +286,8 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
   const auto first = static_cast<int>(this->Surface.Triangles().rows());
   std::vector<Crossing> crossings =
     FindPatchSelfIntersections(filled.Surface, first, progress.Part(0.7, 0.75));
-  // In the first round one by one, so that a fill that is to be replaced is in no other's way; then
-  // those that met no fill before they were there themselves.
+  // In the first round one by one, so that no fill avoids another one that is still to be replaced;
+  // then those that intersect a fill that came after them.
   const int rounds = options.Method == FillMethod::Automatic ? 2 : 0;
   for (int round = 0; round < rounds; ++round)
   {

@@ -19,26 +19,26 @@ struct FillHolesOptions
 {
   FillMethod Method = FillMethod::Automatic;
   HoleFillerOptions Filler;
-  DeformOptions Deformation; ///< where the method is Deformation; these may be tuned live
-  PoseOptions Frames;        ///< likewise: how the frames at the rims are turned further
+  DeformOptions Deformation; ///< for the method Deformation; these may be tuned live
+  PoseOptions Frames;        ///< likewise: a further rotation of the frames at the loops
 };
 
 /// A hole of a surface that was filled.
 struct FilledHole
 {
-  int Number = 0;        ///< of the loop among those given
+  int Number = 0;        ///< of the loop among the given ones
   std::vector<int> Loop; ///< points of the surface, with the fill to the left
-  int FirstPoint = 0;    ///< of the fill's own, in the filled surface
+  int FirstPoint = 0;    ///< of the new ones, in the filled surface
   int Points = 0;
   int FirstTriangle = 0; ///< of the fill, in the filled surface
   int Triangles = 0;
   FillMethod Method = FillMethod::Fair; ///< never Automatic
   std::string Reason;                   ///< why this method: words
-  double Nonplanarity = 0.0;    ///< the rim's farthest point from its plane, over its diameter
-  double DeviationBefore = 0.0; ///< see HoleFill
+  double Nonplanarity = 0.0;            ///< see ComputeNonplanarity, of the loop
+  double DeviationBefore = 0.0;         ///< see HoleFill
   double DeviationAfter = 0.0;
-  int SelfIntersections = 0; ///< triangles that meet where they share nothing: pairs with one of
-                             ///< the fill's
+  int SelfIntersections = 0; ///< pairs of triangles that intersect where they share nothing, one
+                             ///< of them in the fill
 };
 
 struct FilledSurface
@@ -49,31 +49,32 @@ struct FilledSurface
 };
 
 /**
- * A surface, or curves, prepared for having holes filled, again with other parameters: then only
- * what depends on them is computed anew.
+ * Fills holes of a surface, or between curves, once or again with other parameters: then it only
+ * recomputes what depends on them.
  *
  * Hole filling as in Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
- * 2010), section 4.1, and by a fair surface, which is closer to spheres and the like by far. The
- * triangles of fills are as long as the rim's sides; points on rims and triangles beside them stay
- * as they are, so a manifold stays one, and becomes watertight where all of its loops are filled.
+ * 2010), section 4.1, and by a fair surface, which is much closer to spheres and other round
+ * shapes. The edges of a fill are as long as those of its loop. Points on loops and triangles
+ * beside them are unchanged: so a manifold stays one, and becomes watertight if all of its loops
+ * are filled.
  */
 class SurfaceFiller
 {
 public:
   /// loops: of the surface's points, with the surface to the left, as FindBoundaryLoops finds them;
-  /// each of at least 3 points. Throws InvalidInput where an index is out of range or a point is
-  /// not finite.
+  /// each of at least 3 points. Throws InvalidInput if an index is out of range or a point is not
+  /// finite.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& loops,
     const HoleFillerOptions& options = {});
 
-  /// rims: of the surface's points, with the fill to the left; normals: n x 3, of the surface's
-  /// points, zero for that of the membrane. The surface may have no triangles.
+  /// rims: loops of the surface's points with the fill to the left; normals: n x 3, of the
+  /// surface's points, zero for that of the membrane. The surface may have no triangles.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& rims,
     const Eigen::MatrixXd& normals, const HoleFillerOptions& options = {});
   ~SurfaceFiller();
 
-  /// Fills all of them; those of options.Filler do not count here. Throws InvalidInput where an
-  /// option is out of its range, SolveFailure with the rim's first point, Aborted.
+  /// Fills all of them; options.Filler is ignored here. Throws InvalidInput if an option is out of
+  /// range, SolveFailure with the loop's first point, Aborted.
   FilledSurface Fill(const FillHolesOptions& options, const Progress& progress = {});
 
 private:
@@ -92,27 +93,27 @@ private:
   std::vector<Hole> Holes;
 };
 
-/// Fills holes of a surface, of any triangles: all of FindBoundaryLoops. Throws as SurfaceFiller.
+/// Fills all holes of a surface of any triangles (FindBoundaryLoops). Throws as SurfaceFiller does.
 FilledSurface FillHoles(
   const Surface& surface, const FillHolesOptions& options = {}, const Progress& progress = {});
 
-/// Fills the loops given, with the surface to the left.
+/// Fills the given loops, which have the surface to the left.
 FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<int>>& loops,
   const FillHolesOptions& options = {}, const Progress& progress = {});
 
-/// Where the fill of a hole has its data from.
+/// The sources of the data on a fill.
 struct FillSources
 {
-  std::vector<int> Points;    ///< of each of its points: the nearest one of the rim
-  std::vector<int> Triangles; ///< of each triangle: one of the surface's at the rim, the nearest
+  std::vector<int> Points;    ///< of each of its points: the nearest one of the loop
+  std::vector<int> Triangles; ///< of each triangle: the nearest one of the surface at the loop
 };
 
-/// Of each fill. surface: with the fills, whose triangles are behind all others. Neither is empty
-/// where the fill is not; a triangle is -1 where the rim has none.
+/// The sources of each fill. surface: with the fills, whose triangles come last. A triangle is -1
+/// if the loop has none.
 std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes);
 
-/// Values of a fill's points (hole.Points x d) from those at its rim: smooth continuations
-/// (SolveHarmonicValues). values: n x d, of all points; the others' rows mean nothing.
+/// Values at a fill's points (hole.Points x d): the harmonic ones with those given at its loop
+/// (SolveHarmonicValues). values: n x d, of all points; only the loop's rows count.
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values);
 

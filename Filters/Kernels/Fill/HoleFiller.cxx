@@ -18,7 +18,7 @@ namespace
 
 const Eigen::MatrixXd NoNormals(0, 3);
 
-/// The membrane of a patch's own layout.
+/// Replaces a patch by the membrane with the same layout.
 void Tauten(HolePatch& patch, const Eigen::MatrixXd& loop, const Progress& progress)
 {
   constexpr int rounds = 2;
@@ -58,7 +58,7 @@ HoleFill HoleFiller::Fill(FillMethod method, const DeformOptions& options,
   }
 }
 
-/// The membrane, and its normals where the rim has none.
+/// The membrane; its normals complete those that the loop lacks.
 const HolePatch& HoleFiller::Span(const Progress& progress)
 {
   if (!this->Coarse)

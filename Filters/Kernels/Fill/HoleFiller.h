@@ -18,29 +18,30 @@ namespace shape
 {
 
 /**
- * A hole's flat disk prepared for being deformed until its outline is the rim, again and again with
- * other parameters: section 4.1 of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics
- * Interface 2010).
+ * A flat disk prepared for being deformed until its outline is the boundary loop of a hole, again
+ * and again with other parameters: section 4.1 of Schmidt and Singh, "Drag-and-drop surface
+ * composition" (Graphics Interface 2010).
  *
- * The boundary's frames are optimised once, for the parameters' defaults, and kept when these are
- * tuned, as there: so the result depends on the parameters alone, not on the way to them.
+ * As there, the boundary's frames are optimised once, for the default parameters, and kept when
+ * these are changed: so the result depends on the current parameters only, not on earlier ones.
  */
 class HoleDeformation
 {
 public:
-  /// patch: its layout is the disk that is deformed. Throws Aborted.
+  /// patch: its layout is the disk to be deformed. Throws Aborted.
   HoleDeformation(
     HolePatch patch, BoundaryLoop loop, bool optimizeNormals, const Progress& progress = {});
 
-  /// Where the disk's points go (n x 3); the rim exactly to its points. frames: turn the rim's
-  /// frames further. Throws InvalidInput where an option is out of its range, Aborted.
+  /// The deformed positions of the disk's points (n x 3); those on the boundary loop are exact.
+  /// frames: a further rotation of the loop's frames. Throws InvalidInput if an option is out of
+  /// range, Aborted.
   Eigen::MatrixXd Points(
     const DeformOptions& options, const PoseOptions& frames, const Progress& progress = {});
 
   const Eigen::MatrixXi& Triangles() const { return this->Patch.Surface.Triangles; }
 
-  /// Degrees between the normals at the rim and those wanted, in the mean, with the defaults:
-  /// before and after they were optimised.
+  /// The mean angle in degrees between the normals at the loop and the wanted ones, with the
+  /// default parameters: before and after the optimisation.
   double DeviationBefore() const { return this->Frames.Before; }
   double DeviationAfter() const { return this->Frames.After; }
 
@@ -54,55 +55,58 @@ private:
   DeformOptions PreparedFor;
 };
 
-/// The normals of a patch at its rim, its first `rim` points: see ComputeBoundaryNormals.
+/// The normals of a patch at its boundary loop, its first `loop` points: see
+/// ComputeBoundaryNormals.
 Eigen::MatrixXd ComputePatchBoundaryNormals(const Mesh& patch, Eigen::Index loop);
 
 /// How a hole is filled.
 enum class FillMethod
 {
-  Automatic,   ///< Fair; where that meets the surface or itself Deformation, then Membrane; where
-               ///< all do, the one that does it least
-  Deformation, ///< a flat disk deformed until its outline is the rim: HoleDeformation
+  Automatic,   ///< Fair; if that intersects the surface or itself, Deformation, then Membrane; if
+               ///< all do, the one with the fewest intersections
+  Deformation, ///< a flat disk deformed until its outline is the loop: HoleDeformation
   Fair,        ///< tangent to the surface, of harmonic mean curvature: SolveFairSurface
-  Membrane     ///< as taut as can be, with a crease along the rim: SolveMembrane
+  Membrane     ///< of minimal area, with a crease along the loop: SolveMembrane
 };
 
 struct HoleFillerOptions
 {
   bool OptimizeNormals = true; ///< of Deformation: HoleDeformation
-  /// By how much edges grow with the distance from the rim; 0: they are as long as on the rim. >= 0
+  /// Growth of the edge length per distance from the loop; 0: edges as long as on the loop. >= 0
   double EdgeGrowth = 0.0;
-  /// Of new points in a hole, about: edges grow away from the rim where more would be needed. >= 1
+  /// Of new points in a hole, approximately: if more would be needed, edges grow away from the
+  /// loop.
+  /// >= 1
   int MaximumPoints = 100000;
-  /// Whether two points of the rim, by their place in it, are joined by an edge elsewhere, or none.
+  /// Whether an edge elsewhere joins two points of the loop, given by their indices in it; may be
+  /// empty.
   std::function<bool(int, int)> IsTaken;
 };
 
 /// A surface that fills a hole.
 struct HoleFill
 {
-  Mesh Patch;                   ///< the rim's points first, in order, unchanged
-  double DeviationBefore = 0.0; ///< degrees between its normals at the rim and those wanted, in the
-                                ///< mean: the membrane's, for Deformation that of the disk deformed
-                                ///< before the frames at the rim are optimised
+  Mesh Patch;                   ///< the loop's points first, in order, unchanged
+  double DeviationBefore = 0.0; ///< the mean angle in degrees between its normals at the loop and
+                                ///< the wanted ones: of the membrane or, for Deformation, of the
+                                ///< deformed disk before the frames are optimised
   double DeviationAfter = 0.0;  ///< the same of the result
   bool Converged = true;        ///< Fair: whether its iterations did
-  /// Fair: false where the result is no good: its area is more than ten times the membrane's, or
-  /// it did not converge and leaves the rim by more than 45 degrees from the normals wanted.
+  /// Fair: false if the result is useless: its area is more than ten times the membrane's, or it
+  /// did not converge and its normals at the loop are more than 45 degrees from the wanted ones.
   bool IsSound = true;
 };
 
-/// A hole that is filled, perhaps again with other parameters: what does not depend on them is
-/// kept.
+/// Fills a hole, once or again with other parameters: keeps what does not depend on them.
 class HoleFiller
 {
 public:
-  /// rim: no two neighbours at the same place; fewer than 3 points are filled by no triangle. A
-  /// zero normal counts as the membrane's there.
+  /// loop: no two consecutive points coincide; fewer than 3 points are filled by no triangle. A
+  /// zero normal stands for the membrane's there.
   explicit HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options = {});
 
-  /// method: any but Automatic. Throws InvalidInput where an option is out of its range,
-  /// SolveFailure, Aborted.
+  /// method: any except Automatic. Throws InvalidInput if an option is out of range, SolveFailure,
+  /// Aborted.
   HoleFill Fill(FillMethod method, const DeformOptions& options = {},
     const PoseOptions& frames = {}, const Progress& progress = {});
 

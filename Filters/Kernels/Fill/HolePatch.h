@@ -11,46 +11,46 @@
 namespace shape
 {
 
-/// A surface that spans a rim, and the same disk laid out in the plane.
+/// A surface with a given boundary loop, and its layout in the plane.
 struct HolePatch
 {
-  Mesh Surface;         ///< the rim's points first, as they are
-  Eigen::MatrixXd Flat; ///< n x 2, counter-clockwise but where the layout folds
+  Mesh Surface;         ///< the loop's points first, unchanged
+  Eigen::MatrixXd Flat; ///< n x 2, counter-clockwise except where the layout folds
 };
 
 /// A patch's layout as a surface in the plane z = 0.
 Mesh BuildFlatSurface(const HolePatch& patch);
 
-/// How long the edges of a patch become, and which must not be there.
+/// The wanted edge lengths of a patch, and the edges that it must not have.
 struct PatchSizes
 {
-  Eigen::VectorXd Loop; ///< k: wanted at the rim's points, > 0; in between they change smoothly
-  double Growth = 0.0;  ///< by how much edges grow with the distance from the rim
-  int MaximumPoints = 100000;              ///< Growth is raised until about as many are enough
-  std::function<bool(int, int)> IsTaken;   ///< see FlatDiskOptions
+  Eigen::VectorXd Loop;                  ///< k: wanted at the loop's points, > 0; smooth in between
+  double Growth = 0.0;                   ///< of the edge length per distance from the loop
+  int MaximumPoints = 100000;            ///< Growth is raised until about this many suffice
+  std::function<bool(int, int)> IsTaken; ///< see FlatDiskOptions
   std::function<bool(int, int)> IsOutside; ///< see FlatDiskOptions
 };
 
-/// Edge lengths at the points of a rim: those of the sides beside each, smoothed along the rim.
+/// Edge lengths at the points of a loop: of the edges beside each, smoothed along the loop.
 Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop);
 
-/// The rim as a circle that keeps its sides' lengths, points on a triangular grid in it, coarser
-/// away from the rim whatever sizes.Growth; and the membrane of that disk.
+/// The membrane of a loop. Its layout is a disk: the loop as a circle with the same edge lengths,
+/// and points of a triangular grid inside, coarser away from the loop whatever sizes.Growth.
 HolePatch BuildMembranePatch(
   const Eigen::MatrixXd& loop, const PatchSizes& sizes, const Progress& progress = {});
 
 /**
- * The same surface with other triangles, as long as wanted. The layout is the conformal map with
- * the rim's lengths kept (FlattenConformally), as in Schmidt and Singh, "Drag-and-drop surface
- * composition", section 4.1; where that one's outline crosses itself the one that the patch has.
- * New points are in the old triangles, curved to the normals, which at the rim are `rimNormals`
- * (k x 3), or flat where there are none (0 x 3). Throws Aborted.
+ * The same surface with other triangles, of the wanted size. The layout is the conformal map that
+ * keeps the loop's edge lengths (FlattenConformally), as in Schmidt and Singh, "Drag-and-drop
+ * surface composition", section 4.1; if its outline crosses itself, the patch's own. New points are
+ * in the old triangles, which are curved to normals that at the loop are `loopNormals` (k x 3), or
+ * flat if there are none (0 x 3). Throws Aborted.
  */
 HolePatch RemeshPatch(const HolePatch& patch, const PatchSizes& sizes,
   const Eigen::MatrixXd& loopNormals, const Progress& progress = {});
 
-/// By how much the edges of two surfaces of the same triangles differ, where they differ most from
-/// the mean.
+/// The maximum ratio between the edge lengths of two surfaces of the same triangles, relative to
+/// the mean ratio; >= 1.
 double ComputeMaximumStretch(const Mesh& one, const Mesh& other);
 
 } // namespace shape

@@ -39,7 +39,7 @@ LoopCorners FindRimCorners(const std::vector<int>& loop, const Eigen::MatrixXd& 
       corners.Points.push_back(point(i));
       continue;
     }
-    // The fill's side to the next place begins at the first of the doubled points.
+    // The fill's edge to the next position begins at the first of the duplicate points.
     std::size_t next = i + 1;
     while (isSame(point(next), point(i)) && next < i + count)
     {

@@ -11,41 +11,41 @@
 namespace shape
 {
 
-/// A rim of doubled points, as HoleFiller wants it.
+/// A loop without its duplicate points, as HoleFiller takes it.
 struct LoopCorners
 {
-  std::vector<int> Points; ///< of the rim, no two neighbours at the same place
+  std::vector<int> Points; ///< of the loop, no two consecutive ones coincide
   Eigen::MatrixXi Slivers; ///< t x 3 points: triangles without area between a fill of these and the
-                           ///< rim itself, so that sides match by number
+                           ///< loop itself, so that edges match by index
 };
 
-/// rim: at least 3 points with the fill to the left. points: n x 3.
+/// loop: at least 3 points with the fill to the left. points: n x 3.
 LoopCorners FindRimCorners(const std::vector<int>& loop, const Eigen::MatrixXd& points);
 
 /**
- * Which edges fills must not have: two points of a rim that an edge of the surface joins already,
- * or that are both on another rim, whose fill may have that edge. Points at the same place count as
- * one.
+ * The edges that fills must not have: between two points of a loop that an edge of the surface
+ * joins already, or that are both on another loop, whose fill may have that edge. Coincident points
+ * count as one.
  */
 class UsedEdges
 {
 public:
   UsedEdges(const Surface& surface, const std::vector<std::vector<int>>& loops);
 
-  /// For a rim, by number, and points of it.
+  /// For a loop, by index, and points of it.
   std::function<bool(int, int)> Of(int loop, const std::vector<int>& corners) const;
 
 private:
-  std::vector<int> Position;             ///< of each point, the first one there
-  std::vector<std::vector<int>> LoopsOf; ///< of each place
-  std::vector<std::vector<int>> Joined;  ///< of each place on a rim, those joined to it, in order
+  std::vector<int> Position;             ///< of each point, the first coincident one
+  std::vector<std::vector<int>> LoopsOf; ///< of each position
+  std::vector<std::vector<int>> Joined;  ///< of each position on a loop, those joined to it, sorted
 };
 
 /**
- * Whether a fill should have no edge between two points of its rim, by number: seen along the rim's
- * normals the few points between them are on the other side, so that the edge would cut off a piece
- * that lies over the surface around the hole; or they are on one line with it. False where more
- * than eight sides are between them, and where neither is sure.
+ * Whether a fill should have no edge between two points of its loop, by index: seen along the
+ * loop's normals, the few points between them are on the other side, so that the edge would cut off
+ * a piece that lies over the surface around the hole; or they are collinear with it. False if more
+ * than eight edges are between them, and if neither is certain.
  */
 std::function<bool(int, int)> FindOuterChords(const BoundaryLoop& loop);
 

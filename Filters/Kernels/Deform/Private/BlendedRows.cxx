@@ -1,6 +1,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Deform/Private/BlendedRows.cxx"
-// What AVX-512 and SSE4 compile to, these would only repeat.
+// These would only repeat what AVX-512 and SSE4 compile to.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 
@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace shape
 {
-// No names without a namespace here: the dispatch below takes addresses from every target.
+// No unnamed namespace here: the dispatch below takes addresses from every target.
 namespace HWY_NAMESPACE
 {
 

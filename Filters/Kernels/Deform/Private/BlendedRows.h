@@ -9,16 +9,17 @@
 namespace shape
 {
 
-/// A rigid motion's 15 numbers: where a sample goes, its turned rest place, its rotation.
+/// The 15 numbers of a rigid motion: a sample's new position, its rotated rest position, its
+/// rotation.
 constexpr int MotionSize = 15;
 
-/// Samples' motions in blocks of eight: number c of sample j is Values[(j / 8) * 120 + c * 8 + j %
-/// 8].
+/// The motions of samples in blocks of eight: number c of sample j is Values[(j / 8) * 120 + c * 8
+/// + j % 8].
 class SampleTransforms
 {
 public:
   explicit SampleTransforms(int samples);
-  /// rest, place: relative to a centre of each.
+  /// rest, position: each relative to a centre.
   void Set(int sample, const Eigen::Vector3d& rest, const Eigen::Vector3d& position,
     const Eigen::Matrix3d& rotation);
   const double* Data() const { return this->Values.data(); }
@@ -27,13 +28,13 @@ private:
   std::vector<double> Values;
 };
 
-/// What a row of weights makes of the motions: sums over the samples, divided by that of weights.
+/// The weighted mean of the motions of samples.
 struct BlendedTransform
 {
   Eigen::Vector3d Position, Turned;
   Eigen::Matrix3d Rotation; ///< the mean of rotations, not one itself
 
-  /// Where `point` (relative to the centre) goes when offsets are scaled.
+  /// The new position of `point` (relative to the centre) with scaled offsets.
   Eigen::Vector3d Apply(const Eigen::Vector3d& point, double scale) const
   {
     return this->Position - scale * this->Turned + scale * (this->Rotation * point);
@@ -44,19 +45,19 @@ struct BlendedTransform
 class BlendedRows
 {
 public:
-  /// Appends a row; its weights are set when there is room for them.
+  /// Appends a row; its weights are set after Allocate.
   void Add(int begin, int count);
-  /// How many weights the rows take.
+  /// The number of weights of all rows.
   std::size_t Size() const { return this->Total; }
-  /// Makes room for the weights of all rows.
+  /// Allocates the weights of all rows.
   void Allocate();
   /// The weights of a row, >= 0, one of them positive. Different rows may be set at the same time.
   void Set(int row, const float* weights);
-  /// Forgets all rows, but not their room.
+  /// Removes all rows, but keeps the memory.
   void Clear();
 
-  /// What a row makes of the motions. Samples that do not move blend to exactly that; else the last
-  /// bits depend on how wide the vectors of the processor are.
+  /// Blends the motions by a row. Samples that do not move blend to exactly that; else the last
+  /// bits depend on the width of the processor's vectors.
   BlendedTransform Blend(int row, const SampleTransforms& motions) const;
 
 private:
@@ -67,7 +68,7 @@ private:
     double Sum;
   };
   std::vector<Row> Rows;
-  std::vector<float> Weights; ///< filled up with zeros to whole blocks
+  std::vector<float> Weights; ///< padded with zeros to whole blocks
   std::size_t Total = 0;
 };
 

@@ -8,17 +8,17 @@ namespace shape
 
 /**
  * Boundary-relative deformation: each node relative to the sources alone (equations 4 and 5). Far
- * from them, every source counts alike, and the shape is squashed: upwind-front deformation is what
- * mends that.
+ * from them, all sources count alike, and the shape is squashed: upwind-front deformation corrects
+ * that.
  *
- * The weights are those of the sources over the power of the distance, which Euclidean or along the
- * links of the graph; up to MaximumKeptWeights of them are kept.
+ * The weights are those of the sources over the power of the distance, which is Euclidean or along
+ * the links of the graph; up to MaximumKeptWeights of them are kept.
  */
 class BoundaryRelative : public NodeDeformation
 {
 public:
-  /// Throws InvalidInput where the graph is in several pieces, or geodesic distances are more than
-  /// MaximumKeptWeights; Aborted.
+  /// Throws InvalidInput if the graph is not connected, or if there are more geodesic distances
+  /// than MaximumKeptWeights; Aborted.
   explicit BoundaryRelative(NodeProblem problem, const Progress& progress = {});
 
   NodeTransforms Move(
@@ -27,14 +27,14 @@ public:
 private:
   /// The distances of a rank from all sources.
   void FindDistances(int rank, double* distances) const;
-  /// Returns whether a weight is not 0; else the nearest source has all of it.
+  /// Returns whether a weight is not 0; else the nearest source has all the weight.
   bool FindRow(int rank, float* weights) const;
 
   NodeProblem Problem;
   FrontSweep Sweep;
   Eigen::MatrixXf Geodesics; ///< sources x ranks, or nothing
   BlendedRows Rows;
-  Eigen::MatrixXd Rests; ///< 3 x n: the places by rank, relative to the middle of the graph
+  Eigen::MatrixXd Rests; ///< 3 x n: the positions by rank, relative to the centre of the graph
 };
 
 } // namespace shape

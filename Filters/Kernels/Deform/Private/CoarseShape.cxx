@@ -9,7 +9,7 @@ namespace shape
 namespace
 {
 
-/// The nodes that are left, and their links.
+/// The remaining nodes and their links.
 class Merging
 {
 public:
@@ -31,8 +31,8 @@ public:
     }
   }
 
-  /// Collapses up to `most` links, and as many as a quarter of the nodes, since what is collapsed
-  /// in one round is not next to each other only while most nodes stay. Returns how many.
+  /// Collapses up to `most` links, and at most a quarter of the nodes, since the collapsed links of
+  /// one round are not adjacent only while most nodes remain. Returns their number.
   int Round(int maximum)
   {
     std::vector<std::pair<double, std::pair<int, int>>> shortest;
@@ -72,7 +72,7 @@ public:
     return merged;
   }
 
-  /// A step inwards and a longer one outwards: what is rough becomes smooth, and nothing shrinks.
+  /// A step inwards and a longer one outwards: this smooths without shrinkage.
   void Smooth()
   {
     for (const double step : { 0.5, -0.53 })

@@ -12,12 +12,12 @@ namespace shape
  *
  * Bands are ranges of ranks (UpwindFront), so weights are dense rows of floats, kept up to
  * MaximumKeptWeights. The sums over them are in double precision: weights divided by their sum
- * leave rigid motions exact, however they are rounded.
+ * keep rigid motions exact, however they are rounded.
  */
 class FrontDeformation : public NodeDeformation
 {
 public:
-  /// Throws InvalidInput where the graph is in several pieces, Aborted.
+  /// Throws InvalidInput if the graph is not connected, Aborted.
   explicit FrontDeformation(NodeProblem problem, const Progress& progress = {});
 
   NodeTransforms Move(
@@ -25,7 +25,7 @@ public:
 
 private:
   void KeepWeights(const Progress& progress);
-  /// What the band of a rank makes of its motions. one, weights: room for a row that is not kept.
+  /// Blends the motions of the band of a rank. one, weights: memory for a row that is not kept.
   BlendedTransform Blend(
     int rank, const SampleTransforms& samples, BlendedRows& one, std::vector<float>& weights) const;
 
@@ -33,7 +33,7 @@ private:
   FrontSweep Sweep;
   UpwindFront Front;
   BlendedRows Rows;
-  Eigen::MatrixXd Rests; ///< 3 x n: the places by rank, relative to the middle of the graph
+  Eigen::MatrixXd Rests; ///< 3 x n: the positions by rank, relative to the centre of the graph
 };
 
 } // namespace shape

@@ -26,7 +26,7 @@ NodeTransforms MoveSources(const HandleSources& sources, const BoundaryHandle& h
     const bool atSample = sources.Shares(k, 0) == 1.0;
     motions.Rotations.push_back(
       atSample ? pose.Rotations[sources.Samples(k, 0)] : FitBlendedRotation(blend));
-    // Nodes are on the handle but for rounding, or for what single precision makes of it.
+    // Nodes are on the handle except for rounding, perhaps to single precision.
     const int node = sources.Nodes[k];
     const Eigen::RowVector3d rest = sources.Graph.Positions.row(node) - position;
     const Eigen::Matrix3d turn =

@@ -13,7 +13,7 @@
 namespace shape
 {
 
-/// A base node, and how far it is.
+/// A base node and its distance.
 struct MultiresolutionDeformation::Nearby
 {
   double Distance;
@@ -28,11 +28,11 @@ struct MultiresolutionDeformation::Nearby
 namespace
 {
 
-/// Of how many base nodes a node is blended, where none is one of the denser sources.
+/// The number of base nodes that a node is blended from, if none is one of the denser sources.
 constexpr double WantedNodes = 8.0;
 
-/// Makes the mean place of weighted ways (k x 3) zero in the directions that they spread in, as far
-/// as no weight becomes negative.
+/// Makes the weighted mean of offsets (k x 3) zero in the directions that they span, as far as no
+/// weight becomes negative.
 void Tilt(const Eigen::MatrixXd& ways, Eigen::VectorXd& weights)
 {
   const Eigen::Vector3d mean = ways.transpose() * weights / weights.sum();
@@ -71,7 +71,7 @@ MultiresolutionDeformation::MultiresolutionDeformation(
   PointGraph& graph = this->Coarse.Graph;
   const int n = graph.Size();
   this->Base = n;
-  // The strip beside the handle that its samples stand for is as wide as the base is coarse.
+  // The strip beside the handle that its samples stand for is as wide as the links of the base.
   this->IsSource.assign(n, 0);
   for (const int node : this->Coarse.Sources)
   {
@@ -169,7 +169,7 @@ std::vector<MultiresolutionDeformation::Nearby> MultiresolutionDeformation::Find
     nearest.push_back({ (graph.Positions.row(other) - position).norm(), other });
   }
   std::sort(nearest.begin(), nearest.end());
-  // Samples of the handle may be denser than the base: as many as stand for so much of the shape.
+  // Samples of the handle may be denser than the base: take as many as stand for the same area.
   double sum = 0.0;
   std::size_t count = 0;
   while (count < nearest.size() && sum < WantedNodes)
@@ -189,7 +189,7 @@ void MultiresolutionDeformation::AddRow(int node, double full)
   const auto count = static_cast<Eigen::Index>(nearest.size());
   Eigen::MatrixXd ways(count, 3);
   Eigen::VectorXd weights(count);
-  // Beside the sources they count alone, and the more the nearer: there the shape is exact.
+  // Near the sources only these count, the nearer the more: there the shape is exact.
   const double arrival = this->Sweep.Arrivals[this->Sweep.Ranks[node]];
   const double beyond = 1.0 - EvaluateSmoothFalloff(arrival, graph.MeanLength);
   const double radius = std::max(1.001 * nearest.back().Distance, 1e-6 * graph.MeanLength);
@@ -239,7 +239,7 @@ NodeTransforms MultiresolutionDeformation::Move(
   const Eigen::Vector3d centre =
     0.5 * (positions.colwise().minCoeff() + positions.colwise().maxCoeff()).transpose();
   const Eigen::Vector3d shift = sources.Shifts.rowwise().mean();
-  // A base node's 15 numbers side by side.
+  // The 15 numbers of a base node are contiguous.
   std::vector<std::array<double, MotionSize>> numbers(positions.rows());
   for (Eigen::Index j = 0; j < positions.rows(); ++j)
   {

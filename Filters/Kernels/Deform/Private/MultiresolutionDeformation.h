@@ -10,24 +10,23 @@
 namespace shape
 {
 
-/// How a problem is solved in full resolution.
+/// The solver in full resolution.
 using NodeSolver =
   std::function<std::unique_ptr<NodeDeformation>(NodeProblem problem, const Progress& progress)>;
 
 /**
  * Multiresolution (section 2.3): a coarse, smooth base of the graph (BuildCoarseShape) is deformed
- * in full, and each node of the fine one relative to the base's nodes around the one that it was
- * merged into, nearest first, by equation 5.
+ * in full, and each node of the fine graph relative to the nearest base nodes around the one that
+ * it was merged into, by equation 5.
  *
- * Those weights fall to 0 at the first base node that is left out, so that none comes or goes at
- * once, and are then tilted so that their mean place is the node's own, across the small detail
- * that the base lacks: what the base stretches evenly, the shape does, too. Sources are nodes of
- * the base and stay exact.
+ * These weights decrease to 0 at the first base node that is left out, so that they are continuous.
+ * Then they are tilted so that their mean position is the node's own, tangentially to the base: so
+ * the shape stretches evenly where the base does. Sources are nodes of the base and stay exact.
  */
 class MultiresolutionDeformation : public NodeDeformation
 {
 public:
-  /// baseNodes: wanted beside the sources. Throws what `solve` throws, Aborted.
+  /// baseNodes: their wanted number without the sources. Throws what `solve` throws, Aborted.
   MultiresolutionDeformation(
     NodeProblem problem, int baseNodes, const NodeSolver& solve, const Progress& progress = {});
 
@@ -35,7 +34,7 @@ public:
     const NodeTransforms& sources, double reach, const Progress& progress = {}) const override;
 
 private:
-  struct Nearby; ///< a base node, and how far it is
+  struct Nearby; ///< a base node and its distance
   void FindAround();
   std::vector<Nearby> FindNearby(int node, double full) const;
   void AddRow(int node, double full);
@@ -46,10 +45,10 @@ private:
   FrontSweep Sweep;                     ///< of the fine graph
   std::vector<std::vector<int>> Around; ///< base nodes near each; while rows are found
   std::vector<char> IsSource;           ///< of base nodes
-  std::vector<double> Reaches; ///< by rank: how far the base has to be deformed up to there
+  std::vector<double> Reaches; ///< by rank: the reach in the base that is needed up to there
   std::vector<std::size_t> First;
   std::vector<int> Columns;   ///< base nodes, of each rank that is no source
-  std::vector<float> Weights; ///< some perhaps negative
+  std::vector<float> Weights; ///< some may be negative
   std::vector<double> Sums;
 };
 

@@ -12,20 +12,20 @@
 namespace shape
 {
 
-/// How nodes of a graph move and turn.
+/// The translations and rotations of the nodes of a graph.
 struct NodeTransforms
 {
-  Eigen::MatrixXd Shifts; ///< 3 x n: from a node's place to where it goes
+  Eigen::MatrixXd Shifts; ///< 3 x n: from the old to the new position
   std::vector<Eigen::Matrix3d> Rotations;
 };
 
-/// How many weights are kept (512 MiB of them); where there are more, each pass finds them again.
+/// The maximum number of kept weights (512 MiB); if there are more, each pass computes them again.
 constexpr std::size_t MaximumKeptWeights = std::size_t(1) << 27;
 
-/// A graph, the nodes of it that are moved by hand, and how the others follow them.
+/// A graph, its sources, which are moved, and how the other nodes follow them.
 struct NodeProblem
 {
-  PointGraph Graph;         ///< in one piece
+  PointGraph Graph;         ///< connected
   std::vector<int> Sources; ///< different nodes, at least one
   Eigen::VectorXd Powers;   ///< n: k of equation 4
   Eigen::VectorXd Scales;   ///< n: of the offsets to each node
@@ -33,14 +33,14 @@ struct NodeProblem
   std::size_t MaximumWeights = MaximumKeptWeights; ///< of those that are kept
 };
 
-/// The nodes of a graph as they follow its sources: what every method and resolution does.
+/// Moves the nodes of a graph with its sources: the interface of all methods and resolutions.
 class NodeDeformation
 {
 public:
   virtual ~NodeDeformation() = default;
 
-  /// The motions of all nodes where the sources, in their order, move like this. Nodes that the
-  /// front reaches later than `reach` may stay. Throws Aborted.
+  /// The motions of all nodes for given ones of the sources, in their order. Nodes that the front
+  /// reaches later than `reach` may stay. Throws Aborted.
   virtual NodeTransforms Move(
     const NodeTransforms& sources, double reach, const Progress& progress = {}) const = 0;
 

@@ -10,8 +10,8 @@ namespace shape
 namespace
 {
 
-/// The part of a problem over some of its nodes, of which the first are its sources. number: -1 for
-/// each node of the whole, before and after.
+/// The restriction of a problem to some of its nodes, of which the first are its sources. number:
+/// -1 for each node of the whole problem, before and after.
 NodeProblem Restricted(
   const NodeProblem& problem, const std::vector<int>& nodes, int sources, std::vector<int>& number)
 {

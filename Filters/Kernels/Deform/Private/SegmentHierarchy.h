@@ -12,15 +12,14 @@ namespace shape
 
 /**
  * Deformation segment by segment (section 2.3, Fig. 9): each connected part of one label follows
- * the nodes beside it that the handle or parts before it move, those that the front reaches first
- * before others. Parts that are neighbours on the front, but not on the shape, do not stick
- * together.
+ * the adjacent nodes that the handle or earlier parts move. Parts come in the order in which the
+ * front reaches them. So parts that meet on the front, but are not adjacent on the shape, move
+ * independently.
  */
 class SegmentHierarchy : public NodeDeformation
 {
 public:
-  /// labels: of each node; sources keep to the hand that moves them, whatever theirs. Throws what
-  /// `solve` throws, Aborted.
+  /// labels: of each node; those of sources are ignored. Throws what `solve` throws, Aborted.
   SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& labels, const NodeSolver& solve,
     const Progress& progress = {});
 

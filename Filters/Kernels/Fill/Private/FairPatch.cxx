@@ -15,7 +15,7 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// A patch on its way to be fair.
+/// A patch that becomes fair. Order of calls: Start, Settle, Refine, Result.
 class FairSearch
 {
 public:
@@ -28,7 +28,7 @@ public:
   {
   }
 
-  /// From the membrane's layout.
+  /// Begins with a spherical cap or a biharmonic surface over the membrane's layout.
   void Start(const Progress& progress)
   {
     constexpr double steep = 60.0 * M_PI / 180.0;
@@ -54,7 +54,7 @@ public:
     this->Stretch = ComputeMaximumStretch(flat, this->Patch.Surface);
   }
 
-  /// Until triangles stay as they are made.
+  /// Remeshes until the triangles stay even.
   void Settle(const Progress& progress)
   {
     constexpr double uneven = 1.5;
@@ -73,7 +73,7 @@ public:
     }
   }
 
-  /// As fine as wanted, again where triangles do not stay even.
+  /// Remeshes to the wanted size, again if triangles do not stay even.
   void Refine(const Progress& progress)
   {
     constexpr double slightlyUneven = 1.3, uneven = 1.5;
@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  static constexpr double BulgingGrowth = 0.25; ///< of edges, away from the rim
+  static constexpr double BulgingGrowth = 0.25; ///< of edges, away from the loop
 
   void MakeFair(const Progress& progress)
   {
@@ -114,13 +114,13 @@ private:
   const BoundaryLoop& Loop;
   const PatchSizes& Wanted;
   const double MaximumArea;
-  bool IsCoarse; ///< whether the patch is not to be the result
+  bool IsCoarse; ///< whether the patch is coarser than the result
   HolePatch Patch;
   FairSurfaceResult Fair;
-  double Stretch = 1.0; ///< by how much triangles became larger or smaller when made fair
+  double Stretch = 1.0; ///< by which factor triangles changed when the patch was made fair
 };
 
-/// The direction that a rim goes around, counter-clockwise.
+/// The direction that a loop runs around, counter-clockwise.
 RowVector3d AxisOf(const Eigen::MatrixXd& loop)
 {
   const RowVector3d centre = loop.colwise().mean();
@@ -168,8 +168,8 @@ Eigen::MatrixXd BuildSphericalCap(const HolePatch& patch, const BoundaryLoop& lo
   const Eigen::Index corners = loop.Points.rows();
   const Eigen::MatrixXd circle = patch.Flat.topRows(corners);
   const double radius = circle.rowwise().norm().mean();
-  // The plane's axes in space, so that the circle is as near to the rim as it can be. Where the
-  // rim's points are unevenly spaced their mean is not the circle's centre.
+  // The plane's axes in space for which the circle is nearest to the loop. If the loop's points are
+  // unevenly spaced, their mean is not the circle's centre.
   const RowVector3d loopMean = loop.Points.colwise().mean();
   const Eigen::RowVector2d circleMean = circle.colwise().mean();
   const Eigen::MatrixXd around = circle.rowwise() - circleMean;

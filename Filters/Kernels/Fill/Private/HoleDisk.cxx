@@ -17,13 +17,13 @@ namespace
 
 using Eigen::RowVector2d;
 
-/// Half of the angles that sides of lengths `lengths` take up on a circle of diameter 1 / bend.
+/// Half of the angles that sides of given lengths subtend in a circle of diameter 1 / bend.
 Eigen::VectorXd HalfAngles(const Eigen::VectorXd& lengths, double bend)
 {
   return (lengths * bend).cwiseMin(1.0).array().asin();
 }
 
-/// A triangular grid around a place, as fine as asked for.
+/// The points of a triangular grid over a box, as fine as requested.
 class GridPoints
 {
 public:
@@ -219,7 +219,7 @@ std::vector<bool> TooClose(
   return tooClose;
 }
 
-/// The middles of edges inside a disk that must not be there.
+/// The midpoints of edges inside a disk that must not exist.
 std::vector<RowVector2d> MidpointsOfUnwanted(
   const FlatDisk& disk, int corners, const FlatDiskOptions& options)
 {
@@ -236,7 +236,7 @@ std::vector<RowVector2d> MidpointsOfUnwanted(
     for (int k = 0; k < 3; ++k)
     {
       const int a = triangle(k), b = triangle((k + 1) % 3);
-      // Each edge inside is met from both sides.
+      // Each inner edge is met from both triangles.
       if (a < b && b < corners && isUnwanted(a, b))
       {
         midpoints.push_back(0.5 * (disk.Points.row(a) + disk.Points.row(b)));
@@ -278,7 +278,7 @@ Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths)
   sides.maxCoeff(&longest);
   const double others = sides.sum() - sides(longest);
   sides(longest) = std::min(sides(longest), 0.999 * others);
-  // How far the sides' angles are from closing, with the centre outside, or else inside.
+  // How far the sides' angles are from a full turn, with the centre outside or inside.
   const bool isOutside = HalfAngles(sides, 1.0 / sides(longest)).sum() < M_PI;
   const auto excess = [&](double bend)
   {

@@ -30,34 +30,35 @@ struct FlatDisk
 
 struct FlatDiskOptions
 {
-  double Edge = 0.0;   ///< where `size` is this, the points are a triangular grid of this side; > 0
-  double Growth = 0.5; ///< by how much `size` differs, at most, over a distance of 1
-  /// The length of edges wanted at a place, within 1/1000 of Edge and 1e6 of it.
+  double Edge =
+    0.0; ///< if `Size` is this, the points are a triangular grid of this edge length; > 0
+  double Growth = 0.5; ///< the maximum slope of `Size`
+  /// The wanted edge length at a position, between Edge / 1000 and 1e6 Edge.
   std::function<double(const Eigen::RowVector2d&)> Size;
-  /// Whether two corners of the outline must not become an edge inside, or none: an edge that is
-  /// there gets a point in its middle.
+  /// Whether two corners of the outline must not be joined by an edge inside; may be empty. Such an
+  /// edge gets a point at its midpoint.
   std::function<bool(int, int)> IsTaken;
-  /// Whether an edge inside between two corners would not be on the side of the outline that is
-  /// filled, as FindOuterChords says, or none. Where they are two apart the edge is flipped, else
-  /// it gets a point in its middle.
+  /// Whether an edge inside between two corners would be outside of what is filled
+  /// (FindOuterChords); may be empty. If they are two apart, the edge is flipped; else it gets a
+  /// point at its midpoint.
   std::function<bool(int, int)> IsOutside;
 };
 
 /**
- * Triangulates the inside of a polygon: points on a triangular grid whose cells are split in four
- * where they are larger than wanted, those too close to the outline left out, and the constrained
- * Delaunay triangulation. Every side of the outline is an edge; its corners are the only points on
+ * Triangulates the inside of a polygon by the constrained Delaunay triangulation of the points of a
+ * triangular grid, whose cells are split in four if they are larger than wanted, without points too
+ * close to the outline. Every side of the outline is an edge; its corners are the only points on
  * it.
  *
- * outline: k x 2, counter-clockwise. No triangles where it meets itself, or all of it lies on one
+ * outline: k x 2, counter-clockwise. There are no triangles if it intersects itself or lies on one
  * line. Throws Aborted.
  */
 FlatDisk TriangulateDisk(
   const Eigen::MatrixXd& outline, const FlatDiskOptions& options, const Progress& progress = {});
 
 /**
- * Where a triangle of a disk joins two corners of its outline that are two apart, and they should
- * not be joined, the edge from the corner between them is taken instead.
+ * Flips edges between two corners of a disk's outline that are two apart and must not be joined:
+ * the edge from the corner between them replaces such an edge.
  *
  * corners: of the outline, the disk's first points. isTaken: which edges must not be made, or none.
  */

@@ -24,7 +24,7 @@ Box BoxOf(const Mesh& mesh, int triangle)
   return box;
 }
 
-/// A box in cells, of which some are marked.
+/// A box divided into cells, some of which are marked.
 class MarkedCells
 {
 public:
@@ -52,7 +52,8 @@ public:
 private:
   static constexpr int Count = 24;
 
-  /// Calls body with the cells that a box meets, until it returns false; returns what it did last.
+  /// Calls body with the cells that a box intersects until it returns false; returns its last
+  /// result.
   template <typename Body>
   bool ForEach(const Box& box, const Body& body) const
   {
@@ -150,7 +151,7 @@ std::vector<Crossing> FindPatchSelfIntersections(
       near.Triangles(static_cast<Eigen::Index>(i), k) = position[number];
     }
   }
-  // Those without area go, from the last on.
+  // Triangles without area are left out.
   const std::vector<int> flat = FindDegenerateTriangles(near);
   std::vector<int> kept;
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i)
