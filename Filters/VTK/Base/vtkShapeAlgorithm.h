@@ -129,7 +129,7 @@ protected:
   {
     Pieces,       ///< this process's part, also composite
     Whole,        ///< one vtkPolyData with the data of every block and process
-    WholeSurface, ///< the same, with points at the same place joined where pieces meet
+    WholeSurface, ///< the same, with coincident points of several pieces merged
     WholeGrid,    ///< one vtkUnstructuredGrid, of solid cells, too
     Selection     ///< a vtkSelection, or cells extracted by one, which may be none
   };

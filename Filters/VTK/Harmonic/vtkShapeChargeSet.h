@@ -29,7 +29,7 @@ namespace vtkShapeChargeSet
 /// offsetDistance is that distance divided by the longest side of the surface.
 double Farthest(double offsetDistance, const shape::Mesh& surface);
 
-/// Throws shape::InvalidInput where `data` is no charge set; `name` is what the message calls it.
+/// Throws shape::InvalidInput if `data` is no charge set; `name` is what the message calls it.
 /// The charges' distance is the field data HarmonicVolumeMap.OffsetDistance, or else measured.
 shape::PiecewiseCharges Read(vtkPolyData* data, const std::string& name);
 
@@ -37,7 +37,7 @@ shape::PiecewiseCharges Read(vtkPolyData* data, const std::string& name);
 void Write(const shape::PiecewiseCharges& charges, vtkPolyData* output);
 
 /**
- * Makes `moved` the data `domain` with every data set's points where `place` puts them, with
+ * Makes `moved` the data `domain` with every data set's points where `position` puts them, with
  * `SourcePosition` and `OutsideDomain` (0, 1 or 2). Returns how many points have each value of it,
  * but for those that are another process's.
  */

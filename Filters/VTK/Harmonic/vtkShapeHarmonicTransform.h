@@ -2,8 +2,8 @@
  * @class   vtkShapeHarmonicTransform
  * @brief   a harmonic volume map as a transformation of space, with its derivative and inverse
  *
- * Works with every user of vtkAbstractTransform. vtkTransformFilter and vtkTransformPolyDataFilter
- * rotate normals and vectors with the map. vtkImageReslice moves images: it asks where the value
+ * Works with every user of vtkAbstractTransform. The transform filters of VTK rotate normals and
+ * vectors with the map. The reslice filter vtkImageReslice moves images: it asks where the value
  * at a position comes from, so it takes the inverse.
  *
  *   carried = vtkImageReslice(); carried.SetInputData(image)
@@ -56,8 +56,7 @@ public:
   ///@}
 
   /// How many preimages were not found since the last update: points that lie inside the image of
-  /// the domain's boundary and keep their place. Counted where points are inverted, again for each
-  /// time that the same one is.
+  /// the domain's boundary and keep their position. Each inversion of the same point counts.
   virtual vtkIdType GetNotInverted() { return this->NotInverted; }
 
   vtkAbstractTransform* MakeTransform() override;
@@ -102,7 +101,7 @@ private:
 
   vtkSmartPointer<vtkAlgorithm> Producer; ///< of the charge set
   int Port = 0;
-  std::shared_ptr<const shape::VolumeTransform> Map; ///< empty: every point keeps its place
+  std::shared_ptr<const shape::VolumeTransform> Map; ///< empty: every point keeps its position
   vtkSmartPointer<vtkPolyData> MappedCharges;        ///< what Map was made from
   vtkMTimeType MappedTime = 0;                       ///< when that was modified
   bool MapHasInverse = false;

@@ -20,9 +20,10 @@
  * - `RegionId` (int): i + 1 inside inner surface i, the innermost one, counted from 0; otherwise
  *   0.
  * - `Jacobian`, `Volume`, `EdgeRatio` (longest to shortest edge), `MaxAspectFrobenius` (1 for a
- *   cube), `EquiangleSkew` (0 for a box, 1 if an angle of a face is 0 or 180 degrees), `Skew`,
- *   `Taper` (0 for a box), `Shape` (1 for a cube, 0 if degenerate). These doubles are the measures
- *   of these names in the Mesh Quality filter.
+ *   cube).
+ * - `EquiangleSkew` (0 for a box, 1 if an angle of a face is 0 or 180 degrees).
+ * - `Skew`, `Taper` (0 for a box), `Shape` (1 for a cube, 0 if degenerate).
+ * The doubles after `RegionId` are the measures of these names in the Mesh Quality filter.
  *
  * Output 1: the boundary quads, then the quads between regions, which face out of the inner
  * surface (vtkPolyData). The points are those of the hexahedra that they use, numbered by
@@ -70,7 +71,7 @@ public:
   vtkTypeMacro(vtkShapeHexRemesh, vtkShapeAlgorithm);
 
   ///@{
-  /// The borders between materials.
+  /// The interfaces between materials.
   void AddInnerSurfaces(vtkAlgorithmOutput* surface);
   void RemoveAllInnerSurfaces();
   ///@}

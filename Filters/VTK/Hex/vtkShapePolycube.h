@@ -10,7 +10,8 @@
  *
  * Outputs
  * - 0: the same surface with the point array `TargetPosition` (double, 3) and the cell array
- *   `Label` (int): the direction of the face that a cell goes to, 0 to 5 = +x, -x, +y, -y, +z, -z.
+ *   `Label` (int). Label is the direction of the face that a cell goes to, 0 to 5 = +x, -x, +y,
+ *   -y, +z, -z.
  * - 1: the polycube: the same cells at their target positions, with `SourcePosition` and `Label`.
  *   No triangle is flipped, and each lies in a plane orthogonal to its axis. The polycube may
  *   overlap itself.

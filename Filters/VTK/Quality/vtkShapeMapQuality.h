@@ -12,9 +12,9 @@
  *
  * Output 0: the input with the cell arrays
  * - `JacobianDeterminant`: the minimum ratio of areas or volumes in the cell, negative if flipped.
- *   The orientation of a surface is measured against +z (if the images lie in the plane z = 0),
- *   the radius (on the unit sphere), or the surface around the triangle, in this block of this
- *   process. See shape::EvaluateMapQuality.
+ *   The orientation of a surface is measured against +z if the images lie in the plane z = 0, and
+ *   against the radius on the unit sphere. Otherwise it is measured against the surface around the
+ *   triangle, in this block of this process. See shape::EvaluateMapQuality.
  * - `Flipped`: 1 if that is negative.
  * - `Dirichlet`: |J|^2 / 2.
  * - `SymmetricDirichlet`: |J|^2 + |J^-1|^2. Its minimum is 4 for an isometry of surfaces and 6 of

@@ -42,7 +42,7 @@ public:
   vtkTypeMacro(vtkShapeTetrahedralize, vtkShapeAlgorithm);
 
   ///@{
-  /// The borders between materials.
+  /// The interfaces between materials.
   void AddInnerSurfaces(vtkAlgorithmOutput* surface);
   void RemoveAllInnerSurfaces();
   ///@}
