@@ -33,8 +33,8 @@ pqShapeLoopWidget::pqShapeLoopWidget(vtkSMProxy* filter, vtkSMPropertyGroup* gro
   this->Button->setCheckable(true);
   this->AddWidget(this->Button);
   this->AddHelp(
-    tr("Click places on the surface; a double click or Enter closes the loop, Backspace "
-       "takes the last place back, Esc gives up. Drag the places of a closed loop; "
+    tr("Click positions on the surface. Double-click or Enter closes the loop, Backspace "
+       "removes the last position, Esc cancels. Drag the positions of a closed loop. "
        "Delete removes one."));
   this->AddRow("Points");
   QObject::connect(this->Button, &QPushButton::toggled, this,

@@ -19,7 +19,7 @@ import off
 import shapetesting
 
 KINDS = ('open loop', 'no triangles', 'three or more triangles', 'two sheets touch',
-         'opposite orientation', 'uses point', 'cannot be cut into triangles', 'encloses no volume',
+         'opposite orientation', 'uses point', 'cannot be triangulated', 'encloses no volume',
          'without area', 'crosses or touches itself', 'TetGen')
 
 folder = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, 'build', 'models')

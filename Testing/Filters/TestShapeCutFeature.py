@@ -229,7 +229,7 @@ assert (0.1 * top[:, 1] + top[:, 2] > 0.31 - 1e-6).all(), (0.1 * top[:, 1] + top
 
 # What is wrong is said.
 refused('there is no loop', surface)
-refused('both a Loop and a Selection', surface, curve, picked)
+refused('both Loop and Selection', surface, curve, picked)
 line = vtkPolyData()
 line.DeepCopy(curve)
 line.GetLines().Initialize()

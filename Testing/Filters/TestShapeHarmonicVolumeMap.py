@@ -463,7 +463,7 @@ assert (array(charges, 'Charge') == array(same_charges, 'Charge')).all()
 assert not folding.GetFieldData().HasArray('HarmonicVolumeMap.InvertedBefore')
 for domain, words in ((cloud([[0.0, 0.0, 0.0]]), 'FoldFree needs a Domain with solid cells'),
                       (surface, 'FoldFree needs a Domain with solid cells'),
-                      (tables, 'FoldFree needs the Domain in one dataset')):
+                      (tables, 'FoldFree needs the Domain in one data set')):
     unfit = new(domain, moved_boundary)
     unfit.SetFoldFree(True)
     if domain is tables:

@@ -260,7 +260,7 @@ void vtkShapeAlgorithm::PrepareInputs()
       if (vtkShapeGather::CountPoints(input, this->Controller) == 0)
       {
         throw shape::InvalidInput(
-          "the input '" + declared.Name + "' has no points; connect data that has some");
+          "the input '" + declared.Name + "' has no points; connect data with points");
       }
       if (declared.Data == PortData::WholeGrid)
       {

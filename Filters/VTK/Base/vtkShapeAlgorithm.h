@@ -5,17 +5,17 @@
  * A filter declares its ports in its constructor and overrides Execute. This class does the rest:
  * port information, output types, progress, abort, errors, distributed inputs.
  *
- * - A Pieces port hands Execute what this process has. A Whole port hands it the complete data: the
- *   blocks of a composite dataset, and in parallel the pieces of all processes, are gathered into
- *   one vtkPolyData or vtkUnstructuredGrid before Execute, so that Execute itself communicates
- * nothing. Every port takes composite data itself: else the pipeline would run the filter once for
- * each block, which processes have different numbers of.
- * - Execute throws shape::InvalidInput or shape::SolveFailure. Here that becomes one error event
- *   whose text starts with the filter's label; every output is left empty and the pipeline is told
- *   that the request failed. Where one process fails, all of them do.
+ * - A Pieces port gives Execute the data of this process. A Whole port gives it the complete data:
+ *   blocks and the pieces of all processes are gathered into one vtkPolyData or
+ *   vtkUnstructuredGrid before. Execute itself communicates nothing. Every port accepts composite
+ *   data. Otherwise the pipeline would run the filter once for each block, and processes have
+ *   different numbers of blocks.
+ * - Execute throws shape::InvalidInput or shape::SolveFailure. Each becomes one error event whose
+ *   text starts with the label of the filter. All outputs are empty, and the request fails. If one
+ *   process fails, all of them do.
  * - An output like an input has its type.
- * - An output with points of its own keeps no measure of its inputs' geometry: see
- * vtkShapeMeasures.
+ * - An output with points of its own keeps no measure of the geometry of its inputs: see
+ *   vtkShapeMeasures.
  */
 #ifndef vtkShapeAlgorithm_h
 #define vtkShapeAlgorithm_h
@@ -129,7 +129,7 @@ protected:
   {
     Pieces,       ///< this process's part, also composite
     Whole,        ///< one vtkPolyData with the data of every block and process
-    WholeSurface, ///< the same, with points at the same place joined where pieces meet
+    WholeSurface, ///< the same, with coincident points of several pieces merged
     WholeGrid,    ///< one vtkUnstructuredGrid, of solid cells, too
     Selection     ///< a vtkSelection, or cells extracted by one, which may be none
   };

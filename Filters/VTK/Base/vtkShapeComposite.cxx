@@ -103,7 +103,7 @@ void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Poi
     {
       throw shape::InvalidInput(std::string("a block is a ") +
         it->GetCurrentDataObject()->GetClassName() +
-        ", which has no points; leave it out with Extract Block");
+        ", which has no points; remove it with Extract Block");
     }
     vtkSmartPointer<vtkDataSet> filled;
     filled.TakeReference(vtkDataSet::SafeDownCast(

@@ -35,8 +35,8 @@ void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
 
 /**
  * Makes `output`, a FindOutputType(input, points), like `input`, and calls `fill` with each data
- * set in `input` and the empty one that takes its place in `output`. Throws shape::InvalidInput
- * where a block is no data set.
+ * set in `input` and the empty one for it in `output`. Throws shape::InvalidInput
+ * if a block is no data set.
  */
 void ForEach(vtkDataObject* input, vtkDataObject* output, Points points,
   const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill);

@@ -102,8 +102,8 @@ shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& nam
   if (polys->GetNumberOfCells() != CountTriangles(surface))
   {
     throw shape::InvalidInput(name +
-      " has a polygon that cannot be cut into triangles; repair it, "
-      "or apply Triangulate and look at what is missing");
+      " has a polygon that cannot be triangulated; repair it, "
+      "or apply Triangulate and find the missing cells");
   }
   shape::Mesh mesh{ ToPoints(surface), Eigen::MatrixXi(polys->GetNumberOfCells(), 3) };
   vtkNew<vtkIdList> corners;
@@ -137,7 +137,7 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
   const vtkIdType corners = all ? all->GetNumberOfConnectivityIds() : 0;
   if (std::max(grid->GetNumberOfPoints(), corners) > std::numeric_limits<int>::max())
   {
-    throw shape::InvalidInput(name + " has more than 2^31 points or corners; use a coarser one");
+    throw shape::InvalidInput(name + " has more than 2^31 points or corners; use a coarser mesh");
   }
   shape::Cells cells{ ToPoints(grid), Eigen::VectorXi(count), Eigen::VectorXi(count + 1),
     Eigen::VectorXi(corners) };
@@ -180,7 +180,7 @@ Eigen::MatrixXd vtkShapeConvert::ToPoints(vtkDataSet* data)
   if (data->GetNumberOfPoints() > std::numeric_limits<int>::max())
   {
     throw shape::InvalidInput(
-      "a data set has more than 2^31 points; cut it into blocks, or use more processes");
+      "a data set has more than 2^31 points; divide it into blocks, or use more processes");
   }
   Eigen::MatrixXd points(data->GetNumberOfPoints(), 3);
   Eigen::RowVector3d point;
@@ -199,7 +199,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
     data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
   {
     throw shape::InvalidInput(name +
-      " has more points or cells than 2^31 corners can hold; cut it "
+      " has more points or cells than 2^31 corners allow; divide it "
       "into blocks, or use more processes");
   }
   shape::CellSimplices cells;
@@ -246,7 +246,7 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   if (!values && data->GetPointData()->HasArray(array.c_str()))
   {
     throw shape::InvalidInput(
-      "the point array '" + array + "' of " + name + " has words; choose one of numbers");
+      "the point array '" + array + "' of " + name + " has strings; choose an array of numbers");
   }
   if (!values)
   {
@@ -269,7 +269,8 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   {
     throw shape::InvalidInput("the point array '" + array + "' of " + name + " has " +
       std::to_string(values->GetNumberOfTuples()) + " tuples for " +
-      std::to_string(data->GetNumberOfPoints()) + " points; give one for each point");
+      std::to_string(data->GetNumberOfPoints()) +
+      " points; use an array with one tuple for each point");
   }
   Eigen::MatrixXd matrix(values->GetNumberOfTuples(), components);
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)

@@ -145,7 +145,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const st
     if (!surface)
     {
       throw shape::InvalidInput("the input '" + name + "' holds a " + block->GetClassName() +
-        ", which is no surface; apply Extract Surface first, or leave it out with Extract Block");
+        ", which is not a surface; apply Extract Surface first, or remove it with Extract Block");
     }
     surfaces.push_back(WithoutGhostCells(surface));
   };

@@ -27,8 +27,8 @@ vtkIdType CountPoints(vtkDataObject* data, vtkMultiProcessController* controller
 /**
  * All blocks of `data` of all processes as one vtkPolyData, the same on every process.
  *
- * weld: points that several blocks or processes have at exactly the same coordinates become one,
- * so that the pieces of a surface hang together; else every point stays. Ghost cells are left out.
+ * weld: points with the same coordinates in several blocks or processes become one, so that the
+ * pieces of a surface are connected; otherwise every point stays. Ghost cells are left out.
  * A block that is not vtkPolyData raises shape::InvalidInput, on every process; `name` is what its
  * message calls the data. ownPoints: for each point of this process's blocks, in order, its index
  * in the whole.
@@ -62,7 +62,7 @@ enum class Reduction
   Maximum
 };
 
-/// Reduces `count` values, each with those of the other processes, in place.
+/// Reduces `count` values, each over all processes, and overwrites them.
 void Reduce(vtkMultiProcessController* controller, double* values, int count, Reduction reduction);
 
 /// Sets `failed` on every process where it is set on one, and `message` to that of the first that

@@ -10,7 +10,7 @@ class vtkDataSet;
 /**
  * Measures describe the geometry on which they were computed: quality and size of cells, distances,
  * curvatures, distortion of maps, spectra, normals, and the facts that filters write to the field
- * data. They are wrong on any other geometry. This is the one place that knows their names and that
+ * data. They are wrong on any other geometry. Only this file knows their names, and it
  * keeps them off outputs with points of their own; vtkShapeAlgorithm applies it to every filter.
  */
 namespace vtkShapeMeasures

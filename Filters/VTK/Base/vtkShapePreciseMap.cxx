@@ -59,8 +59,8 @@ shape::NumberedSurface vtkShapePreciseMap::ToSurface(
     {
       throw shape::MapOfAnotherSurface("TargetCell names triangles of a surface, and " + name +
         " has cells of other kinds (first cell " + std::to_string(cell) +
-        "); give the surface that the map was made for as " + name +
-        ", or leave TargetCell out with Pass Arrays and take the closest places");
+        "); connect the surface for which the map was made as " + name +
+        ", or remove TargetCell with Pass Arrays to use closest positions");
     }
     grid->GetCellPoints(cell, corners);
     surface->InsertNextCell(type, corners);

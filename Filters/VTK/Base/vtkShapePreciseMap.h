@@ -24,8 +24,8 @@ bool Has(vtkDataSet* data, const std::string& mapArray);
 
 ///@{
 /// The surface's triangles by number: vertices and lines, then polygons and then strips, cut into
-/// triangles. Throws shape::MapOfAnotherSurface where the grid has a cell that is none of these,
-/// shape::InvalidInput where a polygon cannot be triangulated.
+/// triangles. Throws shape::MapOfAnotherSurface if the grid has a cell that is none of these,
+/// shape::InvalidInput if a polygon cannot be triangulated.
 shape::NumberedSurface ToSurface(vtkPolyData* surface, const std::string& name);
 shape::NumberedSurface ToSurface(vtkUnstructuredGrid* grid, const std::string& name);
 ///@}

@@ -105,8 +105,9 @@ std::vector<char> MarksOfExtracted(vtkDataSet* extracted, vtkIdType cells)
   vtkDataArray* ids = extracted->GetCellData()->GetArray("vtkOriginalCellIds");
   if (!ids && extracted->GetNumberOfCells() > 0)
   {
-    throw shape::InvalidInput("the Selection has no cell array 'vtkOriginalCellIds'; give a"
-                              " selection, or what Extract Selection makes of cells of the Input");
+    throw shape::InvalidInput(
+      "the Selection has no cell array 'vtkOriginalCellIds'; connect a"
+      " selection, or the output of Extract Selection for cells of the Input");
   }
   for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
   {
@@ -129,8 +130,9 @@ std::vector<vtkDataSet*> LeavesLike(vtkDataObject* like, vtkDataObject* data)
   auto* other = vtkCompositeDataSet::SafeDownCast(data);
   if ((tree == nullptr) != (other == nullptr))
   {
-    throw shape::InvalidInput("the Selection has other blocks than the Input; extract it from the"
-                              " Input itself");
+    throw shape::InvalidInput(
+      "the blocks of the Selection are not those of the Input; extract it from the"
+      " Input itself");
   }
   if (!tree)
   {

@@ -20,7 +20,7 @@ inline const std::string Name = "vtkShapeSelected";
  *
  * selection: a vtkSelection, of cells, or of points: then cells whose points are all selected; or
  * cells that were extracted, with the array vtkOriginalCellIds, block by block. Throws
- * shape::InvalidInput where it is something else. No process waits for another.
+ * shape::InvalidInput if it is something else. No process waits for another.
  */
 vtkSmartPointer<vtkDataObject> Mark(
   vtkDataObject* surface, vtkDataObject* selection, vtkMultiProcessController* controller);

@@ -113,8 +113,8 @@ shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& n
         throw shape::InvalidInput(name + " has a " +
           vtkCellTypes::GetClassNameFromTypeId(cells.Kinds(cell)) + " (cell " +
           std::to_string(cell) +
-          "), and only tetrahedra, pyramids, wedges and hexahedra can be untangled; take the "
-          "others out with Extract Cells By Type, or fill a surface with Shape Tetrahedralize");
+          "), and only tetrahedra, pyramids, wedges and hexahedra can be untangled; remove the "
+          "others with Extract Cells By Type, or fill a surface with Shape Tetrahedralize");
     }
   }
   return cells;
@@ -135,7 +135,7 @@ void vtkShapeSolid::RequireDataSets(vtkDataObject* data)
     {
       throw shape::InvalidInput(std::string("a block is a ") +
         it->GetCurrentDataObject()->GetClassName() +
-        ", which has no points; leave it out with Extract Block");
+        ", which has no points; remove it with Extract Block");
     }
   }
 }
@@ -196,7 +196,7 @@ void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessContro
   const std::vector<vtkDataSet*> leaves = vtkShapeComposite::Of(domain);
   if (leaves.size() != 1 || (controller && controller->GetNumberOfProcesses() > 1))
   {
-    throw shape::InvalidInput("FoldFree needs the Domain in one dataset and one process; join "
+    throw shape::InvalidInput("FoldFree needs the Domain in one data set and one process; join "
                               "blocks with Merge Blocks, or apply Shape Untangle to the output, "
                               "with the Domain as its RestShape, which joins them");
   }
@@ -208,8 +208,8 @@ void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessContro
   if (!solid)
   {
     throw shape::InvalidInput(
-      "FoldFree needs a Domain with solid cells, and this one has points or a surface alone, which "
-      "cannot be inverted; fill a surface with Shape Tetrahedralize, or turn FoldFree off");
+      "FoldFree needs a Domain with solid cells, and this one has only points or surface cells, "
+      "which cannot be inverted; fill a surface with Shape Tetrahedralize, or turn FoldFree off");
   }
 }
 

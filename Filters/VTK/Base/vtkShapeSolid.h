@@ -16,11 +16,11 @@ class vtkUnstructuredGrid;
 namespace vtkShapeSolid
 {
 
-/// The cells of a grid, voxels as hexahedra. Throws shape::InvalidInput where a cell is no
+/// The cells of a grid, voxels as hexahedra. Throws shape::InvalidInput if a cell is no
 /// tetrahedron, pyramid, wedge or hexahedron; `name` is what the message calls the grid.
 shape::Cells Read(vtkUnstructuredGrid* grid, const std::string& name);
 
-/// Throws shape::InvalidInput where a block of `data` is no data set.
+/// Throws shape::InvalidInput if a block of `data` is no data set.
 void RequireDataSets(vtkDataObject* data);
 
 /// Makes `output` the untangled cells with the data of `input`, `OriginalPointId`,
@@ -31,7 +31,7 @@ void Write(const shape::UntangleResult& result, vtkUnstructuredGrid* input,
 /**
  * Replaces `moved`, which is what a map of its boundary's surface made of `domain`, by the cells
  * without inverted ones (shape::ComputeFoldFreeMap). Returns how many were inverted before and are
- * so still. Throws shape::InvalidInput where the domain has no solid cells, or is in several blocks
+ * so still. Throws shape::InvalidInput if the domain has no solid cells, or is in several blocks
  * or on several processes.
  */
 std::pair<int, int> MakeFoldFree(vtkDataObject* domain, vtkDataObject* moved,

@@ -1,27 +1,33 @@
 /**
  * @class   vtkShapeMapDifference
- * @brief   where two surfaces differ in area and in angles, by a map between them
+ * @brief   show where two surfaces differ in area and in angles, given a map between them
  *
- * SurfaceA: an oriented 2-manifold, open or closed, with the map array (double, 3): where on
- * SurfaceB its points go: by TargetCell and TargetBarycentric, where they are there beside
- * TargetPosition, else to the closest places. SurfaceB: another such surface. Blocks and
- * distributed pieces of each are joined first; each process gets its own back.
+ * Inputs
+ * - SurfaceA: an oriented 2-manifold, open or closed, with the map array (double, 3) onto
+ *   SurfaceB. `TargetCell` and `TargetBarycentric` are used if they accompany `TargetPosition`.
+ *   Otherwise images are projected to the closest positions.
+ * - SurfaceB: another such surface. Blocks and distributed pieces of each are joined first, and
+ *   each process gets its own back.
  *
  * Output 0: SurfaceA with the point arrays
- * - `AreaDifference`: the ratio of areas around the point, B's over A's;
- * - `ConformalDifference`: 1 where the map is conformal; else how much larger the Dirichlet energy
- *   of a function around the point becomes: (s / t + t / s) / 2 for stretches s and t, or t / s on
- *   a limb so thin that functions vary along it only;
- * - `AreaEigenfunctions`, `ConformalEigenfunctions`: of the two operators (10 components, the
- *   eigenvalues farthest from 1 first): large where the surfaces differ as much as that.
- * The first two are means over as much as NumberOfEigenpairs functions can tell apart. Field data:
- * MapDifference.AreaEigenvalues, .ConformalEigenvalues; .UndeterminedFunctions: of SurfaceB,
- * because too little of it is reached; .PreciseMap: 1 where TargetCell was used, else 0.
+ * - `AreaDifference`: the ratio of areas around the point, B divided by A.
+ * - `ConformalDifference`: 1 where the map is conformal, otherwise the factor of the Dirichlet
+ *   energy of a function around the point. For stretches s and t it is (s / t + t / s) / 2. On a
+ *   protrusion so thin that functions vary only along it, it is t / s.
+ * - `AreaEigenfunctions`, `ConformalEigenfunctions`: eigenfunctions of both operators (10
+ *   components, the eigenvalues farthest from 1 first). They are large where the surfaces differ
+ *   by that amount.
+ * The first two are means over regions that NumberOfEigenpairs functions can resolve.
  *
- * Output 1: a table, on one process: the operators as matrices in the eigenbasis of SurfaceA's
- * Laplacian, a row for each function; columns Area0, Area1, ..., Conformal0, ...
+ * Field data: MapDifference.AreaEigenvalues, .ConformalEigenvalues, .UndeterminedFunctions
+ * (functions of SurfaceB that are undetermined because the map reaches too little of it) and
+ * .PreciseMap (1 if `TargetCell` was used, otherwise 0).
  *
- * Each factorisation is one library call: an abort takes effect at its end.
+ * Output 1: a table, on one process, with the operators as matrices in the eigenbasis of the
+ * Laplacian of SurfaceA. It has a row for each function and the columns Area0, Area1, ...,
+ * Conformal0, ...
+ *
+ * A factorisation cannot be interrupted, so an abort takes effect at its end.
  *
  * The mathematics: shape::MapDifference.
  */
@@ -39,14 +45,10 @@ public:
   vtkTypeMacro(vtkShapeMapDifference, vtkShapeAlgorithm);
 
   ///@{
-  /// The point array (3 components) of SurfaceA that says where its points go. Default:
-  /// TargetPosition.
+  /// The properties. Effects and ranges: vtkShapeMapDifference.xml. Enumerations and defaults:
+  /// shape::MapDifferenceOptions.
   vtkSetStdStringFromCharMacro(MapArray);
   vtkGetCharFromStdStringMacro(MapArray);
-  ///@}
-
-  ///@{
-  /// How many functions of SurfaceA the operators act on. Default: 50.
   vtkShapeOption(NumberOfEigenpairs, int);
   ///@}
 

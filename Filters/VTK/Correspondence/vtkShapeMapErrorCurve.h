@@ -1,26 +1,35 @@
 /**
  * @class   vtkShapeMapErrorCurve
- * @brief   how far a map between surfaces is from the true one, as a cumulative curve
+ * @brief   measure how far a map between surfaces is from the true one, as a cumulative curve
  *
- * Input: a surface with the map array (double, 3): where its points go. Target: the surface that
- * they go to. Truth: any data set whose points are places on Input and whose map array says where
- * on Target they truly go; an array named by SymmetryArray, where it is there, says where a
- * symmetry of the shape takes that: the errors are then those to the truth with the lesser mean, of
- * the two as wholes. Blocks and distributed pieces of each are joined first.
+ * Inputs
+ * - Input: a surface with the map array (double, 3).
+ * - Target: the surface that the map leads to. It may have the map array of the map back to Input.
+ * - Truth: any data set whose points are positions on Input and whose map array gives their true
+ *   images on Target. An array with the name SymmetryArray gives the images under a symmetry of
+ *   the shape. Errors are then measured to both truths as a whole, and those with the smaller mean
+ *   are reported.
+ * Blocks and distributed pieces of each are joined first.
  *
- * Output: a table, on one process: `Error`, ascending, the length of the shortest path along
- * Target, exact on its triangles, over what Normalisation says, and `Share`, of the places that
- * have at most this error. Field data: MapErrorCurve.Mean, .Median, .Percentile95, .Maximum and
- * .AreaUnderCurve (the mean share of errors up to LargestError) of the curve; .Unit, what errors
- * were divided by; .Mirrored, 1 where they are to the symmetric truth; .UnreachedPlaces, on another
- * component than their truth: in no row, but among all in Share; .LargestGap, from a place of the
- * Truth to its surface, in their units; .Coverage, the share of Target's area that the image lies
- * on (nearer than a hundredth of the root of the area). Where Target has the map array, too, its
- * map back to Input: .RoundTripMean and .RoundTripMaximum, how far points of Input come back from
- * themselves, over the root of its area.
+ * Output: a table, on one process
+ * - `Error`: ascending, the exact geodesic distance on the triangles of Target, divided by the
+ *   Normalisation.
+ * - `Share`: the share of points with at most this error.
  *
- * Measures of the map's cells, such as conformal distortion and Dirichlet energy, are Shape Map
- * Quality's.
+ * Field data, with the prefix MapErrorCurve
+ * - .Mean, .Median, .Percentile95, .Maximum, .AreaUnderCurve (the mean share for errors up to
+ *   LargestError).
+ * - .Unit: the length by which errors were divided.
+ * - .Mirrored: 1 if errors are measured to the symmetric truth.
+ * - .UnreachedPlaces: points on another component than their truth. They are in no row, but count
+ *   in Share.
+ * - .LargestGap: maximum distance of a point of Truth from its surface, in their units.
+ * - .Coverage: share of the area of Target that is nearer to the image than a hundredth of the
+ *   root of the area.
+ * - .RoundTripMean, .RoundTripMaximum: if Target has the map array. Distance of points of Input
+ *   from themselves after the round trip, divided by the root of the area.
+ *
+ * Measures of the cells of a map, such as conformal distortion, are those of vtkShapeMapQuality.
  *
  * The mathematics: shape::ComputeMapErrorCurve, shape::ComputeRoundTripErrors,
  * shape::ComputeCoverage.
@@ -39,29 +48,15 @@ public:
   vtkTypeMacro(vtkShapeMapErrorCurve, vtkShapeAlgorithm);
 
   ///@{
-  /// The point array (3 components) of Input and Truth, and of Target, that says where points go.
-  /// Default: TargetPosition.
+  /// The properties. Effects and ranges: vtkShapeMapErrorCurve.xml. Enumerations and defaults:
+  /// shape::MapErrorCurveOptions.
   vtkSetStdStringFromCharMacro(MapArray);
   vtkGetCharFromStdStringMacro(MapArray);
-  ///@}
-
-  ///@{
-  /// The point array (3 components) of Truth with the symmetric truth. Default:
-  /// SymmetricTargetPosition.
   vtkSetStdStringFromCharMacro(SymmetryArray);
   vtkGetCharFromStdStringMacro(SymmetryArray);
-  ///@}
-
-  ///@{
-  /// 0 = None: errors in the units of Target. 1 = SquareRootOfArea, 2 = GeodesicDiameter: over
-  /// that of Target. Default: SquareRootOfArea.
   vtkShapeEnumOption(Normalisation, shape::MapErrorCurveOptions::NormalisationType,
     shape::MapErrorCurveOptions::NormalisationType::None,
     shape::MapErrorCurveOptions::NormalisationType::GeodesicDiameter);
-  ///@}
-
-  ///@{
-  /// Up to which error AreaUnderCurve goes. Default: 0.25.
   vtkShapeOption(LargestError, double);
   ///@}
 

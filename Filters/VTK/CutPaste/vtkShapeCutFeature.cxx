@@ -79,7 +79,7 @@ std::vector<Eigen::MatrixXd> CurvesOf(vtkPolyData* loop)
   const std::vector<std::vector<int>> lines = vtkShapeConvert::ToLines(loop);
   if (lines.empty())
   {
-    throw shape::InvalidInput("the Loop has no lines; give a closed polyline");
+    throw shape::InvalidInput("the Loop has no lines; connect a closed polyline");
   }
   const Eigen::MatrixXd points = vtkShapeConvert::ToPoints(loop);
   shape::RequireFinite(points, "the Loop");
@@ -152,13 +152,13 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   const auto loopPoints = static_cast<Eigen::Index>(this->LoopPoints.size() / 3);
   if (hasLoop && this->GetNumberOfInputConnections(2) > 0)
   {
-    throw shape::InvalidInput("there are both a Loop and a Selection; disconnect one");
+    throw shape::InvalidInput("both Loop and Selection are connected; disconnect one");
   }
   if (!hasLoop && !marked && loopPoints < 3)
   {
     throw shape::InvalidInput("there is no loop: connect a closed polyline to Loop, or a selection"
                               " to Selection, or draw a loop: Loop Points has " +
-      std::to_string(loopPoints) + " places, and 3 are the least");
+      std::to_string(loopPoints) + " positions, and at least 3 are needed");
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
   Kept& kept = *this->Cache;

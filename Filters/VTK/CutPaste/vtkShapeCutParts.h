@@ -11,11 +11,11 @@ namespace vtkShapeCutParts
 
 /**
  * Writes both with the arrays of points and cells of `surface`: new points have what lies between
- * the corners of the triangle that they are in. On fills numbers with a fraction go on smoothly
- * from the rim (shape::ExtendValuesOntoFill), other data are those of the nearest point or cell at
- * the rim, and there `Normals` are left out. Adds `OriginalPointId` (vtkIdType; -1: new), to the
- * rest the cell array `Filled`, and to the feature what it stood on: see vtkShapeCutFeature.
- * numbered: the surface's triangles.
+ * the corners of the triangle that they are in. On fills, floating-point values continue
+ * smoothly from the boundary loop (shape::ExtendValuesOntoFill), other data are those of the
+ * nearest point or cell at it, and `Normals` are dropped. Adds `OriginalPointId` (vtkIdType; -1:
+ * new), to the rest the cell array `Filled`, and to the feature what it stood on: see
+ * vtkShapeCutFeature. numbered: the surface's triangles.
  */
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);

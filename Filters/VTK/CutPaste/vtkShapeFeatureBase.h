@@ -27,7 +27,7 @@ struct Feature
 /**
  * The feature's base at one of its loops. surface: its triangles; points: of each of their points,
  * the one of `data`. loopIndex: the longest of the loops being 0, or the one that was cut. Throws
- * shape::InvalidInput where there is no such loop, and as shape::BuildFootprintOnOwnFill;
+ * shape::InvalidInput if there is no such loop, and as shape::BuildFootprintOnOwnFill;
  * shape::Aborted.
  */
 Feature Read(vtkPolyData* data, const shape::Mesh& surface, const std::vector<int>& points,

@@ -1,29 +1,36 @@
 /**
  * @class   vtkShapeDeform
- * @brief   deforms a shape by its boundary, or another handle, with its detail kept
+ * @brief   deform a shape by its boundary or another handle, and preserve its detail
  *
  * Inputs
- * - Input: surfaces, solids, curves, soups and points of any dataset, also composite or distributed
- *   (image data become structured grids). Points at one place move as one; cells of any kinds may
- * be degenerate or meet in any way; parts that hang on nothing follow the nearest part.
- * - Boundary: the handle at its moved place: curves, closed or open, or a surface, or points, also
- *   several, with point arrays
- *   - `SourcePosition` (double, 3): where it was on (or near) Input. Points of Input there, at its
- *     points, on its lines and in its triangles, follow it exactly;
- *   - `SourceNormal`, `TargetNormal` (double, 3; optional, both or neither): of Input there, and of
- *     what it becomes. Without them the frames are estimated by one rule that turns with the shape;
- *   - `FrameRotation` (double, 3; optional, with FrameSet): turns of the frames, as axis times
- *     radians, set where `FrameSet` is not 0 and in between interpolated along the curve.
+ * - Input: surfaces, solids, curves, polygon soups and points of any data set, also composite or
+ *   distributed. Image data become structured grids. Coincident points move as one. Cells of any
+ *   type may be degenerate or non-manifold. Parts that are not connected to the handle follow the
+ *   nearest part.
+ * - Boundary: the handle at its new position: one or several curves, surfaces or points, with
+ *   point arrays
+ *   - `SourcePosition` (double, 3): the old position, on Input or near it. Points of Input at its
+ *     points, on its lines and in its triangles follow it exactly.
+ *   - `SourceNormal`, `TargetNormal` (double, 3; optional, both or neither): the normal of Input
+ *     there, and its image. Without them the frames are estimated by one rule that rotates with
+ *     the shape.
+ *   - `FrameRotation` (double, 3; optional, with `FrameSet`): rotations of the frames as axis
+ *     times radians. They hold where `FrameSet` is not 0 and are interpolated along the curve
+ *     between.
  *
- * Output: Input, moved; point array `SourcePosition` (double, 3): where each point was. Normals of
- * points are turned, those of cells dropped. A rigid motion of the boundary is that of the shape,
- * and where it is scaled by Scale, too, that similarity; an unmoved one leaves the shape as it is.
+ * Output: Input, moved, with the point array `SourcePosition` (double, 3). Normals of points
+ * rotate, and normals of cells are dropped. A rigid motion of the handle moves the shape rigidly.
+ * If the handle is scaled by Scale, the shape follows that similarity. A handle at rest leaves the
+ * shape unchanged.
  *
- * Field data: Deform.Islands (parts that hang on nothing), .EmptyBands (points with nothing upwind
- * within UpwindRadius), .ZeroWeights (points upwind of which nothing has a weight), .WeldedPoints,
- * .Segments (connected parts of one value of SegmentArray), .BasePoints (of the coarse shape, 0 in
- * full), .Streamed (1 where the weights are too many to be kept), .Prepared (1 where the weights
- * were found in this run, 0 where only the boundary's target or the frames had changed).
+ * Field data, with the prefix Deform
+ * - .Islands: parts that are not connected to the handle.
+ * - .EmptyBands: points without upwind points within UpwindRadius. .ZeroWeights: points whose
+ *   upwind points all have weight 0.
+ * - .WeldedPoints. .Segments: connected parts of one value of SegmentArray.
+ * - .BasePoints: points of the coarse shape, 0 if none is used.
+ * - .Streamed: 1 if the weights are too many to be kept. .Prepared: 1 if the weights were computed
+ *   in this run, 0 if only the handle's new position or the frames changed.
  *
  * The mathematics: shape::Deformer, shape::ShapeDeformation.
  */
@@ -49,35 +56,17 @@ public:
   vtkTypeMacro(vtkShapeDeform, vtkShapeDeformingAlgorithm);
 
   ///@{
-  /// A point array of Input that multiplies Rigidity, >= 0; "None". Default: None.
+  /// The properties. Effects and ranges: vtkShapeDeform.xml. Enumerations and defaults:
+  /// shape::PoseOptions.
   vtkSetStdStringFromCharMacro(RigidityArray);
   vtkGetCharFromStdStringMacro(RigidityArray);
-  ///@}
-  ///@{
-  /// Of the offsets of points from those upwind; > 0. Default: 1.
   vtkShapeOption(Scale, double);
-  ///@}
-  ///@{
-  /// A point array of Input that multiplies Scale, >= 0; "None". Default: None.
   vtkSetStdStringFromCharMacro(ScaleArray);
   vtkGetCharFromStdStringMacro(ScaleArray);
-  ///@}
-  ///@{
-  /// A direction that the normals of the boundary's frames are drawn to. Default: (0, 0, 1).
   vtkShapeVectorOptionOf(Frames, BiasFrame);
-  ///@}
-  ///@{
-  /// By which share of the angle; in [0, 1]. Default: 0.
   vtkShapeOptionOf(Frames, BiasWeight, double);
-  ///@}
-  ///@{
-  /// A point or cell array of Input whose parts of one value follow one after the other; "None".
-  /// Default: None.
   vtkSetStdStringFromCharMacro(SegmentArray);
   vtkGetCharFromStdStringMacro(SegmentArray);
-  ///@}
-  ///@{
-  /// Afterwards, which spreads the distortion evenly. Default: off.
   vtkShapeOption(LaplacianSmoothing, bool);
   ///@}
 

@@ -82,7 +82,7 @@ int ToLabel(vtkDataArray* values, vtkIdType i)
   {
     throw shape::InvalidInput("the labels '" + std::string(values->GetName()) + "' have " +
       std::to_string(label) + " at number " + std::to_string(i) +
-      "; give each a number that 32 bits can hold");
+      "; use labels that fit into 32 bits");
   }
   return static_cast<int>(label);
 }
@@ -121,8 +121,8 @@ public:
       if (position == this->Positions.end())
       {
         throw shape::InvalidInput("point " + std::to_string(i) +
-          " of a piece of the Input belongs to hidden cells alone, or to ghost cells that no "
-          "process owns; take the others by Threshold, or remove it with Clean to Grid");
+          " of a piece of the Input belongs only to hidden cells, or to ghost cells that no "
+          "process owns; extract the other cells with Threshold, or remove it with Clean to Grid");
       }
       found[i] = position->second;
     }
@@ -226,8 +226,8 @@ vtkShapeHandle::Boundary vtkShapeHandle::Read(vtkUnstructuredGrid* grid)
   boundary.Target.Turns.IsSet = ArrayOrNothing(grid, "FrameSet", 1).cast<int>();
   if (boundary.Target.Turns.Turns.rows() != boundary.Target.Turns.IsSet.rows())
   {
-    throw shape::InvalidInput("the Boundary has one of the point arrays 'FrameRotation' and "
-                              "'FrameSet' alone; give both, or neither");
+    throw shape::InvalidInput("the Boundary has only one of the point arrays 'FrameRotation' "
+                              "and 'FrameSet'; add both, or neither");
   }
   return boundary;
 }

@@ -16,9 +16,9 @@ namespace vtkShapeHandle
 shape::ShapeElements ToElements(
   vtkUnstructuredGrid* grid, const std::string& name, const shape::Progress& progress = {});
 
-/// Labels of the points by a point array of one component, or a cell array: then the one that most
-/// cells around a point have, of equally many the least. Throws shape::InvalidInput where neither
-/// is there.
+/// Labels of the points by a point array of one component, or a cell array: then the most
+/// frequent one of the cells around a point, the lowest of several. Throws shape::InvalidInput if
+/// there is neither.
 Eigen::VectorXi ToLabels(vtkUnstructuredGrid* grid, const std::string& array);
 
 struct Boundary

@@ -1,15 +1,15 @@
 /**
  * @class   vtkShapeBoundaryDistance
- * @brief   the distance of points to a surface, negative inside the solid that it bounds
+ * @brief   compute the distance of points to a surface, negative inside the solid that it bounds
  *
  * Inputs
- * - Input: points or cells of any dataset, also composite or distributed.
- * - Surface: the surface, gathered from all its blocks and processes (polygons are triangulated
- *   inside). With Signed it is closed, of one or several components that face any way: one that
- *   lies within another bounds a void. Without Signed it may also be open.
+ * - Input: points or cells of any data set, also composite or distributed.
+ * - Surface: gathered from all its blocks and processes. Polygons are triangulated internally.
+ *   With Signed it is closed, with one or several components of any orientation. A component
+ *   inside another one bounds a void. Without Signed it may be open.
  *
  * Output: the same data (image data stay image data) with the point array `BoundaryDistance`
- * (double, in the surface's units).
+ * (double, in the units of the surface).
  *
  * The mathematics: shape::BoundaryDistance.
  */
@@ -27,8 +27,8 @@ public:
   vtkTypeMacro(vtkShapeBoundaryDistance, vtkShapeAlgorithm);
 
   ///@{
-  /// Negative inside the solid that the surface bounds, which must be closed; else the distance is
-  /// positive everywhere. Default: on.
+  /// The properties. Effects and ranges: vtkShapeBoundaryDistance.xml. Enumerations and defaults:
+  /// shape::BoundaryDistanceOptions.
   vtkShapeOption(Signed, bool);
   ///@}
 

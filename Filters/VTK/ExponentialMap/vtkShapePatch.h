@@ -6,7 +6,7 @@
 
 class vtkPolyData;
 
-/// A patch that was laid out in the plane, as data.
+/// A flattened patch as data.
 namespace vtkShapePatch
 {
 

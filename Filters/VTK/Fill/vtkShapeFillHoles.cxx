@@ -101,7 +101,7 @@ shape::CurveNetwork CurvesOf(vtkPolyData* data)
   if (lines.empty())
   {
     throw shape::InvalidInput(
-      "the Input has neither polygons nor lines; give a surface, or closed polylines");
+      "the Input has neither polygons nor lines; connect a surface, or closed polylines");
   }
   vtkDataArray* normals = data->GetPointData()->GetNormals();
   const bool hasNormals = normals || data->GetPointData()->HasArray("Normals");

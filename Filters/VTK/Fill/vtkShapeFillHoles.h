@@ -1,31 +1,35 @@
 /**
  * @class   vtkShapeFillHoles
- * @brief   fills the holes of a surface, or what curves bound
+ * @brief   fill the holes of a surface, or closed curves, with smooth surfaces
  *
- * Input: a surface, manifold or not, whose open loops are holes (polygons are triangulated inside;
- * points at one place hang together). Blocks and distributed pieces are joined first. Or, without
- * polygons, closed polylines or a network of lines, with point `Normals` or without: each face of
- * it gets a patch (shape::FindCurveLoops).
+ * Input: a surface, manifold or not, whose open loops are holes. Polygons are triangulated
+ * internally, and coincident points are connected. Blocks and distributed pieces are joined first.
+ * Without polygons it is closed polylines or a network of lines, with or without point `Normals`.
+ * Each face of the network gets a patch (shape::FindCurveLoops).
  *
- * Output: the input with the fills, whose triangles are as long as the sides of the loops, and the
- * cell array `Filled` (int, 1 in fills, else 0). Points, cells and their data are those of the
- * input; points of fills have numbers with a fraction as smooth continuations of those at the loop
- * (`Normals` those of the fill), other data from the nearest point of the loop; cells from the
- * nearest cell at it. Loops that touch themselves at a point are split there. In parallel the first
- * process has the output.
+ * Output: the input with the fills, whose triangles are as large as those at the loops, and the
+ * cell array `Filled` (int, 1 in fills, otherwise 0). Points, cells and their data are those of
+ * the input. On fills, floating-point values continue smoothly from the loop, and `Normals` are
+ * those of the fill. Other point data are those of the nearest point of the loop, and cell data
+ * those of the nearest cell at it. Loops that touch themselves at a point are split there. In
+ * parallel the first process has the output.
  *
- * The deformation's parameters count where FillMethod is Deformation, and may be tuned live: the
- * frames at the loop are optimised for their defaults, once. A factorisation is one library call:
- * an abort takes effect at its end.
+ * The parameters of the deformation apply to FillMethod Deformation and may change interactively.
+ * The frames at the loop are optimised once, for the default parameters. A factorisation cannot be
+ * interrupted, so an abort takes effect at its end.
  *
- * Field data: FillHoles.Loops (found), .UnclosedSides (of the border, in no closed loop),
- * .LooseSegments and .SkippedFaces (of curves: see shape::CurveNetwork). For each loop that was
- * filled, a tuple of .Loop (its number, the longest being 0), .LoopPoints, .Method and .Reason
- * (words), .Nonplanarity (its farthest point from its plane, over its diameter),
- * .NormalDeviationBefore and .NormalDeviationAfter (degrees between the fill's normals at the loop
- * and those wanted there, in the mean; before: of the membrane, or before the frames are
- * optimised), .SelfIntersections (pairs of triangles that meet where they share nothing, one of
- * them of the fill), .Points and .Triangles (new).
+ * Field data, with the prefix FillHoles
+ * - .Loops: number found. .UnclosedSides: boundary edges in no closed loop.
+ * - .LooseSegments, .SkippedFaces: of curves, see shape::CurveNetwork.
+ * and a tuple for each filled loop
+ * - .Loop: its number, 0 for the longest. .LoopPoints. .Method and .Reason (strings).
+ * - .Nonplanarity: maximum distance of the loop from its plane, divided by its diameter.
+ * - .NormalDeviationBefore, .NormalDeviationAfter: mean angle between the normals of the fill at
+ *   the loop and the prescribed ones, in degrees. Before: of the membrane, or before the frames
+ *   are optimised.
+ * - .SelfIntersections: pairs of triangles that intersect without a shared point, at least one of
+ *   them of the fill.
+ * - .Points, .Triangles: new ones.
  *
  * The mathematics: shape::SurfaceFiller.
  */
@@ -47,51 +51,21 @@ public:
   vtkTypeMacro(vtkShapeFillHoles, vtkShapeDeformingAlgorithm);
 
   ///@{
-  /// 0 = Automatic: Fair, and where that meets itself or the surface, Deformation, then Membrane. 1
-  /// = Deformation: a flat disk deformed until its outline is the loop. 2 = Fair: tangent to the
-  /// surface, of harmonic mean curvature. 3 = Membrane: as taut as can be, with a crease. Default:
-  /// Automatic.
+  /// The properties. Effects and ranges: vtkShapeFillHoles.xml. Enumerations and defaults:
+  /// shape::FillHolesOptions, shape::LoopChoice.
   void SetFillMethod(int method);
   int GetFillMethod() { return static_cast<int>(this->Fill.Method); }
-  ///@}
-  ///@{
-  /// Deformation: whether the frames at the loop are turned until the fill is tangent to the
-  /// surface. Default: on.
   vtkShapeOptionOf(Fill.Filler, OptimizeNormals, bool);
-  ///@}
-  ///@{
-  /// Which loops are filled. 0 = All. 1 = Longest. 2 = Chosen: those of LoopIndices. Default: All.
   vtkShapeEnumOptionOf(Choice, Loops, shape::LoopChoice::LoopsType,
     shape::LoopChoice::LoopsType::All, shape::LoopChoice::LoopsType::Chosen);
-  ///@}
-  ///@{
-  /// Loops by number, the longest being 0, where Loops is Chosen. Default: none.
   void SetNumberOfLoopIndices(int count);
   void SetLoopIndices(int index, int loop);
   std::vector<int> GetLoopIndices() { return this->Choice.Indices; }
-  ///@}
-  ///@{
-  /// Longer loops stay open; in the model's units, 0: none. Default: 0.
   vtkShapeOptionOf(Choice, MaximumLength, double);
-  ///@}
-  ///@{
-  /// By how much edges grow with the distance from the loop. >= 0. Default: 0.
   vtkShapeOptionOf(Fill.Filler, EdgeGrowth, double);
-  ///@}
-  ///@{
-  /// New points in a hole, about: edges grow where more would be needed. >= 1. Default: 100000.
   vtkShapeOptionOf(Fill.Filler, MaximumPoints, int);
-  ///@}
-  ///@{
-  /// Deformation: of the offsets of points from those upwind; > 0. Default: 1.
   vtkShapeOption(Scale, double);
-  ///@}
-  ///@{
-  /// Deformation: a direction that the normals at the loop are drawn to. Default: (0, 0, 1).
   vtkShapeVectorOptionOf(Fill.Frames, BiasFrame);
-  ///@}
-  ///@{
-  /// Deformation: by which share of the angle; in [0, 1]. Default: 0.
   vtkShapeOptionOf(Fill.Frames, BiasWeight, double);
   ///@}
 

@@ -1,20 +1,20 @@
 /**
  * @class   vtkShapeGeodesicDistance
- * @brief   how far it is along a surface from the nearest seed to each of its points
+ * @brief   compute the geodesic distance of each point of a surface from the nearest seed
  *
  * Inputs
- * - Input: an oriented 2-manifold, open or closed, of any number of components (polygons are
- *   triangulated inside). Blocks and distributed pieces are joined first; each process gets its own
- *   back.
- * - Seeds: any dataset, such as points, curves or an extracted selection; each of its points
- * counts, at the closest place of the surface.
+ * - Input: an oriented 2-manifold, open or closed, of any number of components. Polygons are
+ *   triangulated internally. Blocks and distributed pieces are joined first, and each process gets
+ *   its own back.
+ * - Seeds: any data set, such as points, curves or an extracted selection. Each point is projected
+ *   to the surface.
  *
- * Output: the same surface with the point array `GeodesicDistance` (double, in the surface's
- * units): -1 at points of components where no seed is. Field data:
- * GeodesicDistance.UnreachedPoints, the number of these.
+ * Output: the same surface with the point array `GeodesicDistance` (double, in the units of the
+ * surface), -1 on components without a seed. Field data: GeodesicDistance.UnreachedPoints, the
+ * number of these points.
  *
- * Heat: each of its two or three factorisations is one library call: an abort takes effect at its
- * end.
+ * Heat computes two or three factorisations. A factorisation cannot be interrupted, so an abort
+ * takes effect at its end.
  *
  * The mathematics: shape::ComputeGeodesicDistance.
  */
@@ -32,8 +32,8 @@ public:
   vtkTypeMacro(vtkShapeGeodesicDistance, vtkShapeAlgorithm);
 
   ///@{
-  /// 0 = Heat: smooth, near to them. 1 = Exact: the shortest paths on the polyhedron. 2 =
-  /// Dijkstra: along edges, never too short. Default: Heat.
+  /// The properties. Effects and ranges: vtkShapeGeodesicDistance.xml. Enumerations and defaults:
+  /// shape::GeodesicDistanceOptions.
   vtkShapeEnumOption(Method, shape::GeodesicDistanceOptions::MethodType,
     shape::GeodesicDistanceOptions::MethodType::Heat,
     shape::GeodesicDistanceOptions::MethodType::Dijkstra);

@@ -1,20 +1,20 @@
 /**
  * @class   vtkShapeMorph
- * @brief   moves a shape from its place to where its map sends it, as time goes from 0 to 1
+ * @brief   move a shape along its map as time goes from 0 to 1
  *
- * At time t each point is at (1 - t) x + t y, where x is its place and y its map array: t = 0 gives
- * the input, t = 1 the image of the map, and ParaView's player what lies between.
+ * At time t each point is at (1 - t) x + t y. Here x is its position and y its map array, so t = 0
+ * gives the input and t = 1 the image of the map.
  *
- * Input: points or cells of any dataset, also composite or distributed, with the map array
- * (3 components) at its points.
+ * Input: points or cells of any data set, also composite or distributed, with the map array (3
+ * components) at its points.
  *
- * Output: the same data moved (image data and rectilinear grids become structured grids), with
- * `SourcePosition` (double, 3), the place at t = 0. Point normals are dropped. The time range is
- * [0, 1], and every time in it can be asked for; earlier ones give t = 0, as no request does, later
- * ones t = 1. It is listed in 41 steps, which ParaView's player snaps to as it is set up by
- * default. An input with time steps of its own is taken at the first of them.
+ * Output: the same data moved, with `SourcePosition` (double, 3), the position at t = 0. Image
+ * data and rectilinear grids become structured grids. Point normals are dropped. The time range is
+ * [0, 1], and each time in it can be requested. Earlier times and no time give t = 0, later times
+ * t = 1. It is listed in 41 steps, which the player of ParaView uses by default. If the input has
+ * time steps, the first one is used.
  *
- * The mathematics is the line above: there is no kernel.
+ * The mathematics is the formula above: there is no kernel.
  */
 #ifndef vtkShapeMorph_h
 #define vtkShapeMorph_h
@@ -28,7 +28,7 @@ public:
   vtkTypeMacro(vtkShapeMorph, vtkShapeAlgorithm);
 
   ///@{
-  /// The point array that says where each point goes. Default: TargetPosition.
+  /// The properties. Effects and ranges: vtkShapeMorph.xml.
   vtkSetStdStringFromCharMacro(MapArray);
   vtkGetCharFromStdStringMacro(MapArray);
   ///@}

@@ -41,7 +41,7 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
   if (count > 1)
   {
     throw shape::InvalidInput("the Map has " + std::to_string(count) +
-      " blocks; take one charge set out with Extract Block");
+      " blocks; extract one charge set with Extract Block");
   }
   const auto map = std::make_shared<const shape::PiecewiseHarmonicMap>(
     vtkShapeChargeSet::Read(this->GetGatheredInput(1).Data, "the Map"), progress.Part(0.05, 0.1));

@@ -70,7 +70,7 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
     {
       throw shape::InvalidInput(name + " has " + std::to_string(regions) +
         " affine parts, but RegionId " + std::to_string(values(i)) + " at point " +
-        std::to_string(i) + "; regions count from 0, and -1 is for the walls of voids");
+        std::to_string(i) + "; regions are numbered from 0, and -1 marks the boundaries of voids");
     }
     ids[i] = static_cast<int>(values(i));
   }
@@ -110,7 +110,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
   if (data->GetPointData()->HasArray("Dipole"))
   {
     throw shape::InvalidInput(
-      name + " has dipoles, which cannot be evaluated; make a charge set without");
+      name + " has dipoles, which cannot be evaluated; use a charge set without dipoles");
   }
   const std::vector<int> regions = ReadRegions(data, count, name);
   const shape::Mesh all = vtkShapeConvert::ToMesh(data, name);
@@ -145,7 +145,8 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
         throw shape::InvalidInput(name +
           " has a charge on the surface that bounds its domain (at "
           "point " +
-          std::to_string(point) + "); charges belong outside, and 0 at the surface's points");
+          std::to_string(point) +
+          "); move charges outside, and set 0 at the points of the surface");
       }
       return positionInSurface[point];
     });

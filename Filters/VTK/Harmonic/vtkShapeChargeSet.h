@@ -25,7 +25,7 @@ class vtkPolyData;
 namespace vtkShapeChargeSet
 {
 
-/// Throws shape::InvalidInput where `data` is no charge set; `name` is what the message calls it.
+/// Throws shape::InvalidInput if `data` is no charge set; `name` is what the message calls it.
 /// The charges' distance is the field data HarmonicVolumeMap.OffsetDistance, or else measured.
 shape::PiecewiseCharges Read(vtkPolyData* data, const std::string& name);
 
@@ -36,7 +36,7 @@ void Share(vtkMultiProcessController* controller, shape::PiecewiseCharges& charg
 void Write(const shape::PiecewiseCharges& charges, vtkPolyData* output);
 
 /**
- * Makes `moved` the data `domain` with every data set's points where `place` puts them, with
+ * Makes `moved` the data `domain` with every data set's points where `position` puts them, with
  * `SourcePosition` and `OutsideDomain` (0, 1 or 2). Returns how many points have each value of it,
  * but for those that are another process's.
  */

@@ -57,7 +57,7 @@ Eigen::VectorXd Weights(vtkPolyData* feature, double defaultWeight, const std::s
   if (!(weights.minCoeff(&first) > 0.0))
   {
     throw shape::InvalidInput(name + " has a Weight that is not greater than 0 (first at point " +
-      std::to_string(first) + "); leave that point out or give it a positive weight");
+      std::to_string(first) + "); remove that point or set a positive weight");
   }
   return weights;
 }
@@ -87,7 +87,7 @@ shape::VolumeFeatures ByOrder(vtkPolyData* feature, vtkPolyData* target,
   {
     throw shape::InvalidInput(name + " has " + std::to_string(feature->GetNumberOfPoints()) +
       " points and its target has " + std::to_string(target->GetNumberOfPoints()) +
-      "; points are paired by order, so give as many, or give curves, or the map array");
+      "; points are paired by order, so use equal numbers, or curves, or the map array");
   }
   return { vtkShapeConvert::ToPoints(feature), vtkShapeConvert::ToPoints(target), weights };
 }
@@ -120,7 +120,7 @@ shape::VolumeFeatures vtkShapeFeatures::Read(const std::vector<vtkPolyData*>& fe
     {
       throw shape::InvalidInput(name + " has no point array '" + mapArray + "', and none of the " +
         std::to_string(targets.size()) +
-        " TargetFeatures is left for it; give it the array, or connect its target");
+        " TargetFeatures is left for it; add the array, or connect its target");
     }
     const Eigen::VectorXd weights = Weights(feature, defaultWeight, name);
     shape::VolumeFeatures part;
@@ -167,9 +167,9 @@ vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPoly
       if (!feature->GetPointData()->HasArray("Weight"))
       {
         throw shape::InvalidInput(name +
-          " is no surface, so it cannot be met exactly: by the maximum principle a harmonic map "
-          "that moves points or curves inside by some distance moves the boundary by about as "
-          "much; give it a point array 'Weight', with which it is met softly, or turn Exact off");
+          " is not a surface, so it cannot be met exactly: by the maximum principle a harmonic map "
+          "that moves inner points or curves by some distance moves the boundary about as far; "
+          "add a point array 'Weight' to meet it in the least-squares sense, or turn Exact off");
       }
       split.Features.push_back(feature);
       if (target)
@@ -183,7 +183,7 @@ vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPoly
     {
       throw shape::InvalidInput(name + " has no point array '" + mapArray + "', and none of the " +
         std::to_string(targets.size()) +
-        " TargetFeatures is left for it; give it the array, or connect its target");
+        " TargetFeatures is left for it; add the array, or connect its target");
     }
     const Eigen::MatrixXd images = carries
       ? vtkShapeConvert::ToPointArray(feature, mapArray, 3, name)

@@ -7,7 +7,7 @@
 
 class vtkPolyData;
 
-/// The features of a harmonic volume map as data: points, curves or surfaces whose places in the
+/// The features of a harmonic volume map as data: points, curves or surfaces whose positions in the
 /// target are known.
 namespace vtkShapeFeatures
 {
@@ -22,7 +22,7 @@ namespace vtkShapeFeatures
  *
  * `Weight` (1 component) at the features' points, where it is there, else `defaultWeight`.
  *
- * Throws shape::InvalidInput where a feature is left without a partner, partners do not match, a
+ * Throws shape::InvalidInput if a feature is left without a partner, partners do not match, a
  * weight is not greater than 0, or a number is not finite.
  */
 shape::VolumeFeatures Read(const std::vector<vtkPolyData*>& features,
@@ -40,7 +40,7 @@ struct Split
  * Takes the surfaces out: features with polygons, whose images are `mapArray` or the points of
  * their target by order. What is left must carry `Weight`.
  *
- * Throws shape::InvalidInput where points or curves have no `Weight`, which would ask for them to
+ * Throws shape::InvalidInput if points or curves have no `Weight`, which would ask for them to
  * be met exactly, and as Read does.
  */
 Split TakeSurfaces(const std::vector<vtkPolyData*>& features,

@@ -2,23 +2,23 @@
  * @class   vtkShapeHarmonicTransform
  * @brief   a harmonic volume map as a transformation of space, with its derivative and inverse
  *
- * For every consumer of vtkAbstractTransform: vtkTransformFilter and vtkTransformPolyDataFilter
- * (normals and vectors turn with the map), vtkGeneralTransform, and vtkImageReslice, which carries
- * images: it asks where the image's value at a place comes from, so it takes the inverse.
+ * Works with every user of vtkAbstractTransform. The transform filters of VTK rotate normals and
+ * vectors with the map. The reslice filter vtkImageReslice moves images: it asks where the value
+ * at a position comes from, so it takes the inverse.
  *
  *   carried = vtkImageReslice(); carried.SetInputData(image)
  *   transform = vtkShapeHarmonicTransform(); transform.SetChargeSetData(charges)
  *   transform.Inverse(); carried.SetResliceTransform(transform); carried.Update()
  *
- * The map is that of a charge set, the output Charges of Shape Harmonic Volume Map, also of several
- * layers; points outside its domain, or with the inverse outside its image, keep their place, and
- * so do those whose preimage is not found, which NotInverted counts. Without a charge set that can
- * be used, which is an error, every point keeps its place.
+ * The map is that of a charge set, the output Charges of vtkShapeHarmonicVolumeMap, also of
+ * several layers. Points outside its domain, or for the inverse outside its image, keep their
+ * position. So do points whose preimage is not found, which NotInverted counts. A missing or
+ * invalid charge set is an error, and each point keeps its position.
  *
- * The derivative is the formula's. The inverse is that of Shape Apply Volume Map, by Newton's
- * method; f(f^-1(y)) is y to 1e-11 of the size of the image. InverseTolerance and InverseIterations
- * of the base class are not used. Single points are transformed by the calling thread, sets of
- * points at once by all threads; both are safe from any thread after Update.
+ * The derivative is analytic. The inverse is that of vtkShapeApplyVolumeMap, by Newton's method.
+ * f(f^-1(y)) is y to 1e-11 of the size of the image. InverseTolerance and InverseIterations of the
+ * base class are not used. The calling thread transforms single points, and all threads transform
+ * sets of points. Both are safe from any thread after Update.
  *
  * The mathematics: shape::VolumeTransform.
  */
@@ -56,8 +56,7 @@ public:
   ///@}
 
   /// How many preimages were not found since the last update: points that lie inside the image of
-  /// the domain's boundary and keep their place. Counted where points are inverted, again for each
-  /// time that the same one is.
+  /// the domain's boundary and keep their position. Each inversion of the same point counts.
   virtual vtkIdType GetNotInverted() { return this->NotInverted; }
 
   vtkAbstractTransform* MakeTransform() override;
@@ -102,7 +101,7 @@ private:
 
   vtkSmartPointer<vtkAlgorithm> Producer; ///< of the charge set
   int Port = 0;
-  std::shared_ptr<const shape::VolumeTransform> Map; ///< empty: every point keeps its place
+  std::shared_ptr<const shape::VolumeTransform> Map; ///< empty: every point keeps its position
   vtkSmartPointer<vtkPolyData> MappedCharges;        ///< what Map was made from
   vtkMTimeType MappedTime = 0;                       ///< when that was modified
   bool MapHasInverse = false;

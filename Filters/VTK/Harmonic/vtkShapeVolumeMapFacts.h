@@ -18,8 +18,8 @@ inline constexpr const char* Prefix = "HarmonicVolumeMap.";
 /// names.
 void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult>& regions, vtkTable* output);
 
-/// Field data: errors, what the method did and why it stopped; with `borders` an entry for each
-/// region of what is left over at the surface around it.
+/// Field data: errors, what the method did and why it stopped; with `boundaries` an entry for each
+/// region: the residual at the surface around it.
 void AddFacts(const shape::PiecewiseVolumeMapResult& result,
   shape::HarmonicVolumeMapOptions::MethodType method, bool boundaries, vtkDataObject* output);
 

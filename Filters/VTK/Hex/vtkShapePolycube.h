@@ -1,24 +1,27 @@
 /**
  * @class   vtkShapePolycube
- * @brief   maps a closed surface onto a polycube
+ * @brief   map a closed surface onto a polycube
  *
- * A polycube is a shape whose faces lie across the axes; here they are at whole multiples of
- * TargetEdgeLength, so that a grid of that size fills it with hexahedra.
+ * A polycube is a solid whose faces are orthogonal to the axes. Here they lie at integer multiples
+ * of TargetEdgeLength, so that a grid of that size fills it with hexahedra.
  *
- * Input: the closed surface of one solid (polygons are triangulated inside). Blocks and distributed
- * pieces are joined first; each process gets its own back.
+ * Input: the closed surface of one solid. Polygons are triangulated internally. Blocks and
+ * distributed pieces are joined first, and each process gets its own back.
  *
- * Output 0: the same surface with the point array `TargetPosition` (double, 3), where each point
- * goes, and the cell array `Label` (int): the side of the polycube that a cell goes to, 0 to 5 =
- * +x, -x, +y, -y, +z, -z. Output 1: the polycube: the same cells at their target positions, with
- * `SourcePosition` and `Label`. No triangle is turned over, and each lies in a plane across its
- * axis. The polycube may overlap itself.
+ * Outputs
+ * - 0: the same surface with the point array `TargetPosition` (double, 3) and the cell array
+ *   `Label` (int). Label is the direction of the face that a cell goes to, 0 to 5 = +x, -x, +y,
+ *   -y, +z, -z.
+ * - 1: the polycube: the same cells at their target positions, with `SourcePosition` and `Label`.
+ *   No triangle is flipped, and each lies in a plane orthogonal to its axis. The polycube may
+ *   overlap itself.
  *
  * Field data of both: Polycube.Charts, .Corners (of the polycube), .EdgeLength (that was used),
- * .Distortion (of the map of the solid inside, the mean of the elliptic energy: 1 is none).
+ * .Distortion (of the map inside the solid, the mean elliptic energy: 1 without distortion).
  *
- * An error says which charts are at fault where no polycube is found. TetGen is needed; it works in
- * a process of its own. Single library calls take up to a second: an abort takes effect after them.
+ * If no polycube is found, the error names the charts that prevent it. TetGen is required, and
+ * runs in its own process. A single library call takes up to a second, and an abort takes effect
+ * at its end.
  *
  * The mathematics: shape::BuildPolycube.
  */
@@ -36,14 +39,9 @@ public:
   vtkTypeMacro(vtkShapePolycube, vtkShapeAlgorithm);
 
   ///@{
-  /// What a border between charts costs against normals that are not along the axis: more makes
-  /// fewer charts. Positive. Where it gives no polycube, others are tried, too. Default: 3.
+  /// The properties. Effects and ranges: vtkShapePolycube.xml. Enumerations and defaults:
+  /// shape::PolycubeOptions.
   vtkShapeOption(Compactness, double);
-  ///@}
-
-  ///@{
-  /// The unit of the polycube's whole coordinates, in the surface's units; smaller where charts
-  /// need it. 0: what gives about 12,000 hexahedra. Default: 0.
   vtkShapeOption(TargetEdgeLength, double);
   ///@}
 

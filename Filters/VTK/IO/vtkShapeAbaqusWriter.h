@@ -1,11 +1,12 @@
 /**
  * @class   vtkShapeAbaqusWriter
- * @brief   writes a mesh as an input file of Abaqus (.inp), which CalculiX reads, too
+ * @brief   write a mesh as an input file of Abaqus or CalculiX
  *
- * The file has nodes (point + 1), elements (cell + 1), an element set for each region, and of the
- * boundary of the solid cells the node set Boundary and for each patch between creases a node set
- * Patch0, ... and a surface PatchSurface0, ...; node sets Interface0_1, ... lie between regions. It
- * has no materials, sections or steps: a deck that has them includes it,
+ * CalculiX reads these files, too. The file has nodes (point + 1), elements (cell + 1) and an
+ * element set for each region. The boundary of the solid cells is the node set Boundary. Each
+ * patch between creases is a node set Patch0, ... and a surface PatchSurface0, ... Node sets
+ * Interface0_1, ... lie between regions. Materials, sections and steps are in an input file that
+ * includes this one,
  *
  *   *INCLUDE, INPUT=mesh.inp
  *   *SOLID SECTION, ELSET=Region0, MATERIAL=Bone
@@ -26,9 +27,8 @@ public:
   vtkTypeMacro(vtkShapeAbaqusWriter, vtkShapeWriter);
 
   ///@{
-  /// The element of hexahedra: 0 C3D8, fully integrated, which is too stiff in bending; 1 C3D8R,
-  /// with one integration point; 2 C3D8I, with incompatible modes. In CalculiX, C3D8R and C3D8I
-  /// reproduce a linear displacement exactly only where cells are parallelepipeds. Default: C3D8I.
+  /// The properties. Effects and ranges: vtkShapeAbaqusWriter.xml. Enumerations and defaults:
+  /// shape::AbaqusWriterOptions.
   vtkShapeEnumOption(HexahedronType, shape::HexahedronType, shape::HexahedronType::C3D8,
     shape::HexahedronType::C3D8I);
   ///@}

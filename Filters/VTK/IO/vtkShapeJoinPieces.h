@@ -2,8 +2,8 @@
  * @class   vtkShapeJoinPieces
  * @brief   what several processes have of a mesh as one mesh, for the writers
  *
- * Of several inputs, points at exactly the same place become one, so that the pieces hang together.
- * One input alone stays as it is: points that it has twice, as in a crack, are so on purpose.
+ * Coincident points of several inputs become one, so that the pieces are connected. A single input
+ * is unchanged: its coincident points, as in a crack, are intended.
  */
 #ifndef vtkShapeJoinPieces_h
 #define vtkShapeJoinPieces_h

@@ -1,12 +1,12 @@
 /**
  * @class   vtkShapeMeditWriter
- * @brief   writes a mesh in Medit's format (.mesh), which Gmsh and Mmg read, too
+ * @brief   write a mesh in Medit's format, for Gmsh or Mmg
  *
- * The file has the points, the cells with the region + 1 as reference, and the quadrilaterals and
- * triangles of the solid cells' boundary with the patch + 1 as reference, unless the mesh has
- * surface cells of its own.
+ * The extension is .mesh. The file has the points, and the cells with region + 1 as reference. If
+ * the mesh has no surface cells of its own, the boundary faces of the solid cells follow with
+ * patch + 1 as reference, then the faces between regions.
  *
- * What is written in which section: shape::WriteMedit. Input, regions and patches: vtkShapeWriter.
+ * The sections: shape::WriteMedit. Input, regions and patches: vtkShapeWriter.
  */
 #ifndef vtkShapeMeditWriter_h
 #define vtkShapeMeditWriter_h

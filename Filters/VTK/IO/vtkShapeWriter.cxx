@@ -54,7 +54,8 @@ void RequireKnownCells(const shape::Cells& cells)
       vtkCellTypes::GetClassNameFromTypeId(*first) + " (first cell " +
       std::to_string(first - cells.Kinds.begin()) +
       "), and only linear vertices, lines, triangles, quadrilaterals, tetrahedra, pyramids, wedges "
-      "and hexahedra can be written; cut others with Tetrahedralize, or take them out with Extract "
+      "and hexahedra can be written; divide others with Tetrahedralize, or remove them with "
+      "Extract "
       "Cells By Type");
   }
 }
@@ -78,7 +79,7 @@ Eigen::VectorXi ReadRegions(vtkUnstructuredGrid* grid, const std::string& name)
     if (region != std::floor(region) || std::abs(region) >= std::numeric_limits<int>::max())
     {
       throw shape::InvalidInput("the cell array '" + name + "' is " + std::to_string(region) +
-        " at cell " + std::to_string(cell) + "; regions are whole numbers from 0");
+        " at cell " + std::to_string(cell) + "; regions are integers from 0");
     }
     regions(cell) = static_cast<int>(region);
   }
@@ -121,7 +122,7 @@ void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progre
   if (!file)
   {
     throw FileError("cannot open the file '" + this->FileName + "'" + why() +
-        "choose a folder that is there and that you may write to",
+        "choose an existing folder with write permission",
       vtkErrorCode::CannotOpenFileError);
   }
   try

@@ -2,16 +2,16 @@
  * @class   vtkShapeWriter
  * @brief   base of the writers of meshes for solvers
  *
- * Input: vtkUnstructuredGrid of vertices, lines, triangles, quadrilaterals (or pixels), tetrahedra,
- * pyramids, wedges and hexahedra (or voxels), linear ones, mixed. Another cell is an error. Ghost
- * cells are left out. Every point is written, also one that no cell uses.
+ * Input: vtkUnstructuredGrid of linear vertices, lines, triangles, quadrilaterals (or pixels),
+ * tetrahedra, pyramids, wedges and hexahedra (or voxels), mixed. Other cells are errors. Ghost
+ * cells are ignored. Each point is written, even if no cell uses it.
  *
- * Written is what this process has. In ParaView the pieces of all processes are gathered on the
- * first one before, and points of several pieces at the same place become one there.
+ * The writer writes the data of this process. In ParaView the pieces of all processes are gathered
+ * on the first one before, and coincident points of several pieces become one.
  *
- * A file that could not be written whole, because the disk is full or the user stopped, is removed.
+ * If a file is incomplete because the disk is full or the user stopped, it is removed.
  *
- * The sets that the files name: shape::FindMeshSets.
+ * The sets in the files: shape::FindMeshSets.
  */
 #ifndef vtkShapeWriter_h
 #define vtkShapeWriter_h
@@ -40,22 +40,11 @@ public:
   std::string GetLabel();
 
   ///@{
-  /// The file to write, or to write anew.
+  /// The properties. Effects and ranges: vtkShapeWriter.xml.
   vtkSetStdStringFromCharMacro(FileName);
   vtkGetCharFromStdStringMacro(FileName);
-  ///@}
-
-  ///@{
-  /// The cell array of whole numbers, 0 or greater, that says which region a cell is of. Without an
-  /// array of the default's name, or with an empty name, every cell is of region 0. Default:
-  /// RegionId.
   vtkSetStdStringFromCharMacro(RegionArray);
   vtkGetCharFromStdStringMacro(RegionArray);
-  ///@}
-
-  ///@{
-  /// The boundary is split into patches where its normal turns by more, in degrees, from 0 to 180.
-  /// Default: 40.
   vtkSetMacro(FeatureAngle, double);
   vtkGetMacro(FeatureAngle, double);
   ///@}

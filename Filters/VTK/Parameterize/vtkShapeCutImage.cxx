@@ -58,7 +58,7 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
     if (found == this->Triangles.end())
     {
       throw shape::InvalidInput(
-        "a polygon of a block is cut into other triangles there than in the whole; apply "
+        "a polygon of a block is triangulated differently there than in the gathered input; apply "
         "Triangulate first");
     }
     for (int k = 0; k < 3; ++k)

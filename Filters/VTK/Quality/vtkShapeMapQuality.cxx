@@ -211,7 +211,7 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
     throw shape::InvalidInput(sums.Cells == 0.0
         ? "the Input has no surface or solid cells; points and lines have no Jacobian"
         : "none of the Input's " + std::to_string(static_cast<long long>(sums.Cells)) +
-          " cells has an area or volume; check its coordinates");
+          " cells has an area or volume; check the coordinates");
   }
   const Eigen::MatrixXd summary = Summary(sums);
   WriteFacts(sums, summary, measured);

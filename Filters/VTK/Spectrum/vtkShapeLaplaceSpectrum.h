@@ -1,19 +1,22 @@
 /**
  * @class   vtkShapeLaplaceSpectrum
- * @brief   eigenfunctions of a surface's Laplacian, and what is made of them
+ * @brief   compute eigenfunctions, spectral signatures and an embedding of a surface
  *
- * Input: an oriented 2-manifold, open or closed, of any number of components (polygons are
- * triangulated inside). Blocks and distributed pieces are joined first; each process gets its own
- * back.
+ * Input: an oriented 2-manifold, open or closed, of any number of components. Polygons are
+ * triangulated internally. Blocks and distributed pieces are joined first, and each process gets
+ * its own back.
  *
- * Output: the same surface with the point arrays `Eigenfunctions` (double, one component for each
- * eigenpair; orthonormal in the areas around points), `HeatKernelSignature` and
- * `WaveKernelSignature` (double, 100 components; their mean over the surface is 1) and `Embedding`
- * (double, EmbeddingDimensions components; MDS: in the surface's units), all 0 at points without a
- * triangle. Field data: LaplaceSpectrum.Eigenvalues, ascending, in 1 / length^2.
+ * Output: the same surface with the point arrays, 0 at points without a triangle
+ * - `Eigenfunctions` (double, one component for each eigenpair): orthonormal in the areas around
+ *   points.
+ * - `HeatKernelSignature`, `WaveKernelSignature` (double, 100 components): their mean over the
+ *   surface is 1.
+ * - `Embedding` (double, EmbeddingDimensions components): for MDS in the units of the surface.
  *
- * Each factorisation, and each decomposition of a surface with few points for the number of
- * eigenpairs, is one library call: an abort takes effect at its end.
+ * Field data: LaplaceSpectrum.Eigenvalues, ascending, in 1 / length^2.
+ *
+ * A factorisation cannot be interrupted, nor can the decomposition of a surface with few points
+ * for the number of eigenpairs. An abort takes effect at its end.
  *
  * The mathematics: shape::ComputeLaplaceSpectrum, shape::SolveLaplaceEigenproblem.
  */
@@ -31,21 +34,12 @@ public:
   vtkTypeMacro(vtkShapeLaplaceSpectrum, vtkShapeAlgorithm);
 
   ///@{
-  /// How many of the least eigenvalues are looked for, one 0 for each component among them.
-  /// Default: 100.
+  /// The properties. Effects and ranges: vtkShapeLaplaceSpectrum.xml. Enumerations and defaults:
+  /// shape::LaplaceSpectrumOptions.
   vtkShapeOption(NumberOfEigenpairs, int);
-  ///@}
-
-  ///@{
-  /// 0 = Spectral: eigenfunctions over the roots of their eigenvalues (Rustamov 2007). 1 = MDS:
-  /// straight distances are near to geodesic ones. Default: Spectral.
   vtkShapeEnumOption(Embedding, shape::LaplaceSpectrumOptions::EmbeddingType,
     shape::LaplaceSpectrumOptions::EmbeddingType::Spectral,
     shape::LaplaceSpectrumOptions::EmbeddingType::MDS);
-  ///@}
-
-  ///@{
-  /// Components of `Embedding`. Default: 3.
   vtkShapeOption(EmbeddingDimensions, int);
   ///@}
 

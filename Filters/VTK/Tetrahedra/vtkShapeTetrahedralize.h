@@ -1,29 +1,30 @@
 /**
  * @class   vtkShapeTetrahedralize
- * @brief   fills the solid inside a closed surface with tetrahedra
+ * @brief   fill the solid inside a closed surface with tetrahedra
  *
- * A constrained Delaunay tetrahedralisation, refined by TetGen until its tetrahedra keep the bounds
- * on shape and size.
+ * TetGen computes a constrained Delaunay tetrahedralisation and refines it to the bounds on shape
+ * and size.
  *
- * Inputs (polygons are triangulated inside)
+ * Inputs (polygons are triangulated internally)
  * - Input: the closed surface of the solid. A component inside an odd number of others bounds a
  *   void, which stays empty.
- * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid, also inside one
- * another: borders between materials.
+ * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid, also nested:
+ *   interfaces between materials.
  *
- * Output: tetrahedra (vtkUnstructuredGrid) with the cell array `RegionId` (int): i + 1 inside inner
- * surface i, counted from 0 (the innermost around the tetrahedron), 0 where no inner surface is
- * around. Input's points come first and in order (but for those that no polygon uses and those at
- * the place of an earlier one), then the inner surfaces', then new ones. Point array
- * `OriginalPointId` (vtkIdType): the point of Input, or -1. Input's point data are passed on;
- * points that are not Input's get what lies at the closest place of Input's triangles. In parallel
- * the first process has all tetrahedra.
+ * Output: tetrahedra (vtkUnstructuredGrid). In parallel the first process has all of them. The
+ * points of Input come first and in order, except those that no polygon uses and duplicates of
+ * earlier ones. Those of the inner surfaces follow, then new ones.
+ * - Cell array `RegionId` (int): i + 1 inside inner surface i, the innermost one, counted from 0;
+ *   otherwise 0.
+ * - Point array `OriginalPointId` (vtkIdType): the point of Input, or -1.
+ * - Point data of Input. Other points get the values at the closest position on the triangles of
+ *   Input.
  *
  * Field data: Tetrahedralize.Points, .Tetrahedra, .SteinerPoints (points of no surface), .Regions,
  * .MinimumScaledJacobian (1 for the regular tetrahedron), .Volume.
  *
- * A surface that is open or crosses itself is refused, and the message says where. TetGen works in
- * a process of its own, so that no crash of it reaches ParaView; an abort ends it at once.
+ * Open or self-intersecting surfaces are errors, and the message gives the position. TetGen runs
+ * in its own process, so that its crash cannot reach ParaView. An abort ends it at once.
  *
  * The mathematics: shape::Tetrahedralize.
  */
@@ -41,26 +42,16 @@ public:
   vtkTypeMacro(vtkShapeTetrahedralize, vtkShapeAlgorithm);
 
   ///@{
-  /// The borders between materials.
+  /// The interfaces between materials.
   void AddInnerSurfaces(vtkAlgorithmOutput* surface);
   void RemoveAllInnerSurfaces();
   ///@}
 
   ///@{
-  /// Bound on each tetrahedron's circumradius divided by its shortest edge: greater than 1, or 0
-  /// for none. Beside sharp angles and a preserved boundary it can be missed. Default: 2.
+  /// The properties. Effects and ranges: vtkShapeTetrahedralize.xml. Enumerations and defaults:
+  /// shape::TetrahedralizeOptions.
   vtkShapeOption(MaximumRadiusEdgeRatio, double);
-  ///@}
-
-  ///@{
-  /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. Along a preserved
-  /// boundary it can be missed, elsewhere by a few hundredths. Default: 0.
   vtkShapeOption(MaximumVolume, double);
-  ///@}
-
-  ///@{
-  /// Whether every triangle of the surfaces is kept as it is; else points may be added on them.
-  /// Default: on.
   vtkShapeOption(PreserveBoundary, bool);
   ///@}
 

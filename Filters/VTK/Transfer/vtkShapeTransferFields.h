@@ -1,40 +1,39 @@
 /**
  * @class   vtkShapeTransferFields
- * @brief   carries fields from one shape to another along a map between them
+ * @brief   transfer fields from one shape to another along a map between them
  *
- * Direction says which of the two shapes has the map array.
- * - Pull: the Input (the receiver) has it, and it leads into the Source (the giver): the point x
- *   takes the giver's value at its target f(x). Maps compose: where the giver has a map array t of
- *   the same name, the receiver's becomes t(f(x)). Where the Input has the precise map of Shape
- *   Correspondence, TargetCell and TargetBarycentric, and MapArray is TargetPosition, values are
- *   taken there: on thin parts the place closest to TargetPosition may lie on the other side. Where
- *   it was made for another surface than the Source, the closest places are taken, and
- *   PrecisePoints says so.
- * - Push: the Source has it, and it leads into the Input: the giver's value at z is handed to the
- *   place h(z). The receiver gets the inverse as its map array: at x the z with h(z) = x. Where h
- *   folds the giver, one of the places z is taken.
+ * Direction states which of the two shapes has the map array.
+ * - Pull: the Input (the receiver) has it, and it leads into the Source (the giver). The point x
+ *   takes the value of the giver at f(x). Maps compose: if the giver has a map array t of the same
+ *   name, that of the receiver becomes t(f(x)). If MapArray is TargetPosition, the values are
+ *   taken at `TargetCell` and `TargetBarycentric`, if present, because the closest position may be
+ *   on the other side of a thin part. If these were made for another surface than the Source,
+ *   closest positions are used, and PrecisePoints is 0.
+ * - Push: the Source has it, and it leads into the Input. The value of the giver at z goes to
+ *   h(z). The receiver gets the inverse as its map array: at x the z with h(z) = x. Where h folds
+ *   the giver, one of several z is used.
  *
  * Inputs
- * - Input: points or cells of any dataset, also composite or distributed.
- * - Source: a solid, or a surface where no cell is solid; gathered from all its blocks and
+ * - Input: points or cells of any data set, also composite or distributed.
+ * - Source: a solid, or a surface if no cell is solid. It is gathered from all its blocks and
  *   processes, with the arrays that all of them have.
  *
  * Output: the receiver with, at its points,
- * - the giver's point arrays: numbers of floating point interpolated in the cell that contains the
- *   place (on a surface at the closest place, or in TargetCell); integers and words of the point of
- *   that cell that weighs most, so that labels stay labels. Vectors keep their components; the
- *   giver's normals, which belong to its shape, stay behind.
- * - the giver's cell arrays: the value of that cell.
- * - `OutsideDomain` (int): 1 where the place is farther than Tolerance from every cell of the
- *   giver; the values are then those of the closest place in one.
+ * - the point arrays of the giver. Floating-point values are interpolated in the cell that
+ *   contains the position (on a surface at the closest position, or in `TargetCell`). Integers and
+ *   strings are those of the point of that cell with the largest weight, so that labels stay
+ *   labels. Vectors keep their components. Normals of the giver are not transferred.
+ * - the cell arrays of the giver: the value of that cell.
+ * - `OutsideDomain` (int): 1 if the position is farther than Tolerance from each cell of the
+ *   giver. The values are then those of the closest position.
  *
- * Nothing is lost where names meet. The receiver's arrays keep theirs; one of the giver whose name
- * is taken gets `Giver` in front. The map array that is made here, and OutsideDomain, take their
- * names: what the receiver had there is kept with `Receiver` in front. So are TargetCell and
- * TargetBarycentric, which belong to the map that was replaced.
+ * Arrays of the receiver keep their names. An array of the giver whose name is taken gets the
+ * prefix `Giver`. The new map array and `OutsideDomain` take their names, and arrays that they
+ * replace are kept with the prefix `Receiver`. So are `TargetCell` and `TargetBarycentric`, which
+ * belong to the replaced map.
  *
- * Field data, over all processes without ghosts: TransferFields.OutsidePoints, and .PrecisePoints:
- * how many took their values in TargetCell.
+ * Field data, over all processes without ghosts: TransferFields.OutsidePoints, and .PrecisePoints,
+ * the number of points whose values were taken in `TargetCell`.
  *
  * The mathematics: shape::TransferFields.
  */
@@ -52,24 +51,13 @@ public:
   vtkTypeMacro(vtkShapeTransferFields, vtkShapeAlgorithm);
 
   ///@{
-  /// 0 = Pull: the Input has the map array, which leads into the Source. 1 = Push: the Source has
-  /// it, which leads into the Input. Default: Pull.
+  /// The properties. Effects and ranges: vtkShapeTransferFields.xml. Enumerations and defaults:
+  /// shape::TransferFieldsOptions.
   vtkShapeEnumOption(Direction, shape::TransferFieldsOptions::DirectionType,
     shape::TransferFieldsOptions::DirectionType::Pull,
     shape::TransferFieldsOptions::DirectionType::Push);
-  ///@}
-
-  ///@{
-  /// The point array (3 components) of the Input (Pull) or the Source (Push) that says where each
-  /// point goes. Default: TargetPosition.
   vtkSetStdStringFromCharMacro(MapArray);
   vtkGetCharFromStdStringMacro(MapArray);
-  ///@}
-
-  ///@{
-  /// How far beyond the giver's cells a place may lie before it counts as outside, as a share of
-  /// the longest side of the giver's box; and how far TargetPosition may be from the place in
-  /// TargetCell before that counts as made for another surface. Default: 0.01.
   vtkShapeOption(Tolerance, double);
   ///@}
 

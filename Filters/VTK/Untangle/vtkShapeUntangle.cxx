@@ -84,7 +84,7 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
         std::to_string(other.Kinds.size()) + " and " + std::to_string(given.Kinds.size()) +
         ", over " + std::to_string(other.Points.rows()) + " and " +
         std::to_string(given.Points.rows()) +
-        " points); give the same ones, before they were moved");
+        " points); connect the same cells before they were moved");
     }
     rest = other.Points;
   }

@@ -1,32 +1,33 @@
 /**
  * @class   vtkShapeUntangle
- * @brief   moves the points of a solid so that no cell is inverted
+ * @brief   move the points of a solid so that no cell is inverted
  *
- * Lowers the regularised elliptic energy of "Foldover-free maps in 50 lines of code" (Garanzha et
- * al. 2021) around inverted cells, with Newton's method.
+ * Minimises the regularised elliptic energy of "Foldover-free maps in 50 lines of code" (Garanzha
+ * et al. 2021) around inverted cells, with Newton's method.
  *
  * Inputs
  * - Input: tetrahedra, pyramids, wedges, hexahedra or voxels (which become hexahedra), mixed, in
- *   any data set, also composite or distributed: then points at the same place are joined.
- * - RestShape (optional): the same cells before they were moved: then the distortion of the map
- *   from there is what is lowered; else cells become like regular ones.
+ *   any data set, also composite or distributed. Coincident points of several pieces are merged.
+ * - RestShape (optional): the same cells before they were moved. The distortion of the map from
+ *   there is then minimised. Without it cells approach regular ones.
  *
- * Output: the cells, of which none is inverted (vtkUnstructuredGrid). A cell is inverted where the
- * tetrahedron that a corner makes with the ends of its edges is not positive, told exactly: of
- * hexahedra and wedges all corners are looked at, of pyramids those of the base. Tetrahedra that
- * cannot be positive while the boundary stays are split, with their neighbours; points that this
- * adds come last and have the mean of the data around. The boundary has no new points.
+ * Output: the cells, none of them inverted (vtkUnstructuredGrid). A cell is inverted if the
+ * tetrahedron of a corner and the ends of its edges has no positive volume, by an exact predicate.
+ * All corners of hexahedra and wedges are checked, and those of the base of pyramids. Tetrahedra
+ * that cannot be positive while the boundary is fixed are split, with their neighbours. New points
+ * come last and have the mean of the data around them. The boundary has no new points.
  * - Point arrays `OriginalPointId` (vtkIdType; -1 at new points) and `SourcePosition` (double, 3):
- *   the place in RestShape; without one Input's array of that name, or else the place in Input.
- * - Cell arrays `OriginalCellId` (vtkIdType): the cell of Input that it is, or is a part of;
- *   `Inverted` (int): 1 where a fold had to stay, since the boundary itself folds.
+ *   the position in RestShape. Without RestShape it is the array of Input with that name, or the
+ *   position in Input.
+ * - Cell array `OriginalCellId` (vtkIdType): the cell of Input of which it is a part.
+ * - Cell array `Inverted` (int): 1 if a fold remains because the boundary itself folds.
  *
  * Point normals are dropped. In parallel the first process has all cells.
  *
  * Field data: Untangle.InvertedBefore, .InvertedAfter, .SplitCells (of Input), .MovedPoints (of
  * Input), .Iterations (Newton steps of all patches).
  *
- * A Newton step is a single library call: an abort takes effect at its end.
+ * A Newton step cannot be interrupted, so an abort takes effect at its end.
  *
  * The mathematics: shape::Untangle.
  */
@@ -44,13 +45,9 @@ public:
   vtkTypeMacro(vtkShapeUntangle, vtkShapeAlgorithm);
 
   ///@{
-  /// Whether the points of the boundary stay, to the bit; else those around inverted cells slide
-  /// along it: not across its creases, nor from its corners. Default: on.
+  /// The properties. Effects and ranges: vtkShapeUntangle.xml. Enumerations and defaults:
+  /// shape::UntangleOptions.
   vtkShapeOption(FixBoundary, bool);
-  ///@}
-
-  ///@{
-  /// Newton steps that a patch of cells may take at a time. Default: 100.
   vtkShapeOption(MaximumIterations, int);
   ///@}
 

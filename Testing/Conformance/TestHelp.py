@@ -1,0 +1,135 @@
+"""Help is written once and in plain words: the XML of a filter holds the user's help, its class the
+contract of ports and arrays, and the header of its kernel the options. Run with
+python3 TestHelp.py ROOT."""
+import glob
+import os
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+LONGEST = 30  # words in a sentence
+# Forbidden words inside these phrases are the field's.
+ALLOWED = re.compile(r'\b(at least|least[- ]squares|least distortion)\b', re.IGNORECASE)
+# An abbreviation or the name of a fact ends no sentence.
+ABBREVIATION = re.compile(r'\b(et al|e\.g|i\.e)\.')
+
+root = os.path.abspath(sys.argv[1])
+faults = []
+
+
+def read(path):
+    with open(path) as file:
+        return file.read()
+
+
+def paths(*pattern):
+    found = sorted(glob.glob(os.path.join(root, *pattern)))
+    assert found, 'nothing is called ' + os.path.join(*pattern)
+    return found
+
+
+rows = re.findall(r'^\|[^|]*\|[^|]*\|([^|]*)\|$',
+                  read(os.path.join(root, 'Documentation', 'Glossary.md')), re.MULTILINE)
+forbidden = sorted({word for row in rows for word in re.findall(r'`([^`]+)`', row)})
+assert len(forbidden) > 5, 'the glossary forbids nothing'
+FORBIDDEN = re.compile(r'\b(?:%s)s?\b' % '|'.join(map(re.escape, forbidden)), re.IGNORECASE)
+
+
+def check_words(where, text):
+    for found in FORBIDDEN.finditer(ALLOWED.sub(' ', text)):
+        faults.append('%s: the glossary has another word for "%s"' % (where, found.group(0)))
+
+
+def check_prose(where, text):
+    """Paragraphs and list items are separated by empty lines."""
+    check_words(where, re.sub(r'\s+', ' ', text))
+    for paragraph in re.split(r'\n\s*\n', ABBREVIATION.sub(r'\1', text)):
+        for sentence in re.split(r'(?<=[.?!])\s+(?![a-z(])', paragraph):
+            words = sentence.split()
+            if len(words) > LONGEST:
+                faults.append('%s: a sentence has %d words: %s ...' % (
+                    where, len(words), ' '.join(words[:8])))
+
+
+def check_property(where, element):
+    help = element.find('Documentation')
+    if help is None or not (help.text or '').strip():
+        faults.append('%s has no help' % where)
+
+
+def check_brief(path, short):
+    """The brief of the class is the short help, as VTK writes it: no capital, no full stop."""
+    header = path[:-len('.xml')] + '.h'
+    found = re.search(r'@brief\s+(.*?)\n \*\n', read(header), re.DOTALL)
+    brief = re.sub(r'\s*\n \*\s*', ' ', found.group(1)).strip() if found else None
+    if brief != short[:1].lower() + short[1:].rstrip('.'):
+        faults.append('%s has the brief "%s", and its XML the short help "%s"' % (
+            os.path.relpath(header, root), brief, short))
+
+
+def check_class(path, properties):
+    """The class refers to the XML and describes no property of it again."""
+    where = os.path.relpath(path, root)
+    reference = 'The properties. Effects and ranges: %s.xml.' % os.path.basename(path)[:-len('.h')]
+    for group in re.findall(r'///@\{\n(.*?)///@\}', read(path), re.DOTALL):
+        comment = ' '.join(re.findall(r'///(?!<) ?(.*)', group))
+        named = properties & set(re.findall(r'\w+', re.sub(r'///.*|(?:Set|Get)(?:NumberOf)?(?=[A-Z])',
+                                                           '', group)))
+        if named and not comment.startswith(reference):
+            faults.append('%s describes %s; refer with "%s"' % (
+                where, ', '.join(sorted(named)), reference))
+
+
+filters = 0
+for path in paths('Filters', 'VTK', '*', 'vtkShape*.xml'):
+    name = os.path.basename(path)
+    if 'VectorProperty' in read(path):
+        check_class(path[:-len('.xml')] + '.h', set(
+            re.findall(r'VectorProperty name="(\w+)"', read(path))))
+    for proxy in ElementTree.parse(path).iter():
+        if not proxy.tag.endswith('Proxy') or not proxy.get('name'):
+            continue
+        where = '%s, %s' % (name, proxy.get('name'))
+        for child in proxy:
+            # Those that a writer shows are documented where they are declared.
+            if child.tag.endswith('Property'):
+                check_property('%s.%s' % (where, child.get('name')), child)
+        help = proxy.find('Documentation')
+        if proxy.find('Hints/ShowInMenu') is not None or proxy.find('Hints/WriterFactory') is not None:
+            filters += 1
+            if help is None or not all((help.get('short_help'), help.get('long_help'),
+                                        (help.text or '').strip())):
+                faults.append(where + ' lacks a short help, a long help or a description')
+                continue
+            check_brief(path, help.get('short_help'))
+        for help in proxy.iter('Documentation'):
+            for text in (help.text, help.get('short_help'), help.get('long_help')):
+                check_prose(where, text or '')
+assert filters > 2, 'no filter was found'
+
+for path in paths('Filters', 'VTK', '*', 'vtkShape*.h'):
+    where = os.path.relpath(path, root)
+    text = read(path)
+    for comment in re.findall(r'/\*\*(.*?)\*/', text, re.DOTALL):
+        lines = [re.sub(r'^\s*\* ?', '', line) for line in comment.split('\n')]
+        if '@class' in comment:
+            # Each list item, and what follows a list, begins anew.
+            check_prose(where, '\n'.join(
+                ('\n' if re.match(r'\s*- |\S', line) and (line.lstrip().startswith('- ') or (
+                    number and lines[number - 1].startswith('  '))) else '') + line
+                for number, line in enumerate(lines) if not line.startswith('@')))
+        else:
+            check_words(where, re.sub(r'\s+', ' ', ' '.join(lines)))
+    check_words(where, re.sub(r'\s+', ' ', ' '.join(re.findall(r'///<?(.*)', text))))
+
+# What the window and the errors say: strings of several words.
+for path in paths('Filters', 'VTK', '*', '*.cxx') + paths('Plugin', '*.cxx'):
+    # A message goes on in the next literal.
+    text = re.sub(r'"\s*\n\s*"', '', re.sub(r'^\s*#include.*$|//.*$', '', read(path), flags=re.MULTILINE))
+    for literal in re.findall(r'"((?:[^"\\\n]|\\.)*)"', text):
+        if len(literal.split()) > 1:
+            check_words(os.path.relpath(path, root), literal)
+
+if faults:
+    raise AssertionError('\n'.join(faults))
+print(filters, 'filters and writers')
