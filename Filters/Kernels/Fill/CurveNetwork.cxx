@@ -307,8 +307,7 @@ bool IsPatch(const SegmentGraph& graph, const std::vector<int>& face)
   const bool isCurve =
     std::all_of(face.begin(), face.end(), [&](int point) { return graph.Near[point].size() == 2; });
   constexpr double unclear = 1e-3;
-  const bool isWanted =
-    isCurve && std::abs(area) < unclear ? RunsForward(graph, face) : area > 0.0;
+  const bool isWanted = isCurve && std::abs(area) < unclear ? RunsForward(graph, face) : area > 0.0;
   return isWanted && face.size() >= 3;
 }
 

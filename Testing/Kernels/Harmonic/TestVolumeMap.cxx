@@ -51,8 +51,8 @@ TEST(VolumeMap, HasARegionForEachExactSurface)
   shape::VolumeMapOptions options;
   options.Exact = true;
   const shape::VolumeMapResult result = shape::ComputeVolumeMap(conditions, options);
-  const shape::PiecewiseVolumeMapResult layered = shape::ComputePiecewiseVolumeMap(
-    conditions.Boundary, conditions.Targets, conditions.Surfaces);
+  const shape::PiecewiseVolumeMapResult layered =
+    shape::ComputePiecewiseVolumeMap(conditions.Boundary, conditions.Targets, conditions.Surfaces);
   ASSERT_EQ(result.Map.Charges.Maps.size(), 2u);
   for (int r = 0; r < 2; ++r)
   {
