@@ -74,7 +74,7 @@ void vtkShapeCutFeature::SetLoopPoints(int index, double x, double y, double z)
 namespace
 {
 
-std::vector<Eigen::MatrixXd> CurvesOf(vtkPolyData* loop)
+std::vector<Eigen::MatrixXd> ToCurves(vtkPolyData* loop)
 {
   const std::vector<std::vector<int>> lines = vtkShapeConvert::ToLines(loop);
   if (lines.empty())
@@ -185,7 +185,7 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
     std::vector<Eigen::MatrixXd> curves;
     if (hasLoop)
     {
-      curves = CurvesOf(this->GetGatheredInput(1).Data);
+      curves = ToCurves(this->GetGatheredInput(1).Data);
     }
     else
     {

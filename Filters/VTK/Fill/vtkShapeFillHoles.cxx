@@ -95,7 +95,7 @@ bool AreSame(const shape::HoleFillerOptions& a, const shape::HoleFillerOptions& 
   return all(a) == all(b);
 }
 
-shape::CurveNetwork CurvesOf(vtkPolyData* data)
+shape::CurveNetwork ToCurveNetwork(vtkPolyData* data)
 {
   const std::vector<std::vector<int>> lines = vtkShapeConvert::ToLines(data);
   if (lines.empty())
@@ -123,7 +123,7 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   progress(0.2);
   if (surface.Triangles.rows() == 0)
   {
-    fresh.Curves = CurvesOf(data);
+    fresh.Curves = ToCurveNetwork(data);
     std::vector<std::vector<int>> rims = fresh.Curves.Loops;
     fresh.Chosen = shape::ChooseLoops(surface.Points, rims, this->Choice);
   }

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr int LocatorGrain = 512;  // positions
-constexpr double Rounding = 1e-12; // tiles have the size 1
+constexpr double TileRounding = 1e-12; // tiles have the size 1
 
 using Complex = std::complex<double>;
 
@@ -77,14 +77,14 @@ SurfacePoints OrbifoldLocator::Find(
   const Complex first = this->Image.Tile.There.front();
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    if (!(std::abs(Complex(positions(i, 0), positions(i, 1)) - first) <= this->Reach + Rounding))
+    if (!(std::abs(Complex(positions(i, 0), positions(i, 1)) - first) <= this->Reach + TileRounding))
     {
       throw InvalidInput("position " + std::to_string(i) + " is farther from the first cone than " +
         std::to_string(this->Reach) + "; give the locator a larger reach");
     }
   }
-  const Eigen::RowVector2d low = this->Image.Points.colwise().minCoeff().array() - Rounding;
-  const Eigen::RowVector2d high = this->Image.Points.colwise().maxCoeff().array() + Rounding;
+  const Eigen::RowVector2d low = this->Image.Points.colwise().minCoeff().array() - TileRounding;
+  const Eigen::RowVector2d high = this->Image.Points.colwise().maxCoeff().array() + TileRounding;
   SurfacePoints map{ Eigen::VectorXi(positions.rows()), Eigen::MatrixXd(positions.rows(), 3) };
   ParallelFor(
     static_cast<int>(positions.rows()), LocatorGrain,
@@ -107,7 +107,7 @@ SurfacePoints OrbifoldLocator::Find(
           }
           const ClosestPoint closest = this->Flat.FindOne(position, best.Triangle);
           best = closest.Distance < best.Distance ? closest : best;
-          if (best.Distance <= Rounding)
+          if (best.Distance <= TileRounding)
           {
             break;
           }
