@@ -53,7 +53,7 @@ public:
   {
     for (const TopologyPreservingVoxels& inner : this->Regions.Inner())
     {
-      this->InnerBounding.emplace_back(inner.Surface());
+      this->InnerBounding.emplace_back(inner.GetSurface());
     }
   }
 
