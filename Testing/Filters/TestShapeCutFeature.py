@@ -244,7 +244,7 @@ refused('nothing to cut', surface, None, selection_of(
     range(surface.GetNumberOfCells()), vtkSelectionNode.CELL))
 refused("no cell array 'vtkOriginalCellIds'", surface, None, copy(surface))
 # Around the bar between two holes: one must be cut, too, to part it.
-refused('does not part the surface', read('TwoTorusSmall.vtp'),
+refused('does not divide the surface', read('TwoTorusSmall.vtp'),
         closed_curve(0.6 * circle(0, 1)[:, [0, 2, 1]]))
 
 # Set down where it was cut the feature is in its old place.

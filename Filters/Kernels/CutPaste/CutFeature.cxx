@@ -115,7 +115,7 @@ FilledSurface Filled(const Surface& rest, const std::vector<std::vector<int>>& l
 
 /// Replaces points of the holes' loops by their duplicates, from `first` on, if the fills use
 /// these.
-void RenumberRims(const DividedPart& part, std::size_t first, std::vector<FilledHole>& holes)
+void RenumberLoops(const DividedPart& part, std::size_t first, std::vector<FilledHole>& holes)
 {
   for (FilledHole& hole : holes)
   {
@@ -163,7 +163,7 @@ void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
   }
   const std::size_t points = result.Rest.Ids.size();
   division.PartPinches(result.Rest);
-  RenumberRims(result.Rest, points, result.Holes);
+  RenumberLoops(result.Rest, points, result.Holes);
   progress(1.0);
 }
 

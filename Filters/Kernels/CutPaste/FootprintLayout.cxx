@@ -149,8 +149,8 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
       return base;
     }
   }
-  throw InvalidInput("the feature's loop is on another part of the surface than the middle of the "
-                     "fill; keep one component with Connectivity");
+  throw InvalidInput("the feature's loop is on another component of the surface than the centre of "
+                     "the fill; keep one component with Connectivity");
 }
 
 FeatureFootprint BuildFootprintOnOwnFill(

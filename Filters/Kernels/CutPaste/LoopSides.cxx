@@ -147,9 +147,8 @@ std::vector<char> MarkTrianglesOnSide(
     if (sides.AreSame(t, sides.Opposite(t)))
     {
       throw InvalidInput(std::string(loops.size() > 1 ? "the loops do" : "the loop does") +
-        " not part the surface (at triangle " + std::to_string(t) +
-        "): it goes on around a handle; add a loop on the other side of the part that is to be "
-        "cut");
+        " not divide the surface (at triangle " + std::to_string(t) +
+        "), which is connected around a handle; add a loop on the other side of the feature");
     }
     Area& area = areaOf[own->first];
     isLeft[t] = static_cast<char>(sides.AreSame(t, own->second));
@@ -173,8 +172,8 @@ std::vector<char> MarkTrianglesOnSide(
   }
   if (!hasBoth)
   {
-    throw InvalidInput("the loop runs along the surface's border: there is nothing to cut; draw it"
-                       " away from the border");
+    throw InvalidInput("the loop runs along the surface's boundary: there is nothing to cut; draw "
+                       "it away from the boundary");
   }
   return isOnSide;
 }

@@ -38,8 +38,8 @@ void RequireSimple(const Eigen::MatrixXd& loop)
   }
   if (TwiceArea(loop) < 0.0)
   {
-    throw InvalidInput("the feature's triangles face the other way than the surface that it was "
-                       "cut from; turn them with Reverse Sense");
+    throw InvalidInput("the feature's triangles are oriented opposite to the surface that it was "
+                       "cut from; flip them with Reverse Sense");
   }
 }
 
@@ -49,7 +49,7 @@ BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
   if (size < 3 || base.LoopPositions.rows() != size || base.Normals.rows() != size)
   {
     throw InvalidInput("the feature's loop has " + std::to_string(size) + " points, " +
-      std::to_string(base.LoopPositions.rows()) + " places in the plane and " +
+      std::to_string(base.LoopPositions.rows()) + " positions in the plane and " +
       std::to_string(base.Normals.rows()) +
       " normals; it needs as many of each, and at least 3: "
       "cut it again");

@@ -64,8 +64,8 @@ void AddPrescribedRotations(
   const auto samples = static_cast<int>(handle.Positions.rows());
   if (turns.Turns.rows() != samples || turns.Turns.cols() != 3 || turns.IsSet.size() != samples)
   {
-    throw InvalidInput("the handle has " + std::to_string(samples) + " points, but turns for " +
-      std::to_string(turns.Turns.rows()) + "; give each a turn of three numbers, and a flag");
+    throw InvalidInput("the handle has " + std::to_string(samples) + " points, but rotations for " +
+      std::to_string(turns.Turns.rows()) + "; give each a rotation of three numbers, and a flag");
   }
   const std::vector<int> first = GetFirstSamples(handle);
   const std::vector<std::pair<int, int>> links = HandleLinks(handle, first);
@@ -82,7 +82,7 @@ void AddPrescribedRotations(
     {
       if (!turns.Turns.row(i).allFinite())
       {
-        throw InvalidInput("the turn set at point " + std::to_string(i) +
+        throw InvalidInput("the rotation set at point " + std::to_string(i) +
           " of the handle is not finite; set another one");
       }
       given[first[i]] = 1;

@@ -29,7 +29,7 @@ void RequirePose(const BoundaryHandle& handle, const HandlePose& pose)
   if (pose.Positions.rows() != samples || pose.Positions.cols() != 3 ||
     static_cast<Eigen::Index>(pose.Rotations.size()) != samples)
   {
-    throw InvalidInput("the pose has " + std::to_string(pose.Positions.rows()) + " places and " +
+    throw InvalidInput("the pose has " + std::to_string(pose.Positions.rows()) + " positions and " +
       std::to_string(pose.Rotations.size()) + " rotations, but the handle has " +
       std::to_string(samples) + " points; give one of each");
   }
@@ -96,8 +96,8 @@ void RequireNear(const BoundaryHandle& handle, const PointGraph& graph)
   if (std::isfinite(both) && shape < minimum * both && (shape > 0.0 || both > 1e50))
   {
     std::ostringstream words;
-    words << "the shape's longest side is " << shape << ", and " << both
-          << " with the handle; the handle at rest must be where the shape is";
+    words << "the longest edge of the shape's box is " << shape << ", and " << both
+          << " with the handle; move the handle at rest to the shape";
     throw InvalidInput(words.str());
   }
 }

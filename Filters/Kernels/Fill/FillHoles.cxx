@@ -107,7 +107,7 @@ void SurfaceFiller::Add(const std::vector<std::vector<int>>& rims,
   this->Taken = std::make_unique<UsedEdges>(this->Surface, rims);
   for (int i = 0; i < static_cast<int>(rims.size()); ++i)
   {
-    LoopCorners corners = FindRimCorners(rims[i], this->Surface.Points());
+    LoopCorners corners = FindLoopCorners(rims[i], this->Surface.Points());
     options.IsTaken = this->Taken->Of(i, corners.Points);
     const BoundaryLoop boundary{ this->Surface.Points()(corners.Points, Eigen::all),
       normals(corners.Points) };

@@ -10,7 +10,7 @@
 namespace shape
 {
 
-LoopCorners FindRimCorners(const std::vector<int>& loop, const Eigen::MatrixXd& points)
+LoopCorners FindLoopCorners(const std::vector<int>& loop, const Eigen::MatrixXd& points)
 {
   const std::size_t count = loop.size();
   const auto isSame = [&](int a, int b) { return points.row(a) == points.row(b); };

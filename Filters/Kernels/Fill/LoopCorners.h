@@ -20,7 +20,7 @@ struct LoopCorners
 };
 
 /// loop: at least 3 points with the fill to the left. points: n x 3.
-LoopCorners FindRimCorners(const std::vector<int>& loop, const Eigen::MatrixXd& points);
+LoopCorners FindLoopCorners(const std::vector<int>& loop, const Eigen::MatrixXd& points);
 
 /**
  * The edges that fills must not have: between two points of a loop that an edge of the surface

@@ -35,7 +35,7 @@ void RequireHandle(const BoundaryHandle& handle)
       throw InvalidInput("a segment or triangle of the handle has the point " +
         std::to_string(elements->minCoeff() < 0 ? elements->minCoeff() : elements->maxCoeff()) +
         ", but there are " + std::to_string(handle.Positions.rows()) +
-        " points; mend its connectivity");
+        " points; correct its connectivity");
     }
   }
 }
