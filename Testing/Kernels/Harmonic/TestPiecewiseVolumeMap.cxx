@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Harmonic/ApplyVolumeMap.h"
+#include "Harmonic/HarmonicVolumeMap.h"
 #include "Harmonic/PiecewiseVolumeMap.h"
 #include "Support/TestShapes.h"
 
