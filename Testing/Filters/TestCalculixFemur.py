@@ -147,7 +147,7 @@ if os.path.exists(path):
     works = [(forces * other.Displacements).sum(), (others * solution.Displacements).sum()]
     print('work of each load along the other: %.9g, %.9g' % tuple(works))
     assert abs(works[0] - works[1]) < 2e-6 * numpy.abs(others * solution.Displacements).sum(), works
-    fine = deflection(surface, 0.02)[0]
+    fine = deflection(surface, 0.025)[0]
     print('the deflection changes by %.2f %%' % (100.0 * (fine / coarse - 1.0)))
     assert abs(fine / coarse - 1.0) < 0.07
 else:
