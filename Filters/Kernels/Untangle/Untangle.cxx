@@ -28,11 +28,11 @@ namespace
 constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 };
 constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
-/// So many rounds without fewer inverted cells than ever before are the end.
+/// This many rounds without fewer inverted cells than ever before are the end.
 constexpr int Patience = 6;
-/// So many times more inverted cells than there have been are a wrong way: it is left.
+/// This many times more inverted cells than there have been are a wrong way: it is left.
 constexpr std::size_t MaximumIncrease = 2;
-/// So many rounds after one another the edges of a fixed point may be split once more.
+/// This many rounds after one another the edges of a fixed point may be split once more.
 constexpr int RoundsPerCollar = 4;
 
 class Untangler
