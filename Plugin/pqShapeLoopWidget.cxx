@@ -16,7 +16,7 @@
 namespace
 {
 
-constexpr double CurvePixels = 3.0, MarkPixels = 10.0, GrabPixels = 8.0, HoveredPixels = 7.0;
+constexpr double CurvePixels = 3.0, MarkPixels = 10.0, LoopGrabPixels = 8.0, HoveredPixels = 7.0;
 /// Between two places the curve is drawn through so many places of the surface.
 constexpr int Samples = 12;
 constexpr std::size_t MinimumPositions = 3;
@@ -98,7 +98,7 @@ int pqShapeLoopWidget::FindPart(const Eigen::Vector2d& pixel)
     return 0;
   }
   vtkRenderer* renderer = this->GetRenderer();
-  const double reach = GrabPixels * pqShapeDisplay::PixelScale(renderer);
+  const double reach = LoopGrabPixels * pqShapeDisplay::PixelScale(renderer);
   const Positions positions = this->GetPlaces();
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
