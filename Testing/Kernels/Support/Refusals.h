@@ -56,9 +56,10 @@ inline testing::AssertionResult HasWords(
 template <class Options>
 struct RefusedOption
 {
-  template <class Value>
+  /// option: a member of Options, or of a base class of it.
+  template <class Owner, class Value>
   RefusedOption(
-    Value Options::*option, std::common_type_t<Value> value, std::vector<std::string> words)
+    Value Owner::*option, std::common_type_t<Value> value, std::vector<std::string> words)
     : Set([option, value](Options& options) { options.*option = value; })
     , Words(std::move(words))
   {
