@@ -49,7 +49,7 @@ public:
   /// SideTwins of the triangles, which must be an oriented 2-manifold's.
   const std::vector<int>& Twins() const;
 
-  /// Throws InvalidInput as SurfaceTopology does.
+  /// Throws InvalidInput as ComputeTopology does.
   const shape::Topology& Topology() const;
 
   /// AreaVectors of the triangles (m x 3).

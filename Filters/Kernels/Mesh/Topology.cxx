@@ -10,6 +10,20 @@ namespace shape
 namespace
 {
 
+void RequireDistinctCorners(const Mesh& mesh)
+{
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corners = mesh.Triangles.row(t);
+    if (corners(0) == corners(1) || corners(1) == corners(2) || corners(2) == corners(0))
+    {
+      throw InvalidInput("triangle " + std::to_string(t) + " uses point " +
+        std::to_string(corners(0) == corners(1) ? corners(0) : corners(2)) +
+        " twice; remove such triangles with Clean");
+    }
+  }
+}
+
 /// Every point must have one fan of triangles: count the groups of triangles around it that hang
 /// together by edges at the point.
 void CountPinchedPoints(const Mesh& mesh, const std::vector<HalfEdge>& sides, Topology& topology)
@@ -93,12 +107,6 @@ void RequireIndices(const Mesh& mesh)
       throw InvalidInput("triangle " + std::to_string(t) + " uses a point that does not exist; " +
         "the surface has " + std::to_string(mesh.Points.rows()) + " points");
     }
-    if (corners(0) == corners(1) || corners(1) == corners(2) || corners(2) == corners(0))
-    {
-      throw InvalidInput("triangle " + std::to_string(t) + " uses point " +
-        std::to_string(corners(0) == corners(1) ? corners(0) : corners(2)) +
-        " twice; remove such triangles with Clean");
-    }
   }
 }
 
@@ -110,6 +118,7 @@ Topology ComputeTopology(const Mesh& mesh)
 
 Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
 {
+  RequireDistinctCorners(mesh);
   Topology topology;
   CountComponents(mesh, topology);
   DisjointSets loops(static_cast<int>(mesh.Points.rows()));

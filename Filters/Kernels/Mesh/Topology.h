@@ -27,13 +27,13 @@ struct Topology
   Eigen::VectorXi ComponentId; ///< n: 0, 1, ... in order of the first point; -1 at unused points
 };
 
-/// Throws InvalidInput if a triangle has an index out of range or uses a point twice.
+/// Throws InvalidInput if a triangle has an index out of range.
 void RequireIndices(const Mesh& mesh);
 
-/// Throws InvalidInput as RequireIndices does.
+/// Throws InvalidInput as RequireIndices does, and if a triangle uses a point twice.
 Topology ComputeTopology(const Mesh& mesh);
 
-/// The same of a mesh whose indices are valid, and its SortHalfEdges.
+/// The same of a mesh whose indices are in range, and its SortHalfEdges.
 Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sorted);
 
 /// The components of a surface in the order of ComponentId, each with the points it uses, in order.
