@@ -204,7 +204,7 @@ TEST(LoopSides, WhatPartsNothingIsRefusedWithTheReason)
     EXPECT_TRUE(goesAround({ onDisk, one })); // which parts the disk only
     EXPECT_TRUE(goesAround({ one, other, AroundTube(20, across) }));
     EXPECT_EQ(Refusal(both, { onDisk, one, other }, side), "");
-    EXPECT_NE(Refusal(disk, { RingOfDisk(4) }, side).find("border"), std::string::npos);
+    EXPECT_NE(Refusal(disk, { RingOfDisk(4) }, side).find("boundary"), std::string::npos);
     EXPECT_EQ(Refusal(disk, { RingOfDisk(4), RingOfDisk(2) }, side), "");
   }
 }

@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-constexpr int LocatorGrain = 512;  // positions
+constexpr int LocatorGrain = 512;      // positions
 constexpr double TileRounding = 1e-12; // tiles have the size 1
 
 using Complex = std::complex<double>;
@@ -77,7 +77,8 @@ SurfacePoints OrbifoldLocator::Find(
   const Complex first = this->Image.Tile.There.front();
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    if (!(std::abs(Complex(positions(i, 0), positions(i, 1)) - first) <= this->Reach + TileRounding))
+    if (!(std::abs(Complex(positions(i, 0), positions(i, 1)) - first) <=
+          this->Reach + TileRounding))
     {
       throw InvalidInput("position " + std::to_string(i) + " is farther from the first cone than " +
         std::to_string(this->Reach) + "; give the locator a larger reach");
