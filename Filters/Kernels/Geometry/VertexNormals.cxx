@@ -248,7 +248,15 @@ Eigen::MatrixXd ComputeVertexNormals(const Mesh& surface, NormalWeight weight)
   }
   for (auto normal : normals.rowwise())
   {
-    normal.stableNormalize();
+    // Only Max's weights, the inverse of a squared length, can be so large that squares overflow.
+    if (weight == NormalWeight::Max)
+    {
+      normal.stableNormalize();
+    }
+    else
+    {
+      normal.normalize();
+    }
   }
   return normals;
 }

@@ -89,7 +89,7 @@ void NewtonSystem::Clear()
   std::fill_n(this->Matrix.valuePtr(), this->Matrix.nonZeros(), 0.0);
 }
 
-NewtonSystem::Step NewtonSystem::Solve()
+NewtonSystem::Step NewtonSystem::Solve(const Ridge& ridge)
 {
   // Unknowns in units of their own, so that a ridge means the same to all of them.
   const Eigen::VectorXd diagonal = this->Matrix.diagonal();
@@ -102,9 +102,9 @@ NewtonSystem::Step NewtonSystem::Solve()
       entry.valueRef() *= scale(column) * scale(entry.row());
     }
   }
-  for (double ridge = 1e-12; ridge < 1.0; ridge *= 1e3)
+  for (double share = ridge.First; share < 1.0; share *= ridge.Factor)
   {
-    this->Matrix.diagonal().array() += ridge;
+    this->Matrix.diagonal().array() += share;
     try
     {
       this->Cholesky.Factorize(this->Matrix);

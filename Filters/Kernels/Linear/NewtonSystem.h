@@ -72,9 +72,17 @@ public:
     }
   };
 
-  /// Factorises H, which is lost, with the smallest ridge that makes it positive definite: 1e-12,
-  /// 1e-9, 1e-6 or 1e-3 of its diagonal. One library call.
-  Step Solve();
+  /// What is added to the diagonal of H, as a share of it, until H is positive definite: First, and
+  /// each time Factor as much again, below 1.
+  struct Ridge
+  {
+    double First;
+    double Factor;
+  };
+
+  /// Factorises H, which is lost, with the smallest ridge that makes it positive definite. One
+  /// library call for each ridge that is tried.
+  Step Solve(const Ridge& ridge);
 
 private:
   std::size_t SlotOf(int element, int row, int column) const

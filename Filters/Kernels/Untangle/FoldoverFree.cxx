@@ -101,7 +101,7 @@ public:
     {
       this->AddSimplex(i, x, epsilon, bases);
     }
-    const NewtonSystem::Step step = this->System.Solve();
+    const NewtonSystem::Step step = this->System.Solve({ 1e-12, 1e3 });
     Descent descent{ Eigen::Matrix3Xd(3, this->FreeCount), step.Slope };
     for (int point = 0; point < this->FreeCount; ++point)
     {

@@ -108,7 +108,7 @@ public:
         }
       }
     }
-    const NewtonSystem::Step step = this->System.Solve();
+    const NewtonSystem::Step step = this->System.Solve({ 1e-10, 1e2 });
     Descent descent{ Eigen::Matrix3Xd::Zero(3, this->Solid.Points.rows()), step.Slope };
     for (Eigen::Index i = 0; i < this->Tied.Unknowns.size(); ++i)
     {
