@@ -172,12 +172,12 @@ def main(model_path, folder):
     charges = int((moves > 0.0).sum())
     print('''
 Model        %d points, %d triangles
-Hexahedra    %d, by method %s; scaled Jacobian %.2f at least, %.3f in the mean, none inverted;
+Hexahedra    %d, by method %s; minimum scaled Jacobian %.2f, mean %.3f, none inverted;
              %.2f %% of the diagonal from the surface at most
 Sphere map   %d triangles flipped; the 5 %% of the surface shrunk most have %.1e of the sphere
              (%.1e of it in the conformal map, area weight 0)
-Ball         by the map alone: scaled Jacobian %.3f at least, %.3f in the mean, %d hexahedra inverted;
-             with Fold Free: %.1e at least, %.3f in the mean, %d inverted
+Ball         by the map alone: minimum scaled Jacobian %.3f, mean %.3f, %d inverted;
+             with Fold Free: minimum %.1e, mean %.3f, %d inverted
 Volume map   error on the sphere %.2e at points, %.2e inside triangles, at most %.2e
              (of the longest side; root mean square, root mean square, largest)
 Charges      %d in %d levels
