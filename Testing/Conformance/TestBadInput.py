@@ -76,7 +76,7 @@ for name in filters.names():
         wrong.SetInputDataObject(port, vtkTable())
         refused(name, wrong, 'a table on port %d' % port, 'vtk' + name)
 
-        # One object meets all of them, and works when the input is mended.
+        # One object meets all of them, and works each time that the input is mended.
         bad = filters.with_good_inputs(name)
         for what, data in (('an empty surface', vtkPolyData()),
                            ('a NaN', spoiled(name, port, numpy.nan)),
@@ -86,10 +86,10 @@ for name in filters.names():
             again = shapetesting.run(bad)
             assert not any(label + ': ' in message for message in again), \
                 '%s computes and complains again although nothing changed' % name
-        bad.SetInputDataObject(port, filters.good_input(name, port))
-        messages = shapetesting.run(bad)
-        assert not messages, '%s after bad input on port %d: %s' % (name, port, messages)
-        assert filters.size_of(bad.GetOutputDataObject(0)) > 0
+            bad.SetInputDataObject(port, filters.good_input(name, port))
+            messages = shapetesting.run(bad)
+            assert not messages, '%s after %s on port %d: %s' % (name, what, port, messages)
+            assert filters.size_of(bad.GetOutputDataObject(0)) > 0
     for port in filters.required_ports(filters.new(name)):
         flat = filters.with_good_inputs(name)
         flat.SetInputDataObject(port, with_flat_triangles(name, port))
