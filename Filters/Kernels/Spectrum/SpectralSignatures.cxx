@@ -76,15 +76,6 @@ Eigen::MatrixXd Signature(const LaplaceSpectrum& spectrum, const Eigen::MatrixXd
   return spectrum.Masses.sum() * (spectrum.Eigenfunctions.array().square().matrix() * weights);
 }
 
-/// And of their products with their values at a point.
-Eigen::MatrixXd KernelFrom(
-  const LaplaceSpectrum& spectrum, int point, const Eigen::MatrixXd& weights)
-{
-  return spectrum.Masses.sum() *
-    (spectrum.Eigenfunctions *
-      (spectrum.Eigenfunctions.row(point).transpose().asDiagonal() * weights));
-}
-
 } // namespace
 
 Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
@@ -97,14 +88,12 @@ Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int 
   return Signature(spectrum, WaveWeights(spectrum, energies));
 }
 
-Eigen::MatrixXd ComputeHeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times)
-{
-  return KernelFrom(spectrum, point, HeatWeights(spectrum, times));
-}
-
 Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies)
 {
-  return KernelFrom(spectrum, point, WaveWeights(spectrum, energies));
+  return spectrum.Masses.sum() *
+    (spectrum.Eigenfunctions *
+      (spectrum.Eigenfunctions.row(point).transpose().asDiagonal() *
+        WaveWeights(spectrum, energies)));
 }
 
 Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)

@@ -31,12 +31,9 @@ Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int 
  */
 Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int energies = 100);
 
-/// The same kernels between each point and one point: sum of exp(-lambda t) phi(x) phi(point), over
-/// sum of exp(-lambda t), times the area; n x times. It distinguishes points that a symmetry of the
-/// surface exchanges, unless the symmetry keeps `point`.
-Eigen::MatrixXd ComputeHeatKernelFrom(const LaplaceSpectrum& spectrum, int point, int times = 100);
-
-/// And with the weights of WaveKernelSignature; n x energies.
+/// The wave kernel between each point and one point: the same with phi(x) phi(point) instead of
+/// phi(x)^2; n x energies. It distinguishes points that a symmetry of the surface exchanges, unless
+/// the symmetry keeps `point`.
 Eigen::MatrixXd ComputeWaveKernelFrom(
   const LaplaceSpectrum& spectrum, int point, int energies = 100);
 
