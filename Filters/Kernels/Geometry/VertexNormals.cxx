@@ -65,8 +65,8 @@ public:
     return position->second;
   }
 
-  /// The points around one, it among them, in order of number: two rings at least, and more where
-  /// triangles are thin beside it, as far as two edges of triangles of even sides reach.
+  /// The points around one, itself included, sorted: at least two rings. If triangles near it are
+  /// thin, more rings, until one is at two edge lengths of equilateral triangles of the same area.
   std::vector<int> Around(int point)
   {
     constexpr int maximum = 5; // rings

@@ -201,7 +201,7 @@ VolumeFeatures Select(const VolumeFeatures& features, const Eigen::VectorXi& reg
   return selected;
 }
 
-/// What one layer's map is fitted to, and what it leaves over.
+/// What one layer's map is fitted to, and its residual.
 struct LayerProblem
 {
   Mapped Boundary;

@@ -13,8 +13,8 @@ namespace shape
 namespace
 {
 
-/// Positions along lines between landmarks may be off the surface, but not as far as another
-/// unit's.
+/// How far positions along lines between landmarks may be off the surface: more means that they
+/// are in other units.
 constexpr double MaximumDistanceShare = 0.5;
 
 /// For each position the nearest corner of the triangle closest to it.

@@ -31,8 +31,8 @@ namespace
 /// The number of base nodes that a node is blended from, if none is one of the denser sources.
 constexpr double WantedNodes = 8.0;
 
-/// Makes the weighted mean of offsets (k x 3) zero in the directions that they span, as far as no
-/// weight becomes negative.
+/// Changes weights so that the weighted mean of offsets (k x 3) is zero in the directions that they
+/// span, or as near to zero as weights that are not negative allow.
 void Tilt(const Eigen::MatrixXd& ways, Eigen::VectorXd& weights)
 {
   const Eigen::Vector3d mean = ways.transpose() * weights / weights.sum();

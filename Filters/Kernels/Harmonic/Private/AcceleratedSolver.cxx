@@ -24,7 +24,7 @@ constexpr double ShareOfTolerance = 0.5;
 /// those of a few hundred points have the longest triangles.
 constexpr double CheapPoints = 2500.0;
 
-/// If a map leaves over more than so many tolerances, the next one's solver is more patient.
+/// If the residual of a map is more than this many tolerances, the next solver iterates longer.
 constexpr double ToughTolerances = 1.5;
 
 /// A refined boundary with the images of its points.

@@ -11,7 +11,7 @@ namespace shape
 
 /**
  * What the methods of the harmonic volume map share: boundary, targets and features scaled to unit
- * size, and what the sum of the maps fitted so far leaves over at the positions that count.
+ * size, and the residual of the sum of the fitted maps at the positions that count.
  */
 class FundamentalSolutionFit
 {
@@ -25,7 +25,7 @@ public:
   const SignedDistance& Distance() const { return this->Field; }
   bool HasFeatures() const { return this->RootWeights.size() > 0; }
 
-  /// What the sum so far leaves over at `positions` that should go to `targets` (each k x 3).
+  /// The residual of the present sum at `positions` that should go to `targets` (each k x 3).
   Eigen::MatrixXd Left(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& targets,
     const Progress& progress) const;
 
