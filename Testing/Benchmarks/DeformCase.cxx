@@ -106,8 +106,8 @@ public:
   explicit Case(const shape::Mesh& surface)
     : Surface(surface)
     , Loop(shape::FindManifoldBoundaryLoops(surface).front())
-    , Loop(shape::BuildCurveHandle(surface.Points(this->Loop, Eigen::all), true))
-    , BentLoop(Bent(this->Loop.Positions))
+    , Handle(shape::BuildCurveHandle(surface.Points(this->Loop, Eigen::all), true))
+    , BentLoop(Bent(this->Handle.Positions))
     , Turn(Eigen::AngleAxisd(M_PI / 3.0, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix())
   {
   }
@@ -120,13 +120,13 @@ public:
     Result result{};
     std::unique_ptr<shape::ShapeDeformation> prepared;
     result.Prepare =
-      Median(5, [&] { prepared = shape::PrepareDeformation(graph, this->Loop, options); });
-    const shape::HandlePose bent = shape::PoseHandle(this->Loop, this->BentLoop);
+      Median(5, [&] { prepared = shape::PrepareDeformation(graph, this->Handle, options); });
+    const shape::HandlePose bent = shape::PoseHandle(this->Handle, this->BentLoop);
     Eigen::MatrixXd points;
     result.Deform = Median(21, [&] { points = prepared->Deform(bent).Points; });
     result.Height = this->Height(points);
-    points =
-      prepared->Deform(shape::PoseHandle(this->Loop, this->Turned(this->Loop.Positions))).Points;
+    points = prepared->Deform(shape::PoseHandle(this->Handle, this->Turned(this->Handle.Positions)))
+               .Points;
     result.Residual = this->Residual(points);
     return result;
   }
@@ -175,7 +175,7 @@ public:
       }
       return positions;
     };
-    move(this->Turned(this->Loop.Positions));
+    move(this->Turned(this->Handle.Positions));
     arap->deform(10, 0.0);
     result.Residual = this->Residual(points());
     arap->reset();
@@ -204,7 +204,7 @@ private:
 
   shape::Mesh Surface;
   std::vector<int> Loop;
-  shape::BoundaryHandle Loop;
+  shape::BoundaryHandle Handle;
   Eigen::MatrixXd BentLoop;
   Eigen::Matrix3d Turn;
 };

@@ -300,7 +300,7 @@ bool CompareOnSphere()
 /// What a filled surface is like.
 struct Soundness
 {
-  std::size_t OpenLoops = 0; ///< a seam, where points are doubled, is none
+  std::size_t BoundaryLoops = 0; ///< a seam, where points are doubled, is none
   std::size_t Crossings = 0;
 };
 
