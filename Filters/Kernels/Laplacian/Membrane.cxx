@@ -32,7 +32,7 @@ Eigen::MatrixXd SolveMembrane(
   for (int round = 1; round <= rounds; ++round)
   {
     progress(static_cast<double>(round) / (rounds + 1));
-    positions = SolveHarmonicValues(Surface(positions, disk.Triangles()), loop);
+    positions = SolveHarmonicValues(disk.WithPoints(positions), loop);
   }
   return positions;
 }

@@ -4,7 +4,6 @@
 #include "Base/Errors.h"
 #include "Mesh/Extent.h"
 
-#include <map>
 #include <mutex>
 
 namespace shape
@@ -139,8 +138,22 @@ struct Surface::Data
   };
 
   Mesh Triangulation;
-  std::mutex Lock; ///< of the map, not of what is made: one quantity may ask for another
-  std::map<std::type_index, std::shared_ptr<Entry>> Entries;
+  std::mutex Lock; ///< of the list, not of what is made: one quantity may ask for another
+  std::vector<std::pair<std::type_index, std::shared_ptr<Entry>>> Entries; ///< a few
+
+  /// The entry of a type, which is made if there is none.
+  std::shared_ptr<Entry> Get(std::type_index type)
+  {
+    const std::lock_guard<std::mutex> guard(this->Lock);
+    for (const auto& [other, entry] : this->Entries)
+    {
+      if (other == type)
+      {
+        return entry;
+      }
+    }
+    return this->Entries.emplace_back(type, std::make_shared<Entry>()).second;
+  }
 };
 
 Surface::Surface()
@@ -167,18 +180,26 @@ const Mesh& Surface::AsMesh() const
 const std::shared_ptr<const void>& Surface::Find(
   std::type_index type, const std::function<std::shared_ptr<const void>()>& make) const
 {
-  std::shared_ptr<Data::Entry> entry;
-  {
-    const std::lock_guard<std::mutex> guard(this->Impl->Lock);
-    std::shared_ptr<Data::Entry>& kept = this->Impl->Entries[type];
-    if (!kept)
-    {
-      kept = std::make_shared<Data::Entry>();
-    }
-    entry = kept;
-  }
+  const std::shared_ptr<Data::Entry> entry = this->Impl->Get(type);
   std::call_once(entry->Made, [&]() { entry->Value = make(); });
-  return entry->Value; // the map, which outlives this call, holds the entry, too
+  return entry->Value; // the list, which outlives this call, holds the entry, too
+}
+
+Surface Surface::WithPoints(Eigen::MatrixXd points) const
+{
+  if (points.rows() != this->Points().rows())
+  {
+    throw InvalidInput("a surface of " + std::to_string(this->Points().rows()) +
+      " points was given positions for " + std::to_string(points.rows()) +
+      "; give a row for each point");
+  }
+  Surface moved(std::move(points), this->Triangles());
+  for (const std::type_index type : { std::type_index(typeid(KeptHalfEdges)),
+         std::type_index(typeid(KeptTwins)), std::type_index(typeid(shape::Topology)) })
+  {
+    moved.Impl->Entries.emplace_back(type, this->Impl->Get(type));
+  }
+  return moved;
 }
 
 const std::vector<HalfEdge>& Surface::HalfEdges() const

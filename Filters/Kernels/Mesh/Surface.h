@@ -43,6 +43,11 @@ public:
   operator const Mesh&() const { return this->AsMesh(); } // NOLINT(google-explicit-constructor)
   ///@}
 
+  /// The same triangles with their points at other positions (n x 3). Half-edges, twins and
+  /// topology follow from the triangles alone: both surfaces share them. Throws InvalidInput if
+  /// there is not one row for each point.
+  Surface WithPoints(Eigen::MatrixXd points) const;
+
   /// SortHalfEdges of the triangles. Throws InvalidInput as RequireIndices does.
   const std::vector<HalfEdge>& HalfEdges() const;
 

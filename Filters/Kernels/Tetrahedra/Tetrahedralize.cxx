@@ -288,7 +288,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const double scale = size > 0.0 ? std::exp2(-std::ilogb(size)) : 1.0;
   for (Surface& each : surfaces)
   {
-    each = scale == 1.0 ? each : Surface(scale * each.Points(), each.Triangles());
+    each = scale == 1.0 ? each : each.WithPoints(scale * each.Points());
   }
   const SurfaceComplex complex = JoinSurfaces(surfaces);
   RequireConformingComplex(complex, names, 1.0 / scale, progress.Part(0.02, 0.2));
