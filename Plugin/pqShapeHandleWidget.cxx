@@ -50,8 +50,9 @@ pqShapeHandleWidget::pqShapeHandleWidget(
   {
     this->AddRow(function);
   }
-  this->AddHelp(tr("Drag the ball over the surface. Drag the knob, or press [ ] - +, to rotate and "
-                   "scale. Esc undoes a drag."));
+  this->AddHelp(
+    tr("Drag the ball to move over the surface. Drag the knob, or press [ ] - +, to rotate "
+       "and scale. Esc undoes a drag."));
   this->TakeShortcut(Qt::Key_Plus); // ParaView's own grow and shrink a selection
   this->TakeShortcut(Qt::Key_Minus);
   this->RingActor = pqShapeDisplay::MakeCurve(this->Ring);

@@ -34,8 +34,8 @@ pqShapeLoopWidget::pqShapeLoopWidget(vtkSMProxy* filter, vtkSMPropertyGroup* gro
   this->AddWidget(this->Button);
   this->AddHelp(
     tr("Click positions on the surface. Double-click or Enter closes the loop, Backspace "
-       "removes the last position, Esc cancels. Drag the positions of a closed loop. "
-       "Delete removes one."));
+       "removes the last position, Esc cancels. Positions of a closed loop can be dragged. "
+       "Delete removes the one under the mouse."));
   this->AddRow("Points");
   QObject::connect(this->Button, &QPushButton::toggled, this,
     [this]
