@@ -370,7 +370,7 @@ add_array(spoiled_map, broken, 'TargetPosition')
 spoiled_weight = cloud(line)
 add_array(spoiled_weight, numpy.array([1.0, numpy.nan]), 'Weight')
 for features, targets, words in (
-        ([unmapped], [], "feature 0 has no point array 'TargetPosition', and all 0 TargetFeatures "),
+        ([unmapped], [], "feature 0 has no point array 'TargetPosition', and no TargetFeatures are left"),
         ([unmapped, unmapped], [unmapped], "feature 1 has no point array 'TargetPosition', and "),
         ([unmapped], [unmapped, unmapped], 'there are 2 TargetFeatures, but only 1 Features'),
         ([], [unmapped], 'there are 1 TargetFeatures, but only 0 Features'),

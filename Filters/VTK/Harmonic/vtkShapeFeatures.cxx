@@ -118,9 +118,9 @@ shape::VolumeFeatures vtkShapeFeatures::Read(const std::vector<vtkPolyData*>& fe
     const bool carries = feature->GetPointData()->HasArray(mapArray.c_str());
     if (!carries && used == targets.size())
     {
-      throw shape::InvalidInput(name + " has no point array '" + mapArray + "', and all " +
-        std::to_string(targets.size()) +
-        " TargetFeatures belong to other features; add the array, or connect its target");
+      throw shape::InvalidInput(name + " has no point array '" + mapArray +
+        "', and no TargetFeatures are left to pair with it (" + std::to_string(targets.size()) +
+        " connected); add the array, or connect its target");
     }
     const Eigen::VectorXd weights = Weights(feature, defaultWeight, name);
     shape::VolumeFeatures part;
@@ -181,9 +181,9 @@ vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPoly
     const shape::Mesh mesh = vtkShapeConvert::ToMesh(feature, name);
     if (!carries && !target)
     {
-      throw shape::InvalidInput(name + " has no point array '" + mapArray + "', and all " +
-        std::to_string(targets.size()) +
-        " TargetFeatures belong to other features; add the array, or connect its target");
+      throw shape::InvalidInput(name + " has no point array '" + mapArray +
+        "', and no TargetFeatures are left to pair with it (" + std::to_string(targets.size()) +
+        " connected); add the array, or connect its target");
     }
     const Eigen::MatrixXd images = carries
       ? vtkShapeConvert::ToPointArray(feature, mapArray, 3, name)
