@@ -5,13 +5,13 @@ from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
 
-# TargetPosition says where the surface of A goes on B. Each skeleton is five curves inside.
+# TargetPosition maps the surface of A to that of B. Each skeleton consists of five curves inside.
 figure = OpenDataFile(data + 'FigureASmall.vtp')
 bones = OpenDataFile(data + 'FigureASkeleton.vtp')
 target = OpenDataFile(data + 'FigureBSkeleton.vtp')
 solid = ShapeTetrahedralize(Input=figure)
 
-# With next to no weight the error at the bones is measured, but not reduced.
+# With a weight near 0 the error at the bones is measured, but not reduced.
 errors = []
 for weight in (1e-6, 20.0):
     mapped = ShapeHarmonicVolumeMap(

@@ -1,4 +1,4 @@
-"""Saves a volume map, applies it to other data, and brings these back by its inverse."""
+"""Saves a volume map, applies it to other data, and moves these back by its inverse."""
 import os
 import sys
 
@@ -8,11 +8,11 @@ from vtkmodules.numpy_interface.dataset_adapter import WrapDataObject
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
 
-# The harmonic map of a dented sphere's solid, from the map of its boundary to the unit sphere.
+# The solid of a dented sphere, mapped to the unit ball by the map of its boundary.
 dented = OpenDataFile(data + 'DentedSphere600.vtp')
 solid = ShapeTetrahedralize(Input=dented)
 made = ShapeHarmonicVolumeMap(Domain=solid, Boundary=dented, MapArray='TargetPosition')
-# The charges are the map. From their file it can be applied later, without being made again.
+# The charges store the map. It can be loaded from their file later, without computing it again.
 SaveData(os.path.join(folder, 'Map.vtp'), OutputPort(made, 1), DataMode='Binary')
 charges = OpenDataFile(os.path.join(folder, 'Map.vtp'))
 
@@ -25,6 +25,6 @@ for name, proxy in zip(('line', 'mapped', 'back'), lengths):
     print('%s: %.4f long' % (name, proxy.CellData['Length'].GetRange()[0]))
 
 start, end = (WrapDataObject(servermanager.Fetch(proxy)).Points for proxy in (line, back))
-print('the inverse returns to the start within %.1e' % abs(start - end).max())
+print('the inverse moves points back to the start within %.1e' % abs(start - end).max())
 assert abs(start - end).max() < 1e-6
 assert there.FieldData['ApplyVolumeMap.OutsidePoints'].GetRange() == (0, 0)

@@ -1,4 +1,4 @@
-"""Carries an image through a volume map, which vtkImageReslice takes as a transform."""
+"""Transforms an image by a volume map, which vtkImageReslice uses as a transform."""
 import os
 
 from paraview.simple import *
@@ -7,12 +7,12 @@ import shapemap
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
 
-# A volume map is kept as its charges, output 1 of Shape Harmonic Volume Map. This one maps the
-# solid of a dented sphere onto the unit ball.
+# The charges, output 1 of Shape Harmonic Volume Map, store a volume map. This one maps the solid
+# of a dented sphere onto the unit ball.
 charges = servermanager.Fetch(OpenDataFile(data + 'DentedSphereCharges.vtp'))
 transform = shapemap.vtkShapeHarmonicTransform()
 transform.SetChargeSetData(charges)
-transform.Inverse()  # vtkImageReslice asks where the value at a point comes from
+transform.Inverse()  # vtkImageReslice needs the map from the new to the old positions
 
 wavelet = Wavelet(WholeExtent=[-20, 20] * 3)
 image = servermanager.Fetch(wavelet)
@@ -29,6 +29,6 @@ for point in ((0.0, 0.0, 0.0), (0.8, 0.0, 0.0), (1.6, 1.6, 1.6)):
     source = transform.TransformDoublePoint(point)
     print('%s comes from (%.3f, %.3f, %.3f): value %.2f, before %.2f' % (
         point, *source, after.GetValue(index), before.GetValue(index)))
-# Outside the map's domain the image stays as it is.
+# Outside the domain of the map the image does not change.
 assert abs(after.GetValue(index) - before.GetValue(index)) < 1e-3
 assert transform.GetNotInverted() == 0

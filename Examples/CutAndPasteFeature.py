@@ -25,6 +25,6 @@ result.UpdatePipeline()
 
 euler = result.FieldData['PasteFeature.EulerNumber'].GetRange()[0]
 top = result.GetDataInformation().GetBounds()[3]
-print('Euler number %d (2: closed, no handle); the horn reaches y = %.2f' % (euler, top))
+print('Euler number %d (2: closed, no handle), maximum y of the horn %.2f' % (euler, top))
 assert euler == 2 and 1.5 < top < 1.9
 SaveData(os.path.join(folder, 'HornedPlanet.stl'), result)

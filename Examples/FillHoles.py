@@ -21,7 +21,7 @@ for k in range(facts.GetArray('FillHoles.Loop').GetNumberOfTuples()):
         for name in ('LoopPoints', 'Triangles', 'Method')))
 assert facts.GetArray('FillHoles.Loop').GetNumberOfTuples() == 2
 
-# No edge is open any more, and the new triangles are marked.
+# There are no open edges, and the new triangles are marked.
 border = FeatureEdges(Input=closed, FeatureEdges=0, ManifoldEdges=0)
 border.UpdatePipeline()
 assert border.GetDataInformation().GetNumberOfCells() == 0

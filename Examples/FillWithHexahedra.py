@@ -19,7 +19,8 @@ print('%d hexahedra, scaled Jacobian %.2f to %.2f, boundary within %.3f of the s
     count, minimum, maximum, distance))
 assert minimum > 0.0 and distance < 0.2
 
-# The files name regions as element sets, and patches of the boundary as node sets and surfaces.
+# Bar.inp has regions as element sets, and boundary patches as node sets and surfaces. Bar.mesh has
+# both as references.
 SaveData(os.path.join(folder, 'Bar.inp'), hexahedra)
 SaveData(os.path.join(folder, 'Bar.mesh'), hexahedra)
 for name in ('Bar.inp', 'Bar.mesh'):

@@ -23,7 +23,7 @@ total = solid.FieldData['Tetrahedralize.Volume'].GetRange()[0]
 print('all: %d tetrahedra, volume %.3f' % (len(cells['Volume']), total))
 assert abs(numpy.sum(cells['Volume']) - total) < 1e-9 * total
 
-# Threshold extracts a region; the file for Gmsh has all of them, with their numbers.
+# Threshold extracts one region. The file for Gmsh has all regions, with their numbers.
 bone = Threshold(Input=solid, Scalars=['CELLS', 'RegionId'], LowerThreshold=1, UpperThreshold=1)
 bone.UpdatePipeline()
 assert bone.CellData['RegionId'].GetRange() == (1, 1)

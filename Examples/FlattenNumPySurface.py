@@ -5,7 +5,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 import shapemap
 
-# Half a cylinder's wall, of radius 1 and height 1: points, and the corners of quadrilaterals.
+# Half of a cylindrical wall of radius 1 and height 1: points, and the corners of quadrilaterals.
 rows, columns = numpy.mgrid[0:17, 0:49]
 angles = numpy.pi * columns / 48
 points = numpy.stack([numpy.cos(angles), numpy.sin(angles), rows / 16], axis=-1).reshape(-1, 3)
@@ -20,11 +20,11 @@ surface.GetPolys().SetData(4, numpy_to_vtkIdTypeArray(quads.ravel()))
 
 flatten = shapemap.vtkShapeParameterize()
 flatten.SetInputDataObject(surface)
-flatten.SetDomain(2)  # FreeBoundary: the border is not fixed
+flatten.SetDomain(2)  # FreeBoundary: the boundary is not fixed
 flatten.Update()
 plane = vtk_to_numpy(flatten.GetOutputDataObject(0).GetPointData().GetArray('TargetPosition'))
 
-# A cylinder is developable: it becomes a rectangle whose sides are pi and 1.
+# A cylinder is developable: its image is a rectangle with sides of pi and 1.
 corners = plane[index[[0, 0, -1], [0, -1, 0]]]
 sides = numpy.linalg.norm(corners[1:] - corners[0], axis=1)
 print('sides %.3f and %.3f' % tuple(sides))

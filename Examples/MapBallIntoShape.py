@@ -15,8 +15,8 @@ cow = TrivialProducer()
 cow.GetClientSideObject().SetOutput(off.read(os.path.join(models, 'cow.off')))
 sphere = ShapeParameterize(Input=cow, AreaWeight=3.0)
 
-# The boundary of the domain is the sphere; its array SourcePosition leads back to the cow. The ball
-# is shrunk to lie within the sphere's triangles: points outside would stay where they are.
+# The boundary of the domain is the sphere, and its array SourcePosition maps it back to the cow.
+# The ball is shrunk to be inside the triangles of the sphere: points outside would not move.
 ball = Transform(Input=OpenDataFile(os.path.join(root, 'Data', 'BallSmall.vtu')))
 ball.Transform.Scale = [0.97, 0.97, 0.97]
 solid = ShapeHarmonicVolumeMap(
@@ -25,7 +25,7 @@ solid.UpdatePipeline()
 
 assert solid.FieldData['HarmonicVolumeMap.OutsidePoints'].GetRange() == (0, 0)
 error = solid.FieldData['HarmonicVolumeMap.RMSEInside'].GetRange()[0]
-print('the boundary is met within %.2f %% of the cow\'s size' % (100 * error))
+print('error inside the triangles of the boundary: %.2f %% of the cow\'s size' % (100 * error))
 assert error < 0.01
 for axis in range(3):
     image, surface = (proxy.GetDataInformation().GetBounds()[2 * axis:2 * axis + 2]

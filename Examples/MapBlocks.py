@@ -1,4 +1,4 @@
-"""Maps a surface that comes in blocks: the filter joins them, and each gets its part back."""
+"""Maps a surface that consists of blocks: the filter joins them, and its output has the blocks."""
 import os
 
 from paraview.simple import *
@@ -6,7 +6,7 @@ from paraview.simple import *
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
 surface = OpenDataFile(data + 'DentedSphere600.vtp')
 
-# Two blocks: neither is closed, both together are.
+# Each of the two blocks is open, but together they are closed.
 numbered = GenerateIds(Input=surface, CellIdsArrayName='Triangle')
 halves = [ExtractSurface(Input=Threshold(Input=numbered, Scalars=['CELLS', 'Triangle'],
                                          LowerThreshold=first, UpperThreshold=first + 639))

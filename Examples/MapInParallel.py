@@ -1,4 +1,4 @@
-"""Maps a surface whose pieces are on several processes, each of which keeps its piece.
+"""Maps a surface whose pieces are on several processes; each process keeps its piece.
 
     SHAPEMAP_PVPYTHON="mpiexec -n 2 pvbatch" Utilities/pvpython.sh Examples/MapInParallel.py
 """

@@ -5,7 +5,7 @@ from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', 'Phantom%sSmall.vtp')
 
-# All three surfaces have TargetPosition: on the unit sphere, a polycube and a cube.
+# TargetPosition maps the three surfaces to the unit sphere, a polycube and a cube.
 head, skull, brain = (OpenDataFile(data % name) for name in ('Head', 'Skull', 'Brain'))
 mapped = ShapeHarmonicVolumeMap(Domain=brain, Boundary=head, MapArray='TargetPosition',
                                 Features=[skull, brain], Exact=1, Tolerance=1e-3)

@@ -4,8 +4,8 @@ from paraview.simple import *
 ellipsoid = Transform(Input=Sphere(ThetaResolution=40, PhiResolution=40))
 ellipsoid.Transform.Scale = [2.0, 1.0, 1.0]
 
-# Output 0 is the surface with TargetPosition and Label, the side of the polycube that each triangle
-# goes to; output 1 is the polycube, whose faces lie at multiples of TargetEdgeLength.
+# Output 0 is the surface with TargetPosition and Label, the direction of the polycube's face for each
+# triangle. Output 1 is the polycube, whose faces lie at multiples of TargetEdgeLength.
 polycube = ShapePolycube(Input=ellipsoid, TargetEdgeLength=0.15)
 polycube.UpdatePipeline()
 charts = polycube.FieldData['Polycube.Charts'].GetRange()[0]

@@ -7,7 +7,7 @@ from paraview.simple import *
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
 
-# A row for each landmark: a point on surface A, and the one on surface B that corresponds to it.
+# A row for each landmark: a point on surface A, and the corresponding point on surface B.
 table = os.path.join(folder, 'Landmarks.csv')
 with open(table, 'w') as file:
     file.write('ax,ay,az,bx,by,bz\n'
@@ -32,6 +32,6 @@ print('landmarks: %d, reversed area: %.1f %%' % (used, 100 * area))
 assert used == 5 and found == 0 and area < 0.05
 quality = ShapeMapQuality(Input=match)
 quality.UpdatePipeline()
-print('mean symmetric Dirichlet energy: %.2f (4: lengths are kept)' %
+print('mean symmetric Dirichlet energy: %.2f (4: lengths are preserved)' %
       quality.FieldData['MapQuality.MeanSymmetricDirichlet'].GetRange()[0])
 SaveData(os.path.join(folder, 'Matched.vtp'), match, DataMode='Binary')

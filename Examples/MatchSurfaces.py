@@ -15,7 +15,7 @@ b = OpenDataFile(data + 'FigureBSmall.vtp')
 match = ShapeCorrespondence(SurfaceA=a, SurfaceB=b, Method='FunctionalMap')
 match.UpdatePipeline()
 
-# Here the truth is known: the file's own TargetPosition.
+# The true map is known here: it is the array TargetPosition of the file.
 a.UpdatePipeline()
 found, truth = (numpy.array(WrapDataObject(servermanager.Fetch(proxy)).PointData['TargetPosition'])
                 for proxy in (match, a))
@@ -24,7 +24,7 @@ print('landmarks found: %d' % match.FieldData['Correspondence.Landmarks'].GetRan
 print('mean error: %.2f %% of the size' % (100 * error))
 assert error < 0.03
 
-# A field of B, here its height, on A.
+# Transfer a field of B to A: its height.
 height = Calculator(Input=b, ResultArrayName='Height', Function='coordsZ')
 coloured = ShapeTransferFields(Input=match, Source=height)
 coloured.UpdatePipeline()

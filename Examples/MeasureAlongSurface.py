@@ -9,7 +9,7 @@ poles = Line(Point1=[0, 0, -1.2], Point2=[0, 0, 1.2], Resolution=1)
 distance = ShapeGeodesicDistance(Input=sphere, Seeds=poles, Method='Exact')
 distance.UpdatePipeline()
 farthest = distance.PointData['GeodesicDistance'].GetRange()[1]
-print('the equator is %.4f away, a quarter of a great circle %.4f' % (farthest, math.pi / 2))
+print('distance of the equator: %.4f; a quarter of a great circle: %.4f' % (farthest, math.pi / 2))
 assert abs(farthest - math.pi / 2) < 2e-3
 
 circles = Contour(

@@ -13,7 +13,7 @@ match = ShapeCorrespondence(SurfaceA=truth, SurfaceB=target, Method='FunctionalM
 curve = ShapeMapErrorCurve(Input=match, Target=target, Truth=truth)
 curve.UpdatePipeline()
 
-# Errors are geodesic distances on the target, over the square root of its area.
+# Errors are geodesic distances on the target, divided by the square root of its area.
 mean, median, maximum = (curve.FieldData['MapErrorCurve.' + name].GetRange()[0]
                          for name in ('Mean', 'Median', 'Maximum'))
 print('error: mean %.4f, median %.4f, maximum %.4f' % (mean, median, maximum))

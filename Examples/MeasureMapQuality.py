@@ -13,7 +13,7 @@ for weight in (0.0, 3.0):
     quality.UpdatePipeline()
     assert quality.FieldData['MapQuality.FlippedCells'].GetRange() == (0, 0)
 
-    # Output 0 has the measures of each triangle, output 1 is a table of them.
+    # Output 0 has the measures of each triangle, and output 1 is a table that summarises them.
     print('AreaWeight %g' % weight)
     table = servermanager.Fetch(quality, idx=1)
     for row in range(table.GetNumberOfRows()):

@@ -7,7 +7,7 @@ from paraview.simple import *
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
 
-# The figure's array TargetPosition says where each point goes; time runs from 0 to 1.
+# TargetPosition of the figure is the image of each point. Time runs from 0 to 1.
 figure = OpenDataFile(data + 'FigureASmall.vtp')
 morph = ShapeMorph(Input=figure)
 

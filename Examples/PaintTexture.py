@@ -1,4 +1,4 @@
-"""Lays a texture on a surface around a point by the exponential map, and takes a picture."""
+"""Paints a texture on a surface around a point by the exponential map, and saves a picture."""
 import os
 import sys
 
@@ -17,7 +17,7 @@ print('%d triangles, %d flipped, %.0f %% of the texture used' % (
     patch.GetDataInformation().GetNumberOfCells(), flipped, 100 * coverage))
 assert flipped == 0 and 0.8 < coverage <= 1.0
 
-# Any picture can be the texture; here a checkerboard.
+# Any picture can be the texture. This one is a checkerboard.
 checks = numpy.kron(numpy.indices((16, 16)).sum(axis=0) % 2, numpy.ones((8, 8)))
 picture = os.path.join(folder, 'Checks.ppm')
 with open(picture, 'wb') as file:

@@ -12,7 +12,7 @@ folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 models = os.environ.get('SHAPEMAP_MODELS', os.path.join(root, 'build', 'models'))
 path = sys.argv[2] if len(sys.argv) > 2 else os.path.join(models, 'pig.stl')
 
-if path.endswith('.off'):  # which ParaView does not read
+if path.endswith('.off'):  # a format that ParaView does not read
     model = TrivialProducer()
     model.GetClientSideObject().SetOutput(off.read(path))
 else:  # .stl, .ply, .obj, .vtp, ...
@@ -25,7 +25,7 @@ def open_edges(surface):
     return edges.GetDataInformation().GetNumberOfCells()
 
 
-surface = Clean(Input=model)  # joins points with the same coordinates
+surface = Clean(Input=model)  # merges points with the same coordinates
 closed = ShapeFillHoles(Input=surface)
 closed.UpdatePipeline()
 print('%s: %d points, %d open edges, %d holes; %d open edges after' % (

@@ -16,12 +16,12 @@ values = numpy.array(found.FieldData['LaplaceSpectrum.Eigenvalues'])
 print('eigenvalues:', ' '.join('%.2f' % value for value in values[:6]), '...')
 assert len(values) == 30 and abs(values[0]) < 1e-6 and (numpy.diff(values) >= 0.0).all()
 
-# The first eigenfunction that is not constant runs from one end of the figure to the other.
+# The first eigenfunction that is not constant has its extremes at opposite ends of the figure.
 first = numpy.array(found.PointData['Eigenfunctions'])[:, 1]
 ends = found.Points[first.argmin()], found.Points[first.argmax()]
 print('its minimum is at %s, its maximum at %s' % ends)
 
-# Heat stays longest at the tips of limbs: there the heat kernel signature has its maxima.
+# Heat stays longest at the ends of protrusions, so the heat kernel signature has its maxima there.
 heat = numpy.array(found.PointData['HeatKernelSignature'])[:, 50]
 print('heat kernel signature: %.2f to %.2f, its maximum at %s' % (
     heat.min(), heat.max(), found.Points[heat.argmax()]))

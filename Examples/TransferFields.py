@@ -5,11 +5,11 @@ from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
 
-# The bar has the array TargetPosition: where in the box each of its points goes.
+# The array TargetPosition of the bar maps each of its points into the box.
 bar = OpenDataFile(data + 'BentBarSmall.vtu')
 box = Calculator(Input=bar, CoordinateResults=1, Function='TargetPosition')
 
-# A field of the box: Pull fetches for each point of the bar the value at its TargetPosition.
+# Transfer a field of the box to the bar: with Pull, each point takes the value at its TargetPosition.
 heated = Calculator(Input=box, ResultArrayName='Temperature', Function='20 + 10*coordsX')
 in_bar = ShapeTransferFields(Input=bar, Source=heated, Direction='Pull')
 in_bar.UpdatePipeline()
@@ -18,7 +18,7 @@ print('temperature in the bar: %.2f to %.2f' % (low, high))
 assert in_bar.FieldData['TransferFields.OutsidePoints'].GetRange() == (0, 0)
 assert abs(low) < 1e-9 and abs(high - 40) < 1e-9
 
-# The other way, Push: here the source has the map array, which leads into the receiver.
+# Transfer a field of the bar to the box: with Push, the source has the map array.
 depth = ShapeBoundaryDistance(Input=bar, Surface=ExtractSurface(Input=bar))
 in_box = ShapeTransferFields(Input=box, Source=depth, Direction='Push')
 in_box.UpdatePipeline()

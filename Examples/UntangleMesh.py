@@ -5,12 +5,13 @@ from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
 
-# The centre of a ball is pushed past its boundary, which stays where it is.
+# The centre of a ball is pushed out past its boundary, which does not move.
 ball = OpenDataFile(data + 'BallSmall.vtu')
 folded = Calculator(Input=ball, CoordinateResults=1,
                     Function='coords + 1.2*(1 - mag(coords)^2)*iHat')
 
-# With a rest shape the map from there is distorted little; without one, cells become regular.
+# With a rest shape, the distortion of the map from that shape is reduced. Without it, cells become
+# as regular as possible.
 mended = ShapeUntangle(Input=folded, RestShape=ball)
 mended.UpdatePipeline()
 

@@ -32,7 +32,7 @@ Eigen::Vector3d ToWorld(vtkRenderer* renderer, const Eigen::Vector3d& display)
   return world.head<3>() / world.w();
 }
 
-/// Drawn over everything: half of a handle lies under the surface that it is to be seen on.
+/// Makes an actor that is drawn in front of all others: half of a handle is below the surface.
 vtkSmartPointer<vtkActor> MakeActor(vtkPolyDataMapper* mapper)
 {
   constexpr double front = -66000.0;
@@ -75,7 +75,7 @@ Eigen::Vector2d ToPixel(vtkRenderer* renderer, const Eigen::Vector3d& position)
 
 double PixelScale(vtkRenderer* renderer)
 {
-  constexpr double usual = 72.0; // what Qt and VTK call a ratio of 1, whatever the screen's own is
+  constexpr double usual = 72.0; // the density for which Qt and VTK have a pixel ratio of 1
   return std::max(1.0, renderer->GetRenderWindow()->GetDPI() / usual);
 }
 

@@ -10,14 +10,14 @@ class vtkActor;
 class vtkPolyData;
 class vtkRenderer;
 
-/// What the handles need of a view: pixels and places, and things drawn at a size in pixels.
+/// Conversion between pixels and positions in a view, and actors whose size is given in pixels.
 namespace pqShapeDisplay
 {
 
-/// The line of sight through a pixel: from a place on the near plane into a direction of length 1.
-/// It goes on behind both planes, which depend on what else is shown, but not behind the viewer,
-/// who is at First (in the direction, from the place; a parallel projection has him infinitely far
-/// away).
+/// The line of sight through a pixel: a position on the near plane and a unit direction. It is not
+/// limited by the near and far planes, because they depend on other data in the view. It starts at
+/// the viewer, at distance First from Near along Direction (minus infinity for parallel
+/// projection).
 struct Ray
 {
   Eigen::Vector3d Near, Direction;
@@ -25,32 +25,32 @@ struct Ray
 };
 Ray ToRay(vtkRenderer* renderer, const Eigen::Vector2d& pixel);
 
-/// The pixel where a place is seen.
+/// Returns the pixel at which a position is seen.
 Eigen::Vector2d ToPixel(vtkRenderer* renderer, const Eigen::Vector3d& position);
 
-/// How many pixels of a dense screen are one of a usual one.
+/// Returns the number of pixels of this screen for one pixel of a screen of standard density.
 double PixelScale(vtkRenderer* renderer);
 
-/// How long a pixel of a usual screen is in the model's units at a place.
+/// Returns the length of a pixel of a standard screen at a position, in the model's units.
 double PixelLength(vtkRenderer* renderer, const Eigen::Vector3d& position);
 
-/// Whether a plane through a place is seen from its front.
+/// Returns whether the plane through a position with a normal is seen from its front.
 bool FacesViewer(
   vtkRenderer* renderer, const Eigen::Vector3d& position, const Eigen::Vector3d& normal);
 
-/// A ball of radius 1 around the origin; PlaceBall moves and scales it.
+/// Makes a ball of radius 1 around the origin; PlaceBall moves and scales it.
 vtkSmartPointer<vtkActor> MakeBall();
 void PlaceBall(vtkActor* ball, const Eigen::Vector3d& centre, double radius);
 
-/// A line through the points of `curve`, or dots at its vertices; SetWidth takes pixels of a usual
-/// screen.
+/// Makes an actor that draws the lines of `curve`, and dots at its vertices. The width is in pixels
+/// of a standard screen.
 vtkSmartPointer<vtkActor> MakeCurve(vtkPolyData* curve);
 void SetWidth(vtkActor* curve, vtkRenderer* renderer, double width);
 
-/// Makes `curve` one polyline through places.
+/// Makes `curve` one polyline through the positions.
 void SetCurve(vtkPolyData* curve, const std::vector<Eigen::Vector3d>& positions);
 
-/// Makes `marks` separate places.
+/// Makes `marks` one vertex at each position.
 void SetMarks(vtkPolyData* marks, const std::vector<Eigen::Vector3d>& positions);
 
 } // namespace pqShapeDisplay

@@ -83,7 +83,7 @@ void pqShapeEdit::Set(const Values& values)
 {
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    // A repeatable property takes this as its new length.
+    // A repeatable property gets the number of these values.
     vtkSMPropertyHelper(this->Properties[i])
       .Set(values[i].data(), static_cast<unsigned int>(values[i].size()));
   }

@@ -10,11 +10,12 @@ class vtkSMProperty;
 class vtkSMProxy;
 
 /**
- * A change of some properties of a filter that is shown while it goes on, and is one step to undo.
+ * A change of properties of a filter that is shown while the user makes it, and that one undo takes
+ * back.
  *
- * While it is shown, the filter's property `Dragging`, where it has one, is 1, which asks it for
- * speed, and nothing goes on the undo stack. In the end `Dragging` is 0 again, and the undo stack
- * gets the change from the first values to the last.
+ * During the change the property `Dragging` of the filter, if it has one, is 1, so that the filter
+ * prefers speed. Nothing is added to the undo stack. At the end `Dragging` is 0 again, and the undo
+ * stack gets the change from the first values to the last.
  */
 class pqShapeEdit
 {
@@ -26,8 +27,8 @@ public:
   bool IsActive() const { return this->Active; }
   void Begin();
   void Show();
-  void Keep();     ///< the values are good: TakeBack returns to them
-  void TakeBack(); ///< to the values kept last, or else the first
+  void Keep();     ///< remembers the current values for TakeBack
+  void TakeBack(); ///< restores the values of the last Keep, or else the first ones
   void Finish(const QString& label);
   void Cancel();
 

@@ -5,8 +5,8 @@
 
 class vtkSMProxy;
 
-/// What a filter states in its first output's field data, under its name: "Seed" is
-/// PasteFeature.Seed of Shape Paste Feature; empty where it says nothing.
+/// Reads facts from the field data of a filter's first output, by their names without the prefix:
+/// "Seed" is PasteFeature.Seed of Shape Paste Feature. Returns nothing if the fact is absent.
 namespace pqShapeFacts
 {
 

@@ -24,14 +24,14 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double BallPixels = 8.0, KnobPixels = 6.0, SmallestRing = 36.0, GrabPixels = 4.0;
 constexpr double RingPixels = 2.0;
-/// A key or a step of the wheel turns by so many degrees and scales by such a factor; with Shift or
-/// Control a pixel does.
+/// Rotation and scaling for a key or a step of the wheel, and for a pixel of a drag with Shift or
+/// Control.
 constexpr double KeyDegrees = 5.0, KeyFactor = 1.05, PixelDegrees = 0.5, PixelFactor = 1.01;
-/// A part of the view's height or width.
+/// Maximum radius of the ring, as a share of the smaller of the view's width and height.
 constexpr double LargestRing = 0.4;
 constexpr int RingSegments = 72;
 
-/// Degrees in (-180, 180].
+/// Returns the angle in degrees, in (-180, 180].
 double Wrap(double degrees)
 {
   return degrees - 360.0 * std::ceil((degrees - 180.0) / 360.0);
@@ -50,9 +50,10 @@ pqShapeHandleWidget::pqShapeHandleWidget(
   {
     this->AddRow(function);
   }
-  this->AddHelp(tr("Drag the ball over the surface. Drag the knob, or press [ ] - +, to rotate and "
-                   "scale. Esc undoes a drag."));
-  this->TakeShortcut(Qt::Key_Plus); // ParaView's own grow and shrink a selection
+  this->AddHelp(
+    tr("Drag the ball to move over the surface. Drag the knob, or press [ ] - +, to rotate "
+       "and scale. Esc undoes a drag."));
+  this->TakeShortcut(Qt::Key_Plus); // in ParaView these keys grow and shrink a selection
   this->TakeShortcut(Qt::Key_Minus);
   this->RingActor = pqShapeDisplay::MakeCurve(this->Ring);
   this->AddActor(this->RingActor);
@@ -105,7 +106,7 @@ pqShapeHandleWidget::Frame pqShapeHandleWidget::MakeFrame()
   Frame frame;
   frame.Centre = position.Position;
   frame.Axes << first, normal.cross(first), normal;
-  // However small or large the feature is, the knob can be reached.
+  // The knob stays within reach for features of every size.
   const int* view = this->GetRenderer()->GetSize();
   const double pixel = pqShapeDisplay::PixelLength(this->GetRenderer(), frame.Centre);
   const double visible =
@@ -174,7 +175,7 @@ bool pqShapeHandleWidget::Polar(const Eigen::Vector2d& pixel, double& angle, dou
   const double along = -from.z() / way.z();
   if (!(along > ray.First) || !std::isfinite(along))
   {
-    return false; // the ring's plane is not seen there
+    return false; // the pixel shows no position of the ring's plane
   }
   const Eigen::Vector2d flat = (from + along * way).head<2>();
   angle = std::atan2(flat.y(), flat.x()) * 180.0 / Pi;
@@ -200,7 +201,7 @@ bool pqShapeHandleWidget::Drag(const Eigen::Vector2d& pixel)
   pqShapePlace position;
   if (!this->GetSurface().FindUnder(this->GetRenderer(), pixel + this->Offset, position))
   {
-    return false; // beside the surface the feature stays where it was
+    return false; // the mouse is not on the surface: the feature does not move
   }
   this->SetValues("Seed", { position.Position.x(), position.Position.y(), position.Position.z() });
   return true;
@@ -274,7 +275,7 @@ void pqShapeHandleWidget::Draw()
   pqShapeDisplay::PlaceBall(this->BallActor, frame.Centre, BallPixels * pixel);
   pqShapeDisplay::PlaceBall(this->KnobActor, frame.Knob, KnobPixels * pixel);
 
-  // On the far side, where the surface hides it, the handle is faint.
+  // On the far side of the surface the handle is faint.
   const double opacity =
     pqShapeDisplay::FacesViewer(renderer, frame.Centre, frame.Axes.col(2)) ? 1.0 : 0.3;
   const auto paint = [&](vtkActor* actor, bool bright)

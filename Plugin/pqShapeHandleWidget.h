@@ -3,17 +3,19 @@
 #include "pqShapeInteractiveWidget.h"
 
 /**
- * The handle of a filter that does something at a place of a surface: a ball at the place, and a
- * ring around it with a knob.
+ * The handle of a filter that works at a position on a surface: a ball at the position, and a ring
+ * around it with a knob.
  *
- * Dragging the ball moves the place over the surface under the mouse; with Shift it turns, with
- * Control it scales. Dragging the knob turns and scales at once. [ and ] turn, - and + scale, so do
- * the wheel and Control with the wheel while the mouse is on the handle; Escape takes a drag back.
+ * Dragging the ball moves the position over the surface. With Shift it rotates, and with Control it
+ * scales. Dragging the knob rotates and scales at the same time. The keys [ and ] rotate, and - and
+ * + scale. While the mouse is on the handle, the wheel rotates, and scales with Control. Escape
+ * undoes a drag.
  *
- * Functions of the property group (panel_widget="ShapeHandle"): Surface, Seed (3 numbers, a place);
- * optional: Rotation (degrees about the normal), Scale (a factor) or Radius (in model units),
- * Dragging, and Feature, the input by whose size the ring is drawn. The knob is where the filter
- * says in its fact `Direction` (or `XAxis`) that angle 0 is, turned by the Rotation.
+ * Functions of the property group (panel_widget="ShapeHandle"): Surface and Seed (3 numbers, the
+ * position). Optional functions: Rotation (degrees about the normal), Scale (a factor) or Radius
+ * (in model units), Dragging, and Feature, the input whose size determines the size of the ring.
+ * The filter's fact `Direction` (or `XAxis`) gives the direction of angle 0. The knob is at the
+ * angle Rotation.
  */
 class pqShapeHandleWidget : public pqShapeInteractiveWidget
 {
@@ -50,8 +52,8 @@ private:
     Scale,
     TurnAndScale
   };
-  /// Where the handle is, and the axes of its ring: columns from the centre to angle 0, to angle
-  /// 90, and the normal.
+  /// The position of the handle, and the axes of its ring as columns: the directions of angle 0 and
+  /// of angle 90, and the normal.
   struct Frame
   {
     Eigen::Vector3d Centre;
@@ -71,9 +73,9 @@ private:
   vtkSmartPointer<vtkActor> BallActor, KnobActor, RingActor;
   vtkSmartPointer<vtkPolyData> Ring;
   Motion Moving = Motion::Move;
-  Eigen::Vector3d Zero = Eigen::Vector3d::UnitX(); ///< where angle 0 points, but for the tilt
-  double Unit = 1.0;                               ///< the ring's radius where the size is 1
-  /// When the drag began: the mouse, the handle, and the values.
+  Eigen::Vector3d Zero = Eigen::Vector3d::UnitX(); ///< direction of angle 0, before projection
+  double Unit = 1.0;                               ///< radius of the ring for size 1
+  /// The mouse, the handle and the values at the beginning of the drag.
   Eigen::Vector2d FirstPixel, Offset;
   Frame FirstFrame;
   double FirstTurn = 0.0, FirstSize = 1.0, FirstAngle = 0.0, FirstDistance = 1.0;

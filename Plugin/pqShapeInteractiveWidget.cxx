@@ -24,9 +24,9 @@
 namespace
 {
 
-/// How far the mouse may move between press and release of a click, in a usual screen's pixels.
+/// Maximum motion of the mouse during a click, in pixels of a standard screen.
 constexpr double ClickDistance = 3.0;
-/// How long a pause ends a burst of keys, in milliseconds.
+/// Pause that ends a burst of keys, in milliseconds.
 constexpr int BurstPause = 400;
 
 std::vector<vtkSMProperty*> FindProperties(
@@ -54,7 +54,7 @@ pqShapeInteractiveWidget::pqShapeInteractiveWidget(vtkSMProxy* filter, vtkSMProp
   , Overlay(
       [this] { this->OnRender(); }, [this](unsigned long event) { return this->OnEvent(event); })
 {
-  this->setChangeAvailableAsChangeFinished(false); // a row knows when what is typed is finished
+  this->setChangeAvailableAsChangeFinished(false); // a row reports itself when editing is finished
   this->Layout->setContentsMargins(0, 0, 0, 0);
   this->ShowHandle->setObjectName("ShowHandle");
   this->ShowHandle->setChecked(true);
@@ -274,7 +274,7 @@ bool pqShapeInteractiveWidget::OnEvent(unsigned long event)
     case vtkCommand::LeftButtonDoubleClickEvent:
       return this->DoubleClick() || this->OnPress();
     case vtkCommand::RightButtonPressEvent:
-      this->LetGo(); // the menu that it opens takes the release of the left button
+      this->LetGo(); // the context menu hides the release of the left button
       return false;
     case vtkCommand::MouseWheelForwardEvent:
       return this->OnWheel(1);
@@ -289,7 +289,7 @@ bool pqShapeInteractiveWidget::OnMove()
 {
   if (this->Grabbed && this->Released)
   {
-    return true; // the drag ended where it was let go, be that not worked off yet
+    return true; // the drag has ended, even if its last step is not processed yet
   }
   this->Pixel = this->Overlay.GetPixel();
   if (this->Grabbed)
@@ -316,9 +316,9 @@ bool pqShapeInteractiveWidget::OnPress()
 {
   if (this->Stepping)
   {
-    return true; // an execution that lets events through is not interrupted
+    return true; // an execution that processes events is not interrupted
   }
-  this->LetGo(); // what was let go of, or lost its release, is worked off first
+  this->LetGo(); // first processes a drag that was released, or whose release was lost
   this->Pixel = this->Overlay.GetPixel();
   this->Pressed = this->Pixel;
   const int part = this->FindPart(this->Pixel);
@@ -345,7 +345,7 @@ bool pqShapeInteractiveWidget::OnRelease()
     this->StepTimer.start(0);
     return true;
   }
-  // The camera has seen the press: it sees the release, too.
+  // The camera received the press, so it must receive the release, too.
   const double reach = ClickDistance * pqShapeDisplay::PixelScale(this->GetRenderer());
   if (this->Clicking && (this->Pixel - this->Pressed).norm() <= reach && this->UpdateSurface() &&
     this->Click(this->Pixel))
@@ -360,7 +360,7 @@ void pqShapeInteractiveWidget::LetGo()
 {
   if (this->Grabbed)
   {
-    this->Step(); // to where the mouse was last
+    this->Step(); // to the last position of the mouse
   }
   this->EndDrag();
 }
@@ -394,7 +394,7 @@ bool pqShapeInteractiveWidget::OnKey()
 
 void pqShapeInteractiveWidget::Step()
 {
-  // What comes while a step is worked off is worked off after it.
+  // Events that arrive during a step are processed after it.
   if (!this->Edit.IsActive() || this->Stepping)
   {
     return;

@@ -24,22 +24,22 @@ class vtkSMProperty;
 class vtkSMPropertyGroup;
 
 /**
- * Rows of the panel together with a handle in the view that is dragged over the filter's input.
+ * Rows of the panel, and a handle in the view that is dragged over the filter's input.
  *
- * The handle belongs to the window alone: its actors are in the renderer that ParaView draws on top
- * of what the server sends. Mouse and keys are the interactor's events; those that the handle
- * takes do not reach the camera. A drag is worked off by a timer of no length, so that many moves
- * of the mouse in the time of one execution are one; it ends where the button was let go, or the
- * right one pressed.
+ * Only the window draws the handle: its actors are in the renderer that ParaView draws on top of
+ * the picture from the server. Mouse and keys are events of the interactor. Events that the handle
+ * uses do not reach the camera. A timer of zero length processes a drag, so that all moves of the
+ * mouse during one execution of the filter become one step. A drag ends when its button is released
+ * or the right button is pressed.
  *
- * A property group names the properties by function: Surface is the input on which the handle
- * lies, Dragging the property that asks the filter for speed; the others are the subclass's.
+ * A property group names the properties by function. Surface is the input on which the handle lies,
+ * and Dragging is the property by which the filter prefers speed. Subclasses define the others.
  *
- * The handle is where the data are: it does not follow a representation that is moved, turned or
- * scaled in the view. Comparative views have none.
+ * The handle is in data coordinates: it does not follow a representation that is translated,
+ * rotated or scaled in the view. Comparative views have no handle.
  *
- * Where the filter says `Refused` among its facts, and why in `Refusal`, it shows the last result
- * that it could make, and so does a drag that ends there.
+ * If the filter has the fact `Refused` = 1, with the reason in `Refusal`, its output is the last
+ * valid result. If a drag ends then, it returns to the values of that result.
  */
 class pqShapeInteractiveWidget : public pqPropertyWidget
 {
@@ -61,34 +61,35 @@ protected:
     const std::vector<std::string>& functions, QWidget* parent);
 
   ///@{
-  /// What a subclass is asked. Parts count up from 1; 0 is none. Drag changes the property values
-  /// and returns whether it did. What returns whether it took an event hides it from the camera.
+  /// For subclasses to override. Parts of the handle are numbered from 1, and 0 is none. Drag
+  /// returns whether it changed property values. The other functions that return bool say whether
+  /// they used the event, which then does not reach the camera.
   virtual int FindPart(const Eigen::Vector2d& pixel) = 0;
   virtual void Grab(int part, const Eigen::Vector2d& pixel, bool shift, bool control) = 0;
   virtual bool Drag(const Eigen::Vector2d& pixel) = 0;
   virtual bool PressKey(const std::string& key) = 0;
   virtual bool TurnWheel(int steps, bool control) = 0;
   virtual void Draw() = 0;
-  /// The mouse was pressed and released without a drag, beside every part.
+  /// Called if the mouse was pressed and released without a drag, and not on a part.
   virtual bool Click(const Eigen::Vector2d& /*pixel*/) { return false; }
   virtual bool DoubleClick() { return false; }
-  /// The handle appears, and the filter has never been applied.
+  /// Called when the handle appears and the filter has never been applied.
   virtual void Place() {}
-  /// The handle appears, or the filter was updated: what only a server knows is asked for here,
-  /// since nothing may be while a view is rendered.
+  /// Called when the handle appears or the filter was updated. Data of the server are read here,
+  /// because they cannot be requested while a view is rendered.
   virtual void ReadFacts() {}
   ///@}
 
   vtkSMProperty* GetProperty(const std::string& function) const;
-  /// What the panel shows: the property's value, or what was typed and not yet applied.
+  /// Returns the values in the panel: those of the property, or edited ones not yet applied.
   std::vector<double> GetValues(const std::string& function) const;
   void SetValues(const std::string& function, const std::vector<double>& values);
 
-  /// Appends the panel's usual row for a property, where the group has it.
+  /// Appends the standard row for a property, if the group has it.
   void AddRow(const std::string& function);
   void AddWidget(QWidget* widget);
-  /// Appends a line on what the mouse and the keys do, or, while the filter refuses, on why it
-  /// does.
+  /// Appends a text that explains the mouse and the keys. While the result is refused, it gives the
+  /// reason instead.
   void AddHelp(const QString& text);
   void AddActor(vtkProp* actor) { this->Overlay.AddActor(actor); }
   void TakeShortcut(int key) { this->Overlay.TakeShortcut(key); }
@@ -96,13 +97,14 @@ protected:
   vtkRenderer* GetRenderer() const { return this->Overlay.GetRenderer(); }
   const pqShapeSurface& GetSurface() const { return this->Surface; }
   int GetHovered() const { return this->Hovered; } ///< the part under the mouse
-  bool IsRefused() const { return this->Refused; } ///< the filter cannot do what is shown
-  /// A change by keys or the wheel: shown, and in full when no other has followed for a moment.
+  bool IsRefused() const { return this->Refused; } ///< the filter has the fact Refused
+  /// Shows a change by keys or the wheel. The final result is computed when no other change follows
+  /// for a moment.
   void Burst(const std::function<void()>& change);
   void EndBurst();
-  /// Ends what goes on, be it that the button is still pressed.
+  /// Ends a drag or a burst, even if the button is still pressed.
   void EndDrag();
-  /// A change that is made in full at once.
+  /// Makes a change and computes its final result immediately.
   void Change(const std::function<void()>& change);
   void RequestRender();
 
@@ -122,7 +124,7 @@ private:
   bool OnMove();
   bool OnPress();
   bool OnRelease();
-  void LetGo(); ///< EndDrag, where the mouse was last
+  void LetGo(); ///< EndDrag at the last position of the mouse
   bool OnWheel(int steps);
   bool OnKey();
   bool UpdateHovered();

@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr double CurvePixels = 3.0, MarkPixels = 10.0, LoopGrabPixels = 8.0, HoveredPixels = 7.0;
-/// Between two places the curve is drawn through so many places of the surface.
+/// Number of surface positions through which the curve between two positions is drawn.
 constexpr int Samples = 12;
 constexpr std::size_t MinimumPositions = 3;
 
@@ -34,8 +34,8 @@ pqShapeLoopWidget::pqShapeLoopWidget(vtkSMProxy* filter, vtkSMPropertyGroup* gro
   this->AddWidget(this->Button);
   this->AddHelp(
     tr("Click positions on the surface. Double-click or Enter closes the loop, Backspace "
-       "removes the last position, Esc cancels. Drag the positions of a closed loop. "
-       "Delete removes one."));
+       "removes the last position, Esc cancels. Positions of a closed loop can be dragged. "
+       "Delete removes the one under the mouse."));
   this->AddRow("Points");
   QObject::connect(this->Button, &QPushButton::toggled, this,
     [this]
@@ -102,7 +102,7 @@ int pqShapeLoopWidget::FindPart(const Eigen::Vector2d& pixel)
   const Positions positions = this->GetPlaces();
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    // Those on the far side are seen, too, but not meant.
+    // Positions on the far side are visible, but cannot be grabbed.
     if ((pqShapeDisplay::ToPixel(renderer, positions[i]) - pixel).norm() <= reach &&
       pqShapeDisplay::FacesViewer(
         renderer, positions[i], this->GetSurface().FindClosest(positions[i]).Normal))
@@ -127,7 +127,7 @@ bool pqShapeLoopWidget::Drag(const Eigen::Vector2d& pixel)
   const auto grabbed = static_cast<std::size_t>(this->Grabbed);
   Positions positions = this->GetPlaces();
   pqShapePlace position;
-  if (grabbed >= positions.size() || // undone while it is held
+  if (grabbed >= positions.size() || // an undo during the drag removed it
     !this->GetSurface().FindUnder(this->GetRenderer(), pixel + this->Offset, position))
   {
     return false;

@@ -5,15 +5,15 @@
 class QPushButton;
 
 /**
- * Draws a closed loop on a surface, place by place, and moves its places.
+ * Draws a closed loop on a surface, position by position, and moves its positions.
  *
- * While the button Draw Loop is pressed, a click on the surface appends a place, and a drag still
- * turns the camera. A double click or Enter closes the loop, Backspace takes the last place back,
- * Escape gives up: the filter keeps the loop that it had. The places of a closed loop are balls
- * that are dragged over the surface; Delete removes the one under the mouse.
+ * While the button Draw Loop is pressed, a click on the surface appends a position, and a drag
+ * still rotates the camera. A double click or Enter closes the loop, and Backspace removes the last
+ * position. Escape cancels: the filter keeps its previous loop. The positions of a closed loop are
+ * balls that can be dragged over the surface. Delete removes the one under the mouse.
  *
- * Functions of the property group (panel_widget="ShapeLoop"): Surface, Points (3 numbers for each
- * place; the last joins the first); optional: Dragging.
+ * Functions of the property group (panel_widget="ShapeLoop"): Surface and Points (3 numbers for
+ * each position; the last is connected with the first). Dragging is optional.
  */
 class pqShapeLoopWidget : public pqShapeInteractiveWidget
 {
@@ -41,7 +41,7 @@ private:
 
   using Positions = std::vector<Eigen::Vector3d>;
   bool IsDrawing() const;
-  /// What is being drawn, or else the filter's loop.
+  /// Returns the positions of the loop that is being drawn, or else of the filter's loop.
   Positions GetPlaces() const;
   void SetPlaces(const Positions& positions);
   void Close();
@@ -49,7 +49,7 @@ private:
 
   QPushButton* Button;
   Positions Drawn;
-  Positions Shown; ///< the places that the curve goes through, on that version of the surface
+  Positions Shown; ///< positions of the drawn curve, for ShownVersion of the surface
   bool ShownClosed = false;
   int ShownVersion = 0;
   int Grabbed = 0;

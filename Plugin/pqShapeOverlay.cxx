@@ -15,7 +15,7 @@
 namespace
 {
 
-/// Asked before ParaView's own 3D widgets and the camera.
+/// Higher than the priority of ParaView's 3D widgets and of the camera.
 constexpr float Priority = 10.0F;
 
 } // namespace
@@ -116,7 +116,7 @@ bool pqShapeOverlay::eventFilter(QObject* widget, QEvent* event)
       (key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
     if (alone && this->Shortcuts.contains(key->key()))
     {
-      event->accept(); // it comes again, as a key press
+      event->accept(); // Qt then sends it again as a key press
       return true;
     }
   }

@@ -21,14 +21,14 @@ class vtkRenderWindowInteractor;
 class vtkRenderer;
 
 /**
- * Actors that the window alone draws, on top of what a server sends, and the mouse and the keys of
- * the view that they are in.
+ * Actors that only the window draws, on top of the picture from the server, and the mouse and key
+ * events of their view.
  */
 class pqShapeOverlay : public QObject
 {
 public:
-  /// `draw` is called before the view is rendered; `takeEvent` with a vtkCommand event, and returns
-  /// whether to hide it from the camera.
+  /// `draw` is called before the view is rendered. `takeEvent` is called with a vtkCommand event,
+  /// and returns whether to hide the event from the camera.
   pqShapeOverlay(
     const std::function<void()>& draw, const std::function<bool(unsigned long)>& takeEvent);
   ~pqShapeOverlay() override;
@@ -36,24 +36,24 @@ public:
   void operator=(const pqShapeOverlay&) = delete;
 
   void AddActor(vtkProp* actor);
-  /// While the view has the focus, a key (of Qt::Key) comes here although it is a shortcut of the
-  /// window's.
+  /// While the view has the focus, a key (Qt::Key) is sent here even if it is a shortcut of the
+  /// window.
   void TakeShortcut(int key) { this->Shortcuts.insert(key); }
   void SetVisible(bool visible);
 
-  /// Whether a view draws by itself what the window puts into it, as a comparative one does not.
+  /// Returns whether the window can draw into a view. It cannot draw into comparative views.
   static bool CanAttach(pqView* view);
   void Attach(pqView* view);
   void Detach();
   bool IsAttached() const { return !this->Observers.empty(); }
 
   ///@{
-  /// While it is attached.
+  /// Valid while it is attached.
   vtkRenderer* GetRenderer() const;
-  Eigen::Vector2d GetPixel() const; ///< of the mouse
+  Eigen::Vector2d GetPixel() const; ///< position of the mouse
   bool IsShiftPressed() const;
   bool IsControlPressed() const;
-  std::string GetKey() const; ///< as X names them: "bracketleft"
+  std::string GetKey() const; ///< name of the pressed key in X: "bracketleft"
   ///@}
 
 private:

@@ -30,7 +30,7 @@
 namespace
 {
 
-/// A filter that no panel, no undo and no state file knows.
+/// Makes a filter that is in no panel, undo stack or state file.
 vtkSmartPointer<vtkSMSourceProxy> NewFilter(const char* name, vtkSMSourceProxy* input, int port)
 {
   vtkSmartPointer<vtkSMProxy> proxy;
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkSMSourceProxy> NewFilter(const char* name, vtkSMSourceProxy* 
   return vtkSMSourceProxy::SafeDownCast(proxy);
 }
 
-/// A surface alone, or the surfaces of all blocks.
+/// Returns the surface, or the surfaces of all blocks as one.
 vtkSmartPointer<vtkPolyData> ToSurface(vtkDataObject* data)
 {
   vtkNew<vtkAppendPolyData> append;
@@ -66,7 +66,7 @@ vtkSmartPointer<vtkPolyData> ToSurface(vtkDataObject* data)
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputConnection(append->GetOutputPort());
   normals->SplittingOff();
-  normals->ConsistencyOff(); // the filter takes the triangles as they are turned, too
+  normals->ConsistencyOff(); // the filters keep the orientation of the triangles, too
   normals->Update();
   vtkPolyData* surface = normals->GetOutput();
   return surface->GetNumberOfPolys() > 0 ? surface : nullptr;
@@ -120,7 +120,7 @@ bool pqShapeSurface::Update(double time)
   {
     this->Observe(source, port);
   }
-  // What an animation has kept comes back without a word from its source.
+  // Data from the cache of an animation return without an event of their source.
   if (!this->Fresh || time != this->Time)
   {
     this->Data = nullptr;
@@ -200,7 +200,7 @@ pqShapePlace pqShapeSurface::FindClosest(const Eigen::Vector3d& point) const
   this->Locator->FindClosestPoint(point.data(), closest.data(), cell, id, part, squared);
   if (id < 0)
   {
-    id = 0; // nothing is near to what is no number: the surface begins here
+    id = 0; // the position is not finite: use the first point of the surface
     this->Data->GetCell(id, cell);
     cell->GetPoints()->GetPoint(0, closest.data());
   }

@@ -13,7 +13,8 @@ class vtkSMProperty;
 class vtkSMSourceProxy;
 class vtkStaticCellLocator;
 
-/// A place on a surface, and the unit normal there, which the corners' normals make smooth.
+/// A position on a surface, and the unit normal there, interpolated from the normals of the
+/// corners.
 struct pqShapePlace
 {
   Eigen::Vector3d Position = Eigen::Vector3d::Zero();
@@ -21,11 +22,11 @@ struct pqShapePlace
 };
 
 /**
- * The surface that goes into a filter, for finding what lies under the mouse.
+ * The input surface of a filter, for finding the position under the mouse.
  *
- * The view cannot be asked: it shows the filter's output, while a place is wanted on the input. So
- * the window keeps a copy of its own, without arrays, which is fetched from the server where there
- * is one, all processes' pieces together. It is fetched again after the input has changed.
+ * The view shows the filter's output, and the position must be on its input. The window therefore
+ * keeps a copy of the input, without arrays. The copy has the pieces of all processes of the
+ * server, and is fetched again when the input has changed.
  */
 class pqShapeSurface
 {
@@ -36,19 +37,19 @@ public:
   pqShapeSurface(const pqShapeSurface&) = delete;
   void operator=(const pqShapeSurface&) = delete;
 
-  /// Fetches what is new, as it is at a time. Returns whether there is a surface.
+  /// Fetches the input at a time if it has changed. Returns whether there is a surface.
   bool Update(double time);
   bool IsThere() const { return this->Data != nullptr; }
   double GetTime() const { return this->Time; }    ///< of the last Update
-  int GetVersion() const { return this->Version; } ///< another for each surface fetched
+  int GetVersion() const { return this->Version; } ///< changes with each fetched surface
 
-  /// The first place that the line of sight through a pixel meets; false where it meets none.
+  /// Finds the first position on the line of sight through a pixel. Returns false if there is none.
   bool FindUnder(vtkRenderer* renderer, const Eigen::Vector2d& pixel, pqShapePlace& place) const;
 
-  /// The place closest to a point.
+  /// Returns the position closest to a point.
   pqShapePlace FindClosest(const Eigen::Vector3d& point) const;
 
-  /// Half the diagonal of the box around the surface.
+  /// Returns half the diagonal of the bounding box of the surface.
   double GetSize() const;
 
 private:

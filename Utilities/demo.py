@@ -1,15 +1,15 @@
 """Fills a model with hexahedra, maps it onto a ball and draws it: pvpython demo.py MODEL.off OUTPUT_FOLDER.
 
 1. The solid inside the model's surface is filled with hexahedra (Shape Hex Remesh).
-2. The surface is mapped onto the unit sphere (Shape Parameterize). A conformal map shrinks a long thin
-   part, like the bunny's ears, exponentially with its length, until next to nothing of the sphere is
-   left for it; Area Weight keeps it large enough.
-3. The surface with its sphere positions as its map array is the boundary of the solid: Shape Harmonic
-   Volume Map carries the hexahedra into the ball, untangles those that the map inverts (Fold Free), and
-   the ball's distance field is brought back to the model.
-4. What came out is written and drawn.
+2. The surface is mapped onto the unit sphere (Shape Parameterize). A conformal map shrinks a protrusion,
+   like the bunny's ears, exponentially with its length, to almost nothing. Area Weight keeps it large
+   enough.
+3. The surface is the boundary of the solid, with the positions on the sphere as map array. Shape Harmonic
+   Volume Map moves the hexahedra into the ball, and untangles those that the map inverts (Fold Free). The
+   distance field of the ball is transferred back to the model.
+4. The results are written and drawn.
 
-It raises where a hexahedron is inverted, a triangle of the sphere is flipped or a filter fails.
+An exception is raised if a hexahedron is inverted, a triangle of the sphere is flipped or a filter fails.
 """
 import os
 import sys
@@ -173,13 +173,13 @@ def main(model_path, folder):
     print('''
 Model        %d points, %d triangles
 Hexahedra    %d, by method %s; minimum scaled Jacobian %.2f, mean %.3f, none inverted;
-             %.2f %% of the diagonal from the surface at most
-Sphere map   %d triangles flipped; the 5 %% of the surface shrunk most have %.1e of the sphere
-             (%.1e of it in the conformal map, area weight 0)
+             boundary within %.2f %% of the diagonal of the surface
+Sphere map   %d triangles flipped; the 5 %% of the surface that shrinks most covers %.1e of the sphere
+             (%.1e in the conformal map, with area weight 0)
 Ball         by the map alone: minimum scaled Jacobian %.3f, mean %.3f, %d inverted;
              with Fold Free: minimum %.1e, mean %.3f, %d inverted
-Volume map   error on the sphere %.2e at points, %.2e inside triangles, at most %.2e
-             (of the longest side; root mean square, root mean square, largest)
+Volume map   error on the sphere: root mean square %.2e at points and %.2e inside triangles, maximum %.2e
+             (divided by the longest edge of the bounding box)
 Charges      %d in %d levels
 Seconds      hexahedra %.1f, sphere map %.1f, volume map %.1f, pictures %.1f, all %.1f
 Results      %s''' % (

@@ -361,7 +361,7 @@ for index in (0, 1):
     assert abs(rim_length(found) / numpy.pi - numpy.sin((0.7, 1.4)[index])) < 0.3
 # The longest is the first.
 assert covered[0] > 1.2 * covered[1], covered
-refused('Loop Index is 2; the Feature has 2', 'PasteFeature', belt, base, LoopIndex=2)
+refused('Loop Index is 2, but the Feature has 2', 'PasteFeature', belt, base, LoopIndex=2)
 # Two bowls that touch at a point of their rims: one of the two loops there is joined, the other is open.
 bowl = cut_up(sphere(24, height=0.3))
 outer = points(bowl)[numpy.hypot(points(bowl)[:, 0], points(bowl)[:, 1]).argmax()]

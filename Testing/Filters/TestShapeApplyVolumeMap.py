@@ -149,7 +149,7 @@ assert fact(counted, 'ApplyVolumeMap.OutsidePoints') == array(counted, 'OutsideD
 
 # Wrong maps: the error names the filter, the fact and the remedy.
 message = error_of(small, surface)
-assert "Shape Apply Volume Map: the Map has no field data 'Affine'" in message, message
+assert "Shape Apply Volume Map: the Map has no field data array 'Affine'" in message, message
 bare = copy(charge_set)
 bare.GetPointData().RemoveArray('Charge')
 assert "the Map has no point array 'Charge'" in error_of(small, bare)

@@ -370,18 +370,18 @@ add_array(spoiled_map, broken, 'TargetPosition')
 spoiled_weight = cloud(line)
 add_array(spoiled_weight, numpy.array([1.0, numpy.nan]), 'Weight')
 for features, targets, words in (
-        ([unmapped], [], "feature 0 has no point array 'TargetPosition', and none of the 0 "),
+        ([unmapped], [], "feature 0 has no point array 'TargetPosition', and no TargetFeatures are left"),
         ([unmapped, unmapped], [unmapped], "feature 1 has no point array 'TargetPosition', and "),
-        ([unmapped], [unmapped, unmapped], 'there are 2 TargetFeatures, but 1 Features'),
-        ([], [unmapped], 'there are 1 TargetFeatures, but 0 Features'),
-        ([unmapped], [cloud(own[0])], 'feature 0 has 2 points and its target has 41'),
+        ([unmapped], [unmapped, unmapped], 'there are 2 TargetFeatures, but only 1 Features'),
+        ([], [unmapped], 'there are 1 TargetFeatures, but only 0 Features'),
+        ([unmapped], [cloud(own[0])], 'feature 0 has 2 points, but its target has 41'),
         ([polylines([line])], [polylines([line, line])], 'has 1 curves and its target has 2'),
         ([polylines([line])], [unmapped], 'has 1 curves and its target has 0'),
         ([polylines([line[:1]])], [polylines([line])], 'curve 0 of feature 0 has no length'),
         ([polylines([line])], [polylines([line[[0, 0]]])], 'curve 0 of the target of feature 0'),
         ([polylines([1e9 * line])], [polylines([line])], 'is far longer than the shape'),
-        ([spoiled_map], [], 'the list of images of feature 0 has 1 point with a value that is not'),
-        ([unmapped], [cloud(broken)], 'the list of images of feature 0 has 1 point'),
+        ([spoiled_map], [], 'the map of feature 0 has 1 point with a value that is not'),
+        ([unmapped], [cloud(broken)], 'the map of feature 0 has 1 point'),
         ([polylines([line])], [polylines([broken])], 'curve 0 of the target of feature 0 has 1 '),
         ([cloud(broken)], [unmapped], 'feature 0 has 1 point with a value that is not finite'),
         ([spoiled_weight], [unmapped], 'the Weight of feature 0 has 1 point with a value')):
@@ -463,7 +463,7 @@ assert (array(charges, 'Charge') == array(same_charges, 'Charge')).all()
 assert not folding.GetFieldData().HasArray('HarmonicVolumeMap.InvertedBefore')
 for domain, words in ((cloud([[0.0, 0.0, 0.0]]), 'FoldFree needs a Domain with solid cells'),
                       (surface, 'FoldFree needs a Domain with solid cells'),
-                      (tables, 'FoldFree needs the Domain in one data set')):
+                      (tables, 'FoldFree needs a Domain that is one data set')):
     unfit = new(domain, moved_boundary)
     unfit.SetFoldFree(True)
     if domain is tables:

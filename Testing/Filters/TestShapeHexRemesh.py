@@ -149,7 +149,7 @@ for method, name in ((1, 'Polycube'), (2, 'Grid')):
     assert not said, said
     check(solid, boundary, 0)
     assert words(solid, 'HexRemesh.Method') == name
-    assert words(solid, 'HexRemesh.Reason').startswith('asked for')
+    assert words(solid, 'HexRemesh.Reason').startswith('chosen as Method')
 
 # The size of cells as a number of them on the longest side.
 sphere = simple.Sphere(ThetaResolution=40, PhiResolution=40)
@@ -295,7 +295,7 @@ for surface, size, euler in ((box, 0.25, 2), (ellipsoid, 0.1, 2), (tube, 0.2, 0)
     own = check(solid, boundary, euler)
     assert own.min() > 0.3, own.min()
     assert words(solid, 'HexRemesh.Method') == 'Polycube'
-    assert words(solid, 'HexRemesh.Reason').startswith('the given Polycube')
+    assert words(solid, 'HexRemesh.Reason').startswith('the Polycube is given')
     if surface is box:
         assert own.min() > 0.999 and fact(solid, 'HexRemesh.CreasesKept') == 1
 given = shapetesting.output(polycube, 1)

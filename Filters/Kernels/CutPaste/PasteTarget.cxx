@@ -62,17 +62,17 @@ std::string Reason(const CoveredRegion& cover)
   {
     case CoveredRegionFault::Flipped:
       return "its loop goes through " + std::to_string(cover.FlippedAtLoop) +
-        " triangles there that are flipped when the target is laid out flat";
+        " triangles that flip when the target is flattened there";
     case CoveredRegionFault::Overlaps:
-      return "the target wraps around there, so that its footprint would cover it twice";
+      return "the target wraps around there, so the feature would cover a part of it twice";
     case CoveredRegionFault::NotADisk:
-      return "its footprint there goes around a handle or a hole of the target";
+      return "the region that it would cover there contains a handle or a hole of the target";
     case CoveredRegionFault::LeavesSurface:
-      return "its footprint there leaves the target over its rim";
+      return "it would extend beyond the boundary of the target there";
     case CoveredRegionFault::Collapsed:
-      return "its loop shrinks to a point there when the target is laid out flat";
+      return "an edge of its loop shrinks to a point when the target is flattened there";
     default:
-      return "its footprint reaches beyond the target there";
+      return "the region that it would cover there extends beyond the flattened part of the target";
   }
 }
 

@@ -175,8 +175,9 @@ bool SurfaceFiller::Try(
     hole.Facts.Method = method;
     hole.Facts.DeviationBefore = fill.DeviationBefore;
     hole.Facts.DeviationAfter = fill.DeviationAfter;
-    hole.Facts.Reason = !fill.Converged ? NameOf(method) + " did not settle: the smoothest met"
-      : fill.IsSound                    ? ""
+    hole.Facts.Reason = !fill.Converged
+      ? NameOf(method) + " did not converge; its smoothest fill is used"
+      : fill.IsSound ? ""
                      : NameOf(method) + " has more than ten times the membrane's area";
     hole.IsFilled = true;
     return fill.IsSound;
@@ -217,7 +218,7 @@ void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const P
     {
       if (!this->Try(hole, method, options, progress))
       {
-        reason += NameOf(method) + " did not settle; ";
+        reason += NameOf(method) + " did not converge; ";
         unsettled = method;
       }
       else if (consider())
@@ -226,12 +227,12 @@ void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const P
       }
       else
       {
-        reason += NameOf(method) + " meets itself or the surface; ";
+        reason += NameOf(method) + " intersects itself or the surface; ";
       }
     }
     catch (const SolveFailure&)
     {
-      reason += NameOf(method) + " was not found; ";
+      reason += NameOf(method) + " failed; ";
     }
   }
   if (minimum > 0 && unsettled)
@@ -247,8 +248,8 @@ void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const P
   hole.Patch = std::move(bestPatch);
   hole.Facts = std::move(best);
   hole.Facts.Reason = reason +
-    (minimum == 0 ? NameOf(hole.Facts.Method) + " does not meet them"
-                  : "least of all " + NameOf(hole.Facts.Method));
+    (minimum == 0 ? NameOf(hole.Facts.Method) + " has no intersections"
+                  : NameOf(hole.Facts.Method) + " has the fewest intersections");
 }
 
 /// Fills each by the requested method, or Automatic's first; returns which need another one.

@@ -116,11 +116,15 @@ HexRemeshResult ByPolycube(
     result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.4, 0.9));
   }
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
-  const char* maps[] = { "the harmonic map of the polycube's boundary",
-    "the map of tetrahedra onto the polycube, whose harmonic map would turn more cells over",
-    "a grid in the solid bent towards the axes, for want of a polycube with charts" };
+  const char* maps[] = {
+    "the harmonic map of the polycube's boundary",
+    "the map of tetrahedra onto the polycube, because the harmonic map of its boundary would "
+    "invert more cells",
+    "a grid in the solid after it was bent towards the axes, because no better polycube was found"
+  };
   return { std::move(result.Fit), std::move(result.Features), MethodType::Polycube,
-    std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {}, true };
+    std::string("its cells mapped by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0,
+    {}, true };
 }
 
 HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& options,
@@ -135,7 +139,8 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   result.Fit = FitHexahedra(
     cells.Solid, surface, result.Features, { options.PaddingLayers }, progress.Part(0.4, 0.9));
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
-  result.Reason = "the given Polycube, carried by the harmonic map of its SourcePosition";
+  result.Reason =
+    "the Polycube is given; its cells are mapped by the harmonic map of its SourcePosition";
   return result;
 }
 
@@ -167,7 +172,7 @@ HexRemeshResult ByTheBetter(
     if (fit.CreasesKept && fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
       fit.Distance <= LargestDistance * diagonal)
     {
-      polycube->Reason = "a polycube was found, " + polycube->Reason;
+      polycube->Reason = "a polycube was found, with " + polycube->Reason;
       return std::move(*polycube);
     }
   }
@@ -186,13 +191,13 @@ HexRemeshResult ByTheBetter(
   }
   else if (IsBetter(polycube->Fit, grid.Fit))
   {
-    polycube->Reason = "better than a grid, " + polycube->Reason;
+    polycube->Reason = "better than a grid: a polycube with " + polycube->Reason;
     return std::move(*polycube);
   }
   else
   {
-    grid.Reason = "better than the polycube, whose worst scaled Jacobian is " +
-      std::to_string(polycube->Fit.MinimumScaledJacobian) + " at a distance of " +
+    grid.Reason = "better than the polycube, whose minimum scaled Jacobian is " +
+      std::to_string(polycube->Fit.MinimumScaledJacobian) + ", at a distance from the surface of " +
       std::to_string(polycube->Fit.Distance / diagonal) + " of the diagonal" +
       (polycube->Fit.CreasesKept ? "" : ", without the creases");
   }
@@ -254,16 +259,16 @@ HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
   if (options.Method == MethodType::Polycube)
   {
     result = ByPolycube(surface, options, progress);
-    result.Reason = "asked for, " + result.Reason;
+    result.Reason = "chosen as Method, with " + result.Reason;
     return result;
   }
   if (options.Method == MethodType::Grid || NeedsGrid(guides))
   {
     result = ByGrid(surface, options, progress, guides);
-    result.Reason = options.Method == MethodType::Grid ? "asked for"
+    result.Reason = options.Method == MethodType::Grid ? "chosen as Method"
       : guides.InnerSurfaces.empty()
-      ? "a SizeArray is given, and the sizes of a polycube's cells are not free"
-      : "InnerSurfaces are given, which polycubes do not keep";
+      ? "a SizeArray is given, and the cells of a polycube cannot have given sizes"
+      : "InnerSurfaces are given, and polycubes do not contain them";
     result.Reason += result.InnerCreasesKept ? "" : "; creases of InnerSurfaces are rounded";
     return result;
   }
@@ -271,11 +276,11 @@ HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
       crossings > 0)
   {
     result = ByGrid(surface, options, progress.Part(0.02, 1.0));
-    result.Reason = "the surface crosses itself at " + std::to_string(crossings) +
+    result.Reason = "the surface intersects itself at " + std::to_string(crossings) +
       " pairs of triangles; the solid is what it winds around" +
-      (result.TopologyAgreed
-          ? ""
-          : ", whose Euler number and components are as one grid has them, for no two agree");
+      (result.TopologyAgreed ? ""
+                             : ", and no two grids agree on its Euler number and components, so "
+                               "those of one grid are used");
     return result;
   }
   return ByTheBetter(surface, options, progress.Part(0.02, 1.0));
@@ -299,7 +304,7 @@ HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& 
   if (result.Fit.Released > 0)
   {
     result.Reason += "; " + std::to_string(result.Fit.Released) +
-      " points of the boundary are off the surface, where hexahedra on it stayed inverted or bad";
+      " boundary points left the surface, because hexahedra there would stay inverted or bad";
   }
   if (result.Fit.Inverted > 0)
   {

@@ -354,7 +354,8 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   }
   catch (const std::bad_alloc&)
   {
-    message = "out of memory; use a coarser input or lower ratios";
+    message = "out of memory; use a coarser input, or lower properties that take memory, such as "
+              "Collocation Ratio";
   }
   catch (const std::exception& error)
   {

@@ -102,8 +102,8 @@ shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& nam
   if (polys->GetNumberOfCells() != CountTriangles(surface))
   {
     throw shape::InvalidInput(name +
-      " has a polygon that cannot be triangulated; repair it, "
-      "or apply Triangulate and find the missing cells");
+      " has a polygon that cannot be triangulated; find it with Triangulate, which leaves it out, "
+      "and repair it");
   }
   shape::Mesh mesh{ ToPoints(surface), Eigen::MatrixXi(polys->GetNumberOfCells(), 3) };
   vtkNew<vtkIdList> corners;
@@ -199,8 +199,8 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
     data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
   {
     throw shape::InvalidInput(name +
-      " has more points or cells than 2^31 corners allow; divide it "
-      "into blocks, or use more processes");
+      " has more than 2^31 points, or more cells than 2^31 corners allow; divide it into blocks, "
+      "or use more processes");
   }
   shape::CellSimplices cells;
   vtkNew<vtkGenericCell> generic;
@@ -257,7 +257,7 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(
       present += (present.empty() ? "" : ", ") + std::string(other ? other : "(unnamed)");
     }
     throw shape::InvalidInput(name + " has no point array '" + array + "'" +
-      (present.empty() ? ", nor any other" : "; it has " + present));
+      (present.empty() ? ", and no other point array" : "; it has " + present));
   }
   if (values->GetNumberOfComponents() != components)
   {

@@ -57,8 +57,8 @@ shape::NumberedSurface vtkShapePreciseMap::ToSurface(
                isPolygon = type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON;
     if (!isVertex && !isLine && !isPolygon && type != VTK_TRIANGLE_STRIP)
     {
-      throw shape::MapOfAnotherSurface("TargetCell names triangles of a surface, and " + name +
-        " has cells of other kinds (first cell " + std::to_string(cell) +
+      throw shape::MapOfAnotherSurface("TargetCell refers to triangles of a surface, but " + name +
+        " has cells of other types (first cell " + std::to_string(cell) +
         "); connect the surface for which the map was made as " + name +
         ", or remove TargetCell with Pass Arrays to use closest positions");
     }

@@ -106,16 +106,16 @@ std::vector<char> MarksOfExtracted(vtkDataSet* extracted, vtkIdType cells)
   if (!ids && extracted->GetNumberOfCells() > 0)
   {
     throw shape::InvalidInput(
-      "the Selection has no cell array 'vtkOriginalCellIds'; connect a"
-      " selection, or the output of Extract Selection for cells of the Input");
+      "the Selection has no cell array 'vtkOriginalCellIds'; connect a selection made in a view, "
+      "or the output of Extract Selection applied to the Input");
   }
   for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
   {
     const auto cell = static_cast<vtkIdType>(ids->GetComponent(i, 0));
     if (cell < 0 || cell >= cells)
     {
-      throw shape::InvalidInput("the Selection has cell " + std::to_string(cell) +
-        ", and the Input has " + std::to_string(cells) +
+      throw shape::InvalidInput("the Selection contains cell " + std::to_string(cell) +
+        ", but the Input has only " + std::to_string(cells) +
         " cells; extract the selection from the Input itself");
     }
     marks[cell] = 1;
@@ -130,9 +130,8 @@ std::vector<vtkDataSet*> LeavesLike(vtkDataObject* like, vtkDataObject* data)
   auto* other = vtkCompositeDataSet::SafeDownCast(data);
   if ((tree == nullptr) != (other == nullptr))
   {
-    throw shape::InvalidInput(
-      "the blocks of the Selection are not those of the Input; extract it from the"
-      " Input itself");
+    throw shape::InvalidInput("the Selection does not have the same blocks as the Input; extract "
+                              "the selection from the Input itself");
   }
   if (!tree)
   {

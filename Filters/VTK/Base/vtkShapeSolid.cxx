@@ -113,7 +113,7 @@ shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& n
         throw shape::InvalidInput(name + " has a " +
           vtkCellTypes::GetClassNameFromTypeId(cells.Kinds(cell)) + " (cell " +
           std::to_string(cell) +
-          "), and only tetrahedra, pyramids, wedges and hexahedra can be untangled; remove the "
+          "), but only tetrahedra, pyramids, wedges and hexahedra can be untangled; remove the "
           "others with Extract Cells By Type, or fill a surface with Shape Tetrahedralize");
     }
   }
@@ -196,9 +196,9 @@ void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessContro
   const std::vector<vtkDataSet*> leaves = vtkShapeComposite::Of(domain);
   if (leaves.size() != 1 || (controller && controller->GetNumberOfProcesses() > 1))
   {
-    throw shape::InvalidInput("FoldFree needs the Domain in one data set and one process; join "
-                              "blocks with Merge Blocks, or apply Shape Untangle to the output, "
-                              "with the Domain as its RestShape, which joins them");
+    throw shape::InvalidInput(
+      "FoldFree needs a Domain that is one data set on one process; join blocks with Merge Blocks, "
+      "or turn FoldFree off and apply Shape Untangle to the output, with the Domain as RestShape");
   }
   bool solid = false;
   for (vtkIdType cell = 0; cell < leaves[0]->GetNumberOfCells() && !solid; ++cell)
@@ -208,8 +208,8 @@ void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessContro
   if (!solid)
   {
     throw shape::InvalidInput(
-      "FoldFree needs a Domain with solid cells, and this one has only points or surface cells, "
-      "which cannot be inverted; fill a surface with Shape Tetrahedralize, or turn FoldFree off");
+      "FoldFree needs a Domain with solid cells, but this one has only points or surface cells; "
+      "fill a surface with Shape Tetrahedralize, or turn FoldFree off");
   }
 }
 

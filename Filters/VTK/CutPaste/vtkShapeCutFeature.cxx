@@ -60,7 +60,8 @@ void vtkShapeCutFeature::SetLoopPoints(int index, double x, double y, double z)
 {
   if (index < 0)
   {
-    vtkErrorMacro(<< "a loop has no point " << index);
+    vtkErrorMacro(<< this->GetLabel() << ": Loop Points has no index " << index
+                  << "; use an index from 0");
     return;
   }
   const auto first = 3 * static_cast<std::size_t>(index);
@@ -152,13 +153,14 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   const auto loopPoints = static_cast<Eigen::Index>(this->LoopPoints.size() / 3);
   if (hasLoop && this->GetNumberOfInputConnections(2) > 0)
   {
-    throw shape::InvalidInput("both Loop and Selection are connected; disconnect one");
+    throw shape::InvalidInput("both Loop and Selection are connected; disconnect one of them");
   }
   if (!hasLoop && !marked && loopPoints < 3)
   {
-    throw shape::InvalidInput("there is no loop: connect a closed polyline to Loop, or a selection"
-                              " to Selection, or draw a loop: Loop Points has " +
-      std::to_string(loopPoints) + " positions, and at least 3 are needed");
+    throw shape::InvalidInput("there is no loop, and Loop Points has " +
+      std::to_string(loopPoints) +
+      " positions instead of at least 3; draw a loop, or connect a closed polyline to Loop or a "
+      "selection to Selection");
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
   Kept& kept = *this->Cache;

@@ -66,8 +66,8 @@ std::vector<int> ChooseLoop(const shape::Mesh& feature, const Eigen::MatrixXd& n
   }
   if (index < 0 || index >= static_cast<int>(loops.size()))
   {
-    throw shape::InvalidInput("Loop Index is " + std::to_string(index) + "; the Feature has " +
-      std::to_string(loops.size()) + " open loops, numbered from 0");
+    throw shape::InvalidInput("Loop Index is " + std::to_string(index) + ", but the Feature has " +
+      std::to_string(loops.size()) + " open loops; choose one of them, numbered from 0");
   }
   const auto wasCut = std::find_if(loops.begin(), loops.end(),
     [&](const std::vector<int>& loop) { return WasCut(loop, normals); });

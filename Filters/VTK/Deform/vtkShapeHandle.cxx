@@ -80,9 +80,9 @@ int ToLabel(vtkDataArray* values, vtkIdType i)
   const double label = values->GetComponent(i, 0);
   if (!(std::abs(label) < std::numeric_limits<int>::max()))
   {
-    throw shape::InvalidInput("the labels '" + std::string(values->GetName()) + "' have " +
-      std::to_string(label) + " at number " + std::to_string(i) +
-      "; use labels that fit into 32 bits");
+    throw shape::InvalidInput("the segment array '" + std::string(values->GetName()) +
+      "' has the value " + std::to_string(label) + " at index " + std::to_string(i) +
+      "; use values that fit into 32 bits");
   }
   return static_cast<int>(label);
 }
@@ -122,7 +122,8 @@ public:
       {
         throw shape::InvalidInput("point " + std::to_string(i) +
           " of a piece of the Input belongs only to hidden cells, or to ghost cells that no "
-          "process owns; extract the other cells with Threshold, or remove it with Clean to Grid");
+          "process owns; extract the visible cells with Threshold, or remove the point with Clean "
+          "to Grid");
       }
       found[i] = position->second;
     }

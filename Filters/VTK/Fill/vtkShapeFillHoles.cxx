@@ -70,7 +70,8 @@ void vtkShapeFillHoles::SetLoopIndices(int index, int loop)
 {
   if (index < 0)
   {
-    vtkErrorMacro(<< "there is no index " << index);
+    vtkErrorMacro(<< this->GetLabel() << ": Loop Indices has no index " << index
+                  << "; use an index from 0");
     return;
   }
   const auto position = static_cast<std::size_t>(index);

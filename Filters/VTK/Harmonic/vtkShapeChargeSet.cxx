@@ -40,8 +40,9 @@ std::vector<Affine> ReadAffines(vtkPolyData* data, const std::string& name)
   if (!one && (tuples == 0 || components != 12))
   {
     throw shape::InvalidInput(name +
-      " has no field data 'Affine' of 3 tuples of 4 numbers, or of 12 for each region; connect a "
-      "charge set, such as the output Charges of Shape Harmonic Volume Map");
+      " has no field data array 'Affine' with 3 tuples of 4 numbers, or with one tuple of 12 "
+      "numbers for each region; connect a charge set, such as the output Charges of Shape Harmonic "
+      "Volume Map");
   }
   std::vector<Affine> affines(one ? 1 : tuples);
   for (int i = 0; i < 12 * static_cast<int>(affines.size()); ++i)
@@ -70,7 +71,7 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
     {
       throw shape::InvalidInput(name + " has " + std::to_string(regions) +
         " affine parts, but RegionId " + std::to_string(values(i)) + " at point " +
-        std::to_string(i) + "; regions are numbered from 0, and -1 marks the boundaries of voids");
+        std::to_string(i) + "; number the regions from 0, and use -1 at the boundaries of voids");
     }
     ids[i] = static_cast<int>(values(i));
   }
@@ -146,7 +147,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
           " has a charge on the surface that bounds its domain (at "
           "point " +
           std::to_string(point) +
-          "); move charges outside, and set 0 at the points of the surface");
+          "); move the charge outside, or set Charge to 0 at the points of the surface");
       }
       return positionInSurface[point];
     });

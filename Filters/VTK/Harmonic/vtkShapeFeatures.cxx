@@ -86,8 +86,8 @@ shape::VolumeFeatures ByOrder(vtkPolyData* feature, vtkPolyData* target,
   if (feature->GetNumberOfPoints() != target->GetNumberOfPoints())
   {
     throw shape::InvalidInput(name + " has " + std::to_string(feature->GetNumberOfPoints()) +
-      " points and its target has " + std::to_string(target->GetNumberOfPoints()) +
-      "; points are paired by order, so use equal numbers, or curves, or the map array");
+      " points, but its target has " + std::to_string(target->GetNumberOfPoints()) +
+      "; points are paired by order: use equal numbers of points, or curves, or add the map array");
   }
   return { vtkShapeConvert::ToPoints(feature), vtkShapeConvert::ToPoints(target), weights };
 }
@@ -118,9 +118,9 @@ shape::VolumeFeatures vtkShapeFeatures::Read(const std::vector<vtkPolyData*>& fe
     const bool carries = feature->GetPointData()->HasArray(mapArray.c_str());
     if (!carries && used == targets.size())
     {
-      throw shape::InvalidInput(name + " has no point array '" + mapArray + "', and none of the " +
-        std::to_string(targets.size()) +
-        " TargetFeatures is left for it; add the array, or connect its target");
+      throw shape::InvalidInput(name + " has no point array '" + mapArray +
+        "', and no TargetFeatures are left to pair with it (" + std::to_string(targets.size()) +
+        " connected); add the array, or connect its target");
     }
     const Eigen::VectorXd weights = Weights(feature, defaultWeight, name);
     shape::VolumeFeatures part;
@@ -138,15 +138,15 @@ shape::VolumeFeatures vtkShapeFeatures::Read(const std::vector<vtkPolyData*>& fe
       part = ByOrder(feature, targets[used++], weights, name);
     }
     shape::RequireFinite(part.Points, name);
-    shape::RequireFinite(part.Targets, "the list of images of " + name);
+    shape::RequireFinite(part.Targets, "the map of " + name);
     Append(all, part);
   }
   if (used < targets.size())
   {
     throw shape::InvalidInput("there are " + std::to_string(targets.size()) +
-      " TargetFeatures, but " + std::to_string(used) +
-      " Features without the map array to pair them with; disconnect the others, or connect their "
-      "Features");
+      " TargetFeatures, but only " + std::to_string(used) +
+      " Features without the map array, which need one; disconnect the other targets, or connect "
+      "their Features");
   }
   return all;
 }
@@ -167,9 +167,9 @@ vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPoly
       if (!feature->GetPointData()->HasArray("Weight"))
       {
         throw shape::InvalidInput(name +
-          " is not a surface, so it cannot be met exactly: by the maximum principle a harmonic map "
-          "that moves inner points or curves by some distance moves the boundary about as far; "
-          "add a point array 'Weight' to meet it in the least-squares sense, or turn Exact off");
+          " is not a surface, so Exact cannot meet it: by the maximum principle, a harmonic map "
+          "could meet inner points or curves only by moving the boundary about as far; add a point "
+          "array 'Weight' to meet it in the least-squares sense, or turn Exact off");
       }
       split.Features.push_back(feature);
       if (target)
@@ -181,9 +181,9 @@ vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPoly
     const shape::Mesh mesh = vtkShapeConvert::ToMesh(feature, name);
     if (!carries && !target)
     {
-      throw shape::InvalidInput(name + " has no point array '" + mapArray + "', and none of the " +
-        std::to_string(targets.size()) +
-        " TargetFeatures is left for it; add the array, or connect its target");
+      throw shape::InvalidInput(name + " has no point array '" + mapArray +
+        "', and no TargetFeatures are left to pair with it (" + std::to_string(targets.size()) +
+        " connected); add the array, or connect its target");
     }
     const Eigen::MatrixXd images = carries
       ? vtkShapeConvert::ToPointArray(feature, mapArray, 3, name)

@@ -53,7 +53,7 @@ void RequireKnownCells(const shape::Cells& cells)
       (count == 1 ? " cell" : " cells") + " of the type " +
       vtkCellTypes::GetClassNameFromTypeId(*first) + " (first cell " +
       std::to_string(first - cells.Kinds.begin()) +
-      "), and only linear vertices, lines, triangles, quadrilaterals, tetrahedra, pyramids, wedges "
+      "), but only linear vertices, lines, triangles, quadrilaterals, tetrahedra, pyramids, wedges "
       "and hexahedra can be written; divide others with Tetrahedralize, or remove them with "
       "Extract "
       "Cells By Type");
@@ -78,8 +78,9 @@ Eigen::VectorXi ReadRegions(vtkUnstructuredGrid* grid, const std::string& name)
     const double region = array->GetComponent(cell, 0);
     if (region != std::floor(region) || std::abs(region) >= std::numeric_limits<int>::max())
     {
-      throw shape::InvalidInput("the cell array '" + name + "' is " + std::to_string(region) +
-        " at cell " + std::to_string(cell) + "; regions are integers from 0");
+      throw shape::InvalidInput("the cell array '" + name + "' has the value " +
+        std::to_string(region) + " at cell " + std::to_string(cell) +
+        "; use integers from 0, or choose another Region Array");
     }
     regions(cell) = static_cast<int>(region);
   }
@@ -132,7 +133,7 @@ void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progre
     file.close();
     if (!file)
     {
-      throw FileError("the file '" + this->FileName + "' could not be written whole" + why() +
+      throw FileError("the file '" + this->FileName + "' could not be written completely" + why() +
           "free some space, or choose another disk",
         vtkErrorCode::OutOfDiskSpaceError);
     }

@@ -57,9 +57,8 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
     const auto found = this->Triangles.find(Turned(points));
     if (found == this->Triangles.end())
     {
-      throw shape::InvalidInput(
-        "a polygon of a block is triangulated differently there than in the gathered input; apply "
-        "Triangulate first");
+      throw shape::InvalidInput("a polygon is triangulated differently in its block than in the "
+                                "gathered input; apply Triangulate to the Input first");
     }
     for (int k = 0; k < 3; ++k)
     {

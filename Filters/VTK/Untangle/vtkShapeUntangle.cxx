@@ -80,11 +80,11 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
       other.Corners.size() != given.Corners.size() || other.Kinds != given.Kinds ||
       other.Corners != given.Corners)
     {
-      throw shape::InvalidInput("the RestShape has other cells than the Input (" +
+      throw shape::InvalidInput("the RestShape does not have the cells of the Input (" +
         std::to_string(other.Kinds.size()) + " and " + std::to_string(given.Kinds.size()) +
-        ", over " + std::to_string(other.Points.rows()) + " and " +
+        " cells, " + std::to_string(other.Points.rows()) + " and " +
         std::to_string(given.Points.rows()) +
-        " points); connect the same cells before they were moved");
+        " points); connect the same mesh before it was moved");
     }
     rest = other.Points;
   }

@@ -254,7 +254,7 @@ TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
   shape::PastePlacement position;
   position.Seed << 0.8, 0.0, 0.0;
   const std::string loop = Refusal([&] { feature.PasteOn(target, position); });
-  EXPECT_NE(loop.find("over its rim"), std::string::npos) << loop;
+  EXPECT_NE(loop.find("beyond the boundary"), std::string::npos) << loop;
   const auto at = loop.find("Scale to ");
   ASSERT_NE(at, std::string::npos) << loop;
   position.Scale = std::stod(loop.substr(at + 9));

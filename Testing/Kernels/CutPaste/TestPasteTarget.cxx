@@ -236,7 +236,7 @@ TEST(PasteTarget, WhatDoesNotFitIsRefusedWithTheLargestScaleThatDoes)
   const std::string words = Refusal(target, base, At({ -0.5, 0.1, 0.0 }, 0.0, 2.0));
   const auto at = words.find("Scale to ");
   ASSERT_NE(at, std::string::npos) << words;
-  EXPECT_NE(words.find("over its rim"), std::string::npos) << words;
+  EXPECT_NE(words.find("beyond the boundary"), std::string::npos) << words;
   const double scale = std::stod(words.substr(at + 9));
   EXPECT_NEAR(scale, 1.25, 0.03);
   EXPECT_EQ(Refusal(target, base, At({ -0.5, 0.1, 0.0 }, 0.0, scale)), "");

@@ -60,7 +60,7 @@ TEST(HexRemesh, ASurfaceThatCrossesItselfIsFilledByAGrid)
   const shape::HexRemeshResult result = shape::RemeshHexahedra(surface, options);
   EXPECT_EQ(result.Method, MethodType::Grid);
   EXPECT_GT(result.Crossings, 0);
-  EXPECT_NE(result.Reason.find("crosses itself"), std::string::npos) << result.Reason;
+  EXPECT_NE(result.Reason.find("intersects itself"), std::string::npos) << result.Reason;
   EXPECT_EQ(BoundaryTopology(result.Fit).Components, 1);
   options.Method = MethodType::Polycube;
   EXPECT_THROW(shape::RemeshHexahedra(surface, options), shape::InvalidInput);
