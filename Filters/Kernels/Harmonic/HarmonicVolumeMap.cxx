@@ -51,7 +51,8 @@ void RequireValidInput(const VolumeFeatures& features, const HarmonicVolumeMapOp
   {
     throw InvalidInput("there are " + std::to_string(count) + " features, " +
       std::to_string(features.Targets.rows()) + " images and " +
-      std::to_string(features.Weights.size()) + " weights; give one of each for a feature");
+      std::to_string(features.Weights.size()) +
+      " weights; give each feature one image and one weight");
   }
   RequireFinite(features.Points, "the list of feature positions");
   RequireFinite(features.Targets, "the list of feature images");

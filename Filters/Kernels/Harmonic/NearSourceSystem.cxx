@@ -182,8 +182,8 @@ NearSourceSystem::NearSourceSystem(
   if (near.Sites.size() == 0)
   {
     throw SolveFailure(
-      "no charge finds room outside the boundary; its triangles face the wrong way "
-      "or it is folded onto itself");
+      "there is no room for any charge outside the boundary: its triangles face the wrong way, "
+      "or it is folded onto itself; repair the boundary");
   }
   this->WithoutCharge = static_cast<int>(surface.Points().rows() - near.Sites.size());
   Eigen::VectorXd offsets = near.Offsets;

@@ -45,7 +45,7 @@ void RequireValidCharges(const PiecewiseCharges& charges)
     throw InvalidInput("the map has " + std::to_string(count) + " regions, " + std::to_string(m) +
       " triangles with " + std::to_string(charges.Regions.size()) + " regions, and " +
       std::to_string(charges.Skins.size()) +
-      " skins; give one region a triangle and no negative skin");
+      " skins; give each triangle a region and each region a skin that is not negative");
   }
   for (Eigen::Index r = 0; r < count && charges.Regions.size() > 0; ++r)
   {

@@ -97,7 +97,7 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
     {
       throw InvalidInput(surface.Name + " has " + std::to_string(surface.Surface.Points().rows()) +
         " points and " + std::to_string(surface.Targets.rows()) +
-        " images; give each point three coordinates");
+        " images; give each point one image of three coordinates");
     }
     meshes.push_back(surface.Surface);
     names.push_back(surface.Name);
@@ -107,7 +107,7 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
     for (std::size_t j = i + 1; j < meshes.size(); ++j)
     {
       OrientByNesting(JoinMeshes({ meshes[i], meshes[j] }),
-        "what " + names[i] + " and " + names[j] + " make together", progress);
+        "the union of " + names[i] + " and " + names[j], progress);
     }
   }
   const SolidRegions regions(meshes, names, progress);

@@ -86,7 +86,7 @@ Solid Untangled(
   if (result.InvertedAfter > 0)
   {
     throw SolveFailure("FreeBoundary: " + std::to_string(result.InvertedAfter) +
-      " tetrahedra of the solid stay inverted, so the boundary map folds; mend it, or turn "
+      " tetrahedra of the solid stay inverted, so the boundary map folds; correct it, or turn "
       "FreeBoundary off");
   }
   Solid solid{ std::move(result.Solid), Eigen::MatrixXd(0, 3) };

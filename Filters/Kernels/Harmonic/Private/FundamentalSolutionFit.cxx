@@ -152,10 +152,9 @@ void FundamentalSolutionFit::RequireMemory(int boundaryRows, int sources) const
   {
     std::ostringstream message;
     message << "the system of " << rows << " x " << sources << " would take " << memory
-            << " GiB to decompose; " << this->MaximumMemory << " GiB and a shorter side of "
-            << maximum
-            << " are the most; lower CollocationRatio and SourceRatio, or use MultiLevel with more "
-               "subsets";
+            << " GiB to decompose; the limits are " << this->MaximumMemory
+            << " GiB and a shorter side of " << maximum
+            << "; lower CollocationRatio and SourceRatio, or use MultiLevel with more subsets";
     throw InvalidInput(message.str());
   }
 }

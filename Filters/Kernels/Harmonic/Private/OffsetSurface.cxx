@@ -40,7 +40,7 @@ SampledGrid EmptyGrid(
     {
       throw InvalidInput("the offset distance is " +
         std::to_string(distance / ComputeLongestBoxEdge(points)) +
-        " of the surface's longest side, too small to sample; increase it");
+        " times the surface's longest side, too small to sample; increase it");
     }
   }
 }
