@@ -27,9 +27,9 @@ struct OrbifoldImage
  * Computes the Euclidean orbifold Tutte embedding (Aigerman and Lipman 2015). Every point except
  * the cones is the weighted mean of its neighbours; a neighbour across the cut is first moved by
  * the leg's isometry. So the images of the tile under the group cover the plane once without a
- * flip. The embedding does not depend on where the surface is cut between the cones; with three
- * cones it does not depend on the path's homotopy class either. Weights are cotangents; those below
- * 0.01 are raised to 0.01, so all are positive.
+ * flip. The embedding does not depend on the exact position of the cut; with three cones it does
+ * not depend on the course of the path either. Weights are cotangents; those below 0.01 are raised
+ * to 0.01, so all are positive.
  *
  * cones: GetConeCount(type) different points. For Square the second has the angle pi; for Triangle
  * the first has pi / 3, the second 2 pi / 3, the third pi.
