@@ -16,7 +16,7 @@ namespace shape
  * itself (GrowDisk). Flipped includes triangles without area; Torn is empty.
  *
  * surface: the surface of the patch. refine: whether to compute the map of minimum distortion,
- * which is slow; the conformal map may flip triangles if the surface is very curved or coarse.
+ * which is slow. The conformal map may flip triangles if the surface is very curved or coarse.
  * Throws SolveFailure as MapWithFreeBoundary, InvalidInput if the patch has no area, and Aborted.
  */
 ExponentialPatch FlattenPatchConformally(const Surface& surface, const ExponentialPatch& patch,

@@ -40,7 +40,7 @@ struct FmmSummationOptions
  *
  * Setting up costs about a third of a sum for tolerances down to 1e-6, and at least one sum for
  * smaller ones. With Direct and with Multipole, the values at a point have the same bits for any
- * number of threads and for any set of other points, so points may be distributed over processes.
+ * number of threads and for any set of other points. So points may be distributed over processes.
  * They are not finite if a point coincides with a source. Points and sources may lie anywhere.
  */
 class FmmSummation

@@ -17,16 +17,15 @@ namespace shape
  * at points with an angle of at least pi on both sides of it.
  *
  * A TriangleStrip towards the target is unfolded into the plane, where the shortest path within it
- * is computed. If this path turns at a point with an angle of less than pi on the outer side, the
- * strip is led around the other side of the point (Xin and Wang, "Efficiently determining a locally
- * exact shortest path on polyhedral surfaces", 2007). This is repeated until there is no such
- * point. Another path, around the other side of a hill, may be even shorter. Of 1385 random pairs
- * of positions on seven models one path is 5 % longer than the shortest, 58 are 0.1 % longer; the
- * mean is 0.04 %.
+ * is computed. Where this path turns at a point with an angle of less than pi on the outer side, it
+ * can be shortened. Then the strip is led around the other side of the point (Xin and Wang,
+ * "Efficiently determining a locally exact shortest path on polyhedral surfaces", 2007). This is
+ * repeated until there is no such point. Another path, around the other side of a hill, may be even
+ * shorter. Of 1385 random pairs of positions on seven models one path is 5 % longer than the
+ * shortest, 58 are 0.1 % longer; the mean is 0.04 %.
  *
  * An object serves many searches, from one thread at a time. An edge is treated as boundary unless
  * it has two triangles that run through it in opposite directions.
- * triangles that run through them in opposite directions.
  */
 class SurfacePaths
 {

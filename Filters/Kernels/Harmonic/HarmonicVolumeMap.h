@@ -41,10 +41,10 @@ struct AcceleratedSetup;
  * kept between calls and rebuilt only if the boundary has changed.
  *
  * Throws InvalidInput if the surface is not closed or bounds several solids, a value is not finite,
- * an option is out of range, a feature lies outside the domain, or a decomposition would exceed
- * MaximumMemory. Throws SolveFailure if LAPACK's decomposition does not converge, or if no charge
- * of Accelerated has room. Throws Aborted. A decomposition is a single library call that cannot be
- * interrupted.
+ * or an option is out of range. Throws InvalidInput, too, if a feature lies outside the domain or a
+ * decomposition would exceed MaximumMemory. Throws SolveFailure if LAPACK's decomposition does not
+ * converge, or if no charge of Accelerated has room. Throws Aborted. A decomposition is a single
+ * library call that cannot be interrupted.
  */
 HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   const Eigen::MatrixXd& targets, const VolumeFeatures& features = {},

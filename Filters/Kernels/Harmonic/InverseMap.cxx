@@ -192,8 +192,8 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     0.25 * ComputeLongestBoxEdge(this->Domain.GetSurface().Points()),
     this->Options.MaximumIterations };
   Steps steps(progress.Part(0.2, 1.0));
-  // Attempt 0 starts at the nearest start; 1 and 2 walk from the boundary and from the nearest
-  // seed; the others start at further seeds, which may lie on the right side of a fold.
+  // Attempt 0 starts at the nearest start. Attempts 1 and 2 walk from the boundary and from the
+  // nearest seed. The others start at further seeds, which may lie on the right side of a fold.
   const int attempts = 2 + static_cast<int>(nearest.cols());
   // outside the boundary's image: only folds map there, so walking on a straight line fails
   Indices beyond;

@@ -21,8 +21,9 @@ struct NearSources
 /**
  * Places one charge on the normal of each site, at the given offset. In a narrow gap the offset is
  * reduced until the distance from every part of the surface is at least 0.6 of the reduced offset.
- * A site gets no charge if that takes less than 0.24 of the offset, or if its normal or offset is
- * zero: the field of a charge so close to the surface is a spike between its points.
+ * A site gets no charge if that requires less than 0.24 of the offset, because the field of a
+ * charge so close to the surface is a spike between its points. It also gets none if its
+ * normal or offset is zero.
  *
  * boundary: closed, facing out of the solid. sites: n x 3, on or near it. normals: n x 3, unit, or
  * zero. offsets: n, >= 0. Throws Aborted.

@@ -34,8 +34,8 @@ struct SchwarzOptions
 
 /**
  * An approximate inverse of the potentials of charges near a surface, in two levels. First come
- * coarse charges farther out, one for each cluster of sites. Their residual is reduced by
- * restricted additive Schwarz: the charges of each block of sites solve a dense local system that
+ * coarse charges farther out, one for each cluster of sites. Restricted additive Schwarz then
+ * reduces their residual. The charges of each block of sites solve a dense local system that
  * includes the surrounding sites (Cai and Sarkis, "A restricted additive Schwarz preconditioner for
  * general sparse linear systems", 1999). The operator is linear.
  */

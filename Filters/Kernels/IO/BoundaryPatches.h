@@ -34,9 +34,9 @@ std::vector<RegionInterface> FindRegionInterfaces(
   const Cells& cells, const Eigen::VectorXi& regions);
 
 /**
- * Returns the patch of each face (f), numbered 0, 1, ... by first face. Two faces that share an
- * edge, and are the only ones at it, belong to one patch if the angle between their normals is at
- * most `featureAngle`. The patches of a cube are its six faces.
+ * Returns the patch of each face (f), numbered 0, 1, ... by first face. Two faces belong to one
+ * patch if only they share an edge and the angle between their normals is at most `featureAngle`.
+ * The patches of a cube are its six faces.
  *
  * points: n x 3. faces: f x 4, consistently oriented; the last is -1 in triangles. The normal of a
  * quadrilateral is the cross product of its diagonals. A face without area joins all its

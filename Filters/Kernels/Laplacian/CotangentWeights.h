@@ -31,10 +31,10 @@ TriangleAngles ComputeTriangleAngles(const Mesh& mesh);
 TriangleAngles ComputeAnglesFromLengths(const Eigen::MatrixXd& lengths);
 
 /**
- * Builds the cotangent stiffness matrix (n x n, positive semi-definite, both triangular parts
- * stored): L_ij = -(cot a + cot b) / 2 over the two angles opposite the edge ij, and rows sum to
- * zero. x^T L x / 2 is the Dirichlet energy (Pinkall & Polthier 1993). Every diagonal entry is
- * stored.
+ * Builds the cotangent stiffness matrix L (n x n, positive semi-definite, both triangular parts
+ * stored). L_ij is -(cot a + cot b) / 2 over the two angles opposite the edge ij, and rows sum to
+ * zero. The quadratic form x^T L x / 2 is the Dirichlet energy (Pinkall & Polthier 1993). Every
+ * diagonal entry is stored.
  */
 Eigen::SparseMatrix<double> BuildCotangentStiffness(
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& cotangents, Eigen::Index points);

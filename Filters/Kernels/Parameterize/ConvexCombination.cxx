@@ -124,8 +124,8 @@ FreeEquations EquationsOf(const Eigen::SparseMatrix<double>& matrix,
 }
 
 /// Solves by LU factorisation in Eigen's default order (COLAMD). For these matrices it is a hundred
-/// times faster than in the order of a symmetric pattern, and not slower than BiCGSTAB. The
-/// tolerance at which BiCGSTAB stops would flip small triangles.
+/// times faster than in the order of a symmetric pattern. BiCGSTAB is not faster, and the tolerance
+/// at which it stops would flip small triangles.
 Eigen::MatrixXd SolveRows(const FreeEquations& equations)
 {
   // The weights of different points vary with their edge lengths, so each row is scaled to diagonal

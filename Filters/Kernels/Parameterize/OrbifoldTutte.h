@@ -35,10 +35,10 @@ struct OrbifoldImage
  * the first has pi / 3, the second 2 pi / 3, the third pi.
  *
  * Throws InvalidInput if the surface is not closed, has several components, genus > 0 or unused
- * points, if the number of cones is wrong or two are the same, or if the mesh is too coarse for a
- * path between them. Throws SolveFailure if triangles are too small to determine their orientation:
- * an extremity shrinks exponentially with its length over its girth. The factorisation is one
- * library call that cannot be interrupted. Throws Aborted.
+ * points. Throws InvalidInput, too, if the number of cones is wrong, two are the same, or the mesh
+ * is too coarse for a path between them. Throws SolveFailure if triangles are too small to
+ * determine their orientation: an extremity shrinks exponentially with its length over its girth.
+ * The factorisation is one library call that cannot be interrupted. Throws Aborted.
  */
 OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cones,
   OrbifoldType type, const Progress& progress = {});

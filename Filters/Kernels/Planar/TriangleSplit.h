@@ -20,10 +20,10 @@ struct TriangleSplit
  * Splits a triangle so that chords are unions of edges; no point is added on its boundary.
  *
  * corners: positions, one per row; the triangle may have no area. points: n x 3 barycentric
- * coordinates that sum exactly to 1. The first `outline` of them lie on the boundary, in order from
- * corner 0, the corners included, with coordinates of exactly 0; the others lie inside. chords:
- * pairs of points that do not both lie on one edge. Throws SolveFailure if chords cross too near to
- * the boundary.
+ * coordinates that sum exactly to 1. The first `outline` points lie on the boundary, with a
+ * coordinate of exactly 0. They include the corners and are in order, starting at corner 0. The
+ * others lie inside. chords: pairs of points that do not both lie on one edge. Throws SolveFailure
+ * if chords cross too near to the boundary.
  */
 TriangleSplit SplitTriangle(const Eigen::Matrix3d& corners, const Eigen::MatrixXd& points,
   int outline, const std::vector<std::array<int, 2>>& chords);

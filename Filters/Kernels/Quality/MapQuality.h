@@ -29,8 +29,9 @@ constexpr int MapMeasureCount = 5;
 /// Replaces infinity; no measure exceeds it.
 constexpr double LargestMeasure = 1e30;
 
-/// How far the points are from the plane z = 0 and the unit sphere, where a map's sign has a
-/// meaning of its own. The extent of several parts has the maximum of each value.
+/// Maximum distances of the points from the plane z = 0 and from the unit sphere. If all points lie
+/// in one of these, it defines the orientation of triangles. The extent of several parts has the
+/// maximum of each value.
 struct MapExtent
 {
   double SourceHeight = 0.0;    ///< maximum |z| of the points of surface cells
@@ -66,9 +67,9 @@ struct MapQualityResult
  * Sign on surfaces: a triangle is flipped if it faces different sides before and after the map. The
  * side is the sign of its normal relative to a reference. The reference is +z if all points lie in
  * the plane z = 0, and the radius if all lie on the unit sphere. Otherwise it is the sum of the
- * area vectors of the other triangles around its corners; this detects folds, but not the interior
- * of a region that is flipped as a whole. A source that lies in another kind of surface than the
- * image is assumed to face outwards.
+ * area vectors of the other triangles around its corners. This detects folds, but not the interior
+ * of a region that is flipped as a whole. If the
+ * source does not lie in the same plane or sphere as the image, it is assumed to face outwards.
  *
  * extent: ComputeMapExtent of the complete data, of which this may be a part. Throws Aborted.
  */

@@ -8,15 +8,15 @@ namespace shape
 {
 
 /**
- * Computes the heat kernel signature: the heat that remains at each point after a time (Sun,
- * Ovsjanikov and Guibas, "A concise and provably informative multi-scale signature based on heat
- * diffusion", 2009, equation 3), divided by its mean over the surface. That is the sum of
+ * Computes the heat kernel signature (Sun, Ovsjanikov and Guibas, "A concise and provably
+ * informative multi-scale signature based on heat diffusion", 2009, equation 3). It is the heat
+ * that remains at each point after a time, divided by its mean over the surface: the sum of
  * exp(-lambda t) phi(x)^2, divided by the sum of exp(-lambda t), times the area. It is
  * dimensionless, its area-weighted mean is 1, and it does not depend on the size of the surface.
  *
  * Returns n x times. The times form a geometric sequence from 4 ln 10 / the largest eigenvalue to 4
- * ln 10 / the smallest nonzero one. 0 at points without a triangle. times: >= 1. Throws
- * InvalidInput if all eigenvalues are 0.
+ * ln 10 / the smallest nonzero one. The signature is 0 at points without a triangle. times: >= 1.
+ * Throws InvalidInput if all eigenvalues are 0.
  */
 Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times = 100);
 

@@ -39,7 +39,7 @@ public:
 
   ///@{
   /// Results of the last run: the nodes in the order in which they were reached, the triangles in
-  /// the order in which their last corner was reached, and the data of a reached node.
+  /// that of their last corners, and the data of a reached node.
   const std::vector<int>& Nodes() const { return this->Met; }
   const std::vector<Triangle>& Triangles() const { return this->Covered; }
   const Eigen::Vector2d& Image(int node) const { return this->Samples[node].Image; }

@@ -39,7 +39,6 @@ struct FmmAccuracy
  * Each singular vector is even or odd in x, y and z. So the operators of mirrored offsets differ
  * only in signs, and 56 instead of 316 are stored. 1/r is homogeneous, so one set serves boxes of
  * all sizes.
- * signs alone: 56 instead of 316 of them are kept. 1/r scales: one set serves all sizes of boxes.
  */
 template <typename Real>
 struct FmmOperators

@@ -16,8 +16,8 @@ struct BoxPair
  * matrix.
  *
  * A box has `Columns` contiguous columns. Twelve columns are multiplied by the matrix together,
- * with vector instructions chosen at run time (Highway). The sums of a column are taken in the same
- * order whatever the other columns are. All strides are multiples of 16.
+ * with vector instructions chosen at run time (Highway). The order of summation in a column does
+ * not depend on the other columns. All strides are multiples of 16.
  */
 template <typename Real>
 struct FmmTranslation

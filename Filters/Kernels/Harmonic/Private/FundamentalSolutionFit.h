@@ -45,7 +45,8 @@ public:
   {
     Eigen::MatrixXd Charges; ///< s x 3
     int Rows = 0;            ///< number of rows of the system
-    /// The largest entry's source of each right singular vector below the threshold, ascending.
+    /// For each right singular vector below the threshold the source of its largest entry;
+    /// ascending, each once.
     std::vector<int> Redundant;
   };
   Fit Solve(int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const;

@@ -49,8 +49,9 @@ bool IsInStarKernel(
 /**
  * Moves points.row(point) to a position on the unit sphere that sees the whole ring. It is the
  * centre of the ring's kernel, found by clipping the lune at ring[0] with the planes of the other
- * edges. ring[0] must see all edges except its own two, as after a half-edge collapse; then the
- * kernel is not empty. If rounding leaves no such position, returns false and moves nothing.
+ * edges. The point ring[0] must see all edges except its own two, as after a half-edge collapse.
+ * Then the kernel is not empty. If rounding leaves no such position, returns false and moves
+ * nothing.
  */
 bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<int>& ring);
 

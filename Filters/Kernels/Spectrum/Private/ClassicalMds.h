@@ -9,12 +9,12 @@ namespace shape
 {
 
 /**
- * Computes positions whose Euclidean distances approximate the distances along a surface: classical
- * multidimensional scaling of samples, extended to all other points by their distances from the
- * samples (de Silva and Tenenbaum, "Sparse multidimensional scaling using landmark points", 2004,
- * section 2). In three dimensions this is Elad and Kimmel's canonical form (2003), which bending
- * changes little. Distances are those of HeatGeodesics. The samples are farthest points along
- * edges, starting with the surface's first point.
+ * Computes positions whose Euclidean distances approximate the distances along a surface. It
+ * applies classical multidimensional scaling to samples, and extends the result to all other points
+ * by their distances from the samples (de Silva and Tenenbaum, "Sparse multidimensional scaling
+ * using landmark points", 2004, section 2). In three dimensions this is Elad and Kimmel's canonical
+ * form (2003), which bending changes little. Distances are those of HeatGeodesics. The samples are
+ * farthest points along edges, starting with the surface's first point.
  *
  * surface: a consistently oriented 2-manifold of one component, open or closed. samples: >
  * dimensions. Returns n x dimensions, in the model's units, centred on the samples; 0 at points
