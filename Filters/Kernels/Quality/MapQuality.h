@@ -68,8 +68,8 @@ struct MapQualityResult
  * side is the sign of its normal relative to a reference. The reference is +z if all points lie in
  * the plane z = 0, and the radius if all lie on the unit sphere. Otherwise it is the sum of the
  * area vectors of the other triangles around its corners. This detects folds, but not the interior
- * of a region that is flipped as a whole. If the
- * source does not lie in the same plane or sphere as the image, it is assumed to face outwards.
+ * of a region that is flipped as a whole. If the source does not lie in the same plane or sphere as
+ * the image, it is assumed to face outwards.
  *
  * extent: ComputeMapExtent of the complete data, of which this may be a part. Throws Aborted.
  */
