@@ -24,8 +24,8 @@ using Indices = std::vector<int>;
 /// Maximum number of seeds tried for one point, nearest first.
 constexpr int MaximumStarts = 12;
 
-/// Returns the rows of the `count` positions (k x 3) closest to each point, nearest first: n x
-/// min(count, k).
+/// Returns the rows of the `count` positions (k x 3) closest to each point, nearest first:
+/// n x min(count, k).
 Eigen::MatrixXi Nearest(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& points, int count,
   const Progress& progress)
 {

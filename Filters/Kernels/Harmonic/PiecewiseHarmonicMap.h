@@ -28,8 +28,8 @@ struct PiecewiseCharges
 };
 
 /// Returns how far outside its domain a map is valid (PiecewiseCharges::Farthest). This is half the
-/// distance of its charges: `offsetDistance` times the longest side of the boundary's `points` (n x
-/// 3).
+/// distance of its charges: `offsetDistance` times the longest side of the boundary's `points`
+/// (n x 3).
 double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
 
 /**

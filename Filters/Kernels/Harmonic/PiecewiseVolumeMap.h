@@ -19,9 +19,10 @@ struct ExactSurface
 
 struct PiecewiseVolumeMapOptions
 {
-  /// Number of times that each triangle of a border is divided into four for the layer inside; >=
-  /// 0. The inner map must match the curved values of the outer map, not linear interpolation. With
-  /// 1 instead of 0, the jumps of MultiLevel are 2 to 3 times smaller at 6 times the cost.
+  /// Number of times that each triangle of a border is divided into four for the layer
+  /// inside; >= 0. The inner map must match the curved values of the outer map, not linear
+  /// interpolation. With 1 instead of 0, the jumps of MultiLevel are 2 to 3 times smaller at 6
+  /// times the cost.
   int InterfaceRefinement = 1;
   /// Thickness of a skin relative to the boundary's longest side, divided by the maximum jump
   /// relative to the targets' longest side. In a thinner skin the map bends more sharply; a thicker

@@ -72,8 +72,8 @@ public:
     }
   };
 
-  /// Regularization that is added to the diagonal of H, relative to it, until H is positive
-  /// definite. It begins with First and is multiplied by Factor each time, while below 1.
+  /// Shares of the diagonal of H that are added to it, one by one, until H is positive definite:
+  /// first First, then each time Factor times the previous share, while below 1.
   struct Ridge
   {
     double First;

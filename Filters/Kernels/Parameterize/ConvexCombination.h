@@ -8,8 +8,8 @@
 namespace shape
 {
 
-/// Weights w_ij by which a point is the weighted mean of its neighbours: sum_j w_ij (x_j - x_i) =
-/// 0.
+/// Weights w_ij by which a point is the weighted mean of its neighbours:
+/// sum_j w_ij (x_j - x_i) = 0.
 enum class CombinationWeights
 {
   /// w_ij = 1 (Tutte 1963, "How to draw a graph"): never flips a triangle, but ignores the shape.

@@ -46,8 +46,8 @@ struct PlanarTriangulation
  * EvaluateInCircle), so collinear, cocircular and nearly coincident points are no special cases.
  * The time is O(n log n).
  *
- * points: n x 2, finite; the longest side of their box is 0, or between 1e-50 and 1e50. segments: k
- * x 2 indices. A segment whose ends coincide is ignored; one that runs through a point is split
+ * points: n x 2, finite; the longest side of their box is 0, or between 1e-50 and 1e50. segments:
+ * k x 2 indices. A segment whose ends coincide is ignored; one that runs through a point is split
  * there. If all points are collinear there are no triangles and no edges. Unless Keep is All, only
  * triangles inside the outlines are kept; every segment is an edge, even one that bounds no
  * triangle.

@@ -40,9 +40,9 @@ EmbeddedSamples EmbedSamples(
 
 /**
  * Extends the positions of the samples to all points by the smoothest interpolating functions,
- * which minimize tr X' L M^-1 L X (Rustamov, "Multiscale biharmonic kernels", 2011). Returns n x
- * Dimensions; 0 at points without a triangle. The samples may come from a coarser surface. Throws
- * SolveFailure.
+ * which minimize tr X' L M^-1 L X (Rustamov, "Multiscale biharmonic kernels", 2011). Returns
+ * n x Dimensions; 0 at points without a triangle. The samples may come from a coarser surface.
+ * Throws SolveFailure.
  */
 Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSamples& samples);
 

@@ -25,8 +25,8 @@ public:
   const SignedDistance& Distance() const { return this->Field; }
   bool HasFeatures() const { return this->RootWeights.size() > 0; }
 
-  /// Returns the residual of the sum so far: `targets` minus its values at `positions` (each k x
-  /// 3).
+  /// Returns the residual of the sum so far: `targets` minus its values at `positions` (each
+  /// k x 3).
   Eigen::MatrixXd Left(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& targets,
     const Progress& progress) const;
 

@@ -26,9 +26,9 @@ struct SphericalReinsertionResult
  * where it is needed. After each insertion the point and the reinserted points next to it are
  * relaxed towards equal angles.
  *
- * triangles: m x 3, closed, oriented, Euler number 2, one component, every point used. points: n x
- * 3, of unit length. If the map does not cover the sphere once, or more than `maximum` points would
- * have to be merged, Reached is false and Points are the given points.
+ * triangles: m x 3, closed, oriented, Euler number 2, one component, every point used. points:
+ * n x 3, of unit length. If the map does not cover the sphere once, or more than `maximum` points
+ * would have to be merged, Reached is false and Points are the given points.
  */
 SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, int maximum, const Progress& progress = {});

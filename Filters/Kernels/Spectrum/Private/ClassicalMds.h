@@ -16,11 +16,11 @@ namespace shape
  * form (2003), which bending changes little. Distances are those of HeatGeodesics. The samples are
  * farthest points along edges, starting with the surface's first point.
  *
- * surface: a consistently oriented 2-manifold of one component, open or closed. samples: >
+ * surface: a consistently oriented 2-manifold of one component, open or closed. samples: more than
  * dimensions. Returns n x dimensions, in the model's units, centred on the samples; 0 at points
  * without a triangle. The columns are sorted by descending eigenvalue; columns without a positive
- * eigenvalue are
- * 0. A column's value of largest magnitude is positive. Throws InvalidInput, SolveFailure, Aborted.
+ * eigenvalue are 0. A column's value of largest magnitude is positive. Throws InvalidInput,
+ * SolveFailure, Aborted.
  */
 Eigen::MatrixXd EmbedByClassicalMds(
   const Surface& surface, int dimensions, int samples = 500, const Progress& progress = {});
