@@ -48,7 +48,7 @@ MapExtent ComputeMapExtent(
 struct MapQualityResult
 {
   Eigen::MatrixXd Measures; ///< m x MapMeasureCount, for each cell
-  Eigen::VectorXd Sizes;    ///< m: area or volume; 0 if a cell is not counted or degenerate
+  Eigen::VectorXd Sizes;    ///< m: area or volume; 0 if a cell is not counted or has no size
   Eigen::VectorXi Counted;  ///< m: 1 for cells of the extent's dimension
   Eigen::VectorXi Flipped;  ///< m: 1 if JacobianDeterminant < 0
   /// m: 1 if the cell, or the image of one of its simplices, has no size
