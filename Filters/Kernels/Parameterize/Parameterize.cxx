@@ -208,8 +208,7 @@ void RequireDomain(const Surface& surface, ParameterizeOptions::DomainType domai
       (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + " (first at point " +
       std::to_string(topology.FirstOpenPoint) + "), but the Domain needs " +
       (isForClosed ? "a closed surface; choose FreeBoundary, close the surface with Fill Holes, or "
-                     "merge its "
-                     "duplicate points with Clean"
+                     "merge its duplicate points with Clean"
                    : "one; choose FreeBoundary, or close all but the outer one with Fill Holes"));
   }
 }
