@@ -133,12 +133,12 @@ for weights in ('Uniform', 'MeanValue'):
 
 # What a disk map cannot be made of is refused with the fact and the remedy.
 closed = error_of(mapped, Domain=0)
-assert 'Shape Parameterize: the surface is closed; take the Domain Sphere or Orbifold' in closed
+assert 'Shape Parameterize: the surface is closed; choose the Domain Sphere or Orbifold' in closed
 assert 'Shape Parameterize: the surface has 2 open loops' in error_of(
     shapetesting.without_cells(mapped, (11, 400)), Domain=0)
-assert 'the Domain has one; take FreeBoundary' in error_of(
+assert 'the Domain needs one; choose FreeBoundary' in error_of(
     shapetesting.without_cells(mapped, (11, 400)), Domain=0)
-assert 'the Domain has none; take FreeBoundary' in error_of(
+assert 'the Domain needs a closed surface; choose FreeBoundary' in error_of(
     shapetesting.without_cells(mapped, (11, 400)), Domain=1)
 assert not error_of(shapetesting.without_cells(mapped, (11,)), Domain=0)
 
@@ -169,7 +169,7 @@ refined = shapetesting.output(disk_map, 1)
 assert fact(refined, 'Parameterize.Energy') < before and (signed_areas(refined) > 0.0).all()
 assert abs(numpy.linalg.norm(points(refined), axis=1).max() - 1.0) < 1e-15, 'the outline moved'
 assert not error_of(shapetesting.without_cells(mapped, (11, 400)), Domain=2, Refine=1)
-assert 'the surface is closed; take the Domain Sphere or Orbifold' in error_of(mapped, Domain=2)
+assert 'the surface is closed; choose the Domain Sphere or Orbifold' in error_of(mapped, Domain=2)
 
 # The Orbifold: cut open along a path through the landmarks, laid out on a tile.
 ends = [[2.0, 0.0, 0.0], [-1.0, 2.0, 0.0], [-1.0, -2.0, 1.0], [0.0, 0.0, -2.0]]

@@ -22,7 +22,7 @@ namespace shape
 namespace
 {
 
-/// Lets go of what a fork has of its parent's. Returns the pipe's new number.
+/// Detaches a fork from its parent's signals and files. Returns the pipe's new number.
 int Detach(pid_t parent, int pipeEnd)
 {
   for (int number = 1; number < NSIG; ++number)
@@ -41,7 +41,7 @@ int Detach(pid_t parent, int pipeEnd)
   }
   const rlimit noCore{ 0, 0 };
   setrlimit(RLIMIT_CORE, &noCore);
-  // What the parent had not yet printed stays the parent's to print: the child ends with _exit.
+  // Buffered output stays the parent's to print, because the child ends with _exit.
   const int nowhere = open("/dev/null", O_RDWR);
   const int kept = fcntl(pipeEnd, F_DUPFD, 3);
   for (const int standard : { 0, 1, 2 })
@@ -74,7 +74,7 @@ ChildProcess::ChildProcess(const std::function<void(int pipe)>& body)
   {
     fcntl(end, F_SETFD, FD_CLOEXEC);
   }
-  // Signals wait until the child has let go of this process's handlers.
+  // Signals are blocked until the child has removed this process's handlers.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -154,8 +154,8 @@ bool ChildProcess::Receive(void* data, std::size_t size, const std::function<voi
     else
     {
       waiting();
-      // Asked before the pipe is read once more. The pipe's end alone would not tell: another
-      // process that was forked meanwhile may hold it open.
+      // Ask for the child's state before the pipe is read once more. The end of the pipe is not
+      // enough: another process forked meanwhile may hold it open.
       this->Wait(got == 0);
       pollfd readable{ this->Pipe, POLLIN, 0 };
       poll(&readable, 1, this->Ended ? 0 : 100);
@@ -172,7 +172,7 @@ int ChildProcess::Signal() const
 void ChildProcess::Wait(bool block)
 {
   const pid_t ended = waitpid(this->Id, &this->Status, block ? 0 : WNOHANG);
-  // Where somebody else took the child's status, it has ended, too.
+  // If somebody else has collected the child's status, it has ended as well.
   this->Ended = ended == this->Id || (ended < 0 && errno == ECHILD);
 }
 

@@ -9,7 +9,7 @@ namespace shape
 
 /**
  * The input cannot be used. The message states the fact about the input (with a count or the first
- * id) and the remedy; the filter that reports it puts its own name in front.
+ * id) and the remedy. The filter that reports it prepends its own name.
  */
 class InvalidInput : public std::runtime_error
 {
@@ -17,14 +17,14 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// The input is sound but the computation did not reach its goal. The message says how far it got.
+/// The input is valid but the computation did not reach its goal. The message says how far it got.
 class SolveFailure : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown out of a kernel when its Progress was told to stop. Not an error.
+/// Thrown by a kernel when its Progress requests a stop. This is not an error.
 class Aborted : public std::exception
 {
 public:

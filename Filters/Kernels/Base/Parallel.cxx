@@ -36,7 +36,7 @@ void ParallelFor(int count, int grain, const std::function<void(int begin, int e
   const int chunks = count / grain + (count % grain > 0);
   if (chunks == 1)
   {
-    // Nothing to share out: single points are asked for millions of times.
+    // A single chunk runs directly: such calls are made millions of times.
     body(0, count);
     progress(1.0);
     return;
@@ -46,7 +46,8 @@ void ParallelFor(int count, int grain, const std::function<void(int begin, int e
   const auto runChunk = [&](int chunk)
   { body(chunk * grain, chunk + 1 < chunks ? (chunk + 1) * grain : count); };
 
-  // Batches grow until one takes about a tenth of a second: often enough for progress and abort.
+  // Batches grow until one takes about a tenth of a second, which is often enough for progress and
+  // abort.
   int batch = threads;
   for (int first = 0; first < chunks;)
   {

@@ -7,10 +7,10 @@ namespace shape
 {
 
 /**
- * Receives how much of a computation is done, in [0, 1], and may stop it.
+ * Receives the completed share of a computation, in [0, 1], and may stop it.
  *
- * A kernel calls it from the thread that called the kernel, at least every half second where no
- * single library call takes longer. The callback returns false to stop: the call then throws
+ * A kernel calls it from the thread that called the kernel, at least every half second unless a
+ * single library call takes longer. The callback returns false to stop; the call then throws
  * Aborted. Without a callback it costs nothing.
  */
 class Progress
@@ -22,10 +22,10 @@ public:
   {
   }
 
-  /// States that the share `fraction` is done. Throws Aborted.
+  /// Reports the completed share `fraction`. Throws Aborted.
   void operator()(double fraction) const;
 
-  /// The progress of a part that takes this one from `begin` to `end`.
+  /// Returns the progress of a part that covers `begin` to `end` of this one.
   Progress Part(double begin, double end) const;
 
 private:

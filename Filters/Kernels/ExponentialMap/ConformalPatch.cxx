@@ -23,10 +23,10 @@ std::complex<double> ToComplex(const Eigen::RowVector2d& position)
   return { position.x(), position.y() };
 }
 
-/// Moves, rotates and scales the positions to agree with the exponential map around the seed.
+/// Moves, rotates and scales the positions to match the exponential map around the seed.
 void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
 {
-  // Both maps near the seed: the nearest points count most.
+  // Both maps are compared near the seed: the nearest points have the largest weights.
   const Eigen::Index near = std::min<Eigen::Index>(positions.rows(), 12);
   Eigen::VectorXd weights(near);
   for (Eigen::Index i = 0; i < near; ++i)
@@ -62,12 +62,14 @@ void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
 
 void RequireArea(const Mesh& part)
 {
-  constexpr double minimumShare = 1e-12; // of the square of the diagonal: far above rounding
+  // relative to the squared diagonal; far above rounding error
+  constexpr double minimumShare = 1e-12;
   const double diagonal = part.Triangles.rows() > 0 ? ComputeBoxDiagonal(part.Points) : 0.0;
   const double area = diagonal > 0.0 ? ComputeAreaVectors(part).rowwise().norm().sum() : 0.0;
   if (!(area > minimumShare * diagonal * diagonal))
   {
-    throw InvalidInput("the surface has no area near the seed; move it, or check the points there");
+    throw InvalidInput(
+      "the surface has no area near the seed; move the seed, or check the points there");
   }
 }
 
@@ -75,7 +77,7 @@ Eigen::MatrixXd FlatPositions(const Mesh& part, bool refine, const Progress& pro
 {
   if (!refine)
   {
-    Mesh unit = part; // of size 1, so that no unit of length is too large or small
+    Mesh unit = part; // scaled to size 1, which avoids overflow and underflow
     unit.Points.rowwise() -= part.Points.row(0);
     unit.Points /= ComputeBoxDiagonal(part.Points);
     return FlattenConformally(unit, progress);
@@ -91,7 +93,7 @@ ExponentialPatch FlattenPatchConformally(
   const Surface& surface, const ExponentialPatch& patch, bool refine, const Progress& progress)
 {
   const auto points = static_cast<int>(patch.Points.size());
-  // The triangles' order is that of the front: the first is at the seed.
+  // Triangles are in the order of the front, so the first one is at the seed.
   const std::vector<int> rows = GrowDisk(patch.Corners, points);
   std::vector<int> number(points, -1);
   for (const int row : rows)

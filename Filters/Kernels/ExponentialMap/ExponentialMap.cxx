@@ -34,7 +34,7 @@ void RequireTriangles(const Surface& surface, const ExponentialMapOptions& optio
     options.NormalSmoothing >= 0, "NormalSmoothing", options.NormalSmoothing, "0 or more");
 }
 
-/// Of each node, whether it is an end of an edge with one triangle.
+/// Marks the nodes that are ends of an edge with one triangle.
 std::vector<char> NodesOnLoop(const Surface& welded)
 {
   std::vector<char> onLoop(welded.Points().rows(), 0);
@@ -54,7 +54,7 @@ std::vector<char> NodesOnLoop(const Surface& welded)
   return onLoop;
 }
 
-/// The length of a triangle's longest edge, squared.
+/// Returns the squared length of a triangle's longest edge.
 template <typename Corners>
 double LongestEdge2(const Corners& a, const Corners& b, const Corners& c)
 {
@@ -94,13 +94,13 @@ struct ExponentialMap::Target
   void AddTriangles(ExponentialPatch& patch);
 
   SurfaceLocator Locator;
-  Eigen::VectorXi NodeOf; ///< of the points
-  shape::Surface Welded;  ///< whose points are the nodes
+  Eigen::VectorXi NodeOf; ///< node of each point
+  shape::Surface Welded;  ///< the surface with nodes as points
   Eigen::MatrixXd Normals;
   ExponentialFront Front;
-  std::vector<char> OnLoop; ///< nodes
+  std::vector<char> OnLoop; ///< for each node
   PointsOfNodes Copies;
-  std::vector<int> Rows; ///< of points: in the last patch, if they are in it
+  std::vector<int> Rows; ///< row of each point in the last patch, if it is in it
 };
 
 void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
@@ -128,8 +128,8 @@ void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
 
 void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
 {
-  constexpr double flat = 1e-14; // area of one that has none, over the longest edge squared
-  constexpr double torn2 = 4.0;  // of twice the length, squared
+  constexpr double flat = 1e-14; // maximum area of a degenerate triangle / its longest squared edge
+  constexpr double torn2 = 4.0;  // square of twice the length
   const std::vector<ExponentialFront::Triangle>& triangles = this->Front.Triangles();
   patch.Triangles.reserve(triangles.size());
   patch.Corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
@@ -165,10 +165,10 @@ ExponentialMap::ExponentialMap(
 {
   RequireTriangles(surface, options);
   PointGraphOptions linked;
-  linked.Nearest = 0; // points that no triangle uses are no part of the surface
+  linked.Nearest = 0; // points that no triangle uses do not belong to the surface
   PointGraph graph = BuildPointGraph(ShapeElements{ surface.Points(), {}, surface.Triangles(), {} },
     linked, progress.Part(0.0, 0.4));
-  // Without coincident points the nodes are the points, and the surface's own cache serves.
+  // Without coincident points the nodes are the points, and the surface's own cache is used.
   const bool isWelded = graph.Size() < surface.Points().rows();
   const shape::Surface welded = isWelded
     ? shape::Surface(graph.Positions,
@@ -211,7 +211,7 @@ RowVector3d ExponentialMap::Normal(const ClosestPoint& position) const
   {
     normal += position.Barycentric(k) * this->Impl->Normals.row(nodes(k));
   }
-  // Corners with opposite normals have none between them.
+  // Between corners with opposite normals the interpolated normal vanishes.
   constexpr double opposite = 1e-9;
   if (normal.norm() < opposite)
   {
@@ -230,7 +230,7 @@ ExponentialPatch ExponentialMap::Around(
     !seed.Barycentric.allFinite() || !xDirection.allFinite())
   {
     throw InvalidInput("the seed is not on the surface, or its x direction is not finite; "
-                       "take the closest point of the surface");
+                       "give the closest point of the surface and a finite direction");
   }
   ExponentialPatch patch;
   patch.Seed = BuildTangentFrame(

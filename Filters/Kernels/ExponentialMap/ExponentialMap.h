@@ -15,59 +15,66 @@ namespace shape
 
 struct ExponentialMapOptions
 {
-  /// Whether each image is the mean of the predictions of all upwind neighbours, those that the
-  /// front met before (equation 11), or only the prediction of the one it came from (equation 10).
+  /// Whether an image is the mean of the predictions of all upwind neighbours, those that the front
+  /// reached before (equation 11). If false, it is the prediction of the one neighbour from which
+  /// the front came (equation 10).
   bool UpwindAverage = true;
-  /// Rounds of SmoothNormals; >= 0.
+  /// Number of rounds of SmoothNormals; >= 0.
   int NormalSmoothing = 2;
 };
 
-/// The part of a surface around a seed, laid out in the plane.
+/// The part of a surface around a seed, mapped to the plane.
 struct ExponentialPatch
 {
-  TangentFrame Seed;          ///< the plane's (0, 0) and axes, on the surface
-  std::vector<int> Points;    ///< k points of the surface, in the order in which the front met them
+  TangentFrame Seed; ///< origin and axes of the plane, on the surface
+  /// k points of the surface, in the order in which the front reached them
+  std::vector<int> Points;
   Eigen::MatrixXd Positions;  ///< k x 2, in the model's units
-  Eigen::VectorXd Distances;  ///< k: along the surface from the seed
+  Eigen::VectorXd Distances;  ///< k: distances along the surface from the seed
   std::vector<int> Triangles; ///< t triangles of the surface whose corners are all in Points
-  Eigen::MatrixXi Corners;    ///< t x 3: these as rows of Positions
-  /// Rows of Corners whose image is not counter-clockwise, though the triangle has an area.
+  Eigen::MatrixXi Corners;    ///< t x 3: corners of Triangles, as rows of Positions
+  /// Rows of Corners whose image is not counter-clockwise, although the triangle has an area.
   std::vector<int> Flipped;
-  /// Rows of Corners whose image is more than twice as long as the triangle: the map is cut open
-  /// where the front meets itself behind a protrusion or a hole.
+  /// Rows of Corners whose image is more than twice as long as the triangle. There the map is cut
+  /// open, because the front meets itself behind a protrusion or a hole.
   std::vector<int> Torn;
-  bool ReachesBoundary = false; ///< whether an edge with one triangle has an end in Points
+  bool ReachesBoundary = false; ///< whether Points contains an end of an edge with one triangle
 };
 
 /**
- * The discrete exponential map: maps the surface around a seed to the plane so that directions and
- * distances from the seed are kept (Schmidt, Grimm and Wyvill, "Interactive decal compositing
- * with discrete exponential maps", 2006), with the upwind average and smoothed normals of Schmidt
- * and Singh, "Drag-and-drop surface composition", section 3.
+ * The discrete exponential map: maps the surface around a seed to the plane and preserves
+ * directions and distances from the seed (Schmidt, Grimm and Wyvill, "Interactive decal compositing
+ * with discrete exponential maps", 2006). Upwind averaging and smoothed normals follow Schmidt and
+ * Singh, "Drag-and-drop surface composition", section 3.
  *
  * A front spreads from the seed. Distances are those of straight lines across unfolded triangles,
- * else along edges. A neighbour predicts the image of a point by its own image and the edge between
- * them, rotated into its tangent plane in full length. The axes there are transported with the
- * front by the least rotations between normals, not directly from each normal to the seed's as in
- * equation 10: so cones are unrolled as well as cylinders. The mean's weights are the inverse
- * squares of the edge lengths, balanced on both sides of the line from the seed: so it converges to
- * the exponential map as triangles become small, however they are arranged. Neighbours that
- * contradict the one that the front came from do not count: the front has met itself there. The
- * mean is then moved to the point's distance from the seed. Behind bumps and protrusions, where
- * straight lines from both sides meet, means may flip triangles that are not torn: a tenth of them
- * in patches that contain fingers or a head, twice as many as by equation 10; almost none if
- * positive angle defects sum up to less than pi.
+ * or along edges if there is no such line. A neighbour predicts the image of a point from its own
+ * image and the edge between them, rotated into its tangent plane without shortening. The tangent
+ * axes are transported with the front by the smallest rotations between normals. Equation 10
+ * instead rotates each normal directly to the seed's. Therefore cones are unrolled as well as
+ * cylinders.
  *
- * The time that Around takes depends on the patch only. A larger radius adds points and triangles
- * after the others, and changes no bit of these. The surface may have any topology; coincident
- * points count as one, and the patch is in the seed's component. Triangles of opposite orientation
- * to those around them come out flipped. Not for several threads at once.
+ * The weights of the mean are the inverse squared edge lengths, balanced on both sides of the line
+ * from the seed. So the result converges to the exponential map under refinement, for any
+ * arrangement of triangles. Neighbours whose prediction contradicts that of the front's neighbour
+ * are ignored: there the front has met itself. Finally the mean is moved to the point's distance
+ * from the seed.
+ *
+ * Behind bumps and protrusions, where straight lines from both sides meet, the means may flip
+ * triangles that are not torn. This affects a tenth of the triangles in patches that contain
+ * fingers or a head (equation 10: twice as many). It affects almost none if the positive angle
+ * defects add up to less than pi.
+ *
+ * The time of Around depends on the patch only. A larger radius appends points and triangles and
+ * changes no bit of the others. The surface may have any topology. Coincident points are
+ * identified, and the patch lies in the seed's component. Triangles oriented opposite to their
+ * neighbours are flipped in the image. An object must not be used from several threads at once.
  */
 class ExponentialMap
 {
 public:
-  /// Throws InvalidInput if the surface has no triangle, an index is out of range, a coordinate is
-  /// not finite or an option is out of range; Aborted.
+  /// Throws InvalidInput if the surface has no triangle, an index or option is out of range, or a
+  /// coordinate is not finite; Aborted.
   explicit ExponentialMap(const shape::Surface& surface, const ExponentialMapOptions& options = {},
     const Progress& progress = {});
   ~ExponentialMap();
@@ -76,9 +83,9 @@ public:
 
   ///@{
   /**
-   * The patch that the front covers before it is `radius` (> 0) from a seed: a point of the
-   * surface, or the one closest to a position. xDirection: see BuildTangentFrame. guess: a triangle
-   * that is likely near the seed, or -1. Throws InvalidInput if the radius is not positive or a
+   * Returns the patch within distance `radius` (> 0) of a seed: a position on the surface, or the
+   * surface position closest to a given one. xDirection: see BuildTangentFrame. guess: a triangle
+   * that is probably near the seed, or -1. Throws InvalidInput if the radius is not positive or a
    * value is not finite; Aborted.
    */
   ExponentialPatch Around(const ClosestPoint& seed, double radius,
@@ -89,8 +96,8 @@ public:
     const Progress& progress = {});
   ///@}
 
-  /// The unit normal at a point of the surface, interpolated between the smoothed ones at its
-  /// triangle's corners.
+  /// Returns the unit normal at a point of the surface, interpolated from the smoothed normals at
+  /// the corners of its triangle.
   Eigen::RowVector3d Normal(const ClosestPoint& position) const;
 
   const shape::Surface& Surface() const;

@@ -36,7 +36,7 @@ int Mend(const Surface& surface, ExponentialPatch& patch, const Progress& progre
   return mended;
 }
 
-/// Whether each triangle is neither flipped nor torn.
+/// Marks the triangles that are neither flipped nor torn.
 Eigen::VectorXi FindSoundTriangles(const ExponentialPatch& patch)
 {
   Eigen::VectorXi sound = Eigen::VectorXi::Ones(patch.Corners.rows());
@@ -50,7 +50,7 @@ Eigen::VectorXi FindSoundTriangles(const ExponentialPatch& patch)
   return sound;
 }
 
-/// The weighted quantiles of values (t); 0 without any.
+/// Returns the weighted quantiles of values (t); 0 if there are none.
 DistortionStatistics ComputeQuantiles(const Eigen::VectorXd& values, const Eigen::VectorXd& weights)
 {
   std::vector<int> order(values.size());

@@ -14,9 +14,9 @@ namespace
 {
 
 constexpr double InverseFourPi = 0.25 / M_PI;
-/// Points of a chunk: a few vectors of the widest processor.
+/// Number of points in a chunk: a few vectors of the widest processor.
 constexpr int Grain = 64;
-/// Sources of one pass, 200 kB: they stay in the second-level cache for all points of a chunk.
+/// Number of sources in one pass, 200 kB: they stay in the L2 cache for all points of a chunk.
 constexpr int Pass = 4096;
 
 void Check(
@@ -26,18 +26,19 @@ void Check(
   {
     throw InvalidInput("there are " + std::to_string(charges.rows()) + " charges for " +
       std::to_string(sources.rows()) +
-      " sources, or a place has not three coordinates; give one row of charges for each source");
+      " sources, or positions without three coordinates; give one row of charges and three "
+      "coordinates for each source");
   }
 }
 
-/// The power of two that brings the sources' largest coordinate to about one: exact.
+/// Returns the power of two that scales the sources' largest coordinate to about one; it is exact.
 double ScaleFor(const Eigen::MatrixXd& sources)
 {
   const double largest = sources.size() > 0 ? sources.cwiseAbs().maxCoeff() : 0.0;
   return largest > 0.0 && std::isfinite(largest) ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
 }
 
-/// `gradient`: three values for each column of the charges.
+/// Sums potentials, or with `gradient` three derivatives for each column of the charges.
 Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, bool gradient, RootError error, const Progress& progress)
 {

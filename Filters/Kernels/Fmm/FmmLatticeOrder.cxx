@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-/// Up to 21 bits with two empty ones after each.
+/// Spreads up to 21 bits, with two zero bits after each.
 std::uint64_t Spread(std::uint64_t bits)
 {
   bits = (bits | bits << 32) & 0x1f00000000ffffULL;
@@ -29,7 +29,7 @@ struct Keyed
   int Id = 0;
 };
 
-/// Sorts by the key, those of equal keys by their place.
+/// Sorts by key; equal keys keep the order of their indices.
 void SortByKey(std::vector<Keyed>& items)
 {
   constexpr int bits = 12;

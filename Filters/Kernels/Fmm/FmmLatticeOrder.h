@@ -7,29 +7,31 @@
 namespace shape
 {
 
-/// Cubes of side `Side` that fill space, one of them, the root, with its lowest corner at Origin.
+/// Cubes with edge length `Side` that fill space. One of them, the root, has its lowest corner at
+/// Origin.
 struct Lattice
 {
   Eigen::RowVector3d Origin = Eigen::RowVector3d::Zero();
   double Side = 1.0;
 };
 
-/// Positions along the curve that visits the eight halves of a cube one after the other, each in
-/// the same way (G. M. Morton, 1966): what lies in one box of the halved lattice stands side by
-/// side.
+/// Positions in Morton order (G. M. Morton, 1966), a curve that recursively visits the eight
+/// octants of a cube in the same order. Positions in one box of the subdivided lattice are
+/// contiguous.
 struct FmmLatticeOrder
 {
-  static constexpr int Halvings = 16; ///< that a key tells
-  static constexpr int Roots = 27;    ///< the root and the cubes that touch it
+  static constexpr int Halvings = 16; ///< number of subdivisions that a key stores
+  static constexpr int Roots = 27;    ///< number of cubes: the root and those that touch it
 
-  std::vector<std::uint64_t> Keys; ///< inside of their cube, three bits a halving, rising
+  /// position inside its cube, three bits per subdivision, ascending in each cube
+  std::vector<std::uint64_t> Keys;
   std::vector<int> Ids;
-  /// The first place of each cube, (x + 1, y + 1, z + 1) in base 3 with the root at the origin, and
-  /// the end; the places before the first cube's lie in none of them.
+  /// First index of each cube, and the end. Cube (x + 1, y + 1, z + 1) is numbered in base 3, with
+  /// the root at the origin. The positions before the first cube's lie in none of the cubes.
   std::vector<int> RootStart;
 };
 
-/// places: n x 3. The root takes in what lies within 1e-9 of its sides.
+/// positions: n x 3. The root includes positions within 1e-9 of its faces.
 FmmLatticeOrder OrderOnLattice(const Eigen::MatrixXd& positions, const Lattice& lattice);
 
 } // namespace shape

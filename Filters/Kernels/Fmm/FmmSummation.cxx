@@ -16,17 +16,17 @@ namespace shape
 namespace
 {
 
-/// The least tolerance that single precision between the boxes can keep.
+/// The minimum tolerance for which the box expansions can be in single precision.
 constexpr double MinimumSingle = 9e-7;
 
-/// What keeps a tolerance, over surfaces, volumes and graded clusters with charges of one sign and
-/// of both; and what it costs, in pairs of the direct sum.
+/// Parameters that meet a tolerance, and their cost in pairs of the direct sum. Measured on
+/// surfaces, volumes and graded clusters, with charges of one sign and of both.
 struct Grade
 {
   double Tolerance = 0.0;
   FmmEffort Effort;
-  double SetUp = 0.0;    ///< of the operators
-  double PerPoint = 0.0; ///< for each source and for each point
+  double SetUp = 0.0;    ///< cost of the operators
+  double PerPoint = 0.0; ///< cost for each source and for each point
 };
 
 constexpr RootError Small = RootError::Small, Rounding = RootError::Rounding;
@@ -44,7 +44,7 @@ const Grade Grades[] = {
     2e9, 17500 },
 };
 
-/// The first grade that keeps the tolerance.
+/// Returns the first grade that meets the tolerance.
 const Grade& GradeFor(double tolerance)
 {
   const Grade* grade = std::begin(Grades);
@@ -60,7 +60,7 @@ void Check(const Eigen::MatrixXd& positions, const char* name)
   if (positions.cols() != 3 || !positions.allFinite())
   {
     throw InvalidInput(std::string("the ") + name +
-      " of a sum have not three finite coordinates each; remove those that are not finite");
+      " of a sum must have three finite coordinates each; remove those that are not finite");
   }
 }
 
@@ -93,7 +93,7 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
     std::ostringstream number;
     number << options.Tolerance;
     throw InvalidInput("the tolerance of a sum is " + number.str() +
-      "; give one from 2e-12 to 0.1, or use the direct method");
+      "; it must be from 2e-12 to 0.1; for a smaller error use the direct method");
   }
   const Grade& grade = GradeFor(options.Tolerance);
   const double m = static_cast<double>(sources.rows()), n = static_cast<double>(points.rows());

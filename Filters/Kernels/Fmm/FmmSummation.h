@@ -12,51 +12,53 @@ struct FmmSummationOptions
 {
   enum class MethodType
   {
-    Automatic, ///< the one that is expected to take less time
-    Direct,    ///< pair by pair, DirectSummation.h: right to rounding
+    Automatic, ///< the method that is expected to take less time
+    Direct,    ///< DirectSummation.h: accurate to rounding
     Multipole
   };
   MethodType Method = MethodType::Automatic;
-  /// Of the multipole method: the root mean square over the points of a potential's error, divided
-  /// by that of the potential of the charges' absolute values. A single point's error is at most a
-  /// hundred times as large, relative to the potential of the absolute values there; a gradient's,
-  /// of the sum of |q| / (4 pi r^2), fifty times. MinimumTolerance to 0.1.
+  /// Relative error of the multipole method, from MinimumTolerance to 0.1. It is the root mean
+  /// square error of the potential over the points, divided by the root mean square of the
+  /// potential of the absolute charges. The error at a single point is at most a hundred times
+  /// larger, relative to the potential of the absolute charges there. The error of a gradient is at
+  /// most fifty times larger, relative to the sum of |q| / (4 pi r^2).
   double Tolerance = 1e-6;
   static constexpr double MinimumTolerance = 2e-12;
 };
 
 /**
- * The potentials of point charges, phi(y_i) = sum_j q_j / (4 pi |y_i - x_j|), for many sets of
- * charges at the same positions, in time O(m + n): a kernel-independent fast multipole method
- * (L. Ying, G. Biros, D. Zorin, J. Comput. Phys. 196, 2004; see FmmOperators.h and
+ * Computes the potentials of point charges, phi(y_i) = sum_j q_j / (4 pi |y_i - x_j|), for many
+ * sets of charges at the same positions, in time O(m + n). It is a kernel-independent fast
+ * multipole method (L. Ying, G. Biros, D. Zorin, J. Comput. Phys. 196, 2004; see FmmOperators.h and
  * FmmTree.h).
  *
- * This is the entry of the library shape_fmm, which has nothing to do with shapes: it needs Base
- * and Linear alone. Link shape_fmm, include this header, and
+ * This is the entry point of the library shape_fmm, which does not depend on surfaces or meshes: it
+ * needs only Base and Linear. Link shape_fmm, include this header, and write
  *
  *     const shape::FmmSummation sum(sources, points);             // m x 3 and n x 3 coordinates
  *     const Eigen::MatrixXd potentials = sum.Potentials(charges); // of m x k charges: n x k
  *
- * Setting up costs about a third of a sum for tolerances down to 1e-6, and a sum and more beyond.
- * With Direct and with Multipole, a point's values are the same bits for any number of threads and
- * whichever points stand beside it, so points may be split between processes; they are not finite
- * if a point coincides with a source. Points may lie anywhere, sources in any arrangement.
+ * Setting up costs about a third of a sum for tolerances down to 1e-6, and at least one sum for
+ * smaller ones. With Direct and with Multipole, the values at a point have the same bits for any
+ * number of threads and for any set of other points. So points may be distributed over processes.
+ * They are not finite if a point coincides with a source. Points and sources may lie anywhere.
  */
 class FmmSummation
 {
 public:
-  /// sources: m x 3, the x_j; points: n x 3, the y_i. Throws InvalidInput if a coordinate is not
-  /// finite or the tolerance is out of range, Aborted.
+  /// sources: m x 3, the x_j. points: n x 3, the y_i. Throws InvalidInput if a coordinate is not
+  /// finite or the tolerance is out of range; Aborted.
   FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
     const FmmSummationOptions& options = {}, const Progress& progress = {});
   ~FmmSummation();
   FmmSummation(FmmSummation&&) noexcept;
   FmmSummation& operator=(FmmSummation&&) noexcept;
 
-  /// charges: m x k, one column for each potential. Returns n x k. Throws InvalidInput, Aborted.
+  /// Computes the potentials of charges (m x k, one column for each potential). Returns n x k.
+  /// Throws InvalidInput if the number of charges is wrong; Aborted.
   Eigen::MatrixXd Potentials(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
-  /// The gradients: n x 3k, column 3 r + c is d phi_r / d y_c. Throws InvalidInput, Aborted.
+  /// Computes their gradients: n x 3k, column 3 r + c is d phi_r / d y_c. Throws as Potentials.
   Eigen::MatrixXd Gradients(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
 private:

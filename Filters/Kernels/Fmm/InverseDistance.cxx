@@ -1,6 +1,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Fmm/InverseDistance.cxx"
-// What AVX-512 and SSE4 compile to, these would only repeat.
+// Targets that would only repeat the code of AVX-512 and SSE4.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 
@@ -21,8 +21,8 @@ using Tag = hn::ScalableTag<double>;
 using Vector = hn::Vec<Tag>;
 
 #if HWY_TARGET == HWY_AVX3
-// The seed is right to 2^-14: a Newton step y (3 - s y y) = 2 / sqrt(s) to 6e-9, another one to
-// rounding. The factors are taken out of the sums at the end.
+// The seed is accurate to 2^-14. A Newton step y (3 - s y y) = 2 / sqrt(s) is accurate to 6e-9,
+// another one to rounding. The constant factors are removed from the sums at the end.
 template <RootError Error>
 constexpr double RootFactor = Error == RootError::Rounding ? 16.0 : 2.0;
 
@@ -41,7 +41,7 @@ HWY_INLINE Vector InverseRoot(Tag d, Vector squared)
   }
 }
 #elif HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
-// One number at a time: the root and the quotient cost no more than steps from a rough seed.
+// Without vectors, square root and division cost no more than Newton steps from a rough seed.
 template <RootError Error>
 constexpr double RootFactor = 1.0;
 
@@ -51,8 +51,8 @@ HWY_INLINE Vector InverseRoot(Tag d, Vector squared)
   return hn::Div(hn::Set(d, 1.0), hn::Sqrt(squared));
 }
 #else
-// The seed is single precision's, right to 4e-4 or better: y (1 + e/2 + 3/8 e e), e = 1 - s y y, is
-// right to 2e-10, and a Newton step to rounding.
+// The single precision seed is accurate to 4e-4 or better. Then y (1 + e/2 + 3/8 e e), e = 1 - s y
+// y, is accurate to 2e-10, and one more Newton step to rounding.
 template <RootError Error>
 constexpr double RootFactor = Error == RootError::Rounding ? 2.0 : 1.0;
 
@@ -76,7 +76,7 @@ HWY_INLINE Vector InverseRoot(Tag d, Vector squared)
 }
 #endif
 
-/// The sums at `Vectors` vectors of points, whose coordinates are at points[c * pointStride].
+/// Computes the sums at `Vectors` vectors of points, with coordinates at points[c * pointStride].
 template <int Columns, bool Gradient, RootError Error, int Vectors>
 HWY_INLINE void SumBlock(const InverseDistanceSum& sum, const double* points,
   std::ptrdiff_t pointStride, double* values, std::ptrdiff_t valueStride)
@@ -143,7 +143,7 @@ HWY_INLINE void SumBlock(const InverseDistanceSum& sum, const double* points,
 template <int Columns, bool Gradient, RootError Error>
 void SumAll(const InverseDistanceSum& sum)
 {
-  // As many as the registers hold.
+  // As many vectors as fit in the registers.
   constexpr int vectors = HWY_TARGET == HWY_AVX3 ? (Gradient && Columns > 1 ? 1 : 2) : 1;
   constexpr int sums = Gradient ? 3 * Columns : Columns;
   const int lanes = static_cast<int>(hn::Lanes(Tag()));
@@ -161,7 +161,7 @@ void SumAll(const InverseDistanceSum& sum)
         sum, sum.Points + i, sum.PointStride, sum.Values + i, sum.ValueStride);
       continue;
     }
-    // The last points are copied, the last of them as often as lanes are left.
+    // The last points are copied to a buffer; the last one fills the remaining lanes.
     constexpr int maximum = static_cast<int>(hn::MaxLanes(Tag()));
     double points[3 * maximum], values[sums * maximum];
     for (int lane = 0; lane < lanes; ++lane)
@@ -210,7 +210,7 @@ void SumFor(const InverseDistanceSum& sum)
 
 } // namespace
 
-// Not in the unnamed namespace: the dispatch below takes their addresses from every target.
+// Not in the unnamed namespace, because the dispatch below takes their addresses for every target.
 void PotentialsFor(const InverseDistanceSum& sum)
 {
   SumFor<false>(sum);

@@ -9,9 +9,9 @@
 namespace shape
 {
 
-/// The length of the shortest path along edges from the sources to each point: n distances in the
-/// model's units, never less than the geodesic ones; infinite if no path leads there. Throws
-/// InvalidInput as RequireIndices, Aborted.
+/// Computes the length of the shortest path along edges from the sources to each point. Returns n
+/// distances in the model's units, never less than the geodesic distances; infinite if there is no
+/// path. Throws InvalidInput as RequireIndices, and Aborted.
 Eigen::VectorXd ComputeEdgeGeodesics(
   const Surface& surface, const GraphSources& sources, const Progress& progress = {});
 

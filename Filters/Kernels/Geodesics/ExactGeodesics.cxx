@@ -15,10 +15,11 @@ namespace shape
 namespace
 {
 
-constexpr int StepsBetween = 4096; ///< a few milliseconds
+/// windows and points between two progress calls, a few milliseconds
+constexpr int StepsBetween = 4096;
 constexpr std::chrono::milliseconds Slice(100);
 
-/// Works on one pair after the other, and may be interrupted within one.
+/// Computes one pair after the other; it can be interrupted within a pair.
 struct Worker
 {
   WindowPropagation Paths;
@@ -55,7 +56,7 @@ Eigen::VectorXd ComputeExactGeodesicsBetween(const Surface& surface, const Surfa
   std::vector<Worker> workers(
     std::clamp(GetThreadCount(), 1, std::max(count, 1)), { { surface, frames }, -1 });
   std::atomic<int> taken{ 0 }, done{ 0 };
-  // Which worker takes a pair, and where it is interrupted, changes nothing of its distance.
+  // A pair's distance does not depend on its worker, nor on when it is interrupted.
   const auto work = [&](Worker& worker)
   {
     const auto until = std::chrono::steady_clock::now() + Slice;
@@ -71,7 +72,8 @@ Eigen::VectorXd ComputeExactGeodesicsBetween(const Surface& surface, const Surfa
         if (component(triangles(from.Triangles(pair), 0)) !=
           component(triangles(to.Triangles(pair), 0)))
         {
-          distances(pair) = std::numeric_limits<double>::infinity(); // known without a search
+          // not connected; no search needed
+          distances(pair) = std::numeric_limits<double>::infinity();
           ++done;
           continue;
         }

@@ -16,7 +16,7 @@ namespace
 
 using MethodType = GeodesicDistanceOptions::MethodType;
 
-/// The corners of the triangles that positions lie in, and how far they are.
+/// The corners of the triangles that contain the positions, and their distances.
 GraphSources CornersAround(const Mesh& mesh, const ClosestPoints& positions)
 {
   GraphSources seeds;

@@ -13,7 +13,7 @@ struct GeodesicDistanceOptions
 {
   enum class MethodType
   {
-    Heat,    ///< HeatGeodesics: smooth, near to the shortest paths
+    Heat,    ///< HeatGeodesics: smooth, close to the shortest paths
     Exact,   ///< ComputeExactGeodesics
     Dijkstra ///< ComputeEdgeGeodesics: along edges, never too short
   };
@@ -23,15 +23,15 @@ struct GeodesicDistanceOptions
 struct GeodesicDistanceResult
 {
   Eigen::VectorXd Distances; ///< n, in the model's units; -1 if no path leads to a seed
-  int Unreached = 0;         ///< points with -1
+  int Unreached = 0;         ///< number of points with -1
 };
 
 /**
- * The distance along a surface from the nearest of `seeds` to each point.
+ * Computes the distance along a surface from the nearest of `seeds` to each point.
  *
- * surface: a 2-manifold, open or closed. seeds: k x 3 positions, at least one, each projected to
- * the closest position on the surface. Throws InvalidInput if the surface is not such a one, a
- * coordinate is not finite or there is no seed, SolveFailure, Aborted.
+ * surface: a 2-manifold, open or closed. seeds: k x 3 positions, at least one; each is projected to
+ * the closest position on the surface. Throws InvalidInput if the surface is not a 2-manifold, a
+ * coordinate is not finite or there is no seed; SolveFailure, Aborted.
  */
 GeodesicDistanceResult ComputeGeodesicDistance(const Surface& surface, const Eigen::MatrixXd& seeds,
   const GeodesicDistanceOptions& options = {}, const Progress& progress = {});

@@ -18,7 +18,7 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// 1; 0 on the boundary.
+/// Returns 1 inside, 0 on the boundary.
 Eigen::VectorXd InsideOf(const Surface& surface)
 {
   Eigen::VectorXd inside = Eigen::VectorXd::Ones(surface.Points().rows());
@@ -35,7 +35,7 @@ Eigen::VectorXd InsideOf(const Surface& surface)
   return inside;
 }
 
-/// The farthest that a point of a component is from its first point along edges.
+/// Returns the maximum distance along edges between a point and the first point of its component.
 double Extent(const Surface& surface)
 {
   const Eigen::VectorXi& componentId = surface.Topology().ComponentId;
@@ -57,7 +57,7 @@ double Extent(const Surface& surface)
   return extent;
 }
 
-/// stiffness * time + diagonal; 1 at points without a triangle.
+/// Returns stiffness * time + diagonal; the diagonal is 1 at points without a triangle.
 Eigen::SparseMatrix<double> Shifted(
   const Eigen::SparseMatrix<double>& stiffness, double time, const Eigen::VectorXd& diagonal)
 {
@@ -94,7 +94,7 @@ HeatGeodesics::HeatGeodesics(const Surface& surface, const Progress& progress)
   const double time = side * side;
   this->Heat.Factorize(Shifted(stiffness, time, masses));
   progress(0.5);
-  // Constants are free in each component: a little of the masses settles them.
+  // The constant of each component is undetermined; adding a small share of the masses fixes it.
   this->Poisson.Factorize(Shifted(stiffness, 1.0, (rest / masses.sum()) * masses));
   progress(0.8);
   if (this->Inside.minCoeff() == 0.0)
@@ -116,15 +116,15 @@ Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
     const int p = triangles(t, 0), q = triangles(t, 1), r = triangles(t, 2);
-    // The third corner is at (x, y), the second at (c, 0). Twice-area gradients of the hat
-    // functions are the opposite edges, rotated inwards by a right angle.
+    // The second corner is at (c, 0), the third at (x, y). The hat functions' gradients, times
+    // twice the area, are the opposite edges rotated inwards by a right angle.
     const double c = this->Corners(t, 0), x = this->Corners(t, 1), y = this->Corners(t, 2);
     const double across = y * (heat(q) - heat(p));
     const double along = c * (heat(r) - heat(p)) - x * (heat(q) - heat(p));
     const double largest = std::max(std::abs(across), std::abs(along));
     if (largest > 0.0)
     {
-      // Far from the seeds the squares of what is left of the heat would be 0.
+      // Far from the seeds the square of the heat would underflow.
       const double u = across / largest, v = along / largest;
       const double half = 0.5 / std::sqrt(u * u + v * v);
       divergence(p) += half * (y * u + (c - x) * v);
@@ -202,7 +202,7 @@ std::shared_ptr<const HeatGeodesics> GetHeatGeodesics(
 Eigen::MatrixXd ComputeHeatDistances(
   const Surface& surface, const std::vector<int>& points, const Progress& progress)
 {
-  constexpr int batch = 32; // sets that one pass over the factors serves
+  constexpr int batch = 32; // number of sets solved in one pass over the factors
   const std::shared_ptr<const HeatGeodesics> geodesics =
     GetHeatGeodesics(surface, progress.Part(0.0, 0.1));
   const int count = static_cast<int>(points.size());

@@ -14,7 +14,7 @@ namespace shape
 namespace
 {
 
-/// A polyline's positions, none twice in a row.
+/// Returns a polyline's positions without consecutive duplicates.
 std::vector<int> GetLoopPositions(const std::vector<int>& polyline, const std::vector<int>& first)
 {
   std::vector<int> positions;
@@ -28,7 +28,7 @@ std::vector<int> GetLoopPositions(const std::vector<int>& polyline, const std::v
   return positions;
 }
 
-/// Polylines that are open, and which of them end at each position.
+/// Open polylines, and those that end at each position.
 class OpenLines
 {
 public:
@@ -43,8 +43,8 @@ public:
     }
   }
 
-  /// The closed way from a line over others back to where it begins, each used once; else its last
-  /// position is the one where it cannot go on.
+  /// Returns the closed path that starts with a polyline and continues over others, each used once.
+  /// If it cannot be closed, its last position is where it cannot continue.
   std::vector<int> WayFrom(std::size_t line)
   {
     std::vector<int> way = this->Lines[line];
@@ -113,7 +113,7 @@ std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
       std::ostringstream words;
       words << name << " has an open curve, which ends at (" << points(way.back(), 0) << ", "
             << points(way.back(), 1) << ", " << points(way.back(), 2)
-            << "); close it: Poly Line Source has Closed";
+            << "); close it, for example with Closed of Poly Line Source";
       throw InvalidInput(words.str());
     }
     add(way);

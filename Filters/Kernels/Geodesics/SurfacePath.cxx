@@ -18,7 +18,7 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// As FindTwins, of any triangles: half-edges of an edge have none unless there are two of them, in
+/// Like FindTwins, for any triangles: half-edges have a twin only if their edge has exactly two, in
 /// opposite directions.
 std::vector<int> TwinsOf(const Surface& surface)
 {
@@ -49,8 +49,8 @@ RowVector3d PositionOf(const Mesh& surface, const SurfacePoint& position)
 
 } // namespace
 
-/// The half-edges that lead from one point to another, each crossed where it is on the shortest way
-/// from the crossing before it to the target (A* search: Hart, Nilsson and Raphael 1968).
+/// Searches for the half-edges that lead from one point to another (A* search: Hart, Nilsson and
+/// Raphael 1968). Each is crossed on the shortest line from the previous crossing to the target.
 class SurfacePaths::StripSearch
 {
 public:
@@ -65,8 +65,8 @@ public:
   {
   }
 
-  /// from, to: the triangles that the points lie in. Returns the first triangle and the half-edges;
-  /// -1 if there is no path.
+  /// from, to: the triangles that contain the points. Returns the first triangle and the
+  /// half-edges; -1 if there is no path.
   std::pair<int, std::vector<int>> Find(const std::vector<int>& from, const RowVector3d& start,
     const std::vector<int>& to, const RowVector3d& target, const Progress& progress)
   {
@@ -121,7 +121,7 @@ public:
   }
 
 private:
-  /// Forgets the last search.
+  /// Clears the last search.
   void Clear()
   {
     for (const int side : this->Reached)
@@ -133,8 +133,8 @@ private:
     this->Queue = {};
   }
 
-  /// Where a half-edge is crossed by the shortest way from a position to the target, straight on
-  /// both sides of it.
+  /// Returns where the shortest path from a position to the target, straight on both sides of a
+  /// half-edge, crosses it.
   RowVector3d CrossingOf(int side, const RowVector3d& from) const
   {
     const int next = NextHalfEdge(side);
@@ -184,8 +184,8 @@ private:
   const Mesh& Triangulation;
   const std::vector<int>& Twins;
   RowVector3d Target;
-  // Of each half-edge: a lower bound for paths over it, the length up to it, the crossing, and the
-  // one before.
+  // For each half-edge: a lower bound for paths through it, the length up to it, the crossing, and
+  // the previous half-edge.
   std::vector<double> Bounds, Distances;
   std::vector<RowVector3d> Crossings;
   std::vector<int> Before;
@@ -203,7 +203,7 @@ SurfacePaths::SurfacePaths(const Surface& surface)
 
 SurfacePaths::~SurfacePaths() = default;
 
-/// The triangles that a point lies in.
+/// Returns the triangles that contain a point.
 std::vector<int> SurfacePaths::TrianglesAt(const SurfacePoint& position) const
 {
   std::vector<int> triangles = { position.Triangle };
@@ -233,9 +233,9 @@ SurfacePath SurfacePaths::Find(
   {
     throw InvalidInput("no path over the surface leads from triangle " +
       std::to_string(from.Triangle) + " to triangle " + std::to_string(to.Triangle) +
-      "; they lie on parts that are not connected, or whose triangles face different ways: join "
-      "their points with Clean, turn them with Generate Surface Normals (Consistency), or stay on "
-      "one");
+      "; they lie on parts that are not connected or not consistently oriented: merge their points "
+      "with Clean, orient them with Generate Surface Normals (Consistency), or give points on one "
+      "part");
   }
   TriangleStrip strip(this->Searched, this->OppositeHalfEdges, from, to, first, std::move(sides));
   strip.FindPath();

@@ -23,7 +23,7 @@ double Cross(const RowVector2d& a, const RowVector2d& b)
   return a(0) * b(1) - a(1) * b(0);
 }
 
-/// Between two directions: in [0, pi].
+/// Returns the angle between two directions, in [0, pi].
 double Angle(const RowVector2d& a, const RowVector2d& b)
 {
   return std::atan2(std::abs(Cross(a, b)), a.dot(b));
@@ -91,8 +91,8 @@ void TriangleStrip::FindPath()
 
 bool TriangleStrip::LeadAround()
 {
-  constexpr double rounding = 1e-9; // of an angle
-  // From the last to the first, so that the numbers of half-edges still to be looked at stay.
+  constexpr double rounding = 1e-9; // tolerance of an angle
+  // From last to first, so the indices of half-edges still to be visited do not change.
   bool hasChanged = false;
   auto unchanged = static_cast<int>(this->Sides.size());
   for (int i = static_cast<int>(this->Turns.size()) - 1; i >= 0; --i)
@@ -114,7 +114,7 @@ bool TriangleStrip::LeadAround()
   return hasChanged;
 }
 
-/// The triangle after `step` half-edges.
+/// Returns the triangle after `step` half-edges.
 int TriangleStrip::TriangleAt(int step) const
 {
   return step == 0 ? this->First : this->Twins[this->Sides[step - 1]] / 3;
@@ -140,7 +140,7 @@ bool TriangleStrip::Touches(int side, int point) const
   return this->Begin(side) == point || this->End(side) == point;
 }
 
-/// Leaves out what goes back at once, and edges that an end of the path lies on.
+/// Removes steps that go forth and back, and edges that contain an end of the path.
 void TriangleStrip::Trim()
 {
   std::vector<int> kept;
@@ -167,7 +167,7 @@ void TriangleStrip::Trim()
   this->Sides.assign(kept.begin() + static_cast<std::ptrdiff_t>(begin), kept.end());
 }
 
-/// The apex of a half-edge's triangle, left of it when laid out in the plane.
+/// Returns the apex of a half-edge's triangle, to the left of the half-edge in the plane.
 RowVector2d TriangleStrip::ApexPosition(
   int side, const RowVector2d& begin, const RowVector2d& end) const
 {
@@ -184,7 +184,7 @@ RowVector2d TriangleStrip::ApexPosition(
     (apex.cross(edge).norm() / length) * RowVector2d(-along(1), along(0));
 }
 
-/// A point in the triangle of a half-edge whose corners are laid out.
+/// Returns the planar position of a point in the triangle of a half-edge.
 RowVector2d TriangleStrip::PositionOf(const PointSupport& support, int side,
   const RowVector2d& begin, const RowVector2d& end, const RowVector2d& apex) const
 {
@@ -200,7 +200,7 @@ RowVector2d TriangleStrip::PositionOf(const PointSupport& support, int side,
   return position;
 }
 
-/// Unfolds the strip into the plane. A half-edge begins on the right of the way over it.
+/// Unfolds the strip into the plane. A half-edge begins on the right of the path across it.
 void TriangleStrip::LayOut()
 {
   this->Portals.clear();
@@ -232,7 +232,7 @@ void TriangleStrip::LayOut()
   }
 }
 
-/// The shortest path in the plane: where it turns, and its length.
+/// Computes the turns and the length of the shortest path in the plane.
 void TriangleStrip::FindTurns()
 {
   PlanarFunnel funnel(this->FromPosition);
@@ -268,7 +268,7 @@ void TriangleStrip::FindTurns()
   this->PathLength += (this->ToPosition - before).norm();
 }
 
-/// Between the path before and after a turn, through the strip.
+/// Returns the angle between the path before and after a turn, measured through the strip.
 double TriangleStrip::AngleInStrip(std::size_t turn) const
 {
   const Turn& at = this->Turns[turn];
@@ -287,7 +287,8 @@ double TriangleStrip::AngleInStrip(std::size_t turn) const
   return angle + Angle(direction, after - at.Position);
 }
 
-/// The sum of the angles of all triangles around a point of a half-edge; infinite on the boundary.
+/// Returns the sum of the angles of all triangles around a point of a half-edge; infinite on the
+/// boundary.
 double TriangleStrip::AngleAround(int side, int point) const
 {
   const int first = this->Begin(side) == point ? side : NextHalfEdge(side);
@@ -304,8 +305,8 @@ double TriangleStrip::AngleAround(int side, int point) const
   return at < 0 ? std::numeric_limits<double>::infinity() : angle;
 }
 
-/// The half-edges on the other side of a point, from the triangle before a turn to the one after
-/// it; false if the boundary is in between.
+/// Finds the half-edges on the other side of a point, from the triangle before a turn to the one
+/// after it. Returns false if the boundary is in between.
 bool TriangleStrip::Detour(const Turn& turn, std::vector<int>& sides) const
 {
   const int after = this->TriangleAt(turn.Last + 1);
@@ -322,11 +323,12 @@ bool TriangleStrip::Detour(const Turn& turn, std::vector<int>& sides) const
   return true;
 }
 
-/// Where the straight way between two positions in the plane crosses a half-edge of the strip.
+/// Returns where the straight line between two positions in the plane crosses a half-edge.
 SurfacePoint TriangleStrip::Crossing(
   int step, const RowVector2d& before, const RowVector2d& after) const
 {
-  constexpr double rounding = 1e-12; // of an edge: a position so near to its end is there
+  // relative to the edge: a position this close to an end is that end
+  constexpr double rounding = 1e-12;
   const Portal& portal = this->Portals[step];
   const RowVector2d across = portal.Left - portal.Right, along = after - before;
   const double sine = Cross(across, along);
@@ -339,7 +341,7 @@ SurfacePoint TriangleStrip::Crossing(
   return position;
 }
 
-/// A triangle, of some steps of the strip, that two points of the path lie in.
+/// Returns a triangle, among some steps of the strip, that contains two points of the path.
 int TriangleStrip::TriangleOfBoth(
   const PointSupport& a, const PointSupport& b, int first, int last) const
 {
@@ -368,9 +370,9 @@ SurfacePath TriangleStrip::Path() const
       path.Triangles.push_back(triangle);
     }
   };
-  // From turn to turn: the edges that the segment crosses touch neither.
+  // From turn to turn: the edges that a segment crosses do not touch its two turns.
   const auto count = static_cast<int>(this->Sides.size());
-  int begin = 0, next = 0; // the first step at the turn before, and the first one past it
+  int begin = 0, next = 0; // the first step at the previous turn, and the first one after it
   RowVector2d before = this->FromPosition;
   for (std::size_t i = 0; i <= this->Turns.size(); ++i)
   {

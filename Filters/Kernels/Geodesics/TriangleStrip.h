@@ -11,24 +11,24 @@
 namespace shape
 {
 
-/// A path over a surface that is straight in each triangle.
+/// A path on a surface that is straight in each triangle.
 struct SurfacePath
 {
-  std::vector<SurfacePoint> Positions; ///< its ends, and where it passes a point or crosses an edge
-  std::vector<int> Triangles; ///< of each segment between two positions: one that it lies in
+  std::vector<SurfacePoint> Positions; ///< its ends, the points it passes and the edges it crosses
+  std::vector<int> Triangles; ///< a triangle that contains each segment between two positions
   double Length = 0.0;
 };
 
-/// The points of a surface that a point on it lies between, with their weights: one, two or three.
+/// The mesh points with nonzero weight at a point on a surface: one, two or three.
 struct PointSupport
 {
   PointSupport(const Mesh& surface, const SurfacePoint& position);
 
-  /// Whether all of them are corners of a triangle.
+  /// Whether all of them are corners of the triangle.
   bool IsIn(const Eigen::RowVector3i& triangle) const;
-  /// Whether all of them are one of two points.
+  /// Whether each of them is `a` or `b`.
   bool IsOn(int a, int b) const;
-  /// The same point in a triangle that has all of them.
+  /// Returns the same point in a triangle that contains all of them.
   SurfacePoint In(const Mesh& surface, int triangle) const;
 
   int Count = 0;
@@ -36,34 +36,36 @@ struct PointSupport
   std::array<double, 3> Weights = { 0.0, 0.0, 0.0 };
 };
 
-/// A strip of triangles between two points on a surface, and the shortest path within it, laid out
+/// A strip of triangles between two points on a surface, and the shortest path within it, computed
 /// in the plane (Lee and Preparata, "Euclidean shortest paths in the presence of rectilinear
 /// barriers", 1984).
 class TriangleStrip
 {
 public:
-  /// twins: of the half-edges, -1 on the boundary. sides: the half-edges that the strip crosses, in
-  /// order, of the triangles that it leaves; first: its first triangle, which `from` lies in.
+  /// twins: opposite half-edges, -1 on the boundary. first: the first triangle, which contains
+  /// `from`. sides: the half-edges that the strip crosses, in order; each belongs to the triangle
+  /// before the crossing.
   TriangleStrip(const Mesh& surface, const std::vector<int>& twins, const SurfacePoint& from,
     const SurfacePoint& to, int first, std::vector<int> sides);
 
   /// Finds the shortest path within the strip.
   void FindPath();
-  /// Leads the strip past each point, at which the path turns, that it could be shortened around.
-  /// Whether there were any; then FindPath finds a shorter path.
+  /// Leads the strip around the other side of each turn where that shortens the path. Returns
+  /// whether there was one; if so, FindPath finds a shorter path.
   bool LeadAround();
 
   double Length() const { return this->PathLength; }
-  /// The path that was found last; the strip has not been changed since.
+  /// Returns the last path found; the strip must not have changed since.
   SurfacePath Path() const;
 
 private:
-  /// A half-edge that is crossed, laid out in the plane: its end and its begin, seen on the way.
+  /// A crossed half-edge in the plane: its left and its right end, seen along the path.
   struct Portal
   {
     Eigen::RowVector2d Left, Right;
   };
-  /// A point that the path turns at: the first and the last half-edge of the strip that it is on.
+  /// A point where the path turns; First and Last are the strip's first and last half-edge that
+  /// touch it.
   struct Turn
   {
     int First, Last;

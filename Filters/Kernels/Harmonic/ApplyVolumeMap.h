@@ -8,15 +8,14 @@ namespace shape
 struct MovedPoints
 {
   Eigen::MatrixXd Points;        ///< n x 3
-  Eigen::VectorXi OutsideDomain; ///< n: not 0 where a point keeps its place
+  Eigen::VectorXi OutsideDomain; ///< n: 1 if the point lies outside and is not moved, else 0
 };
 
 /**
- * The values of a volume map at the points (n x 3, finite) of its domain. Points outside keep their
- * place and have OutsideDomain 1: see the function of that name. For the way back see
- * PiecewiseInverseMap.
+ * Moves points (n x 3, finite) by a volume map. Points outside its domain are not moved
+ * (FindPointsOutsideDomain). PiecewiseInverseMap computes the inverse.
  *
- * Throws SolveFailure where the map is not finite, Aborted.
+ * Throws SolveFailure if the map is not finite at a point of its domain, and Aborted.
  */
 MovedPoints ApplyVolumeMap(
   const PiecewiseHarmonicMap& map, const Eigen::MatrixXd& points, const Progress& progress = {});

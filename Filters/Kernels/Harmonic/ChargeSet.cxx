@@ -14,9 +14,9 @@ namespace
 {
 
 constexpr double InverseFourPi = 0.25 / M_PI;
-/// The tolerance of a sum that keeps a map's error, in units of the image's size; large charges of
-/// changing sign, whose potentials cancel, need a smaller one. From 64 places beside the charges:
-/// it does not depend on the points.
+/// Returns the relative tolerance of a sum that keeps the given error, in units of the image's
+/// size. Large charges of alternating sign, whose potentials cancel, need a smaller tolerance. It
+/// is estimated from 64 positions near the charges, so it does not depend on the points.
 double ToleranceFor(const ChargeSet& set, double error)
 {
   constexpr int count = 64;
@@ -34,8 +34,7 @@ double ToleranceFor(const ChargeSet& set, double error)
   return error * size / absolute.maxCoeff();
 }
 
-/// The sums over the charges: pair by pair, or by the multipole method where that is faster and
-/// keeps the error.
+/// Sums over the charges: directly, or by the multipole method if it is faster and keeps the error.
 Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool gradients,
   double error, const Progress& progress)
 {

@@ -51,7 +51,8 @@ void RequireValidInput(const VolumeFeatures& features, const HarmonicVolumeMapOp
   {
     throw InvalidInput("there are " + std::to_string(count) + " features, " +
       std::to_string(features.Targets.rows()) + " images and " +
-      std::to_string(features.Weights.size()) + " weights; give one of each for a feature");
+      std::to_string(features.Weights.size()) +
+      " weights; give each feature one image and one weight");
   }
   RequireFinite(features.Points, "the list of feature positions");
   RequireFinite(features.Targets, "the list of feature images");
@@ -67,9 +68,9 @@ void RequireValidInput(const VolumeFeatures& features, const HarmonicVolumeMapOp
   }
 }
 
-/// The distance of the nearest charges. By default about as far from the boundary as its
-/// collocation points are from each other: nearer, the map swings between those points; farther, it
-/// cannot follow the boundary's detail. The farthest is the paper's.
+/// Returns the distance of the nearest charges from the boundary. The default is about the distance
+/// between collocation points. With nearer charges the map oscillates between those points; with
+/// farther ones it cannot follow the boundary's detail. The upper limit is the paper's offset.
 double NearestOffset(const Surface& boundary, const HarmonicVolumeMapOptions& options)
 {
   if (options.OffsetDistance == 0.0)
@@ -116,7 +117,7 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
     SolveAccelerated(problem, options, setup ? *setup : own, result, progress.Part(0.05, 0.7));
     if (problem.HasFeatures())
     {
-      // What the features ask for beyond is smooth near the boundary: few, farther charges can.
+      // The correction for features is smooth near the boundary, so a few distant charges suffice.
       constexpr double maximumCollocations = 6000.0, maximumSources = 8000.0;
       const auto points = static_cast<double>(scaled.Surface.Points().rows());
       HarmonicVolumeMapOptions smooth = options;

@@ -10,38 +10,41 @@ namespace shape
 struct AcceleratedSetup;
 
 /**
- * The harmonic map of a solid whose values on the boundary are given, by the method of fundamental
- * solutions: charges outside the solid, fitted so that the sum of their potentials meets the
- * boundary map (Li, Xu, Wan, Yin and Yu, "Feature-aligned harmonic volumetric mapping using MFS",
- * Computers & Graphics 34, 2010). The affine part is fitted first, so affine maps are exact.
+ * Computes the harmonic map of a solid from given values on its boundary, by the method of
+ * fundamental solutions. Charges outside the solid are fitted so that the sum of their potentials
+ * matches the boundary map (Li, Xu, Wan, Yin and Yu, "Feature-aligned harmonic volumetric mapping
+ * using MFS", Computers & Graphics 34, 2010). The affine part is fitted first, so affine maps are
+ * exact.
  *
- * Accelerated: a charge for each point of the boundary, 0.9 spacings outside of it, and a few
- * hundred farther ones; equations at its points and centroids, by least squares; GMRES
- * preconditioned by local blocks, sums by the multipole method (NearSourceSystem.h,
- * SchwarzPreconditioner.h, FmmSummation.h). Then triangles that hold most of what is left are
- * halved and a further map is fitted to that, until the tolerance is met. Time and memory grow
- * nearly as the boundary does. CPU seconds of sphere maps: bear_bis of 10096 points 1.8,
- * RMSEInside 9.1e-5; bunny00 of 37706, 3.0, 7.5e-5; the same in 113114, 6.0, 6.4e-5
- * (Testing/Benchmarks/VolumeMap.py). MultiLevel meets soft features better, SingleShot is the
- * paper's first method: both decompose dense matrices, and are for small boundaries.
+ * Accelerated places one charge outside each boundary point, at 0.9 spacings, and a few hundred
+ * coarse charges farther out. The equations at the boundary points and triangle centroids are
+ * solved by least squares. GMRES is preconditioned by local blocks, and sums use the multipole
+ * method (NearSourceSystem.h, SchwarzPreconditioner.h, FmmSummation.h). Then the triangles with the
+ * largest residual are bisected and a further map is fitted to the residual, until the tolerance is
+ * met. Time and memory grow nearly linearly with the boundary. Sphere maps (CPU seconds,
+ * RMSEInside): bear_bis with 10096 points 1.8, 9.1e-5; bunny00 with 37706 points 3.0, 7.5e-5, and
+ * with 113114 points 6.0, 6.4e-5 (Testing/Benchmarks/VolumeMap.py).
  *
- * Of these two: the paper's offset is 0.15 of the size; by default that of the nearest charges
- * is 1.25 times the spacing of the points where the map is fitted, between 0.01 and 0.15.
- * RMSEInside of MultiLevel at 0.8, 1.25 and 2 times the spacing: dented ball of 2892 points to
- * ball 1.4e-3, 2.4e-3, 5.6e-3, and back 4.1e-4, 2.7e-4, 2.2e-4. Each fitted map is added with the
- * factor, one for each coordinate, that leaves the least over inside triangles and at features: it
- * differs from 1 where the fit swings between the collocation points, as SingleShot's can with more
- * sources than those.
+ * MultiLevel fits soft features better; SingleShot is the paper's first method. Both decompose
+ * dense matrices and are meant for small boundaries. The paper's offset is 0.15 of the size. Here
+ * the nearest charges are, by default, 1.25 spacings of the collocation points away, between 0.01
+ * and 0.15. RMSEInside of MultiLevel at 0.8, 1.25 and 2 spacings: dented ball with 2892 points to
+ * ball 1.4e-3, 2.4e-3, 5.6e-3; the inverse direction 4.1e-4, 2.7e-4, 2.2e-4.
  *
- * boundary: the closed surface of one solid in the space of the domain, and of its voids, facing
- * any way; charges sit in the voids, too (SourceShells). targets (n x 3): the image of each of its
- * points. Throws InvalidInput for a surface that is not closed or bounds several solids, values
- * that are not finite, options out of range, a feature outside the domain or a decomposition beyond
- * MaximumMemory; SolveFailure where LAPACK's does not converge, or no charge of Accelerated finds
- * room; Aborted. A decomposition is a single library call that cannot be interrupted.
+ * Each fitted map is scaled before it is added, by one factor for each coordinate. The factors
+ * minimize the residual inside triangles and at features. They differ from 1 if the fit oscillates
+ * between the collocation points, as SingleShot's can with more sources than collocation points.
  *
- * setup: what Accelerated sets up for a boundary (NearSourceSystem.h), kept from call to call: it
- * is made again only where the boundary differs.
+ * boundary: the closed surface of one solid and of its voids, with any orientation, in the space of
+ * the domain. Charges are placed in the voids, too (SourceShells). targets: n x 3, the image of
+ * each boundary point. setup: Accelerated's system for this boundary (NearSourceSystem.h). It is
+ * kept between calls and rebuilt only if the boundary has changed.
+ *
+ * Throws InvalidInput if the surface is not closed or bounds several solids, a value is not finite,
+ * or an option is out of range. Throws InvalidInput, too, if a feature lies outside the domain or a
+ * decomposition would exceed MaximumMemory. Throws SolveFailure if LAPACK's decomposition does not
+ * converge, or if no charge of Accelerated has room. Throws Aborted. A decomposition is a single
+ * library call that cannot be interrupted.
  */
 HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   const Eigen::MatrixXd& targets, const VolumeFeatures& features = {},

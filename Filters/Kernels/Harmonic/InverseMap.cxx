@@ -21,10 +21,11 @@ namespace
 
 using Indices = std::vector<int>;
 
-/// Seeds that are tried for one point, nearest first.
+/// Maximum number of seeds tried for one point, nearest first.
 constexpr int MaximumStarts = 12;
 
-/// The nearest of `places` (k x 3) to each point, nearest first: n x min(count, k) rows of it.
+/// Returns the rows of the `count` positions (k x 3) closest to each point, nearest first:
+/// n x min(count, k).
 Eigen::MatrixXi Nearest(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& points, int count,
   const Progress& progress)
 {
@@ -53,7 +54,7 @@ Eigen::MatrixXi Nearest(const Eigen::MatrixXd& positions, const Eigen::MatrixXd&
   return nearest;
 }
 
-/// The points of a lattice over the domain's box that lie inside.
+/// Returns the points of a lattice over the domain's box that lie inside the domain.
 Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress& progress)
 {
   const Eigen::MatrixXd& points = domain.GetSurface().Points();
@@ -80,8 +81,8 @@ Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress
   return lattice(inside, Eigen::all);
 }
 
-/// How much farther from the image's boundary than the tolerance there a point may lie whose
-/// preimage is within the tolerance of the domain's.
+/// A point may lie this many tolerances outside the image's boundary and still have a preimage
+/// within the tolerance of the domain.
 constexpr double MaximumStretch = 4.0;
 
 Mesh ImageOf(const ChargeSet& map, const Surface& domain, const Progress& progress)
@@ -112,7 +113,7 @@ InverseMap::InverseMap(const ChargeSet& map, const Surface& domain, double farth
   }
   this->Seeds = SeedsIn(this->Domain, options.SeedsAcross, progress.Part(0.2, 0.4));
   this->SeedImages = Evaluate(map, this->Seeds, progress.Part(0.4, 0.6));
-  // A map folds first at its boundary, and in the middle of long triangles, too.
+  // Maps fold first at the boundary, also in the middle of long triangles.
   constexpr Eigen::Index wanted = 5000;
   const Eigen::MatrixXd onBoundary = SampleRandomly(
     domain, static_cast<int>(std::max(wanted - domain.Points().rows(), Eigen::Index(0))), 1);
@@ -166,15 +167,15 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
   Indices open;
   for (int i = 0; i < points.rows(); ++i)
   {
-    // The domain's own tolerance may be stretched by the map: whether the place that is found lies
-    // in the domain decides.
+    // The map may stretch the domain's tolerance, so this test is generous. Whether the preimage
+    // that is found lies in the domain decides.
     if (this->DeterminantChangesSign || at.Distances(i) <= MaximumStretch * tolerances(i))
     {
       open.push_back(i);
     }
   }
 
-  // The image's triangles are the domain's: a place on the one is a place on the other.
+  // The image has the domain's triangles, so triangle and barycentric coordinates carry over.
   const Eigen::MatrixXd onBoundary =
     PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   const Eigen::MatrixXi nearest =
@@ -191,10 +192,11 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     0.25 * ComputeLongestBoxEdge(this->Domain.GetSurface().Points()),
     this->Options.MaximumIterations };
   Steps steps(progress.Part(0.2, 1.0));
-  // First from the nearest start, then walking from the boundary and from the nearest seed, then
-  // from other seeds: where the map folds, those may lie on the right side of it.
+  // Attempt 0 starts at the nearest start. Attempts 1 and 2 walk from the boundary and from the
+  // nearest seed. The others start at further seeds, which may lie on the right side of a fold.
   const int attempts = 2 + static_cast<int>(nearest.cols());
-  Indices beyond; // of the boundary's image: reached by folds alone, so no straight way leads there
+  // outside the boundary's image: only folds map there, so walking on a straight line fails
+  Indices beyond;
   for (int attempt = 0; attempt < attempts; ++attempt)
   {
     const bool walks = attempt == 1 || attempt == 2;
@@ -241,8 +243,8 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
         result.Points.row(id) = search.Positions.row(i);
         result.States(id) = static_cast<int>(State::Found);
       }
-      // Near the boundary of an image without folds, the one preimage lies outside: no other start
-      // would find a better one.
+      // If an image has no folds and the only preimage lies just outside, no other start finds a
+      // better one.
       else if (!solved || this->DeterminantChangesSign || at.Distances(id) < -tolerances(id))
       {
         left.push_back(id);

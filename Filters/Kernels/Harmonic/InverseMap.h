@@ -10,56 +10,59 @@ namespace shape
 
 struct InverseMapOptions
 {
-  double Tolerance = 1e-11;   ///< of |f(x) - y| / the longest side of the image; > 0
-  int MaximumIterations = 50; ///< of Newton's method from one start; >= 1
-  int SeedsAcross = 16;       ///< places tried as starts along the longest side of the domain; >= 1
+  double Tolerance = 1e-11;   ///< maximum of |f(x) - y| / the longest side of the image; > 0
+  int MaximumIterations = 50; ///< maximum number of Newton steps from one start; >= 1
+  int SeedsAcross = 16;       ///< number of seeds along the longest side of the domain; >= 1
 };
 
 /**
- * The preimages of points under a charge set's map f, inside the domain that a closed surface
- * bounds: x with f(x) = y, by Newton's method with the analytic derivative, each step halved until
- * it comes closer.
+ * Finds the preimages x, f(x) = y, of points y under the map f of a charge set, in the domain
+ * bounded by a closed surface. It uses Newton's method with the analytic derivative. Each step is
+ * halved until it decreases |f(x) - y|.
  *
- * It starts from the seed whose image is nearest: a lattice of places in the domain, and the place
- * on the boundary whose image is closest to y. Where that fails, the way is walked in steps: x
- * follows as its image moves in a straight line from the start's to y, first from the boundary,
- * along which no other boundary point's image comes in between, then from the nearest inner seed;
- * at last, from the next seeds.
- * Where f folds, a point has several preimages: one of them is found, always the same.
+ * The seeds are the points of a lattice inside the domain. The first start is the seed with the
+ * nearest image, or the boundary position whose image is closest to y if that is nearer. If
+ * Newton's method fails, x is continued along a path: its image moves from f(start) to y on a
+ * straight line. The first path starts at the boundary, where no other boundary point's image lies
+ * on the line; the second starts at the nearest seed. Finally, Newton's method is tried from
+ * further seeds. Where f folds, a point has several preimages: one of them is returned, always the
+ * same.
  *
- * A point is outside the image where it lies outside the boundary's image (by more than the
- * edges there) and the derivative's determinant has one sign at all seeds, boundary points and
- * random places on the boundary; otherwise it is searched for. Keeps copies; used from any thread.
+ * A point is outside the image if two conditions hold. It lies outside the boundary's image by more
+ * than the tolerance, which depends on the edge lengths there. And the determinant of the
+ * derivative has the same sign at all seeds, boundary points and random boundary positions. Any
+ * other point is searched for. The object copies its input and can be used from several threads.
  */
 class InverseMap
 {
 public:
-  /// domain: closed and consistently oriented (the caller has checked). farthest: how far outside
-  /// it a preimage may lie, see FindPointsOutsideDomain. Throws InvalidInput for options out of
-  /// range or a map that is not finite on the boundary; Aborted.
+  /// domain: closed and consistently oriented (checked by the caller). farthest: how far outside
+  /// the domain a preimage may lie (FindPointsOutsideDomain). Throws InvalidInput if an option is
+  /// out of range or the map is not finite on the boundary; Aborted.
   InverseMap(const ChargeSet& map, const Surface& domain, double farthest,
     const InverseMapOptions& options = {}, const Progress& progress = {});
 
   enum class State
   {
     Found = 0,
-    Outside = 1, ///< of the image, or so close to its boundary that there is no preimage inside
+    Outside = 1, ///< outside the image, or so close to its boundary that the preimage is outside
     Missed = 2   ///< inside the boundary's image, but no start led to a preimage in the domain
   };
   struct Result
   {
-    Eigen::MatrixXd Points; ///< n x 3: the preimage; the point itself where none was found
-    Eigen::VectorXi States; ///< n: a State
+    Eigen::MatrixXd Points; ///< n x 3: the preimage, or the point itself if none was found
+    Eigen::VectorXi States; ///< n: the State of each point
   };
 
-  /// points: n x 3, finite. Throws Aborted.
+  /// Finds the preimages of points (n x 3, finite). Throws Aborted.
   Result Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// Where the search for the preimage of a point begins; none where it is Outside by its distance
-  /// to the image alone.
+  /// Returns the position where the search for the preimage of a point starts. Returns none if the
+  /// distance to the image alone shows that the point is Outside.
   std::optional<Eigen::RowVector3d> Start(const Eigen::RowVector3d& point) const;
 
-  /// Whether the determinant of the derivative changes its sign, or vanishes, where it was sampled.
+  /// Whether the determinant of the derivative changes sign or vanishes among the sampled
+  /// positions.
   bool Folds() const { return this->DeterminantChangesSign; }
 
 private:
@@ -67,7 +70,7 @@ private:
   InverseMapOptions Options;
   double Farthest;
   SignedDistance Domain;
-  SignedDistance Image; ///< of the domain's boundary
+  SignedDistance Image; ///< to the image of the domain's boundary
   Eigen::MatrixXd Seeds;
   Eigen::MatrixXd SeedImages;
   bool DeterminantChangesSign = false;

@@ -13,17 +13,17 @@ namespace shape
 namespace
 {
 
-/// Side of the square that a point's area would fill, as the spacing of a triangular lattice.
+/// Spacing of a triangular lattice / the side of a square of the area of one point.
 constexpr double SpacingOfRootArea = 1.07;
-/// Of the charges / the spacing. Nearer, the map is bumpy between its points; farther, the charges
-/// become redundant. RMSE inside triangles of sphere maps at 0.6, 0.75, 0.9, 1.0: bear_bis 1.9e-4,
-/// 1.5e-4, 1.4e-4, 1.4e-4; bunny00 1.1e-4, 8.8e-5, 7.8e-5, 7.6e-5; retinal 6.0e-4, 5.6e-4, 5.7e-4,
-/// 6.5e-4.
+/// Offset of the charges / the spacing. If it is smaller, the map is bumpy between its points; if
+/// it is larger, the charges become redundant. RMSE inside triangles of sphere maps at 0.6, 0.75,
+/// 0.9, 1.0: bear_bis 1.9e-4, 1.5e-4, 1.4e-4, 1.4e-4; bunny00 1.1e-4, 8.8e-5, 7.8e-5, 7.6e-5;
+/// retinal 6.0e-4, 5.6e-4, 5.7e-4, 6.5e-4.
 constexpr double NearOffsetOfSpacing = 0.9;
-/// Of the coarse charges / the spacing of the clusters.
+/// Offset of the coarse charges / the spacing of the clusters.
 constexpr double CoarseOffset = 0.5;
 
-/// Coarse charges and the one that each site belongs to.
+/// The coarse charges, and the index of the one that each site belongs to.
 struct CoarseLevel
 {
   Eigen::MatrixXd Sources;
@@ -56,7 +56,7 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
   }
   const NearSources placed = InsertNearSources(boundary, centres, directions, offsets, progress);
   level.Sources = placed.Points;
-  // A cluster whose charge found no room joins the nearest one that has.
+  // A cluster without room for a charge joins the nearest cluster that has one.
   Eigen::VectorXi number = Eigen::VectorXi::Constant(count, -1);
   for (Eigen::Index k = 0; k < placed.Sites.size(); ++k)
   {
@@ -78,8 +78,9 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
   return level;
 }
 
-/// Means of a hat function over the triangles around each point, by the rule that has 1 / 12 of a
-/// triangle's area at its corners and 3 / 4 at its centroid: points' count x (points, centroids).
+/// Returns the mean weighted by the hat function of each point, as a sparse matrix: one row for
+/// each point, one column for each surface point and centroid. The quadrature rule gives 1 / 12 of
+/// a triangle's area to each corner and 3 / 4 to the centroid.
 Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
   const Surface& surface, const Eigen::VectorXi& points)
 {
@@ -181,8 +182,8 @@ NearSourceSystem::NearSourceSystem(
   if (near.Sites.size() == 0)
   {
     throw SolveFailure(
-      "no charge finds room outside the boundary; its triangles face the wrong way "
-      "or it is folded onto itself");
+      "there is no room for any charge outside the boundary: its triangles face the wrong way, "
+      "or it is folded onto itself; repair the boundary");
   }
   this->WithoutCharge = static_cast<int>(surface.Points().rows() - near.Sites.size());
   Eigen::VectorXd offsets = near.Offsets;

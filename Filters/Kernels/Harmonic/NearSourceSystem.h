@@ -10,19 +10,20 @@
 namespace shape
 {
 
-/// Charges close to a surface, each outside of the position (site) on it that it belongs to.
+/// Charges close to a surface. Each lies outside a position on the surface, called its site.
 struct NearSources
 {
   Eigen::MatrixXd Points;  ///< k x 3
-  Eigen::VectorXi Sites;   ///< k, ascending: the row of its site
-  Eigen::VectorXd Offsets; ///< k, > 0: the distance from its site
+  Eigen::VectorXi Sites;   ///< k, ascending: the row of each charge's site
+  Eigen::VectorXd Offsets; ///< k, > 0: the distance of each charge from its site
 };
 
 /**
- * A charge for each site on the normal, at the offset wanted there or as much nearer as it takes to
- * have at least 0.6 of its offset between it and any part of the surface: in narrow gaps. A site
- * with room for less than 0.24 of the offset, without a normal or with offset 0 gets none: charges
- * so close to the surface are spikes between its points.
+ * Places one charge on the normal of each site, at the given offset. In a narrow gap the offset is
+ * reduced until the distance from every part of the surface is at least 0.6 of the reduced offset.
+ * A site gets no charge if that requires less than 0.24 of the offset, because the field of a
+ * charge so close to the surface is a spike between its points. It also gets none if its
+ * normal or offset is zero.
  *
  * boundary: closed, facing out of the solid. sites: n x 3, on or near it. normals: n x 3, unit, or
  * zero. offsets: n, >= 0. Throws Aborted.
@@ -31,39 +32,40 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
   const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress = {});
 
 /**
- * The equations of charges that sit close to a surface, one outside of each of its points at about
- * the distance of the neighbouring points, and of a few coarse ones farther out. Set up once for a
- * surface, it solves for any number of boundary values.
+ * The linear system for charges close to a surface: one outside each surface point, at about the
+ * distance of the neighbouring points, and a few coarse ones farther out. It is set up once for a
+ * surface and solves for any number of boundary values.
  */
 class NearSourceSystem
 {
 public:
-  /// More takes three times the time and memory. It converges where the surface's triangles are
-  /// uneven, parts are thin, gaps are narrow, or little is left to be gained.
+  /// More takes three times the time and memory of Little. It also converges if the surface's
+  /// triangles are uneven, parts are thin, gaps are narrow, or the residual is already small.
   enum class Effort
   {
     Little,
     More
   };
   /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
-  /// refinement of it. Throws SolveFailure if no charge has room, Aborted.
+  /// refinement of it. Throws SolveFailure if no charge has room; Aborted.
   NearSourceSystem(const SignedDistance& boundary, const Surface& surface,
     Effort effort = Effort::Little, const Progress& progress = {});
 
-  /// m x 3: where values are wanted.
+  /// Positions where values are prescribed: m x 3, the surface's points and then its centroids.
   const Eigen::MatrixXd& Rows() const { return this->System.Rows; }
-  /// Of all charges, the coarse ones last: k x 3.
+  /// Positions of all charges, the coarse ones last: k x 3.
   const Eigen::MatrixXd& Sources() const { return this->AllSources; }
-  /// How many points of the surface have no charge: in gaps too narrow, or without a normal.
+  /// Number of surface points without a charge: in a gap too narrow, or without a normal.
   int PointsWithoutCharge() const { return this->WithoutCharge; }
-  /// Of the charges that are closest to the boundary, but for one in a hundred.
+  /// Minimum offset of the charges, after leaving out the smallest 1 %.
   double Offset() const { return this->NearOffset; }
 
-  /// Charges (Solution: k x 3) for values at Rows() (m x 3). Throws Aborted.
+  /// Solves for the charges (Solution: k x 3) with the given values at Rows() (m x 3). Throws
+  /// Aborted.
   GmresResult Solve(const Eigen::MatrixXd& values, const GmresOptions& options,
     const Progress& progress = {}) const;
 
-  /// The potentials of charges (k x 3) at Rows(). Throws Aborted.
+  /// Returns the potentials of charges (k x 3) at Rows(): m x 3. Throws Aborted.
   Eigen::MatrixXd Values(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
 private:
@@ -75,7 +77,7 @@ private:
   std::unique_ptr<FmmSummation> Sums;
 };
 
-/// What is set up once for all targets of a boundary.
+/// The system of a boundary, kept for further targets.
 struct AcceleratedSetup
 {
   Surface Boundary;

@@ -17,7 +17,7 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// The triangles in some of the regions over the points that they use.
+/// Returns the triangles of the wanted regions, with the points that they use.
 template <typename Wanted>
 Mesh Part(const Surface& surface, const Eigen::VectorXi& regions, const Wanted& wanted)
 {
@@ -45,7 +45,7 @@ void RequireValidCharges(const PiecewiseCharges& charges)
     throw InvalidInput("the map has " + std::to_string(count) + " regions, " + std::to_string(m) +
       " triangles with " + std::to_string(charges.Regions.size()) + " regions, and " +
       std::to_string(charges.Skins.size()) +
-      " skins; give one region a triangle and no negative skin");
+      " skins; give each triangle a region and each region a skin that is not negative");
   }
   for (Eigen::Index r = 0; r < count && charges.Regions.size() > 0; ++r)
   {
@@ -84,7 +84,7 @@ PiecewiseHarmonicMap::PiecewiseHarmonicMap(
   const std::string name = "the surface of the Map";
   if (this->Maps.size() > 1)
   {
-    // All at once: no two components may meet.
+    // Checked together: no two components may touch.
     OrientByNesting(charges.Surface, name, progress.Part(0.0, 0.5));
   }
   const Mesh solid = Part(charges.Surface, charges.Regions, [](int region) { return region <= 0; });
@@ -148,7 +148,7 @@ Mesh PiecewiseHarmonicMap::BoundaryOf(int region) const
   if (region == 0)
   {
     boundary = this->Solid->GetSurface().AsMesh();
-    // The walls of voids in inner regions are theirs.
+    // The walls of voids in inner regions do not bound region 0.
     if (this->RegionCount() > 1)
     {
       const std::vector<Mesh> parts = SplitComponents(boundary);
@@ -234,7 +234,7 @@ Eigen::VectorXi PiecewiseHarmonicMap::RegionsAt(
 namespace
 {
 
-/// Which points need the map of `region`: theirs, or that of a skin that they lie in.
+/// Returns the points in `region`, and those in a skin that blends with its map.
 std::vector<int> Needing(
   const PiecewiseHarmonicMap& map, const PiecewiseHarmonicMap::Positions& positions, int region)
 {
@@ -304,7 +304,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
         blended.push_back(rows[k]);
       }
     }
-    // The share's own slope.
+    // The derivative of the share (product rule).
     const Eigen::MatrixXd values = shape::Evaluate(this->Maps[r], points(blended, Eigen::all));
     for (std::size_t k = 0; k < blended.size(); ++k)
     {

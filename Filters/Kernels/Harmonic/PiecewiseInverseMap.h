@@ -10,31 +10,32 @@ namespace shape
 {
 
 /**
- * The preimages of points under a map of several layers: x with f(x) = y.
+ * Finds the preimages x, f(x) = y, of points y under a map with several regions.
  *
- * They are searched for in each region by itself (InverseMap), the solid's outermost one first;
- * where the place that is found lies beyond a border, or in its skin, Newton's method goes on from
- * there with the whole map. The first that has the image asked for is taken. Used from any thread.
+ * Each region is searched separately (InverseMap), the outermost first. The preimage found may lie
+ * beyond a border or in the skin. So Newton's method continues from there with the complete map f.
+ * The first position whose image is y within the tolerance is returned. Can be used from several
+ * threads.
  */
 class PiecewiseInverseMap
 {
 public:
-  /// Throws as InverseMap does.
+  /// Throws the same exceptions as InverseMap.
   explicit PiecewiseInverseMap(std::shared_ptr<const PiecewiseHarmonicMap> map,
     const InverseMapOptions& options = {}, const Progress& progress = {});
 
-  /// points: n x 3, finite. Missed where no region leads to a preimage, but the point lies in the
-  /// image of one. Throws Aborted.
+  /// Finds the preimages of points (n x 3, finite). The state is Missed if a point lies in the
+  /// image of a region, but no search finds a preimage. Throws Aborted.
   InverseMap::Result Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// The inverse of one region's map.
+  /// Returns the inverse of one region's map.
   const InverseMap& OfRegion(int region) const { return this->Inverses[region]; }
-  double GoalOfMisses() const { return this->Goal; } ///< a preimage's, at most
+  double GoalOfMisses() const { return this->Goal; } ///< maximum of |f(x) - y| at a preimage
 
 private:
   std::shared_ptr<const PiecewiseHarmonicMap> Map;
-  std::vector<InverseMap> Inverses; ///< by region
-  double Goal = 0.0;                ///< a miss that is small enough
+  std::vector<InverseMap> Inverses; ///< one for each region
+  double Goal = 0.0;                ///< maximum of |f(x) - y| at a preimage
   double MaxStep = 0.0;
   int Iterations = 0;
 };

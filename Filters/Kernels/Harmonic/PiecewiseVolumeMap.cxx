@@ -39,7 +39,7 @@ Mapped Nothing()
   return { { Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) }, Eigen::MatrixXd(0, 3) };
 }
 
-/// Every triangle cut into four at the midpoints of its edges.
+/// Divides every triangle into four at the midpoints of its edges.
 Mesh Refined(const Mesh& mesh)
 {
   std::map<std::pair<int, int>, int> midpoints;
@@ -75,14 +75,14 @@ Mesh Refined(const Mesh& mesh)
   return refined;
 }
 
-/// The layers of a solid: what bounds each, and where the images of those points are.
+/// One layer of a solid: the surfaces that bound it, with the images of their points.
 struct Layer
 {
   int Region = 0;
-  int Parent = -1;           ///< the layer around it, by its index in the list
-  Mapped Around;             ///< facing outwards
-  Mapped Within = Nothing(); ///< borders of layers inside, and walls of voids
-  Mapped Voids = Nothing();  ///< the walls alone
+  int Parent = -1;           ///< index of the layer around it, -1 for none
+  Mapped Around;             ///< the outer surface, facing outwards
+  Mapped Within = Nothing(); ///< borders of the layers inside, and walls of voids
+  Mapped Voids = Nothing();  ///< the walls of voids alone
 };
 
 std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const Progress& progress)
@@ -97,7 +97,7 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
     {
       throw InvalidInput(surface.Name + " has " + std::to_string(surface.Surface.Points().rows()) +
         " points and " + std::to_string(surface.Targets.rows()) +
-        " images; give each point three coordinates");
+        " images; give each point one image of three coordinates");
     }
     meshes.push_back(surface.Surface);
     names.push_back(surface.Name);
@@ -107,7 +107,7 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
     for (std::size_t j = i + 1; j < meshes.size(); ++j)
     {
       OrientByNesting(JoinMeshes({ meshes[i], meshes[j] }),
-        "what " + names[i] + " and " + names[j] + " make together", progress);
+        "the union of " + names[i] + " and " + names[j], progress);
     }
   }
   const SolidRegions regions(meshes, names, progress);
@@ -156,7 +156,7 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
   return layers;
 }
 
-/// What the layers' surfaces are together, each triangle with the region that it encloses.
+/// Joins the surfaces of all layers; each triangle gets the region that it encloses.
 PiecewiseCharges WithoutCharges(const std::vector<Layer>& layers)
 {
   PiecewiseCharges charges;
@@ -201,17 +201,17 @@ VolumeFeatures Select(const VolumeFeatures& features, const Eigen::VectorXi& reg
   return selected;
 }
 
-/// What one layer's map is fitted to, and its residual.
+/// Input of the fit of one layer's map, and samples that measure its jump.
 struct LayerProblem
 {
   Mapped Boundary;
   VolumeFeatures Features;
-  Eigen::MatrixXd Positions; ///< random, on the border around
-  Eigen::MatrixXd Wanted;    ///< the values there of the map outside
+  Eigen::MatrixXd Positions; ///< random positions on the layer's outer border
+  Eigen::MatrixXd Wanted;    ///< values of the outer map at these positions
 };
 
-/// The thickest skin inside a border: not beyond where the map of the layer around holds, nor
-/// into the skins of borders further inside.
+/// Returns the maximum thickness of the skin inside a border. The map of the outer layer must be
+/// valid there, and the skins of inner borders must not overlap it.
 double ThickestSkin(const Layer& layer, double chargesDistance)
 {
   double gap = chargesDistance;
@@ -223,7 +223,7 @@ double ThickestSkin(const Layer& layer, double chargesDistance)
   return 0.5 * gap;
 }
 
-/// The errors of a map at a surface with given images.
+/// Returns the errors of a map at a surface whose images are given.
 PiecewiseVolumeMapResult::Border ErrorsAt(const Mapped& surface, const ChargeSet& map, double size)
 {
   const Eigen::VectorXd vertices =
@@ -265,7 +265,8 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   const Eigen::VectorXi featureRegions = positions.RegionsAt(features.Points);
   const double size = ComputeLongestBoxEdge(boundary.Points()),
                targetSize = ComputeLongestBoxEdge(targets);
-  std::vector<double> offsets(count, 0.0); // of the nearest charges, in the layers' order
+  // offsets of the nearest charges, in the order of the layers
+  std::vector<double> offsets(count, 0.0);
   double featureSquares = 0.0;
   for (int i = 0; i < count; ++i)
   {

@@ -9,71 +9,73 @@
 namespace shape
 {
 
-/// A closed surface inside a solid whose image is given.
+/// A closed surface inside a solid, with its image.
 struct ExactSurface
 {
   shape::Surface Surface;
   Eigen::MatrixXd Targets; ///< n x 3: the images of its points
-  std::string Name;        ///< what errors call it: "feature 2"
+  std::string Name;        ///< name in error messages: "feature 2"
 };
 
 struct PiecewiseVolumeMapOptions
 {
-  /// A border's triangles are cut into 4^so many for the layer inside, which must meet the curved
-  /// values of the map outside, not chords of them; >= 0. With 1 instead of 0, jumps of MultiLevel
-  /// are 2 to 3 times smaller at 6 times the cost.
+  /// Number of times that each triangle of a border is divided into four for the layer
+  /// inside; >= 0. The inner map must match the curved values of the outer map, not linear
+  /// interpolation. With 1 instead of 0, the jumps of MultiLevel are 2 to 3 times smaller at 6
+  /// times the cost.
   int InterfaceRefinement = 1;
-  /// How thick a skin is, / the boundary's longest side: so many times the greatest jump / the
-  /// targets' longest side. In a thinner one the map turns more sharply, in a thicker one it stays
-  /// away from the layer's own for longer. At most half of the way to the charges beyond the
-  /// border, or to the next border.
+  /// Thickness of a skin relative to the boundary's longest side, divided by the maximum jump
+  /// relative to the targets' longest side. In a thinner skin the map bends more sharply; a thicker
+  /// skin departs from the layer's harmonic map over a longer distance. The thickness is at most
+  /// half the distance to the charges beyond the border, and half the distance to the next border.
   double SkinPerJump = 20.0;
 };
 
 struct PiecewiseVolumeMapResult
 {
-  /// Errors at one surface of the map, divided by the longest side of the boundary's targets' box.
+  /// Errors at one surface, divided by the longest side of the box of the boundary's targets.
   struct Border
   {
     double RMSEVertices = 0.0; ///< at its points
     double RMSEInside = 0.0;   ///< at a position in each of its triangles (ComputeOffCentres)
-    double Maximum = 0.0;      ///< over both
-    /// How far the two layers' fitted maps are from each other, without the skin, at random
-    /// positions; 0 for the boundary.
+    double Maximum = 0.0;      ///< maximum over both
+    /// Distance between the fitted maps of the two layers at random positions of the border, before
+    /// blending in the skin; 0 for the boundary.
     double JumpRMS = 0.0, JumpMaximum = 0.0;
   };
   PiecewiseCharges Charges;
-  std::vector<HarmonicVolumeMapResult> Layers; ///< by region; without Map
-  std::vector<Border> Borders;                 ///< by region: of the surface around it; 0: of
-                                               ///< the boundary and the voids beside it
-  double RMSEFeatures = 0.0;                   ///< as in HarmonicVolumeMapResult
-  double OffsetDistance = 0.0; ///< the minimum of the layers', / the boundary's longest side
+  std::vector<HarmonicVolumeMapResult> Layers; ///< one for each region; Map is left empty
+  /// one for each region: the surface around it; 0: the boundary and the walls of voids in region 0
+  std::vector<Border> Borders;
+  double RMSEFeatures = 0.0;   ///< see HarmonicVolumeMapResult
+  double OffsetDistance = 0.0; ///< minimum over the layers / the boundary's longest side
 };
 
 /**
- * The harmonic volume map that meets closed surfaces inside, too: each is a border between layers,
- * and each layer has a harmonic map of its own.
+ * Computes a volume map that is exact on closed surfaces inside the solid, too. These surfaces are
+ * borders between layers, and each layer has its own harmonic map.
  *
- * One harmonic map cannot: by the maximum principle it moves an inner point no farther from where
- * the map of the boundary takes it than it moves the boundary. The layers are solved from the
- * outside inwards by ComputeHarmonicVolumeMap, each with charges on both sides of it. An inner
- * layer takes the values of the map around it as those at its border, and in a thin skin inside the
- * border the one map passes into the other (PiecewiseHarmonicMap), so that the whole is continuous
- * to rounding.
+ * A single harmonic map cannot do this. By the maximum principle, prescribing the image of an inner
+ * point moves that point no farther than it moves the boundary. The layers are solved from the
+ * outside inwards by ComputeHarmonicVolumeMap, with charges on both sides of each layer. At its
+ * outer border an inner layer takes the values of the map around it. In a thin skin inside the
+ * border one map blends into the other (PiecewiseHarmonicMap), so the result is continuous to
+ * rounding.
  *
- * Where a border's triangles meet at an angle, two maps that are smooth beyond it agree only to the
- * difference of their derivatives times the height of the facets over a smooth surface: that is the
- * least that jumps of fitted maps come to. On the phantom of 2562, 1926 and 1538 points, whose
- * skull and brain go to a polycube and a cube, Accelerated leaves RMSEInside 2.6e-4, 5.2e-4
- * and 1.1e-4 over, and jumps of 6.9e-4 and 2.5e-4 (RMS) for the skin to make up for; with 23042,
- * 12048 and 11618 points 6.3e-5, 1.4e-4 and 5.9e-5 (Testing/Benchmarks/Phantom.py).
+ * At the edges of a border two smooth maps cannot agree exactly. They differ by the difference of
+ * their derivatives times the height of the facets over a smooth surface. This bounds the jumps of
+ * fitted maps from below. The phantom has surfaces of 2562, 1926 and 1538 points; its skull and
+ * brain go to a polycube and a cube. Accelerated reaches RMSEInside 2.6e-4, 5.2e-4 and 1.1e-4, with
+ * jumps of 6.9e-4 and 2.5e-4 (RMS) that the skins blend. With 23042, 12048 and 11618 points
+ * RMSEInside is 6.3e-5, 1.4e-4 and 5.9e-5 (Testing/Benchmarks/Phantom.py).
  *
- * Regions are numbered as Tetrahedralize does: 0 inside the boundary, i + 1 inside surface i. A
- * region in several pieces that do not touch has a map for each: all but the first are numbered
- * after the last surface. Features are soft and belong to the layer that they lie in.
+ * Regions are numbered as in Tetrahedralize: 0 inside the boundary, i + 1 inside surface i. A
+ * region in several pieces that do not touch has one map for each piece. All pieces but the first
+ * are numbered after the last surface. Features are soft and belong to the layer that contains
+ * them.
  *
- * Throws as ComputeHarmonicVolumeMap and SolidRegions do; InvalidInput if surfaces are not
- * closed, cross or touch, or lie outside.
+ * Throws the exceptions of ComputeHarmonicVolumeMap and SolidRegions. Throws InvalidInput if a
+ * surface is not closed, crosses or touches another, or lies outside the boundary.
  */
 PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   const Eigen::MatrixXd& targets, const std::vector<ExactSurface>& surfaces,

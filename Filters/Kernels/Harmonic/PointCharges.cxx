@@ -17,8 +17,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Wide = hn::ScalableTag<double>;
 using Vector = hn::Vec<Wide>;
 
-/// 1 / sqrt(square) to the last bit but one or two: a float's approximation, which has 11 bits at
-/// least, and three of Newton's steps. square lies within a float's range: see PointCharges.
+/// Returns 1 / sqrt(square) to the last bit or two: a single-precision approximation with at least
+/// 11 bits, then three Newton steps. `square` must lie in the range of float: see PointCharges.
 HWY_INLINE Vector InverseRoot(Wide wide, Vector square)
 {
   const hn::Rebind<float, Wide> narrow;
@@ -32,8 +32,7 @@ HWY_INLINE Vector InverseRoot(Wide wide, Vector square)
   return root;
 }
 
-/// Adds the sums over all charges: 3 numbers of the field and, where asked for, 9 of its
-/// derivative.
+/// Sums over all charges: 3 values of the field and, if requested, 9 of its derivative.
 template <bool WithDerivative>
 HWY_INLINE void Sum(const double* packed, size_t stride, const double* position, double* sums)
 {
@@ -106,9 +105,9 @@ namespace
 HWY_EXPORT(Field);
 HWY_EXPORT(FieldAndSlope);
 
-/// More than the lanes of any processor's vectors.
+/// At least the number of lanes of any processor's vectors.
 constexpr Eigen::Index Lanes = 32;
-/// Where the entries sit that fill the last vectors, in sizes: they carry no charge.
+/// Position, in units of the box, of the zero charges that fill the last vector.
 constexpr double Far = 1e6;
 
 } // namespace

@@ -25,8 +25,9 @@ using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<PointRows, 3>;
 using Means = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// 1 / (4 pi r), sources' count x points' count, by one thread. In single precision, the places are
-/// taken from the first source: they are close to each other.
+/// Returns 1 / (4 pi r): one row for each source, one column for each point. Single-threaded.
+/// Positions are taken relative to the first source, because in single precision nearby points
+/// would lose digits.
 template <typename Real>
 Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> LocalPotentials(
   const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points)
@@ -47,7 +48,7 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> LocalPotentials(
   return matrix;
 }
 
-/// The rows that the tests of some sites look at, ascending.
+/// Returns the rows with an entry in the tests of the given sites, ascending.
 std::vector<int> TestedRows(const Means& tests, const std::vector<int>& sites)
 {
   std::vector<int> rows;
@@ -63,7 +64,7 @@ std::vector<int> TestedRows(const Means& tests, const std::vector<int>& sites)
   return rows;
 }
 
-/// The means over the sites of each cluster: clusters' count x sites' count.
+/// Returns the matrix of the means over each cluster: number of clusters x number of sites.
 Means MeansOver(const Eigen::VectorXi& clusters, Eigen::Index count)
 {
   Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count);
@@ -81,7 +82,7 @@ Means MeansOver(const Eigen::VectorXi& clusters, Eigen::Index count)
   return means;
 }
 
-/// Sites near the centre of `own` that are not among them, nearest first.
+/// Returns the sites nearest to the centre of `own` that are not in `own`, nearest first.
 std::vector<int> SitesAround(
   const Tree& tree, const Eigen::MatrixXd& sites, const std::vector<int>& own, int count)
 {
@@ -139,7 +140,7 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
   , CoarseSources(coarseSources)
   , ClusterMeans(MeansOver(clusters, coarseSources.rows()))
 {
-  const BlasThreads single(false); // the blocks are shared out among the threads
+  const BlasThreads single(false); // the blocks are distributed over the threads
   const std::vector<std::vector<int>> parts = SplitAtMedians(system.Sites, options.Own);
   const PointRows sites = system.Sites;
   const Tree tree(3, std::cref(sites), 16);
@@ -189,7 +190,7 @@ void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
   for (Eigen::Index c = 0; c < count; ++c)
   {
     progress(static_cast<double>(c) / static_cast<double>(count));
-    // A mean of potentials is the potential of a charge that is shared out among the places.
+    // A mean of potentials is the potential of a charge distributed over the positions.
     std::vector<int> sites;
     std::vector<double> shares;
     for (Means::InnerIterator entry(this->ClusterMeans, c); entry; ++entry)
@@ -201,7 +202,7 @@ void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
       Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size())),
       this->CoarseSources);
   }
-  // In narrow gaps coarse charges are nearly redundant: the ridge keeps them small.
+  // In narrow gaps coarse charges are nearly redundant; the regularization keeps them small.
   constexpr double ridge = 1e-4;
   Eigen::MatrixXd normal = coarse * coarse.transpose();
   normal.diagonal().array() += ridge * normal.diagonal().mean();
@@ -220,7 +221,7 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
   const std::vector<int> rows = TestedRows(system.Tests, sites);
   const Eigen::MatrixXd sources = system.Sources(sites, Eigen::all);
   const Eigen::MatrixXd positions = system.Rows(rows, Eigen::all);
-  // Own columns of a transposed inverse are own rows of the inverse.
+  // The columns of `own` in the transposed inverse are its rows in the inverse.
   if (maximumAmplification > 0.0)
   {
     const Eigen::MatrixXf potentials = LocalPotentials<float>(sources, positions);
@@ -243,7 +244,7 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
       return block;
     }
   }
-  // RMSE inside triangles, data A of Testing/Benchmarks, at ridges 1e-2, 1e-3, 1e-4, 1e-6: turbine
+  // RMSE inside triangles for ridges 1e-2, 1e-3, 1e-4, 1e-6 (data A of Testing/Benchmarks): turbine
   // 9.7e-4, 4.6e-4, 5.0e-4, 7.8e-4; cheese 1.5e-3, 2.9e-3, 3.4e-3, 7.6e-2.
   constexpr double ridge = 3e-3;
   const Eigen::MatrixXd potentials = LocalPotentials<double>(sources, positions);
@@ -267,7 +268,8 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
   left.bottomRows(left.rows() - n) = residual(this->Rows, Eigen::all);
   Eigen::MatrixXd charges(n + c, residual.cols());
   charges.bottomRows(c) = this->CoarseInverse * (this->ClusterMeans * left.topRows(n));
-  // Across a test the potentials of charges so far away hardly change: they count as at its site.
+  // The potential of a coarse charge hardly varies over one average, so it is evaluated at its
+  // centre.
   left -= SumPotentialsDirectly(
     this->CoarseSources, charges.bottomRows(c), this->Positions, RootError::Small);
   ParallelFor(static_cast<int>(this->Blocks.size()), 16,
@@ -276,7 +278,8 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
       for (int b = begin; b < end; ++b)
       {
         const Block& block = this->Blocks[b];
-        // Double again: rounding of the inputs to float would make it a little less than linear.
+        // In double precision: rounding the inputs to float would make the operator slightly
+        // nonlinear.
         const Eigen::MatrixXd inputs = left(block.Inputs, Eigen::all);
         charges(block.Own, Eigen::all) = block.Inverse.cast<double>() * inputs;
       }

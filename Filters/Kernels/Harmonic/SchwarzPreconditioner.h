@@ -9,53 +9,54 @@
 namespace shape
 {
 
-/// The system that charges near a surface solve: site j of the surface has the charge at row j of
-/// Sources, and tests what is left over at the rows with row j of Tests.
+/// A linear system for charges near a surface. Row j of Sources is the charge of site j, and row j
+/// of Tests averages the residual around it.
 struct TestedSystem
 {
-  Eigen::MatrixXd Rows;                               ///< m x 3: where values are given
-  Eigen::VectorXd Weights;                            ///< m, >= 0: of the rows
-  Eigen::SparseMatrix<double, Eigen::RowMajor> Tests; ///< n x m: weighted means
+  Eigen::MatrixXd Rows;    ///< m x 3: positions where values are prescribed
+  Eigen::VectorXd Weights; ///< m, >= 0: weights of the rows
+  Eigen::SparseMatrix<double, Eigen::RowMajor> Tests; ///< n x m: weights of the averages
   Eigen::MatrixXd Sites;                              ///< n x 3
   Eigen::MatrixXd Sources;                            ///< n x 3
 };
 
 struct SchwarzOptions
 {
-  int Own = 64;     ///< most sites of a block; >= 1
-  int Around = 100; ///< sites around them that its local system includes; >= 0
-  /// A block whose tested system amplifies more is solved by least squares over the rows, with a
-  /// ridge: one that is wild drowns what all others do, until iterations have singled it out.
-  /// Blocks of even triangles amplify 100 to 600 times. 0: all are solved so, which takes three
-  /// times the time and memory, and holds where charges are crowded.
+  int Own = 64;     ///< maximum number of sites of a block; >= 1
+  int Around = 100; ///< number of surrounding sites in the local system of a block; >= 0
+  /// Maximum amplification of a block's averaged system. A block above it is solved by regularized
+  /// least squares over the rows, because an ill-conditioned block drowns the others for many
+  /// iterations. For evenly sized triangles the amplification is 100 to 600. With 0 all blocks are
+  /// solved by least squares. This takes three times the time and memory, and works where charges
+  /// are crowded.
   double MaximumAmplification = 1e3;
 };
 
 /**
- * An approximate inverse of the potentials of charges near a surface, in two levels: coarse charges
- * farther out, one for each cluster of sites; then, on what these leave over, restricted additive
- * Schwarz: each block of sites takes its own charges from a dense local system that includes the
- * sites around it (Cai and Sarkis, "A restricted additive Schwarz preconditioner for general sparse
- * linear systems", 1999). Linear.
+ * An approximate inverse of the potentials of charges near a surface, in two levels. First come
+ * coarse charges farther out, one for each cluster of sites. Restricted additive Schwarz then
+ * reduces their residual. The charges of each block of sites solve a dense local system that
+ * includes the surrounding sites (Cai and Sarkis, "A restricted additive Schwarz preconditioner for
+ * general sparse linear systems", 1999). The operator is linear.
  */
 class SchwarzPreconditioner
 {
 public:
-  /// coarseSources: c x 3. clusters: n, the coarse source of each site. Throws Aborted.
+  /// coarseSources: c x 3. clusters: n, the index of each site's coarse source. Throws Aborted.
   SchwarzPreconditioner(const TestedSystem& system, const Eigen::MatrixXd& coarseSources,
     const Eigen::VectorXi& clusters, const SchwarzOptions& options = {},
     const Progress& progress = {});
 
-  /// residual: m x k. Charges at the sources, then at the coarse ones: (n + c) x k.
+  /// residual: m x k. Returns the charges of the sources, then of the coarse sources: (n + c) x k.
   Eigen::MatrixXd Apply(const Eigen::MatrixXd& residual) const;
 
 private:
   struct Block
   {
-    std::vector<int> Own;    ///< sites
-    std::vector<int> Inputs; ///< of what is left, what it takes: see Positions
-    bool TakesRows = false;  ///< and not tests
-    Eigen::MatrixXf Inverse; ///< own x inputs
+    std::vector<int> Own;    ///< the sites whose charges the block solves for
+    std::vector<int> Inputs; ///< rows of Positions whose residuals the block reads
+    bool TakesRows = false;  ///< true: the inputs are rows of the system, not averages
+    Eigen::MatrixXf Inverse; ///< number of own sites x number of inputs
   };
   static Block MakeBlock(const TestedSystem& system, const std::vector<int>& own,
     const std::vector<int>& around, double maximumAmplification);
@@ -64,16 +65,18 @@ private:
 
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests;
   std::vector<Block> Blocks;
-  /// Where the blocks take what is left: at all sites, for the means that test there, then at Rows.
+  /// Positions where blocks read the residual: first the centres of the averages of all sites, then
+  /// the rows in Rows.
   Eigen::MatrixXd Positions;
-  std::vector<int> Rows; ///< that blocks take
+  std::vector<int> Rows; ///< the rows of the system that some block reads
   Eigen::MatrixXd CoarseSources;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> ClusterMeans; ///< c x n
-  Eigen::MatrixXd CoarseInverse; ///< c x c, from the means over clusters
+  /// c x n: mean over the sites of each cluster
+  Eigen::SparseMatrix<double, Eigen::RowMajor> ClusterMeans;
+  Eigen::MatrixXd CoarseInverse; ///< c x c: from the cluster means to the coarse charges
 };
 
-/// Splits points at the medians of their longest extents until no part has more than `most`: the
-/// rows in each part, in ascending order.
+/// Splits points (n x 3) recursively at the median of the longest side of their box until no part
+/// has more than `maximum` points. Returns the rows in each part, ascending.
 std::vector<std::vector<int>> SplitAtMedians(const Eigen::MatrixXd& points, int maximum);
 
 } // namespace shape

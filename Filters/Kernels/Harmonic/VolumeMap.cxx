@@ -12,13 +12,13 @@ namespace shape
 namespace
 {
 
-/// One harmonic map as a solution of one region.
+/// Wraps one harmonic map as a piecewise map of one region.
 PiecewiseVolumeMapResult AsOneRegion(HarmonicVolumeMapResult map, const Surface& boundary)
 {
   PiecewiseVolumeMapResult result;
   result.Charges = { { map.Map }, boundary, {}, 0.0, {} };
   result.Charges.Farthest = ComputeFarthest(map.OffsetDistance, boundary.Points());
-  // The last level's errors are those of the whole sum, whether it was kept or not.
+  // The last level holds the errors of the complete sum, whether or not its own map was kept.
   const HarmonicVolumeMapResult::Level& last = map.Levels.back();
   result.Borders.push_back({ last.RMSEVertices, last.RMSEInside, last.Maximum });
   result.RMSEFeatures = map.RMSEFeatures;

@@ -89,8 +89,8 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
   {
     return result;
   }
-  // Newton's method as InverseSearch has it, but that it gives up as soon as a full step does not
-  // come closer: then all means are needed.
+  // Newton's method as in InverseSearch, but it stops as soon as a full step does not come closer.
+  // The complete search follows.
   const double goal = this->Inverse->GoalOfMisses();
   bool searched = false;
   for (int region = 0; region < this->Map->RegionCount(); ++region)

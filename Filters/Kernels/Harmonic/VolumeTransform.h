@@ -10,35 +10,36 @@ namespace shape
 {
 
 /**
- * A volume map and its inverse at one point at a time, as a transformation of all space: outside
- * the domain, or the image, and where no preimage is found, points keep their place. Used from any
- * thread.
+ * Evaluates a volume map and its inverse at one point at a time, as a transformation of all space.
+ * Points outside the domain or the image, and points without a preimage, are not moved. Can be used
+ * from several threads.
  */
 class VolumeTransform
 {
 public:
-  /// Without `withInverse` only Forward may be called; setting up the inverse takes a while.
-  /// Throws as PiecewiseHarmonicMap and PiecewiseInverseMap do.
+  /// Without `withInverse` only Forward may be called; setting up the inverse takes a while. Throws
+  /// the exceptions of PiecewiseHarmonicMap and PiecewiseInverseMap.
   VolumeTransform(const PiecewiseCharges& charges, bool withInverse);
 
   struct Result
   {
     Eigen::Vector3d Position;
-    InverseMap::State State = InverseMap::State::Found; ///< else the place is the point's own
-    /// Of the map, also where it was inverted: there at the place. The identity where the point
-    /// keeps its place.
+    /// unless Found, Position is the point itself
+    InverseMap::State State = InverseMap::State::Found;
+    /// The derivative of the forward map: Forward takes it at the given point, Backward at the
+    /// preimage. It is the identity if the point is not moved.
     Eigen::Matrix3d Jacobian = Eigen::Matrix3d::Identity();
   };
 
-  /// f(y) at y; a point that is not finite is Outside.
+  /// Returns f at the point; a point that is not finite is Outside.
   Result Forward(const Eigen::Vector3d& point) const;
 
-  /// x with f(x) = y, see PiecewiseInverseMap: first by Newton's method from the nearest seed, with
-  /// all its means where that fails.
+  /// Returns x with f(x) = y. Newton's method from the nearest seed is tried first, then the
+  /// complete search of PiecewiseInverseMap.
   Result Backward(const Eigen::Vector3d& point) const;
 
   ///@{
-  /// Many points (n x 3) by all threads: the same results.
+  /// Many points (n x 3) in parallel, with the same results.
   std::vector<Result> Forward(const Eigen::MatrixXd& points) const;
   std::vector<Result> Backward(const Eigen::MatrixXd& points) const;
   ///@}
@@ -49,7 +50,7 @@ private:
 
   std::shared_ptr<const PiecewiseHarmonicMap> Map;
   std::unique_ptr<const PiecewiseInverseMap> Inverse;
-  std::vector<PointCharges> Charges; ///< by region
+  std::vector<PointCharges> Charges; ///< one for each region
 };
 
 } // namespace shape

@@ -15,10 +15,10 @@ namespace
 
 using namespace cell_kind;
 
-constexpr std::size_t Columns = 20; ///< of a number, as Abaqus reads it
-constexpr int PerLine = 16;         ///< numbers at most in a line of a set
+constexpr std::size_t Columns = 20; ///< columns of a number that Abaqus reads
+constexpr int PerLine = 16;         ///< maximum number of entries in a line of a set
 
-/// A number without the zeros that say nothing: 0.5 is .5, 1e-05 is 1e-5. A whole one gets a point.
+/// Removes redundant zeros: 0.5 becomes .5, 1e-05 becomes 1e-5. An integer gets a decimal point.
 std::string Shortened(std::string_view digits)
 {
   std::string text(digits);
@@ -43,7 +43,7 @@ std::string Shortened(std::string_view digits)
   return text;
 }
 
-/// The shortest text that is read as this number; rounded where that is too long.
+/// Returns the shortest text that represents the number exactly; rounded if that is too long.
 std::string ToShortText(double value)
 {
   char buffer[40];
@@ -74,7 +74,7 @@ std::vector<ElementKind> ElementKinds(HexahedronType hexahedra)
     { Triangle, "S3", "Triangles" }, { Line, "T3D2", "Lines" } };
 }
 
-/// What Abaqus calls the faces of GetFaces(kind).
+/// Returns Abaqus's number of a face of GetFaces(kind).
 int AbaqusFace(int kind, int face)
 {
   constexpr int hexahedron[] = { 6, 4, 3, 5, 1, 2 }, tetrahedron[] = { 2, 3, 4, 1 };
@@ -130,7 +130,7 @@ void WriteElements(
   }
 }
 
-/// "*NSET, NSET=" and the like with the set's name, and ids + 1.
+/// Writes `keyword`, for example "*NSET, NSET=" with the set's name, and then ids + 1.
 void WriteSet(std::ostream& file, const std::string& keyword, const std::vector<int>& ids)
 {
   if (ids.empty())

@@ -8,12 +8,12 @@
 namespace shape
 {
 
-/// Abaqus's elements of eight nodes.
+/// Abaqus elements with eight nodes.
 enum class HexahedronType
 {
   C3D8,  ///< full integration: too stiff in bending
   C3D8R, ///< one integration point
-  C3D8I  ///< with incompatible modes, for bending
+  C3D8I  ///< incompatible modes, for bending
 };
 
 struct AbaqusWriterOptions
@@ -22,23 +22,23 @@ struct AbaqusWriterOptions
 };
 
 /**
- * Writes a mesh as an input file of Abaqus, which CalculiX reads, too: to be included into a deck
- * (*INCLUDE, INPUT=mesh.inp) that has materials, sections and steps.
+ * Writes a mesh as an input file of Abaqus, which CalculiX also reads. Include it (*INCLUDE,
+ * INPUT=mesh.inp) in an input deck with materials, sections and steps.
  *
- * - Nodes are points + 1 and elements are cells + 1; their nodes are in Abaqus's order. Elements:
- *   C3D8, C3D8R or C3D8I, C3D4, C3D6, C3D5 (pyramids, which CalculiX has not), S4, S3, T3D2, in the
- *   sets Hexahedra, Tetrahedra, Wedges, Pyramids, Quadrilaterals, Triangles, Lines. Vertices are
- *   the node set Points.
- * - Element sets Region0, ... of the regions that there are: of solid cells, or where there are
- *   none of the cells of the highest dimension.
- * - Node sets Boundary of the solid cells' boundary and Patch0, ... of its patches, and surfaces
- *   PatchSurface0, ... of their element faces S1 to S6; node sets Interface0_1, ... between solid
- *   cells of two regions.
+ * - Node and element numbers are point and cell numbers + 1; element nodes are in Abaqus's order.
+ *   The elements are C3D8, C3D8R or C3D8I, C3D4, C3D6, C3D5 (pyramids, not supported by CalculiX),
+ *   S4, S3 and T3D2. Their sets are Hexahedra, Tetrahedra, Wedges, Pyramids, Quadrilaterals,
+ *   Triangles and Lines. Vertices are the node set Points.
+ * - Element sets Region0, ... contain the solid cells of each region or, without solid cells, the
+ *   cells of the highest dimension.
+ * - Node set Boundary contains the solid cells' boundary, Patch0, ... its patches; surfaces
+ *   PatchSurface0, ... contain the patches' element faces S1 to S6. Node sets Interface0_1, ... lie
+ *   between the solid cells of two regions.
  *
- * Coordinates are exact where that fits the 20 columns that Abaqus and CalculiX read of a number,
- * which it always does from 0.01 to 1e17 in size; else their relative error is less than 1e-12.
+ * Coordinates are exact if they fit in 20 columns, which Abaqus and CalculiX read of a number.
+ * Sizes from 0.01 to 1e17 always fit; others have a relative error of less than 1e-12.
  *
- * Throws Aborted. What became of `file` is for its owner to look at.
+ * Throws Aborted. The caller checks `file` for write errors.
  */
 void WriteAbaqus(std::ostream& file, const MeshSets& sets, const AbaqusWriterOptions& options = {},
   const Progress& progress = {});

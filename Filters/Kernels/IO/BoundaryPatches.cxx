@@ -18,7 +18,7 @@ namespace shape
 namespace
 {
 
-/// In the order of their cells.
+/// Collects faces in the order of their cells.
 SolidFaces Collect(const Cells& cells, std::vector<CellFace> faces)
 {
   std::sort(faces.begin(), faces.end(),
@@ -55,7 +55,7 @@ Eigen::Vector3d Normal(
   return Size(faces, face) == 3 ? edge(0, 1).cross(edge(0, 2)) : edge(0, 2).cross(edge(1, 3));
 }
 
-/// Between two vectors, in degrees; 0 where one of them is null.
+/// Returns the angle between two vectors in degrees; 0 if one of them is zero.
 double Angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::acos(-1.0);
@@ -108,9 +108,9 @@ Eigen::VectorXi FindBoundaryPatches(
   if (!(featureAngle >= 0.0 && featureAngle <= 180.0))
   {
     throw InvalidInput(
-      "FeatureAngle is " + std::to_string(featureAngle) + "; give one from 0 to 180 degrees");
+      "FeatureAngle is " + std::to_string(featureAngle) + "; it must be from 0 to 180 degrees");
   }
-  std::vector<std::tuple<int, int, int>> edges; // both ends in rising order, and a face
+  std::vector<std::tuple<int, int, int>> edges; // both ends, ascending, and a face
   for (int face = 0; face < faces.rows(); ++face)
   {
     const int size = Size(faces, face);

@@ -13,17 +13,17 @@ namespace
 
 using namespace cell_kind;
 
-/// The shortest text that is read as this very number.
+/// Returns the shortest text that represents the number exactly.
 std::string ToText(double value)
 {
   char buffer[40];
   return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
 }
 
-/// The numbers of an element: its vertices, from 1, and its reference.
+/// The integers of an element: its vertices, numbered from 1, and its reference.
 using Element = std::vector<int>;
 
-/// The elements of each kind.
+/// Writes the elements of each kind.
 std::map<int, std::vector<Element>> Elements(const MeshSets& sets)
 {
   const Cells& mesh = sets.Mesh;
@@ -35,7 +35,7 @@ std::map<int, std::vector<Element>> Elements(const MeshSets& sets)
     {
       element.push_back(mesh.Corners(k) + 1);
     }
-    if (mesh.Kinds(cell) != Vertex) // of which the file has the number alone
+    if (mesh.Kinds(cell) != Vertex) // for a vertex the file has only the number, no reference
     {
       element.push_back(sets.Regions(cell) + 1);
     }

@@ -24,7 +24,7 @@ void Check(const Cells& cells)
 {
   if (cells.Kinds.size() == 0)
   {
-    throw InvalidInput("the Input has no cells; connect a mesh that has some");
+    throw InvalidInput("the Input has no cells; connect a mesh with cells");
   }
   RequireFinite(cells.Points, "the Input");
   for (int cell = 0; cell < cells.Kinds.size(); ++cell)
@@ -32,14 +32,15 @@ void Check(const Cells& cells)
     const int first = cells.Offsets(cell), count = cells.Offsets(cell + 1) - first;
     if (count == 0 || GetCornerCount(cells.Kinds(cell)) != count)
     {
-      throw InvalidInput("the Input's cell " + std::to_string(cell) + " is of VTK's type " +
-        std::to_string(cells.Kinds(cell)) + ", which the file has not; take such cells out");
+      throw InvalidInput("the Input's cell " + std::to_string(cell) + " has VTK's cell type " +
+        std::to_string(cells.Kinds(cell)) +
+        ", which the file format does not support; remove cells of this type");
     }
     const auto corners = cells.Corners.segment(first, count);
     if (corners.minCoeff() < 0 || corners.maxCoeff() >= cells.Points.rows())
     {
       throw InvalidInput(
-        "the Input's cell " + std::to_string(cell) + " has a point that is not there; repair it");
+        "the Input's cell " + std::to_string(cell) + " refers to a missing point; repair the mesh");
     }
   }
 }
@@ -49,7 +50,7 @@ void CheckRegions(const Cells& cells, const Eigen::VectorXi& regions)
   if (regions.size() != cells.Kinds.size())
   {
     throw InvalidInput("there are " + std::to_string(regions.size()) + " regions for " +
-      std::to_string(cells.Kinds.size()) + " cells; give one for each");
+      std::to_string(cells.Kinds.size()) + " cells; give one region for each cell");
   }
   const auto negative = (regions.array() < 0).count();
   if (negative > 0)

@@ -10,7 +10,7 @@ namespace shape
 namespace
 {
 
-/// By how much two edges must exceed the third, in longest edges.
+/// Minimum excess of the sum of two edges over the third, relative to the longest edge.
 constexpr double Slack = 1e-6;
 
 std::array<double, 3> Mollified(std::array<double, 3> sides)
@@ -25,7 +25,7 @@ std::array<double, 3> Mollified(std::array<double, 3> sides)
   return sides;
 }
 
-/// Heron's formula in Kahan's order: accurate for needles. Sides in any order.
+/// Heron's formula in Kahan's form, accurate for needles. Edges in any order.
 double AreaOfSides(std::array<double, 3> sides)
 {
   std::sort(sides.begin(), sides.end());

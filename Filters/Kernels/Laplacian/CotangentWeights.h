@@ -7,44 +7,47 @@
 namespace shape
 {
 
-/// The shape of each triangle, whatever the triangle: rows are triangles, columns their corners.
+/// The shape of each triangle, well defined even if it is degenerate. Rows are triangles, columns
+/// their corners.
 struct TriangleAngles
 {
-  Eigen::MatrixXd Cotangents; ///< m x 3: of the angle at each corner; within a few million
-  Eigen::VectorXd Areas;      ///< m, in the model's units squared
+  /// m x 3: cotangent of the angle at each corner; at most a few million
+  Eigen::MatrixXd Cotangents;
+  Eigen::VectorXd Areas; ///< m, in the model's units squared
 };
 
 /**
- * Cotangents of the corner angles, from edge lengths.
+ * Computes the cotangents of the corner angles, from the edge lengths.
  *
- * If a triangle is nearly degenerate, its three lengths are raised by the minimum for which every
- * two of them exceed the third by 1e-6 of the longest: "intrinsic mollification" of Sharp &
- * Crane 2020, section 4.5, triangle by triangle. So each triangle's Dirichlet form is positive
- * semi-definite and finite even for needles, caps and triangles without area; a triangle whose
- * corners coincide counts as equilateral.
+ * If a triangle is nearly degenerate, its three lengths are increased by the same minimum amount.
+ * Then the sum of any two exceeds the third by 1e-6 of the longest (intrinsic mollification: Sharp
+ * & Crane 2020, section 4.5, for each triangle). So each triangle's Dirichlet form is positive
+ * semi-definite and finite even for needles, caps and triangles without area. A triangle whose
+ * corners coincide is treated as equilateral.
  */
 TriangleAngles ComputeTriangleAngles(const Mesh& mesh);
 
-/// The same from the lengths of the edges (m x 3) opposite each corner.
+/// Computes the same from the lengths of the edges (m x 3) opposite each corner.
 TriangleAngles ComputeAnglesFromLengths(const Eigen::MatrixXd& lengths);
 
 /**
- * The cotangent stiffness matrix (n x n, both triangles stored, positive semi-definite):
- * L_ij = -(cot a + cot b) / 2 over the two angles opposite the edge ij, rows sum to zero; x^T L x /
- * 2 is the Dirichlet energy (Pinkall & Polthier 1993). Every diagonal entry is stored.
+ * Builds the cotangent stiffness matrix L (n x n, positive semi-definite, both triangular parts
+ * stored). L_ij is -(cot a + cot b) / 2 over the two angles opposite the edge ij, and rows sum to
+ * zero. The quadratic form x^T L x / 2 is the Dirichlet energy (Pinkall & Polthier 1993). Every
+ * diagonal entry is stored.
  */
 Eigen::SparseMatrix<double> BuildCotangentStiffness(
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& cotangents, Eigen::Index points);
 
-/// The masses of points (n): a third of the area of the triangles around each, in their units
-/// squared; 0 at points without a triangle.
+/// Computes the lumped masses of points (n): a third of the area of the triangles around each; 0 at
+/// points without a triangle.
 Eigen::VectorXd ComputeLumpedMasses(
   const Eigen::MatrixXi& triangles, const Eigen::VectorXd& areas, Eigen::Index points);
 
 /**
- * `stiffness` with every edge weight -L_ij raised to `minimum` and the diagonal to match: an
- * M-matrix, whose solutions obey the maximum principle, which obtuse angles break otherwise. Edges
- * whose weight is raised no longer keep angles.
+ * Returns `stiffness` with every edge weight -L_ij raised to `minimum`, and the diagonal to match.
+ * The result is an M-matrix, so solutions obey the maximum principle, which obtuse angles may
+ * otherwise violate. Edges whose weight is raised no longer preserve angles.
  */
 Eigen::SparseMatrix<double> BuildPositiveStiffness(
   const Eigen::SparseMatrix<double>& stiffness, double minimum);

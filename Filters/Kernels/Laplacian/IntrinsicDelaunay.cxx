@@ -13,13 +13,14 @@ namespace shape
 namespace
 {
 
-/// By how much every two edges of a triangle exceed the third, at least, in mean edges.
+/// Minimum excess of the sum of two edges over the third, relative to the mean edge.
 constexpr double DelaunaySlack = 1e-6;
-/// How negative an edge's weight may be: rounding must not flip an edge back and forth.
+/// An edge weight below 0 by less than this is accepted, so rounding cannot flip an edge
+/// repeatedly.
 constexpr double MinimumWeight = -1e-9;
 constexpr int None = -1;
 
-/// Edge flips by lengths alone. Half-edge 3 t + k runs from corner k of triangle t to the next one.
+/// Flips edges by lengths alone. Half-edge 3 t + k runs from corner k of triangle t to the next.
 class Flipper
 {
 public:
@@ -51,7 +52,7 @@ public:
     {
       queue.push_back(side);
     }
-    // Far more than any surface is known to need.
+    // Far more flips than any known surface needs.
     std::size_t left = 1000 * this->Begins.size() + 1000;
     while (!queue.empty())
     {
@@ -64,7 +65,7 @@ public:
       }
       if (left-- == 0)
       {
-        throw SolveFailure("edges are flipped without end on the way to a Delaunay triangulation; "
+        throw SolveFailure("the edge flips of the intrinsic Delaunay triangulation do not end; "
                            "remesh the surface");
       }
       const int twin = this->Twins[side];
@@ -121,16 +122,15 @@ private:
     }
   }
 
-  /// Not if it is on the boundary, or if a triangle is glued to itself there: two angles of one
-  /// triangle are less than pi.
+  /// False on the boundary, and if a triangle is glued to itself there, because two angles of one
+  /// triangle add up to less than pi.
   bool IsFlippable(int side) const
   {
     const int twin = this->Twins[side];
     return twin != None && twin / 3 != side / 3;
   }
 
-  /// The cosine of the angle between a half-edge and the previous one, at the point where it
-  /// begins.
+  /// Returns the cosine of the angle at the start of a half-edge, between it and the previous one.
   double Cosine(int side) const
   {
     const double a = this->Lengths[side], b = this->Lengths[PreviousHalfEdge(side)],
@@ -144,13 +144,13 @@ private:
     return cosine / std::sqrt(std::max(1.0 - cosine * cosine, 1e-24));
   }
 
-  /// Of the edge: the mean of the cotangents of both opposite angles.
+  /// Returns the weight of the edge: the mean of the cotangents of the two opposite angles.
   double Weight(int side) const
   {
     return 0.5 * (this->Cotangent(side) + this->Cotangent(this->Twins[side]));
   }
 
-  /// From the other diagonal of the two triangles.
+  /// Replaces an edge by the other diagonal of its two triangles.
   ///
   ///          c                     c            side: a -> b, twin: b -> a
   ///        /   \                 / | \          becomes d -> c and c -> d, opposite a and b
@@ -173,7 +173,7 @@ private:
       this->Twins[db] };
     const std::array<double, 4> lengths = { this->Lengths[bc], this->Lengths[ca], this->Lengths[ad],
       this->Lengths[db] };
-    // Triangle of `side`: d -> c, c -> a, a -> d; that of `twin`: c -> d, d -> b, b -> c.
+    // The triangle of `side` becomes d -> c, c -> a, a -> d; that of `twin` c -> d, d -> b, b -> c.
     const std::array<int, 4> positions = { PreviousHalfEdge(twin), NextHalfEdge(side),
       PreviousHalfEdge(side), NextHalfEdge(twin) };
     const std::array<int, 4> begins = { b, c, a, d };
@@ -188,7 +188,7 @@ private:
     }
     for (int i = 0; i < 4; ++i)
     {
-      // Sides of the two triangles may be glued to each other.
+      // Half-edges of the two triangles may be glued to each other.
       const auto own = std::find(before.begin(), before.end(), outside[i]);
       const int twinOf = own == before.end() ? outside[i] : positions[own - before.begin()];
       this->Twins[positions[i]] = twinOf;
@@ -199,8 +199,8 @@ private:
     }
   }
 
-  std::vector<int> Begins; ///< of each side, the point
-  std::vector<int> Twins;  ///< of each side
+  std::vector<int> Begins; ///< start point of each half-edge
+  std::vector<int> Twins;  ///< opposite half-edge of each half-edge
   std::vector<double> Lengths;
 };
 

@@ -13,7 +13,8 @@ namespace shape
 Eigen::MatrixXd SolveHarmonicValues(const Surface& patch, const Eigen::MatrixXd& loopValues)
 {
   const Eigen::Index points = patch.Points().rows();
-  constexpr double minimum = 1e-9; // of a weight: those of equilateral triangles are 0.58
+  // minimum weight; that of an edge between equilateral triangles is 0.58
+  constexpr double minimum = 1e-9;
   const Eigen::SparseMatrix<double> stiffness =
     BuildPositiveStiffness(GetIntrinsicLaplacian(patch)->Stiffness, minimum);
   std::vector<int> loop(loopValues.rows());

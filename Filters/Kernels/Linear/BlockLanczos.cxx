@@ -18,9 +18,9 @@ namespace shape
 namespace
 {
 
-constexpr int Block = 16; // columns that the operator is applied to at a time
+constexpr int Block = 16; // number of columns that the operator is applied to together
 constexpr int Restarts = 100;
-/// Blocks between two looks at whether all pairs are found: one costs as much as a few blocks.
+/// Blocks between two convergence tests; one test costs as much as a few blocks.
 constexpr int Patience = 4;
 
 class Iteration
@@ -62,7 +62,7 @@ public:
       this->Restart();
     }
     throw SolveFailure("the eigenvalues were not found in " + std::to_string(Restarts) +
-      " restarts of the Lanczos iteration; ask for fewer");
+      " restarts of the Lanczos iteration; ask for fewer eigenvalues");
   }
 
 private:
@@ -73,15 +73,15 @@ private:
       this->Known.rows(), columns, [&] { return uniform(this->Generator); });
   }
 
-  /// Applies the operator to the last block and puts what is new in the result behind it.
+  /// Applies the operator to the last block and appends the new directions of the result.
   void Extend()
   {
     Eigen::MatrixXd image = this->Apply(this->Basis.middleCols(this->Size, Block));
     image -= this->Known * (this->Known.transpose() * image).eval();
     const int first = this->Size;
     this->Size += Block;
-    // But for the first blocks after a start, an image has hardly more of the basis than the last
-    // two blocks; the second pass finds the rest and what rounding left.
+    // Except for the first blocks after a start, an image has significant components only in the
+    // last two blocks. The second pass removes the others, and rounding errors.
     const int near = first < this->Recurrent ? this->Size : 2 * Block;
     Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(this->Size, Block);
     const auto last = this->Basis.middleCols(this->Size - near, near);
@@ -98,11 +98,11 @@ private:
     this->Last = this->Basis.middleCols(this->Size, Block).transpose() * image;
   }
 
-  /// Orthonormal columns that span the same as these, which are orthogonal to the basis; where
-  /// they are next to nothing beside `scale`, others in their place.
+  /// Returns orthonormal columns with the same span as these, which are orthogonal to the basis.
+  /// Columns that are tiny relative to `scale` are replaced.
   Eigen::MatrixXd Orthonormal(Eigen::MatrixXd columns, double scale)
   {
-    constexpr double minimum = 1e-5; // below it rounding grows too much
+    constexpr double minimum = 1e-5; // below this, rounding errors grow too much
     for (int again = 0; again < 2; ++again)
     {
       const Eigen::LLT<Eigen::MatrixXd> root(columns.transpose() * columns);
@@ -117,10 +117,10 @@ private:
     return columns;
   }
 
-  /// The same for columns that depend on each other: random ones stand in for what is missing.
+  /// The same for linearly dependent columns: random ones complete them.
   Eigen::MatrixXd Completed(const Eigen::MatrixXd& columns, int size)
   {
-    constexpr double minimum = 1e-13; // of the whole
+    constexpr double minimum = 1e-13; // relative to the largest pivot
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> ranked(columns);
     const Eigen::VectorXd pivots = ranked.matrixQR().diagonal().cwiseAbs();
     const Eigen::Index rank = (pivots.array() > minimum * pivots.maxCoeff()).count();
@@ -138,7 +138,7 @@ private:
     return result;
   }
 
-  /// The Ritz values and vectors that would stay, the largest first.
+  /// Computes the Ritz values and vectors that a restart would keep, the largest first.
   void Diagonalise()
   {
     Eigenpairs ritz =
@@ -156,7 +156,7 @@ private:
       .all();
   }
 
-  /// Only the best Ritz vectors stay, and the block that would have been next.
+  /// Keeps only the best Ritz vectors and the block that would have been next.
   void Restart()
   {
     const Eigen::MatrixXd best =
@@ -173,14 +173,14 @@ private:
   const SymmetricOperator& Apply;
   const Eigen::MatrixXd& Known;
   const double Tolerance;
-  const int Wanted, Kept, Most; // pairs; that stay at a restart; in the basis
-  Eigen::MatrixXd Basis;        ///< orthonormal; its last block has not been applied to yet
-  Eigen::MatrixXd Projected;    ///< the operator on the basis
-  Eigen::MatrixXd Last;         ///< how much of the last image is in the block after the basis
+  const int Wanted, Kept, Most; // numbers of pairs: wanted, kept at a restart, maximum in the basis
+  Eigen::MatrixXd Basis;     ///< orthonormal; the operator has not been applied to its last block
+  Eigen::MatrixXd Projected; ///< the operator projected onto the basis
+  Eigen::MatrixXd Last;      ///< coefficients of the last image in the block after the basis
   Eigen::VectorXd Values;
   Eigen::MatrixXd Vectors;
-  int Size = 0;          ///< columns of the basis that the operator was applied to
-  int Recurrent = Block; ///< the first from which images have three terms
+  int Size = 0;          ///< columns of the basis to which the operator was applied
+  int Recurrent = Block; ///< first column from which images have three terms
   std::mt19937 Generator;
 };
 
@@ -189,7 +189,7 @@ private:
 Eigenpairs FindExtremeEigenpairs(const SymmetricOperator& apply, const Eigen::MatrixXd& known,
   int wanted, const Progress& progress, double tolerance)
 {
-  constexpr Eigen::Index many = 4096; // rows from which threads gain more than they wait
+  constexpr Eigen::Index many = 4096; // number of rows from which several threads are faster
   const BlasThreads threads(known.rows() >= many);
   return Iteration(apply, known, wanted, tolerance).Find(progress);
 }

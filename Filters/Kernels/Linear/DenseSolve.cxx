@@ -40,7 +40,7 @@ SingularValues::SingularValues(Eigen::MatrixXd a)
         this->S.data(), this->U.data(), columns, this->Vt.data(), columns);
   if (status < 0)
   {
-    throw std::bad_alloc(); // the arguments are right, so LAPACKE had no memory for its own room
+    throw std::bad_alloc(); // the arguments are valid, so LAPACKE could not allocate its workspace
   }
   if (status > 0)
   {

@@ -6,39 +6,42 @@ namespace shape
 {
 
 /**
- * The singular value decomposition A = U diag(S) V^T of a dense matrix, and the least-squares,
- * least-norm solution that leaves out the smallest singular values.
+ * The singular value decomposition A = U diag(S) V^T of a dense matrix, and the minimum-norm
+ * least-squares solution without the smallest singular values.
  *
- * A QR factorisation along the longer side, then LAPACK's gesdd of the triangle: the vectors along
- * the longer side are never formed, which for a matrix twice as long as wide saves two fifths of
- * gesdd's own work and two thirds of its memory. Two library calls that cannot be interrupted.
+ * A QR factorisation reduces the longer side; then LAPACK's gesdd decomposes the triangular factor.
+ * The singular vectors along the longer side are never formed. For a matrix with twice as many rows
+ * as columns this saves two fifths of gesdd's work and two thirds of its memory. These are two
+ * library calls that cannot be interrupted.
  */
 class SingularValues
 {
 public:
-  /// A: m x n, min(m, n) <= 23000. Throws std::bad_alloc, SolveFailure where the decomposition does
-  /// not converge, InvalidInput where A is empty or not finite.
+  /// A: m x n, min(m, n) <= 23000. Throws SolveFailure if the decomposition does not converge,
+  /// InvalidInput if A is empty or not finite, and std::bad_alloc.
   explicit SingularValues(Eigen::MatrixXd a);
 
-  /// x (n x k) = V diag(1/S) U^T b over the singular values >= threshold; b: m x k.
+  /// Returns x (n x k) = V diag(1/S) U^T b over the singular values >= threshold; b: m x k.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& b, double threshold) const;
 
-  /// How many singular values are >= threshold.
+  /// Returns the number of singular values >= threshold.
   int Rank(double threshold) const;
 
-  const Eigen::VectorXd& Values() const { return this->S; } ///< min(m, n), falling
+  /// min(m, n) singular values, descending
+  const Eigen::VectorXd& Values() const { return this->S; }
 
-  /// The right singular vectors from the `first` on, one a column: n x (min(m, n) - first).
+  /// Returns the right singular vectors from number `first` on, one per column: n x (min(m, n) -
+  /// first).
   Eigen::MatrixXd RightVectors(int first) const;
 
 private:
-  /// Q b, or Q^T b, in place; b has as many rows as the longer side.
+  /// Computes Q b, or Q^T b, in place; b has as many rows as the longer side.
   void ApplyQ(Eigen::MatrixXd& b, bool transposed) const;
 
-  bool Wide = false;          ///< A^T was factorised
-  Eigen::MatrixXd Reflectors; ///< of Q, longer x shorter side
-  Eigen::VectorXd Factors;    ///< of the reflectors
-  Eigen::MatrixXd U, Vt;      ///< of the triangle
+  bool Wide = false;          ///< whether A^T was factorised
+  Eigen::MatrixXd Reflectors; ///< Householder reflectors of Q, longer x shorter side
+  Eigen::VectorXd Factors;    ///< factors of the reflectors
+  Eigen::MatrixXd U, Vt;      ///< singular vectors of the triangular factor
   Eigen::VectorXd S;
 };
 

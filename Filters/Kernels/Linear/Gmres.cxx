@@ -13,7 +13,7 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
 {
   const Eigen::Index columns = rightSide.cols();
   const Eigen::VectorXd shares = weights / weights.sum();
-  // Mean products over the rows: a norm is a root mean square.
+  // Mean products over the rows, so a norm is a root mean square.
   const auto inner = [&](const Eigen::MatrixXd& u, const Eigen::MatrixXd& v)
   {
     Eigen::RowVectorXd products(columns);
@@ -23,7 +23,7 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
     }
     return products;
   };
-  // Columns without anything left become zero and stay so.
+  // Columns without a residual become zero and stay zero.
   const auto normalized = [](const Eigen::MatrixXd& v, const Eigen::RowVectorXd& norms)
   {
     return Eigen::MatrixXd(
@@ -41,7 +41,7 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
   {
     rests[c] = start.segment(c, 1);
   }
-  // Iterations in a row: a plateau far from the goal is often left again.
+  // Number of iterations in a row: far from the goal, a plateau often ends again.
   constexpr int patience = 3, patienceNear = 2;
   constexpr double nearGoal = 4.0;
   int idle = 0;
@@ -60,7 +60,7 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
         hessenbergs[c](i, k) = product(c);
       }
     }
-    // What is left of rounding is no direction.
+    // A remainder of rounding error is not a direction.
     constexpr double rounding = 1e-14;
     Eigen::RowVectorXd norms = inner(next, next).cwiseSqrt();
     norms = (norms.array() > rounding * before.array()).select(norms, 0.0);

@@ -91,7 +91,7 @@ void NewtonSystem::Clear()
 
 NewtonSystem::Step NewtonSystem::Solve(const Ridge& ridge)
 {
-  // Unknowns in units of their own, so that a ridge means the same to all of them.
+  // The unknowns are scaled to unit diagonal, so a ridge has the same effect on all of them.
   const Eigen::VectorXd diagonal = this->Matrix.diagonal();
   const Eigen::VectorXd scale =
     diagonal.array().max(1e-300 + 1e-30 * diagonal.maxCoeff()).sqrt().inverse().matrix();

@@ -10,27 +10,27 @@ namespace shape
 {
 
 /**
- * The linear system of Newton's method for an energy that is a sum over elements: its gradient g
- * and a positive semi-definite second derivative H, assembled element by element, and the step
- * -H^-1 g.
+ * The linear system of Newton's method for an energy that is a sum over elements. It assembles the
+ * gradient g and a positive semi-definite second derivative H from the elements, and computes the
+ * step -H^-1 g.
  *
- * The unknowns come in blocks, as the coordinates of a point; an element has a fixed number of
- * blocks. The pattern of H is found once; for each step call Clear, AddGradient and AddCurvature
- * for all elements, and Solve.
+ * The unknowns are grouped in blocks, such as the coordinates of a point. All elements have the
+ * same number of blocks. The pattern of H is computed once. For each step call Clear, then
+ * AddGradient and AddCurvature for all elements, then Solve.
  */
 class NewtonSystem
 {
 public:
-  /// widths: how many unknowns each block has, >= 0. elements: the blocks of the elements,
-  /// `corners` for each, one element after the other; -1 where nothing is unknown.
+  /// widths: number of unknowns of each block, >= 0. elements: the blocks of each element,
+  /// `corners` per element, consecutively; -1 for a corner without unknowns.
   NewtonSystem(const std::vector<int>& widths, std::vector<int> elements, int corners);
 
   int Width(int block) const { return this->First[block + 1] - this->First[block]; }
 
-  void Clear(); ///< H = 0 and g = 0
+  void Clear(); ///< sets H = 0 and g = 0
 
-  /// Adds to the part of g that belongs to a corner of an element, which must be a block: a vector
-  /// of its width.
+  /// Adds a vector to the part of g for one corner of an element. The corner must have a block; the
+  /// vector has its width.
   template <typename Values>
   void AddGradient(int element, int corner, const Values& values)
   {
@@ -38,14 +38,14 @@ public:
     this->Gradient.segment(this->First[block], this->Width(block)) += values;
   }
 
-  /// Whether rows of corner `row` and columns of corner `column` are in H.
+  /// Whether H has entries for the rows of corner `row` and the columns of corner `column`.
   bool HasCurvature(int element, int row, int column) const
   {
     return this->Slots[this->SlotOf(element, row, column)] >= 0;
   }
 
-  /// Adds to the part of H that belongs to two corners of an element, both blocks: a matrix of
-  /// their widths.
+  /// Adds a matrix to the part of H for two corners of an element. Both must have blocks; the
+  /// matrix has their widths.
   template <typename Values>
   void AddCurvature(int element, int row, int column, const Values& values)
   {
@@ -63,25 +63,25 @@ public:
 
   struct Step
   {
-    Eigen::VectorXd Values; ///< of all unknowns; 0 if H cannot be factorised
-    double Slope = 0.0;     ///< by how much the energy falls along it at first: g^T H^-1 g
-    /// The values of a block.
+    Eigen::VectorXd Values; ///< for all unknowns; 0 if H cannot be factorised
+    double Slope = 0.0;     ///< initial rate of decrease of the energy along the step: g^T H^-1 g
+    /// Returns the values of a block.
     auto Of(const NewtonSystem& system, int block) const
     {
       return this->Values.segment(system.First[block], system.Width(block));
     }
   };
 
-  /// What is added to the diagonal of H, as a share of it, until H is positive definite: First, and
-  /// each time Factor as much again, below 1.
+  /// Shares of the diagonal of H that are added to it, one by one, until H is positive definite:
+  /// first First, then each time Factor times the previous share, while below 1.
   struct Ridge
   {
     double First;
     double Factor;
   };
 
-  /// Factorises H, which is lost, with the smallest ridge that makes it positive definite. One
-  /// library call for each ridge that is tried.
+  /// Factorises H in place, with the smallest ridge that makes it positive definite, and returns
+  /// the step. Each ridge takes one library call.
   Step Solve(const Ridge& ridge);
 
 private:
@@ -93,8 +93,8 @@ private:
 
   int Corners;
   std::vector<int> Elements;
-  std::vector<int> First; ///< unknown of each block, and how many unknowns there are
-  std::vector<int> Slots; ///< of two corners: the row where they begin in each column; -1: nowhere
+  std::vector<int> First; ///< first unknown of each block, and the number of unknowns
+  std::vector<int> Slots; ///< for each pair of corners: first entry in each column; -1: none
   Eigen::SparseMatrix<double> Matrix;
   Eigen::VectorXd Gradient;
   SparseCholesky Cholesky;

@@ -21,8 +21,8 @@ struct SparseCholesky::Factor
 #endif
   bool Analysed = false;
 
-  /// Whether the factorisation takes so long that BLAS should use several threads: for small ones
-  /// they would do hardly more than wait for each other.
+  /// Whether the factorisation is large enough for BLAS to use several threads. In a small one they
+  /// would mostly wait for each other.
   bool WorthSharing()
   {
 #ifdef SHAPEMAP_CHOLMOD
@@ -57,7 +57,7 @@ void SparseCholesky::Factorize(const Eigen::SparseMatrix<double>& a)
   this->Impl->Solver.factorize(a);
   if (this->Impl->Solver.info() != Eigen::Success)
   {
-    throw SolveFailure("a sparse matrix is not positive definite; look for triangles without area");
+    throw SolveFailure("a sparse matrix is not positive definite; remove triangles without area");
   }
 }
 

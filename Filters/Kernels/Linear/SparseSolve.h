@@ -8,10 +8,10 @@ namespace shape
 {
 
 /**
- * Cholesky factorisation of sparse symmetric positive definite matrices that share one pattern:
- * CHOLMOD's supernodal one where ShapeMap was built with it, else Eigen's.
+ * Cholesky factorisation of sparse symmetric positive definite matrices that share one pattern. It
+ * uses CHOLMOD's supernodal method if ShapeMap was built with CHOLMOD, else Eigen's.
  *
- * Each call is one library call: it cannot be interrupted.
+ * Each call is one library call that cannot be interrupted.
  */
 class SparseCholesky
 {
@@ -21,12 +21,12 @@ public:
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-  /// Factorises `a` (n x n, both triangles stored). The first call also finds the elimination
-  /// order, which later calls keep: they must have the same pattern. Throws SolveFailure where `a`
-  /// is not positive definite.
+  /// Factorises `a` (n x n, both triangular parts stored). The first call also computes the
+  /// elimination order, which later calls reuse: their matrices must have the same pattern. Throws
+  /// SolveFailure if `a` is not positive definite.
   void Factorize(const Eigen::SparseMatrix<double>& a);
 
-  /// x with a x = b; b: n x k.
+  /// Returns x with a x = b; b: n x k.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& b) const;
 
 private:

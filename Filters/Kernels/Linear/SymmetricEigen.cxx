@@ -22,7 +22,7 @@ Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count)
   if (status != 0)
   {
     throw SolveFailure("the eigenvalues of a symmetric matrix of size " + std::to_string(size) +
-      " were not found; look for values that are not finite");
+      " were not found; check the input for values that are not finite");
   }
   return { values.tail(count).reverse(), matrix.rightCols(count).rowwise().reverse() };
 }

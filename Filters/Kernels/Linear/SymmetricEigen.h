@@ -11,10 +11,10 @@ struct Eigenpairs
   Eigen::MatrixXd Vectors; ///< n x k, orthonormal
 };
 
-/// The `count` largest eigenvalues of a dense symmetric matrix, of which the lower half is read,
-/// descending, with their eigenvectors (LAPACK's syevd). count: in [1, the size]. One library call
-/// that cannot be interrupted. Throws std::bad_alloc, SolveFailure where it does not converge or a
-/// value is not finite.
+/// Computes the `count` largest eigenvalues of a dense symmetric matrix, descending, and their
+/// eigenvectors (LAPACK's syevd). Only the lower triangular part is read. count: in [1, size]. It
+/// is one library call that cannot be interrupted. Throws SolveFailure if it does not converge or a
+/// value is not finite, and std::bad_alloc.
 Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count);
 
 } // namespace shape

@@ -15,7 +15,7 @@ namespace shape
 namespace
 {
 
-/// 2 pi minus the angles around each point, on the loop pi minus the angles.
+/// Returns the angle defect of each point: 2 pi minus its angles, on the loop pi minus its angles.
 Eigen::VectorXd Curvatures(
   const IntrinsicLaplacian& laplacian, Eigen::Index points, const std::vector<int>& loop)
 {
@@ -32,8 +32,8 @@ Eigen::VectorXd Curvatures(
   return curvatures;
 }
 
-/// The positions of a closed polygon (k x 2) that turns by turns(i) at its point i, with edges as
-/// near to `lengths` as possible: the sum of squared changes over the lengths is minimal.
+/// Returns the points (k x 2) of a closed polygon with turning angle turns(i) at point i. Its edge
+/// lengths are close to `lengths`: the sum of squared changes divided by the lengths is minimal.
 Eigen::MatrixXd ClosedPolygon(const Eigen::VectorXd& lengths, const Eigen::VectorXd& turns)
 {
   const Eigen::Index count = lengths.size();

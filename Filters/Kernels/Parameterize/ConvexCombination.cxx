@@ -14,10 +14,10 @@ namespace shape
 namespace
 {
 
-/// Edges count as no shorter than this, in mean edges: weights stay within what doubles can add up.
+/// Minimum edge length / mean edge length, which limits the weights to what doubles can add up.
 constexpr double ShortestEdge = 1e-6;
 
-/// tan(a / 2), where the cotangent of a in (0, pi) is given.
+/// Returns tan(a / 2) from the cotangent of a in (0, pi).
 double HalfTangent(double cotangent)
 {
   const double root = std::hypot(1.0, cotangent);
@@ -43,7 +43,7 @@ double ComputeMeanEdgeLength(const Mesh& surface)
   return sum / (3.0 * surface.Triangles.rows());
 }
 
-/// The matrix of the equations sum_j w_ij (x_i - x_j) = 0, by mean value weights.
+/// Returns the matrix of the equations sum_j w_ij (x_i - x_j) = 0 with mean value weights.
 Eigen::SparseMatrix<double> MeanValueMatrix(const Mesh& surface)
 {
   const Eigen::MatrixXd cotangents = ComputeTriangleAngles(surface).Cotangents;
@@ -59,7 +59,7 @@ Eigen::SparseMatrix<double> MeanValueMatrix(const Mesh& surface)
       for (const int side : { 1, 2 })
       {
         const int j = surface.Triangles(t, (corner + side) % 3);
-        // If the surface is one point all weights are equal.
+        // If all points coincide, all weights are equal.
         const double length = std::max(EdgeLength(surface, i, j), shortest);
         const double weight = length > 0.0 ? tangent / length : tangent;
         entries.emplace_back(i, j, -weight);
@@ -77,7 +77,7 @@ Eigen::SparseMatrix<double> MatrixOf(const Mesh& surface, CombinationWeights wei
   switch (weights)
   {
     case CombinationWeights::Uniform:
-      // A half from each side: 1 for every edge between points that are solved for.
+      // One half from each of the two triangles: the weight of an inner edge is 1.
       return BuildCotangentStiffness(surface.Triangles,
         Eigen::MatrixXd::Ones(surface.Triangles.rows(), 3), surface.Points.rows());
     case CombinationWeights::Cotangent:
@@ -89,14 +89,14 @@ Eigen::SparseMatrix<double> MatrixOf(const Mesh& surface, CombinationWeights wei
   return MeanValueMatrix(surface);
 }
 
-/// The rows of `matrix` for points that are not fixed, in two parts: a x_free = b.
+/// The rows of the matrix for the free points, split into two parts: a x_free = b.
 struct FreeEquations
 {
   Eigen::SparseMatrix<double> A;
   Eigen::MatrixXd B;
 };
 
-/// position: for each point its row among the free ones, or -1 - its row among the fixed.
+/// position: for each point its row among the free points, or -1 - its row among the fixed points.
 FreeEquations EquationsOf(const Eigen::SparseMatrix<double>& matrix,
   const std::vector<int>& position, int count, const Eigen::MatrixXd& positions)
 {
@@ -123,19 +123,20 @@ FreeEquations EquationsOf(const Eigen::SparseMatrix<double>& matrix,
   return equations;
 }
 
-/// By an LU factorisation in Eigen's default order (COLAMD): for these matrices a hundred times
-/// faster than in the order of a symmetric pattern, and not slower than BiCGSTAB, which would stop
-/// at a tolerance that small triangles do not survive.
+/// Solves by LU factorisation in Eigen's default order (COLAMD). For these matrices it is a hundred
+/// times faster than in the order of a symmetric pattern. BiCGSTAB is not faster, and the tolerance
+/// at which it stops would flip small triangles.
 Eigen::MatrixXd SolveRows(const FreeEquations& equations)
 {
-  // Rows whose diagonal is 1: the weights of different points differ by their edges' lengths.
+  // The weights of different points vary with their edge lengths, so each row is scaled to diagonal
+  // 1.
   const Eigen::VectorXd scale = equations.A.diagonal().cwiseInverse();
   const Eigen::SparseMatrix<double> a = scale.asDiagonal() * equations.A;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
   solver.compute(a);
   if (solver.info() != Eigen::Success)
   {
-    throw SolveFailure("the equations of the mean value weights have no one solution; look for "
+    throw SolveFailure("the equations of the mean value weights have no unique solution; remove "
                        "triangles without area");
   }
   return solver.solve(scale.asDiagonal() * equations.B);

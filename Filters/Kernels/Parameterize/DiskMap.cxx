@@ -14,11 +14,11 @@ namespace shape
 namespace
 {
 
-/// Edges of the loop must be longer than this, in lengths of the loop: shorter ones have one angle.
+/// Minimum length of a loop edge / length of the loop; the ends of a shorter edge share one angle.
 constexpr double ShortestLoopEdge = 1e-14;
 
-/// Turns the loop so that the point with the greatest coordinates comes first, and of several at
-/// one position the first by number.
+/// Rotates the loop so that the point with the greatest coordinates comes first; among coincident
+/// points the one with the lowest number.
 void StartAtGreatest(std::vector<int>& loop, const Eigen::MatrixXd& points)
 {
   const auto comesBefore = [&](int a, int b)
@@ -35,7 +35,7 @@ void StartAtGreatest(std::vector<int>& loop, const Eigen::MatrixXd& points)
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), comesBefore), loop.end());
 }
 
-/// The length along the loop from its first point to each, and round to it again (k + 1).
+/// Returns the arc length from the loop's first point to each point, and the total length (k + 1).
 Eigen::VectorXd ArcLengths(const std::vector<int>& loop, const Eigen::MatrixXd& points)
 {
   Eigen::VectorXd lengths(loop.size() + 1);
@@ -74,20 +74,20 @@ Eigen::MatrixXd OnCircle(const Eigen::VectorXd& lengths)
   return positions;
 }
 
-/// The loop's points (rows of `lengths`) that go to the corners (1, 1), (-1, 1), (-1, -1), (1, -1),
-/// and the count of rows.
+/// Returns the rows of `lengths` that are mapped to the corners (1, 1), (-1, 1), (-1, -1), (1, -1),
+/// and the number of rows.
 std::array<int, 5> Corners(const Eigen::VectorXd& lengths)
 {
   const int count = static_cast<int>(lengths.size()) - 1;
   if (count < 4)
   {
     throw InvalidInput("the surface's open loop has " + std::to_string(count) +
-      " points, one less than a square has corners; use the outline Circle");
+      " points, but a square has 4 corners; use the outline Circle");
   }
   std::array<int, 5> corners{ 0, 0, 0, 0, count };
   for (int k = 1; k < 4; ++k)
   {
-    // One point at least is left for each corner to come.
+    // At least one point must remain for each of the following corners.
     int best = corners[k - 1] + 1;
     for (int i = best + 1; i <= count - 4 + k; ++i)
     {
@@ -111,15 +111,17 @@ Eigen::MatrixXd OnSquare(const Eigen::VectorXd& lengths, const std::array<int, 5
     for (int i = corners[side]; i < corners[side + 1]; ++i)
     {
       const double share = (lengths(i) - begin) / length;
-      // From the end that one coordinate shares with this point, so that it stays 1 or -1 exactly.
+      // Interpolated from the end that shares a coordinate with this point, which stays exactly 1
+      // or -1.
       positions.row(i) = ends.row(side) + share * (ends.row(side + 1) - ends.row(side));
     }
   }
   return positions;
 }
 
-/// Whatever an edge between two points of one side cuts off would go to that side, and lose its
-/// area (Floater 2003, "One-to-one piecewise linear mappings over triangulations", theorem 4.1).
+/// Throws InvalidInput if an inner edge joins two points of one side: what it cuts off would
+/// collapse onto that side (Floater 2003, "One-to-one piecewise linear mappings over
+/// triangulations", theorem 4.1).
 void RequireNoEdgeAcrossASide(
   const Mesh& surface, const std::vector<int>& loop, const std::array<int, 5>& corners)
 {
@@ -146,7 +148,7 @@ void RequireNoEdgeAcrossASide(
       const int a = surface.Triangles(t, corner);
       const int b = surface.Triangles(t, (corner + 1) % 3);
       const bool crosses = (sidesOf[a] & sidesOf[b]) != 0 && (row[a] + 1) % count != row[b];
-      // Seen once from each of its triangles.
+      // An inner edge is visited once from each of its triangles.
       if (crosses && a < b)
       {
         first = edges++ == 0 ? std::array<int, 2>{ a, b } : first;
@@ -158,7 +160,8 @@ void RequireNoEdgeAcrossASide(
     throw InvalidInput("the surface has " + std::to_string(edges) + " inner " +
       (edges == 1 ? "edge that joins" : "edges that join") +
       " two points of one side of the square (first from point " + std::to_string(first[0]) +
-      " to " + std::to_string(first[1]) + "), which would lose area; use the outline Circle");
+      " to " + std::to_string(first[1]) +
+      "), so triangles would lose their area; use the outline Circle");
   }
 }
 
@@ -184,12 +187,12 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
   if (weights == CombinationWeights::Cotangent)
   {
     throw SolveFailure("Cotangent weights flip " + count +
-      ", as they can where angles are obtuse; use MeanValue weights");
+      ", which is possible if angles are obtuse; use MeanValue weights");
   }
   throw SolveFailure("on the disk " + count +
-    " are smaller than double precision can tell: a limb shrinks exponentially with its length "
-    "over its girth; cut it off with Shape Cut Feature, or fill the hole with Shape Fill Holes and "
-    "map onto the Sphere with an AreaWeight");
+    " are too small for double precision: an extremity shrinks exponentially with its length over "
+    "its girth; cut it off with Shape Cut Feature, or fill the hole with Shape Fill Holes and map "
+    "onto the Sphere with an AreaWeight");
 }
 
 } // namespace

@@ -13,9 +13,10 @@ namespace
 {
 
 constexpr int Rounds = 6;
-constexpr double Flat = 1e-14; ///< area of a triangle that has none, of its longest side squared
+/// a triangle has no area below this share of its longest squared edge
+constexpr double Flat = 1e-14;
 
-/// Rows of triangles that count: neither left out nor without area.
+/// Returns the triangles that are neither left out nor without area.
 std::vector<int> Counted(const Mesh& surface, const std::vector<int>& leftOut)
 {
   const Eigen::VectorXd areas = ComputeAreaVectors(surface).rowwise().norm();
@@ -39,7 +40,7 @@ std::vector<int> Counted(const Mesh& surface, const std::vector<int>& leftOut)
   return counted;
 }
 
-/// Points on the boundary, or on an edge with more than two triangles.
+/// Marks points on the boundary, or on an edge with more than two triangles.
 std::vector<char> OnLoop(const Eigen::MatrixXi& triangles, Eigen::Index points)
 {
   std::vector<char> onLoop(points, 0);
@@ -83,7 +84,7 @@ public:
     return flipped;
   }
 
-  /// Moves the points of the flipped triangles and of `rings` rings around them.
+  /// Moves the points of the flipped triangles and of `rings` rings of neighbours.
   void Round(const std::vector<int>& flipped, int rings)
   {
     std::vector<char> isFree(this->Surface.Points.rows(), 0);
@@ -123,7 +124,7 @@ private:
 
   void Move(const std::vector<char>& isFree)
   {
-    // The triangles around free points, over points of their own.
+    // The triangles around the free points, with compact point numbers.
     std::vector<int> around, used, own(isFree.size(), -1), fixed;
     DisjointSets groups(static_cast<int>(isFree.size()));
     for (int t = 0; t < this->Triangles.rows(); ++t)
@@ -192,8 +193,8 @@ private:
 
   const Mesh& Surface;
   Eigen::MatrixXd& Positions;
-  Eigen::MatrixXi Triangles; ///< those that count
-  std::vector<char> Loop;    ///< points
+  Eigen::MatrixXi Triangles; ///< the counted triangles
+  std::vector<char> Loop;    ///< n: whether a point is fixed
 };
 
 } // namespace

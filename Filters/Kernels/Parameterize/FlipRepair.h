@@ -11,13 +11,13 @@ namespace shape
 {
 
 /**
- * Repairs the flipped triangles of a planar image of a surface: the points around them become
- * mean value combinations of their neighbours (see SolveConvexCombination), in rings that grow
- * if that does not suffice; a group of points moves only if all triangles around it then are
- * counter-clockwise. Points on the boundary stay.
+ * Repairs the flipped triangles of a planar image of a surface. The points around them become mean
+ * value combinations of their neighbours (SolveConvexCombination). If that does not suffice, rings
+ * of neighbours are added. A group of points moves only if all triangles around it are then
+ * counter-clockwise. Boundary points are fixed.
  *
- * surface: of any connectivity. positions: n x 2. leftOut: triangles that are ignored. Returns the
- * number of triangles that were flipped and no longer are; those without area do not count. Throws
+ * surface: of any connectivity. positions: n x 2. leftOut: triangles to ignore. Returns the number
+ * of triangles that were flipped and no longer are; triangles without area are not counted. Throws
  * Aborted.
  */
 int RepairFlips(const Mesh& surface, Eigen::MatrixXd& positions,

@@ -30,7 +30,7 @@ double ComputePlanarArea(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd
   return ComputeArea(flat);
 }
 
-/// Tutte's map with the longest loop on the unit circle.
+/// Computes Tutte's map with the longest loop on the unit circle.
 Eigen::MatrixXd CircularMap(
   const Mesh& surface, const std::vector<std::vector<int>>& loops, const Progress& progress)
 {
@@ -47,7 +47,7 @@ Eigen::MatrixXd CircularMap(
     .topRows(surface.Points.rows());
 }
 
-/// Rotates and moves the image to a position that does not depend on where it was.
+/// Moves and rotates the image into the standard position that the header defines.
 void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
 {
   Mesh flat{ Eigen::MatrixXd::Zero(image.rows(), 3), triangles };
@@ -56,9 +56,9 @@ void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
   image.rowwise() -= (weights.transpose() * image / weights.sum()).eval();
   const Eigen::Matrix2d moments = image.transpose() * weights.asDiagonal() * image;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
-  constexpr double clear = 1e-6; // as a share: less than this is rounding
+  constexpr double clear = 1e-6; // relative; smaller values are rounding error
   const double size = std::sqrt(solver.eigenvalues().sum() / weights.sum());
-  Eigen::Index first = 0; // the lowest number that is off the centre
+  Eigen::Index first = 0; // the first point off the centre
   while (first + 1 < image.rows() && image.row(first).norm() < 0.1 * size)
   {
     ++first;
@@ -118,8 +118,8 @@ FreeBoundaryMapResult MapWithFreeBoundary(
     {
       throw SolveFailure("Tutte's map of the longest open loop to a circle leaves " +
         CountOf(flipped, surface) +
-        " smaller than double precision can tell: a limb shrinks exponentially with its length "
-        "over its girth; cut the surface open along its limbs, or cut them off with Shape Cut "
+        " too small for double precision: an extremity shrinks exponentially with its length over "
+        "its girth; cut the surface open along its extremities, or cut them off with Shape Cut "
         "Feature");
     }
   }
@@ -136,8 +136,8 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   if (!flipped.empty())
   {
     throw SolveFailure("rounding flips " + CountOf(flipped, surface) +
-      ", which are smaller than double precision can tell; " +
-      (options.Refine ? "cut the surface open along its limbs"
+      ", which are too small for double precision; " +
+      (options.Refine ? "cut the surface open along its extremities"
                       : "set Refine to SymmetricDirichlet"));
   }
   result.Points = Eigen::MatrixXd::Zero(image.rows(), 3);

@@ -17,10 +17,10 @@ namespace
 
 constexpr int Grain = 1024; // triangles
 
-/// Each triangle's share of the gradient, and of the quadratic form that stands in for its measure.
+/// The contribution of each triangle to the gradient and to the quadratic form of its measure.
 struct LocalTerms
 {
-  std::vector<Eigen::Matrix<double, 3, 2>> Gradients; ///< one corner a row
+  std::vector<Eigen::Matrix<double, 3, 2>> Gradients; ///< one row for each corner
   std::vector<Eigen::Matrix2d> Forms;                 ///< area U diag(weights) U'
 };
 
@@ -50,7 +50,7 @@ LocalTerms TermsAt(const Eigen::MatrixXd& points, const PlanarElements& elements
   return terms;
 }
 
-/// The sum of the triangles' quadratic forms: matrices of one pattern, factorised again and again.
+/// The sum of the triangles' quadratic forms: matrices of one pattern, factorised repeatedly.
 class ProxySystem
 {
 public:
@@ -65,7 +65,7 @@ public:
     }
     if (fixed.empty())
     {
-      this->Rows[0] = -1; // The forms do not see translations.
+      this->Rows[0] = -1; // The forms are invariant under translation, so one point is fixed.
     }
     for (int& row : this->Rows)
     {
@@ -76,7 +76,7 @@ public:
 
   int Unknowns() const { return this->Count; }
 
-  /// The gradient of the sum of measures (unknowns, x and y by turns).
+  /// Returns the gradient of the sum of measures (unknowns x and y alternate).
   Eigen::VectorXd Gradient(const LocalTerms& terms) const
   {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * this->Count);
@@ -94,7 +94,7 @@ public:
     return gradient;
   }
 
-  /// The step from here to the minimum of the sum of the forms.
+  /// Returns the step to the minimum of the sum of the forms.
   Eigen::VectorXd Direction(const LocalTerms& terms, const Eigen::VectorXd& gradient)
   {
     this->Assemble(terms);
@@ -102,7 +102,7 @@ public:
     return this->Solver.Solve(-0.5 * gradient);
   }
 
-  /// The unknowns as steps of all points (n x 2).
+  /// Converts the unknowns to steps of all points (n x 2).
   Eigen::MatrixXd Spread(const Eigen::VectorXd& unknowns) const
   {
     Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Rows.size()), 2);
@@ -118,7 +118,7 @@ public:
   }
 
 private:
-  /// Calls visit(triangle, k, l, row, column) for every two free corners of each triangle.
+  /// Calls visit(triangle, k, l, row, column) for every pair of free corners of each triangle.
   template <typename Visit>
   void ForEachBlock(const Visit& visit) const
   {
@@ -139,7 +139,7 @@ private:
     }
   }
 
-  /// Finds where the matrix keeps the first entry of each block.
+  /// Finds the index of the first entry of each block in the matrix's values.
   void MakePattern(const Progress& progress)
   {
     std::vector<Eigen::Triplet<double>> entries;
@@ -188,7 +188,7 @@ private:
         values[second] += block(0, 1);
         values[second + 1] += block(1, 1);
       });
-    // Weights of different triangles may differ by so much that the smallest get lost.
+    // Weights of different triangles may differ so much that the smallest are lost in rounding.
     constexpr double raise = 1e-12;
     for (int i = 0; i < 2 * this->Count; ++i)
     {
@@ -197,10 +197,10 @@ private:
   }
 
   const PlanarElements& Elements;
-  std::vector<int> Rows; ///< of each point: its row of two unknowns, or -1
+  std::vector<int> Rows; ///< first of the two unknowns of each point, or -1
   int Count = 0;
   Eigen::SparseMatrix<double> Matrix;
-  std::vector<int> Positions; ///< of each block in the order of ForEachBlock
+  std::vector<int> Positions; ///< index of each block's first value, in the order of ForEachBlock
   SparseCholesky Solver;
 };
 
@@ -225,8 +225,8 @@ void RequireStart(
   }
 }
 
-/// Halves the step until the energy falls by a share of what the gradient promises; leaves points
-/// as they are and returns false if it never does.
+/// Halves the step until the energy decreases by a share of the gradient's prediction. Returns
+/// false and leaves the points unchanged if it never does.
 bool Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& steps, double slope,
   const PlanarElements& elements, const InjectiveRefinementOptions& options)
 {
@@ -246,7 +246,7 @@ bool Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& step
   return false;
 }
 
-/// From `points`, on which it works, without a thought for the start.
+/// Descends from `points`, which it overwrites; StartEnergy is left to the caller.
 InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& system,
   const Eigen::MatrixXd& start, const InjectiveRefinementOptions& options, const Progress& progress)
 {
@@ -258,12 +258,12 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
     throw SolveFailure("the measure exceeds double precision at the start; reduce the Exponent");
   }
   const double area = elements.Areas().sum();
-  // One small gain may be a step that a single triangle held back.
+  // One small gain may be due to a step limited by a single triangle.
   constexpr int patience = 5;
   int smallGains = 0;
   while (result.Iterations < options.MaximumIterations && smallGains < patience)
   {
-    // Most is gained in the first iterations.
+    // The first iterations gain most.
     const double done = 1.0 - 20.0 / (20.0 + result.Iterations);
     progress(done);
     const LocalTerms terms = TermsAt(

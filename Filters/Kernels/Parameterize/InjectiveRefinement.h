@@ -14,38 +14,38 @@ namespace shape
 struct InjectiveRefinementOptions
 {
   Distortion Measure = Distortion::SymmetricDirichlet;
-  double Exponent = 1.0;       ///< of the exponential measures; > 0
-  double Scale = 1.0;          ///< lengths of the surface count times this; > 0
+  double Exponent = 1.0;       ///< exponent e of the exponential measures; > 0
+  double Scale = 1.0;          ///< factor for the lengths of the surface; > 0
   int MaximumIterations = 300; ///< >= 0
-  /// Ends when each of five iterations gains no more than this share; in [0, 1).
+  /// Stops when five iterations in a row gain at most this share of the energy; in [0, 1).
   double Tolerance = 1e-5;
 };
 
 struct InjectiveRefinementResult
 {
   Eigen::MatrixXd Points; ///< n x 2
-  /// Mean of the measure over the surface's area at the start; of an exponential one after
-  /// SymmetricDirichlet.
+  /// Mean of the measure over the surface's area at the start. For an exponential measure, the
+  /// start is the result of SymmetricDirichlet.
   double StartEnergy = 0.0;
-  double Energy = 0.0; ///< the same at the end
-  int Iterations = 0;  ///< systems solved
+  double Energy = 0.0; ///< mean of the measure at the end
+  int Iterations = 0;  ///< number of linear systems solved
 };
 
 /**
- * Moves the points of a planar image of a surface so that the mean distortion falls, without ever
- * flipping a triangle: scalable locally injective mappings (Rabinovich, Poranne, Panozzo and
- * Sorkine-Hornung 2017). Each iteration replaces the measure by a weighted quadratic form with the
- * same gradient (section 3.2 there), goes to its minimum, but less than 0.8 of the way to the first
- * flip, and halves the step until the energy falls (Armijo). All systems share one pattern, whose
- * elimination order is found once.
+ * Moves the points of a planar image of a surface to lower the mean distortion, without flipping a
+ * triangle: scalable locally injective mappings (Rabinovich, Poranne, Panozzo and Sorkine-Hornung
+ * 2017). Each iteration replaces the measure by a weighted quadratic form with the same gradient
+ * (section 3.2) and moves towards its minimum, at most 0.8 of the way to the first flip. The step
+ * is halved until the energy decreases (Armijo). All systems share one sparsity pattern, whose
+ * elimination order is computed once.
  *
- * Points that are free on the boundary move as well: images of far parts may come to overlap,
- * though no triangle is flipped. Exponential measures start from the result of SymmetricDirichlet.
+ * Free boundary points move too, so images of distant parts may overlap, although no triangle is
+ * flipped. Exponential measures start from the result of SymmetricDirichlet.
  *
  * surface: each component with at least one triangle, every point used. start: n x 2, every
- * triangle counter-clockwise. fixed: points that stay. Throws InvalidInput if an option is out
- * of range or a triangle of the start is not counter-clockwise, SolveFailure if the measure
- * exceeds double precision at the start; Aborted, after one factorisation at most.
+ * triangle counter-clockwise. fixed: points that do not move. Throws InvalidInput if an option is
+ * out of range or a triangle of the start is not counter-clockwise. Throws SolveFailure if the
+ * measure exceeds double precision at the start. Throws Aborted, after one factorisation at most.
  */
 InjectiveRefinementResult RefineInjectively(const Mesh& surface, const Eigen::MatrixXd& start,
   const std::vector<int>& fixed = {}, const InjectiveRefinementOptions& options = {},

@@ -11,7 +11,7 @@ namespace
 
 using Complex = std::complex<double>;
 
-/// The motion by `turn` around `fixed`.
+/// Returns the rotation by `turn` around `fixed`.
 PlaneIsometry TurnAround(Complex fixed, Complex turn)
 {
   return { turn, fixed - turn * fixed };
@@ -24,7 +24,7 @@ PlaneIsometry Inverse(const PlaneIsometry& motion)
 
 bool AreSame(const PlaneIsometry& a, const PlaneIsometry& b)
 {
-  constexpr double rounding = 1e-6; // different ones of these groups differ by 0.1 at least
+  constexpr double rounding = 1e-6; // different isometries of these groups differ by at least 0.1
   return std::abs(a.Turn - b.Turn) < rounding && std::abs(a.Shift - b.Shift) < rounding;
 }
 
@@ -76,8 +76,8 @@ std::vector<PlaneIsometry> ComputeOrbifoldMotions(
     generators.push_back(leg);
     generators.push_back(Inverse(leg));
   }
-  // One generator moves a position near the tile by less than this; so no wanted motion is cut off
-  // from the identity by unwanted ones.
+  // A generator moves a position near the tile by less than this. So every wanted isometry is
+  // reached from the identity through isometries within this slack.
   constexpr double slack = 4.0;
   const auto moved = [&](const PlaneIsometry& motion) { return std::abs(motion(centre) - centre); };
   std::vector<PlaneIsometry> found = { PlaneIsometry() };
@@ -97,7 +97,8 @@ std::vector<PlaneIsometry> ComputeOrbifoldMotions(
   found.erase(std::remove_if(found.begin() + 1, found.end(),
                 [&](const PlaneIsometry& motion) { return moved(motion) > radius; }),
     found.end());
-  // The order in which they were found does not depend on rounding.
+  // The sort is stable: isometries of equal distance keep the order of discovery, which does not
+  // depend on rounding.
   std::stable_sort(found.begin() + 1, found.end(),
     [&](const PlaneIsometry& a, const PlaneIsometry& b) { return moved(a) < moved(b) - 1e-6; });
   return found;

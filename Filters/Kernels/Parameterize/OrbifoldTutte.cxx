@@ -61,7 +61,8 @@ void RequireCones(const Mesh& surface, const std::vector<int>& cones, OrbifoldTy
     if (cones[i] < 0 || cones[i] >= surface.Points.rows())
     {
       throw InvalidInput("cone " + std::to_string(i) + " is point " + std::to_string(cones[i]) +
-        ", which the surface has not; it has " + std::to_string(surface.Points.rows()));
+        ", but the surface has only " + std::to_string(surface.Points.rows()) +
+        " points; give points of the surface");
     }
     const auto own = cones.begin() + static_cast<std::ptrdiff_t>(i);
     const auto same = std::find(cones.begin(), own, cones[i]);
@@ -74,18 +75,18 @@ void RequireCones(const Mesh& surface, const std::vector<int>& cones, OrbifoldTy
   }
 }
 
-/// Where a point of the cut surface is seen: moved from the unknown position of a point, or given.
+/// Position of a point of the cut surface: the isometry of an unknown, or a given position.
 struct Position
 {
   int Unknown = -1;
-  PlaneIsometry Motion; ///< of the unknown; without one, Shift is the position
+  PlaneIsometry Motion; ///< applied to the unknown; if there is none, Shift is the position
 };
 
-/// Positions of the cut surface's points, and the number of unknowns.
+/// Returns the positions of the cut surface's points, and the number of unknowns.
 std::pair<std::vector<Position>, int> GetLoopPositions(
   const CutSurface& cut, const EdgePath& path, const OrbifoldTile& tile)
 {
-  // The boundary runs along the path to its end, and back.
+  // The boundary follows the path to its end and returns.
   std::vector<int> loop = FindManifoldBoundaryLoops(cut.Surface).front();
   std::rotate(loop.begin(),
     std::find_if(loop.begin(), loop.end(),
@@ -123,7 +124,7 @@ std::pair<std::vector<Position>, int> GetLoopPositions(
   return { std::move(positions), unknowns };
 }
 
-/// The minimum of the sum of w |p - q|^2 / 2 over the edges of all triangles.
+/// Minimizes the sum of w |p - q|^2 / 2 over the edges of all triangles.
 class MeanEquations
 {
 public:
@@ -132,14 +133,14 @@ public:
   {
   }
 
-  /// The derivative by p of w |p - q|^2 / 2, and that by q.
+  /// Adds the derivatives of w |p - q|^2 / 2 with respect to p and q.
   void AddSide(const Position& p, const Position& q, double weight)
   {
     this->AddHalf(p, q, weight);
     this->AddHalf(q, p, weight);
   }
 
-  /// The positions of the unknowns.
+  /// Returns the positions of the unknowns.
   std::vector<Complex> Solve()
   {
     if (this->Right.size() == 0)
@@ -177,7 +178,7 @@ private:
     this->Right(2 * p.Unknown + 1) += right.imag();
   }
 
-  /// The product with a complex number, as a real matrix.
+  /// Returns the multiplication by a complex number as a real matrix.
   void AddBlock(int row, int column, Complex factor)
   {
     this->Entries.emplace_back(2 * row, 2 * column, factor.real());
@@ -209,8 +210,8 @@ void RequireNoFlip(const Mesh& cut, const Eigen::MatrixXd& image)
   {
     throw SolveFailure("on the tile " + std::to_string(flipped) + " of " +
       std::to_string(cut.Triangles.rows()) + " triangles (first triangle " + std::to_string(first) +
-      ") are smaller than double precision can tell: a limb shrinks exponentially with its length "
-      "over its girth; put Landmarks on the ends of the longest limbs");
+      ") are too small for double precision: an extremity shrinks exponentially with its length "
+      "over its girth; put Landmarks on the ends of the longest extremities");
   }
 }
 
@@ -246,7 +247,7 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
     for (int corner = 0; corner < 3; ++corner)
     {
       const int next = (corner + 1) % 3;
-      // Half from each of the edge's triangles.
+      // One half from each of the edge's triangles.
       equations.AddSide(positions[image.Cut.Surface.Triangles(t, corner)],
         positions[image.Cut.Surface.Triangles(t, next)],
         -0.5 * weights.coeff(triangles(t, corner), triangles(t, next)));
@@ -270,14 +271,14 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
 
 Eigen::MatrixXd FitToBestParallelogram(const OrbifoldImage& image)
 {
-  // The Dirichlet energy of a linear image T is the trace of T D T'; with det T = 1 it is minimal
-  // where that is a multiple of the identity.
+  // The Dirichlet energy of the image under a linear map T is trace(T D T'). With det T = 1 it is
+  // minimal if T D T' is a multiple of the identity.
   const Mesh& cut = image.Cut.Surface;
   const Eigen::SparseMatrix<double> stiffness = BuildCotangentStiffness(
     cut.Triangles, ComputeTriangleAngles(cut).Cotangents, cut.Points.rows());
   const Eigen::Matrix2d energy = image.Points.transpose() * stiffness * image.Points;
   const Eigen::Matrix2d factor = energy.llt().matrixL();
-  // Where D = L L', that is L^-1, which keeps the direction of y.
+  // With D = L L', T is proportional to L^-1, which preserves the direction of y.
   const Eigen::Matrix2d straight = std::sqrt(factor.determinant()) * factor.inverse();
   return image.Points * straight.transpose();
 }

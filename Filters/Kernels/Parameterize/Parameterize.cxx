@@ -73,7 +73,7 @@ ParameterizeResult OntoSphere(
   result.Positions = map.Points;
   if (ComputeEnclosedVolume(surface) < 0.0)
   {
-    // The image faces outwards: the map would mirror what is inside.
+    // The sphere map faces outwards, so the image of a surface that faces inwards is mirrored back.
     result.Positions.col(2) *= -1.0;
   }
   result.Method = Word(map.Method);
@@ -82,7 +82,7 @@ ParameterizeResult OntoSphere(
   return result;
 }
 
-/// By how much the surface is scaled to have its image's area.
+/// Returns the factor that scales the surface to its image's area.
 double ScaleTo(const Eigen::MatrixXd& image, const Surface& surface)
 {
   return std::sqrt(ComputeArea({ image, surface.Triangles() }) / ComputeArea(surface));
@@ -146,7 +146,7 @@ std::string Word(OrbifoldType type)
   return "Parallelogram";
 }
 
-/// The points of the surface that are nearest to the landmarks.
+/// Returns the points of the surface nearest to the landmarks.
 std::vector<int> NearestPoints(const Surface& surface, const Eigen::MatrixXd& landmarks)
 {
   RequireFinite(landmarks, "the Landmarks");
@@ -185,7 +185,7 @@ ParameterizeResult OntoOrbifold(const Surface& surface, const Eigen::MatrixXd& l
   return result;
 }
 
-/// Where the domain does not fit the surface, one that does is named.
+/// Throws InvalidInput if the domain does not fit the surface; the message names one that does.
 void RequireDomain(const Surface& surface, ParameterizeOptions::DomainType domain)
 {
   using Domain = ParameterizeOptions::DomainType;
@@ -195,23 +195,21 @@ void RequireDomain(const Surface& surface, ParameterizeOptions::DomainType domai
   {
     throw InvalidInput("the surface has " + std::to_string(topology.Components) +
       " components; keep one with Connectivity / Extract Largest, or merge points at the same "
-      "place "
-      "with Clean");
+      "position with Clean");
   }
   if (!isForClosed && topology.BoundaryLoops == 0)
   {
-    throw InvalidInput("the surface is closed; take the Domain Sphere or Orbifold, or cut it open "
-                       "first, as with Clip");
+    throw InvalidInput("the surface is closed; choose the Domain Sphere or Orbifold, or cut it "
+                       "open first, for example with Clip");
   }
   if (topology.BoundaryLoops > (isForClosed ? 0 : 1) && domain != Domain::FreeBoundary)
   {
     throw InvalidInput("the surface has " + std::to_string(topology.BoundaryLoops) +
       (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + " (first at point " +
-      std::to_string(topology.FirstOpenPoint) + "), and the Domain has " +
-      (isForClosed
-          ? "none; take FreeBoundary, close it with Fill Holes, or merge its duplicate points with "
-            "Clean"
-          : "one; take FreeBoundary, or close all but the outer one with Fill Holes"));
+      std::to_string(topology.FirstOpenPoint) + "), but the Domain needs " +
+      (isForClosed ? "a closed surface; choose FreeBoundary, close the surface with Fill Holes, or "
+                     "merge its duplicate points with Clean"
+                   : "one; choose FreeBoundary, or close all but the outer one with Fill Holes"));
   }
 }
 

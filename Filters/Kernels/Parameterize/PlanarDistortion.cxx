@@ -14,7 +14,7 @@ double Cubed(double s)
   return s * s * s;
 }
 
-/// The differences s - c are divided out by hand below, so that nothing cancels where s = c.
+/// The factor s - c is divided out by hand below, so there is no cancellation near s = c.
 DistortionTerms SymmetricDirichletTerms(const Vector2d& s)
 {
   DistortionTerms terms{ s.squaredNorm() + s.cwiseInverse().squaredNorm(), {}, {} };
@@ -26,8 +26,8 @@ DistortionTerms SymmetricDirichletTerms(const Vector2d& s)
   return terms;
 }
 
-/// The exponent of AMIPS. By one singular value s, the other one o given, its derivative is
-/// p (1 - c^2 / s^2) with p = 1 / (2 o) + o / 4.
+/// The exponent of AMIPS. Its derivative by one singular value s, with the other one o fixed, is p
+/// (1 - c^2 / s^2) with p = 1 / (2 o) + o / 4.
 DistortionTerms AmipsTerms(const Vector2d& s)
 {
   const double product = s(0) * s(1);
@@ -44,7 +44,7 @@ DistortionTerms AmipsTerms(const Vector2d& s)
   return terms;
 }
 
-/// c is the geometric mean: a similarity of the same area.
+/// c is the geometric mean of s1 and s2: a similarity of the same area.
 DistortionTerms ConformalTerms(const Vector2d& s)
 {
   DistortionTerms terms{ s(0) / s(1) + s(1) / s(0), {}, {} };

@@ -5,34 +5,35 @@
 namespace shape
 {
 
-/// Measures of an affine map of the plane by its singular values s1 >= s2 > 0, as in table 1 of
-/// Rabinovich, Poranne, Panozzo and Sorkine-Hornung, "Scalable locally injective mappings", 2017.
+/// Distortion measures of an affine map of the plane with singular values s1 >= s2 > 0, as in table
+/// 1 of Rabinovich, Poranne, Panozzo and Sorkine-Hornung, "Scalable locally injective mappings",
+/// 2017.
 enum class Distortion
 {
-  SymmetricDirichlet,            ///< sum of s^2 + s^-2: 4 for an isometry, the minimum
-  ExponentialSymmetricDirichlet, ///< exp(e SymmetricDirichlet): the worst triangles count most
+  SymmetricDirichlet,            ///< sum of s^2 + s^-2; minimum 4 for an isometry
+  ExponentialSymmetricDirichlet, ///< exp(e SymmetricDirichlet): dominated by the worst triangles
   /// exp(e ((s1 / s2 + s2 / s1) / 2 + (s1 s2 + 1 / (s1 s2)) / 4)) (Fu, Liu and Guo, "Computing
   /// locally injective mappings by advanced MIPS", 2015)
   AMIPS,
-  ConformalAMIPS, ///< s1 / s2 + s2 / s1: 2 for a similarity, the minimum
+  ConformalAMIPS, ///< s1 / s2 + s2 / s1; minimum 2 for a similarity
   LogARAP,        ///< sum of log(s)^2 (Hencky strain): 0 for an isometry
-  ARAP            ///< sum of (s - 1)^2: 0 for an isometry; finite even if a triangle loses its area
+  ARAP            ///< sum of (s - 1)^2: 0 for an isometry; finite even for an image without area
 };
 
-/// Whether a measure is the exponential of another one, so large at a bad start that it overflows.
+/// Whether a measure is the exponential of another one, so that it may overflow at a bad start.
 bool IsExponential(Distortion distortion);
 
-/// A measure near given singular values, and the quadratic that stands in for it there: the sum of
-/// Weights (s - c)^2 has the same gradient, where c is 1, or for ConformalAMIPS and AMIPS what is
-/// best for the other singular value.
+/// A measure at given singular values, and a quadratic with the same gradient: the sum of Weights
+/// (s - c)^2. Here c is 1; for ConformalAMIPS and AMIPS it is the optimum for the other singular
+/// value.
 struct DistortionTerms
 {
   double Value;
-  Eigen::Vector2d Gradient; ///< by s1 and s2
-  Eigen::Vector2d Weights;  ///< > 0: Gradient / (2 (s - c)), and its limit at s = c
+  Eigen::Vector2d Gradient; ///< derivatives by s1 and s2
+  Eigen::Vector2d Weights;  ///< > 0: Gradient / (2 (s - c)), or its limit at s = c
 };
 
-/// singular: both > 0. exponent: e above. Values that overflow are infinite.
+/// Evaluates a measure. singular: both > 0. exponent: e above. Values that overflow are infinite.
 DistortionTerms EvaluateDistortion(
   Distortion distortion, double exponent, const Eigen::Vector2d& singular);
 

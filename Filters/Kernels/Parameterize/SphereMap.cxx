@@ -30,7 +30,8 @@ void Check(const Surface& surface, const SphereMapOptions& options)
   {
     throw InvalidInput(
       "an option of the sphere map is out of range; the time step and the number "
-      "of iterations must be positive, the tolerance less than 1, and none negative");
+      "of iterations must be positive, the tolerance must be less than 1, and no option may be "
+      "negative");
   }
   const Topology topology = RequireClosedSurface(surface, "the surface");
   if (topology.Components > 1)
@@ -55,7 +56,7 @@ void Check(const Surface& surface, const SphereMapOptions& options)
   }
 }
 
-/// The surface with area 1 and its centre at the origin.
+/// Returns the surface scaled to area 1, with its centre at the origin.
 Mesh Normalised(const Mesh& surface)
 {
   const double size = ComputeLongestBoxEdge(surface.Points);
@@ -65,8 +66,7 @@ Mesh Normalised(const Mesh& surface)
   const double area = ComputePointAreas(mesh).sum();
   if (!mesh.Points.allFinite() || !(area > 0.0))
   {
-    throw InvalidInput("the surface has no area that double precision can hold (its longest side "
-                       "is " +
+    throw InvalidInput("the surface's area is zero in double precision (its longest side is " +
       std::to_string(size) + "); scale it or check its coordinates");
   }
   mesh.Points /= std::sqrt(area);
@@ -94,7 +94,7 @@ public:
     this->Recentre();
   }
 
-  /// The directions of the points from the origin; a point at the origin keeps no direction: x.
+  /// Returns the directions of the points from the origin; x for a point at the origin.
   Eigen::MatrixXd OnSphere() const
   {
     Eigen::MatrixXd sphere = this->Moving.Points;
@@ -110,7 +110,7 @@ public:
   void Hold(const Eigen::MatrixXd& sphere) { this->Moving.Points = sphere; }
 
 private:
-  /// Area 1, and the area's mean at the origin.
+  /// Scales to area 1 and moves the area-weighted mean to the origin.
   void Recentre()
   {
     Eigen::MatrixXd& points = this->Moving.Points;
@@ -130,8 +130,8 @@ private:
   SparseCholesky Solver;
 };
 
-/// The mean over the given surface of (s1 / s2 + s2 / s1) / 2, s1 and s2 the map's singular values:
-/// 1 if conformal. A triangle counts for at most 1000, whether flipped or not.
+/// Returns the mean of (s1 / s2 + s2 / s1) / 2 over the given surface, with s1 and s2 the map's
+/// singular values: 1 if conformal. Each triangle, flipped or not, contributes at most 1000.
 double MeanDistortion(const Mesh& mesh, const TriangleAngles& angles, const Eigen::MatrixXd& sphere)
 {
   double sum = 0.0;
@@ -149,8 +149,8 @@ double MeanDistortion(const Mesh& mesh, const TriangleAngles& angles, const Eige
   return sum / angles.Areas.sum();
 }
 
-/// The flow's most conformal image on the sphere. Past it the chords of a coarse surface let the
-/// image contract to a few points.
+/// Returns the flow's most conformal image on the sphere. If the flow continues, the chords of a
+/// coarse surface let the image contract to a few points.
 Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
   const Eigen::SparseMatrix<double>& stiffness, const SphereMapOptions& options, int& iterations,
   const Progress& progress)
@@ -166,7 +166,7 @@ Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
     const Eigen::MatrixXd sphere = flow.OnSphere();
     const double distortion = MeanDistortion(mesh, angles, sphere);
     const bool held = iterations + 1 >= options.FreeIterations;
-    // Smaller gains are left: which step has the smallest depends on rounding.
+    // Smaller gains do not count: which step has the minimum would depend on rounding.
     const bool better = distortion < (1.0 - options.Tolerance) * minimum;
     idle = better || !held ? 0 : idle + 1;
     if (better)
@@ -183,7 +183,7 @@ Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
   return best;
 }
 
-/// `points` and two rings around them.
+/// Returns `points` and two rings of neighbours around them.
 std::vector<int> Around(const Mesh& mesh, const std::vector<int>& points)
 {
   std::vector<char> inside(mesh.Points.rows(), 0);
@@ -219,7 +219,7 @@ int CountFlips(const Mesh& mesh, const Eigen::MatrixXd& sphere)
   return static_cast<int>(FindFlippedTriangles(mesh.Triangles, sphere).size());
 }
 
-/// One method from its beginning to a centred map, or false if flipped triangles are left.
+/// Runs one method completely, up to a centred map. Returns false if flipped triangles remain.
 bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& options,
   SphereMapResult& result, const Progress& progress)
 {
@@ -253,7 +253,7 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
       result.Points = -result.Points;
     }
   }
-  // Centring can flip a triangle again: it keeps circles, but not the straight sides.
+  // Centring may flip a triangle again: it preserves circles, but not straight edges.
   const Eigen::VectorXd areas = ComputePointAreas(mesh);
   const int rounds = 8;
   for (int round = 0; round < rounds; ++round)

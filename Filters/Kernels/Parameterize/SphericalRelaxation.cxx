@@ -20,7 +20,7 @@ double TriangleEnergy(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
     ComputeSphericalDeterminant(a, b, c);
 }
 
-/// The energy of a star with its centre at `a`; infinite if a triangle does not face outwards.
+/// Returns the energy of a star with centre `a`; infinite if a triangle does not face outwards.
 double Energy(
   const Eigen::MatrixXd& points, const Eigen::RowVector3d& a, const std::vector<StarTriangle>& star)
 {
@@ -38,7 +38,7 @@ double Energy(
   return energy;
 }
 
-/// The Newton step in the tangent plane at `a`, of the energy N / D summed over the star.
+/// Returns the Newton step in the tangent plane at `a` for the energy N / D summed over the star.
 Eigen::RowVector3d NewtonStep(
   const Eigen::MatrixXd& points, const Eigen::RowVector3d& a, const std::vector<StarTriangle>& star)
 {
@@ -84,7 +84,7 @@ bool RelaxPoint(Eigen::MatrixXd& points, int point, const std::vector<StarTriang
   for (int halving = 0; halving < 10; ++halving, step *= 0.5)
   {
     const Eigen::RowVector3d moved = (position + step).normalized();
-    // A gain near rounding would hang on the order of summation, so on the number of threads.
+    // A gain near rounding would depend on the order of summation, and so on the number of threads.
     if (Energy(points, moved, star) < energy * (1.0 - 1e-13))
     {
       points.row(point) = moved;

@@ -33,7 +33,7 @@ double ComputeSphericalDeterminant(
 bool IsFacingOutwards(
   const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c)
 {
-  // The bound depends on the corner that differences are taken from.
+  // The error bound depends on the corner from which differences are taken.
   return FacesOutwardsFrom(a, b, c) || FacesOutwardsFrom(b, c, a) || FacesOutwardsFrom(c, a, b);
 }
 

@@ -7,27 +7,29 @@
 namespace shape
 {
 
-/// det[a, b, c]: six times the volume of the tetrahedron over the origin; from differences, so that
-/// it keeps its digits for tiny triangles. Near 2 x area for small triangles of the unit sphere.
+/// Returns det[a, b, c], six times the volume of the tetrahedron with the origin. It is computed
+/// from differences and so is accurate for tiny triangles. For small triangles of the unit sphere
+/// it is about twice the area.
 double ComputeSphericalDeterminant(
   const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c);
 
-/// Whether det[a, b, c] > 0 for certain: larger than the bound of its rounding error (the first
-/// filter of Shewchuk 1997's orient3d), so that exact arithmetic cannot find the opposite.
+/// Whether det[a, b, c] is certainly > 0: larger than the bound of its rounding error (the first
+/// filter of Shewchuk 1997's orient3d), so exact arithmetic gives the same sign.
 bool IsFacingOutwards(
   const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c);
 
-/// The triangles (m x 3) that do not face outwards for certain, ascending. points: on the sphere.
+/// Returns the triangles (m x 3) that do not certainly face outwards, ascending. points: on the
+/// sphere.
 std::vector<int> FindFlippedTriangles(
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points);
 
-/// Signed areas of the spherical triangles (m), each in (-2 pi, 2 pi): Van Oosterom & Strackee
-/// 1983.
+/// Returns the signed areas of the spherical triangles (m), each in (-2 pi, 2 pi): Van Oosterom &
+/// Strackee 1983.
 Eigen::VectorXd ComputeSolidAngles(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points);
 
-/// How many times the triangles of a closed surface cover the sphere: the sum of ComputeSolidAngles
-/// over 4 pi. Without flipped triangles, 1 means that the map is one to one; more, that it is
-/// branched.
+/// Returns how many times the triangles of a closed surface cover the sphere: the sum of
+/// ComputeSolidAngles / (4 pi). Without flipped triangles, 1 means that the map is one-to-one, and
+/// more that it is branched.
 int ComputeCoveringDegree(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points);
 
 } // namespace shape

@@ -26,7 +26,8 @@ void RequireSupportedFeatures(const Eigen::MatrixXd& points, const Eigen::Matrix
   {
     if (!points.row(i).allFinite())
     {
-      throw InvalidInput("point " + std::to_string(i) + " of the plane is not finite");
+      throw InvalidInput(
+        "planar point " + std::to_string(i) + " is not finite; correct its coordinates");
     }
   }
   const double side = points.rows() > 0
@@ -38,12 +39,13 @@ void RequireSupportedFeatures(const Eigen::MatrixXd& points, const Eigen::Matrix
   {
     if (segments.row(i).minCoeff() < 0 || segments.row(i).maxCoeff() >= points.rows())
     {
-      throw InvalidInput("segment " + std::to_string(i) + " has a point that is not there");
+      throw InvalidInput("segment " + std::to_string(i) + " refers to a missing point; there are " +
+        std::to_string(points.rows()) + " points");
     }
   }
 }
 
-/// How far along the curve (Hilbert 1891) through a grid of 2^31 x 2^31 cells one of them is.
+/// Returns the index of a cell along the Hilbert curve (1891) through a grid of 2^31 x 2^31 cells.
 std::uint64_t AlongCurve(std::uint32_t x, std::uint32_t y)
 {
   std::uint64_t along = 0;
@@ -65,7 +67,7 @@ std::uint64_t AlongCurve(std::uint32_t x, std::uint32_t y)
   return along;
 }
 
-/// The distinct points, such that the next one is near.
+/// Returns the distinct points in an order in which consecutive points are close.
 std::vector<int> InsertionOrder(const Eigen::MatrixXd& points, const Eigen::VectorXi& first)
 {
   const Eigen::RowVector2d low = points.colwise().minCoeff();
@@ -91,7 +93,7 @@ std::vector<int> InsertionOrder(const Eigen::MatrixXd& points, const Eigen::Vect
   return order;
 }
 
-/// Inserts all points; false where they lie on one line.
+/// Inserts all points; returns false if they are collinear.
 bool InsertAll(PlanarTriangles& plane, const std::vector<int>& order)
 {
   std::size_t third = 2;
@@ -114,8 +116,8 @@ bool InsertAll(PlanarTriangles& plane, const std::vector<int>& order)
   return true;
 }
 
-/// Throws InvalidInput unless the segments enter each point as often as they leave it (Wound), or
-/// meet it an even number of times (Oddly).
+/// Throws InvalidInput if the outlines are not closed. For Wound as many segments must enter a
+/// point as leave it; for Oddly the number of segments at a point must be even.
 void RequireClosed(const Eigen::MatrixXi& segments, const Eigen::VectorXi& first, KeepType keep)
 {
   Eigen::VectorXi ends = Eigen::VectorXi::Zero(first.size());
@@ -129,12 +131,12 @@ void RequireClosed(const Eigen::MatrixXi& segments, const Eigen::VectorXi& first
     if (keep == KeepType::Wound ? ends(point) != 0 : ends(point) % 2 != 0)
     {
       throw InvalidInput("the outlines are not closed: one ends at point " + std::to_string(point) +
-        "; close it, or keep all triangles");
+        "; close the outline, or keep all triangles");
     }
   }
 }
 
-/// How often the segments wind around each triangle.
+/// Returns the winding number of the segments around each triangle.
 std::vector<int> Windings(const PlanarTriangles& plane)
 {
   std::vector<int> windings(plane.Sides() / 3, 0);
@@ -183,7 +185,7 @@ Eigen::MatrixXi KeptTriangles(const PlanarTriangles& plane, KeepType keep)
   return triangles.topRows(kept);
 }
 
-/// The marked edges, segment by segment and along each.
+/// Collects the marked edges, segment by segment and in order along each.
 void AddEdges(const PlanarTriangles& plane, const Eigen::MatrixXi& segments,
   const SegmentRecovery& recovery, PlanarTriangulation& result)
 {
@@ -197,7 +199,7 @@ void AddEdges(const PlanarTriangles& plane, const Eigen::MatrixXi& segments,
     const int begin = plane.Begin(side), end = plane.End(side);
     for (const int segment : recovery.Group(plane.Mark(side).Group))
     {
-      // Coordinates along the longer axis: no rounding.
+      // Sorted by the coordinate along the longer axis, which needs no rounding.
       const Eigen::RowVector2d along =
         plane.Position(segments(segment, 1)) - plane.Position(segments(segment, 0));
       const int axis = std::abs(along(0)) >= std::abs(along(1)) ? 0 : 1;

@@ -9,27 +9,28 @@
 namespace shape
 {
 
-/// A place in a planar triangulation.
+/// A position in a planar triangulation.
 struct PlanarPoint
 {
-  int Triangle = -1;              ///< -1: in none
+  int Triangle = -1;              ///< -1: outside all triangles
   Eigen::RowVector3d Barycentric; ///< >= 0
 };
 
-/// Finds the triangle of a planar triangulation that a place lies in; built in linear time.
+/// Finds the triangle of a planar triangulation that contains a position; built in linear time.
 class PlanarLocator
 {
 public:
-  /// points: n x 2, finite; triangles: m x 3, of which those that are not counter-clockwise are
-  /// left out. Both are kept by reference. left out: rows of triangles that do not count, either.
+  /// points: n x 2, finite. triangles: m x 3; those that are not counter-clockwise are ignored.
+  /// Both are kept by reference. leftOut: rows of further triangles to ignore.
   PlanarLocator(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
     const std::vector<int>& leftOut = {});
 
-  /// The lowest triangle that contains the place, inside or on its border, exactly.
+  /// Returns the lowest-numbered triangle that contains the position, inside or on its boundary.
+  /// Exact.
   PlanarPoint Find(const Eigen::RowVector2d& position) const;
 
-  /// Calls use(triangle) for those whose boxes may meet a box, each once or more often, in a fixed
-  /// order, until it returns true; returns whether it did.
+  /// Calls use(triangle) for the triangles whose boxes may intersect the given box, in a fixed
+  /// order and possibly several times, until it returns true. Returns whether it did.
   bool AnyNear(const Eigen::RowVector2d& lower, const Eigen::RowVector2d& upper,
     const std::function<bool(int)>& use) const;
 
@@ -41,7 +42,7 @@ private:
   Eigen::RowVector2d Lower, Upper; ///< the box of the points
   double CellSize = 1.0;
   std::array<int, 2> Cells = { 1, 1 };
-  std::vector<int> First, Inside; ///< of cell i: Inside from First[i] on, ascending
+  std::vector<int> First, Inside; ///< Inside[First[i]], ... are the triangles at cell i, ascending
 };
 
 } // namespace shape

@@ -46,7 +46,7 @@ int PlanarOutline::Side(const Eigen::RowVector2d& position) const
       }
       const int turn = EvaluateOrientation(a, b, position);
       on = turn == 0 && std::min(a.x(), b.x()) <= position.x();
-      // Half-open in height, so that a corner counts for one of its sides.
+      // Half-open in y, so a corner is counted for one of its two edges.
       inside ^= a.y() <= position.y() && position.y() < b.y() && turn > 0;
       return !on;
     });

@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// The triangle's shape: from the second and third barycentric coordinate to its plane.
+/// Returns the linear map from the second and third barycentric coordinate to the triangle's plane.
 Eigen::Matrix2d MetricOf(const Eigen::Matrix3d& corners)
 {
   const Eigen::RowVector3d u = corners.row(1) - corners.row(0), v = corners.row(2) - corners.row(0);
@@ -26,7 +26,7 @@ Eigen::Matrix2d MetricOf(const Eigen::Matrix3d& corners)
   return metric;
 }
 
-/// The points along a chord, whose edges come in any order.
+/// Returns the points along a chord, whose edges are in any order.
 std::vector<int> ChainOf(const std::array<int, 2>& chord, const PlanarTriangulation& plane,
   Eigen::Index first, Eigen::Index last)
 {
@@ -42,8 +42,8 @@ std::vector<int> ChainOf(const std::array<int, 2>& chord, const PlanarTriangulat
     }
     if (next == last)
     {
-      throw SolveFailure("the loop crosses itself too near to an edge of the surface; draw it so"
-                         " that it does not cross itself");
+      throw SolveFailure("the loop crosses itself too near to an edge of the surface; draw a loop "
+                         "that does not cross itself");
     }
     isUsed[next - first] = 1;
     chain.push_back(plane.Edges.row(next).sum() - chain.back());
@@ -96,8 +96,8 @@ TriangleSplit SplitTriangle(const Eigen::Matrix3d& corners, const Eigen::MatrixX
     }
     else if (chain.size() != 2)
     {
-      throw SolveFailure("the loop crosses itself on an edge of the surface; draw it so that it"
-                         " does not cross itself");
+      throw SolveFailure("the loop crosses itself on an edge of the surface; draw a loop that does "
+                         "not cross itself");
     }
     first = last;
   }

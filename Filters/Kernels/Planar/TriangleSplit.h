@@ -8,23 +8,22 @@
 namespace shape
 {
 
-/// What a triangle is split into. Points count as given, then those added.
+/// The triangles that a triangle is split into. Points are numbered as given, then those added.
 struct TriangleSplit
 {
-  Eigen::MatrixXi Triangles; ///< m x 3, facing as the triangle does
-  Eigen::MatrixXd Added;     ///< a x 3: barycentric coordinates of points where chords cross
-  std::vector<std::vector<int>>
-    Chords; ///< the points that each chord runs through, from end to end
+  Eigen::MatrixXi Triangles; ///< m x 3, with the orientation of the triangle
+  Eigen::MatrixXd Added;     ///< a x 3: barycentric coordinates of the crossings of chords
+  std::vector<std::vector<int>> Chords; ///< the points along each chord, from end to end
 };
 
 /**
- * Splits a triangle such that chords run along edges; its outline gets no further point.
+ * Splits a triangle so that chords are unions of edges; no point is added on its boundary.
  *
- * corners: its places, one a row; it may have no area. points: n x 3 barycentric coordinates, their
- * sums exactly 1; first those on its outline, `outline` of them, in order and from corner 0 on,
- * with coordinates of exactly 0, the corners among them; then those inside. chords: pairs of
- * points, of which not both lie on one side. Throws SolveFailure where chords cross so near to the
- * outline that this cannot be done.
+ * corners: positions, one per row; the triangle may have no area. points: n x 3 barycentric
+ * coordinates that sum exactly to 1. The first `outline` points lie on the boundary, with a
+ * coordinate of exactly 0. They include the corners and are in order, starting at corner 0. The
+ * others lie inside. chords: pairs of points that do not both lie on one edge. Throws SolveFailure
+ * if chords cross too near to the boundary.
  */
 TriangleSplit SplitTriangle(const Eigen::Matrix3d& corners, const Eigen::MatrixXd& points,
   int outline, const std::vector<std::array<int, 2>>& chords);

@@ -7,8 +7,8 @@ namespace shape
 namespace
 {
 
-/// A cell's corners, each followed by the ends of its three edges, and what a corner's determinant
-/// is to the volume.
+/// The corners of a cell, each with the ends of its three edges, and the factor from a corner's
+/// determinant to its share of the volume.
 struct CornerTable
 {
   std::vector<std::array<int, 4>> Corners;

@@ -25,7 +25,7 @@ Eigen::VectorXd ComputeConformalDistortion(const Mesh& mesh, const Eigen::Matrix
       distortion(t) = 1.0;
       continue;
     }
-    // s^2 + t^2 is twice the Dirichlet energy over the area, s t the ratio of the areas.
+    // s^2 + t^2 is twice the Dirichlet energy / the area; s t is the ratio of the areas.
     const double squares = (v.squaredNorm() * p.squaredNorm() - 2.0 * u.dot(v) * p.dot(q) +
                              u.squaredNorm() * q.squaredNorm()) /
       (area * area);

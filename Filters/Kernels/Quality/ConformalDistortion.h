@@ -6,11 +6,12 @@ namespace shape
 {
 
 /**
- * How far the map that takes each triangle of `mesh` affinely to its image is from keeping angles:
- * (s / t + t / s) / 2 for its singular values s >= t; 1 for a similarity.
+ * Computes how far the affine map of each triangle of `mesh` to its image is from conformal: (s / t
+ * + t / s) / 2 for its singular values s >= t; 1 for a similarity.
  *
- * images: n x 3, of the points. Returns m values >= 1; infinite where an image has no area, and 1
- * where the triangle itself has none, since every map of it can be called conformal.
+ * images: n x 3, the images of the points. Returns m values >= 1. A value is infinite if the image
+ * has no area, and 1 if the triangle itself has none, because any map of it can be called
+ * conformal.
  */
 Eigen::VectorXd ComputeConformalDistortion(const Mesh& mesh, const Eigen::MatrixXd& images);
 

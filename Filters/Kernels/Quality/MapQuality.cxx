@@ -15,9 +15,10 @@ namespace
 
 using Measures = Eigen::Array<double, MapMeasureCount, 1>;
 
-/// Sizes up to this share of the longest edge's power are rounding error.
+/// Sizes up to this share of the longest edge squared or cubed are rounding error.
 constexpr double Flat = 1e-14;
-/// How far a plane's and the unit sphere's points may be off: single precision lies in between.
+/// Tolerances of the plane and the unit sphere; points in single precision meet only the second
+/// one.
 constexpr double PlaneTolerance = 1e-9;
 constexpr double SphereTolerance = 1e-6;
 constexpr int CellsPerChunk = 256;
@@ -27,7 +28,8 @@ bool IsTriangle(const std::array<int, 4>& simplex)
   return simplex[3] < 0;
 }
 
-/// The edges of a simplex from its first corner, as columns; a triangle's third is 0.
+/// Returns the edges of a simplex from its first corner, as columns; a triangle's third column is
+/// 0.
 Eigen::Matrix3d Edges(const Eigen::MatrixXd& points, const std::array<int, 4>& simplex)
 {
   Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
@@ -54,11 +56,11 @@ double LongestEdge(const Eigen::Matrix3d& edges, bool triangle)
   return std::sqrt(square);
 }
 
-/// On which side of the surface around them triangles face.
+/// The side to which triangles face, relative to the surface around them.
 class Sides
 {
 public:
-  /// height, offSphere: those of the whole.
+  /// height, offSphere: those of the complete data.
   Sides(const Eigen::MatrixXd& points, const CellSimplices& cells, double height, double offSphere)
     : Points(points)
     , InPlane(height <= PlaneTolerance)
@@ -78,7 +80,7 @@ public:
     }
   }
 
-  /// Whether sides have the same meaning on both.
+  /// Whether sides are defined in the same way for both.
   bool IsLike(const Sides& other) const
   {
     return this->InPlane == other.InPlane && this->OnSphere == other.OnSphere;
@@ -104,7 +106,7 @@ private:
   Eigen::MatrixXd Around; ///< n x 3: sums of area vectors
 };
 
-/// The measures from |J|^2, |adj J|^2, det J and the sum of the signed singular values.
+/// Computes the measures from |J|^2, |adj J|^2, det J and the sum of the signed singular values.
 Measures FromInvariants(int d, double square, double adjugate, double determinant, double trace)
 {
   const double size = std::abs(determinant);
@@ -119,7 +121,7 @@ Measures FromInvariants(int d, double square, double adjugate, double determinan
 
 Measures OfTriangle(const Eigen::Matrix3d& source, const Eigen::Matrix3d& image, double sign)
 {
-  // The images of two orthonormal vectors of the source's plane.
+  // Images of two orthonormal vectors of the source's plane.
   const Eigen::Vector3d u = source.col(0), v = source.col(1);
   const double square = u.squaredNorm();
   const Eigen::Vector3d first = image.col(0) / std::sqrt(square);
@@ -141,7 +143,7 @@ Measures OfTetrahedron(const Eigen::Matrix3d& source, const Eigen::Matrix3d& ima
     adjugate += jacobian.col(k).cross(jacobian.col((k + 1) % 3)).squaredNorm();
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(jacobian);
-  Eigen::Vector3d values = Eigen::Vector3d::Zero(); // where the Jacobian has overflown
+  Eigen::Vector3d values = Eigen::Vector3d::Zero(); // if the Jacobian has overflowed
   if (svd.info() == Eigen::Success)
   {
     values = svd.singularValues();
@@ -157,7 +159,7 @@ Measures OfIsometry(int d)
   return measures;
 }
 
-/// Twice the area or six times the volume, and 0 where that is rounding error.
+/// Returns twice the area or six times the volume, or 0 if that is rounding error.
 double SizeOf(const Eigen::Matrix3d& edges, bool triangle)
 {
   const double size =
@@ -234,7 +236,7 @@ MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::
         measures(static_cast<int>(MapMeasure::ConformalDistortion)) = LargestMeasure;
       }
       result.Degenerate(cell) = result.Degenerate(cell) || AnyAtLargest(measures);
-      // What is infinite anywhere in the cell is so in the mean.
+      // A measure that is infinite in one simplex is infinite in the mean.
       sums = (measures >= LargestMeasure || sums >= LargestMeasure)
                .select(Measures::Constant(LargestMeasure), sums + part * measures);
       size += part;
@@ -249,7 +251,7 @@ MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::
     }
     else
     {
-      // A surface or solid cell whose triangulation is empty has no size either.
+      // A surface or solid cell without simplices has no size either.
       result.Degenerate(cell) = result.Counted(cell);
     }
     result.Sizes(cell) = size;

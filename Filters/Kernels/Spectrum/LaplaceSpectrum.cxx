@@ -22,7 +22,7 @@ namespace shape
 namespace
 {
 
-/// The eigenpairs of a connected surface, each of whose points some triangle uses.
+/// The eigenpairs of a connected surface without unused points.
 class ComponentSpectrum
 {
 public:
@@ -34,11 +34,11 @@ public:
 
   const Eigen::VectorXd& Masses() const { return this->Laplacian->Masses; } ///< n
 
-  /// pairs: at least 1, at most as many as there are points.
+  /// pairs: from 1 to the number of points.
   void Find(int pairs, double tolerance, const Progress& progress)
   {
     progress(0.0);
-    constexpr int few = 600; // points: of no more, all eigenpairs are found as quickly
+    constexpr int few = 600; // up to this many points, all eigenpairs are found as quickly
     const auto points = static_cast<int>(this->Masses().size());
     this->Values = Eigen::VectorXd::Zero(1);
     this->Vectors = this->Shares.cwiseSqrt();
@@ -56,7 +56,7 @@ public:
   /// k: >= 0, ascending, in 1 / length^2.
   Eigen::VectorXd Eigenvalues() const { return this->Values.cwiseMax(0.0) / this->Masses().sum(); }
 
-  /// n x k: orthonormal in the masses.
+  /// n x k: orthonormal with respect to the masses.
   Eigen::MatrixXd Eigenfunctions() const
   {
     return this->Masses().cwiseSqrt().cwiseInverse().asDiagonal() * this->Vectors;
@@ -74,7 +74,7 @@ private:
 
   void FindByLanczos(int pairs, double tolerance, const Progress& progress)
   {
-    constexpr double shift = 1.0; // less than the first eigenvalue of a surface without a neck
+    constexpr double shift = 1.0; // less than the first eigenvalue, unless the surface has a neck
     Eigen::SparseMatrix<double> shifted = this->Laplacian->Stiffness;
     shifted.diagonal() += shift * this->Shares;
     SparseCholesky factor;
@@ -87,7 +87,7 @@ private:
     this->Append(found.Values.cwiseInverse().array() - shift, found.Vectors);
   }
 
-  /// What comes after the constant, which is known.
+  /// Appends eigenpairs after the constant one, which is known.
   void Append(const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors)
   {
     this->Values.conservativeResize(1 + values.size());
@@ -97,9 +97,9 @@ private:
   }
 
   std::shared_ptr<const IntrinsicLaplacian> Laplacian;
-  Eigen::VectorXd Shares;  ///< of the masses in the whole
-  Eigen::VectorXd Values;  ///< k: where the whole is 1
-  Eigen::MatrixXd Vectors; ///< n x k: eigenfunctions times the roots of the shares
+  Eigen::VectorXd Shares;  ///< masses / total mass
+  Eigen::VectorXd Values;  ///< k: eigenvalues for a total mass of 1
+  Eigen::MatrixXd Vectors; ///< n x k: eigenfunctions times the square roots of Shares
 };
 
 /// One eigenpair of one component.
@@ -126,7 +126,7 @@ std::vector<Position> InOrder(const std::vector<ComponentSpectrum>& parts)
   return positions;
 }
 
-/// Eigenpairs of each component, enough for the smallest of all to be among them.
+/// Computes eigenpairs of each component, enough to include the smallest of all components.
 std::vector<ComponentSpectrum> FindEnough(
   const std::vector<Surface>& components, int pairs, double tolerance, const Progress& progress)
 {
@@ -136,7 +136,7 @@ std::vector<ComponentSpectrum> FindEnough(
   {
     area += part.Masses().sum();
   }
-  // The number of eigenvalues below a bound is about in proportion to the area (Weyl's law).
+  // The number of eigenvalues below a bound is roughly proportional to the area (Weyl's law).
   std::vector<int> wanted, found(parts.size(), 0);
   for (const ComponentSpectrum& part : parts)
   {
@@ -171,8 +171,8 @@ std::vector<ComponentSpectrum> FindEnough(
   return parts;
 }
 
-/// The components, each with the points that it uses, in order. A connected surface is its own one,
-/// and shares what is kept with it.
+/// Returns the components, each with the points that it uses, in order. A connected surface is
+/// returned as it is, with its cached data.
 std::vector<Surface> SplitIntoComponents(const Surface& surface, int used)
 {
   if (surface.Topology().Components == 1 && used == surface.Points().rows())
@@ -183,7 +183,7 @@ std::vector<Surface> SplitIntoComponents(const Surface& surface, int used)
   return { components.begin(), components.end() };
 }
 
-/// The points of each component, in order.
+/// Returns the points of each component, in order.
 std::vector<std::vector<int>> PointsOfComponents(const Topology& topology)
 {
   std::vector<std::vector<int>> points(topology.Components);

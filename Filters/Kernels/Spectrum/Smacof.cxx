@@ -20,18 +20,19 @@ namespace shape
 namespace
 {
 
-/// Scales positions (s x d) to the minimum of the stress, which it returns, and finds their Guttman
-/// transform: where majorisation sends them.
+/// Scales positions (s x d) to the minimum of the stress, and returns that minimum. `transformed`
+/// is their Guttman transform, the next iterate of majorisation.
 double Transform(
   const Eigen::MatrixXd& distances, Eigen::MatrixXd& positions, Eigen::MatrixXd& transformed)
 {
   const Eigen::Index count = positions.rows(), dimensions = positions.cols();
   transformed.setZero(count, dimensions);
-  double products = 0.0, lengths = 0.0; // of distances wanted and now, and of those now
+  // sums of wanted * current distances, and of squared current distances
+  double products = 0.0, lengths = 0.0;
   Eigen::ArrayXd squares(count), now(count), ratios(count), ways(count);
   for (Eigen::Index j = 1; j < count; ++j)
   {
-    // Each pair once: those before j.
+    // Each pair once: j with all points before it.
     squares.head(j).setZero();
     for (Eigen::Index k = 0; k < dimensions; ++k)
     {
@@ -41,7 +42,7 @@ double Transform(
     const auto wanted = distances.col(j).head(j).array();
     products += 2.0 * (wanted * now.head(j)).sum();
     lengths += 2.0 * squares.head(j).sum();
-    // Points at the same position pull in no direction.
+    // The direction between points at the same position is undefined; their term is 0.
     ratios.head(j) = (now.head(j) > 0.0).select(wanted / now.head(j), 0.0);
     for (Eigen::Index k = 0; k < dimensions; ++k)
     {
@@ -59,7 +60,7 @@ double Transform(
   return distances.squaredNorm() - products * products / lengths;
 }
 
-/// Positions of s samples with these distances (s x s).
+/// Returns positions of s samples that fit the given distances (s x s).
 Eigen::MatrixXd Majorised(
   const Eigen::MatrixXd& distances, const SmacofOptions& options, const Progress& progress)
 {
@@ -78,8 +79,8 @@ Eigen::MatrixXd Majorised(
       return positions;
     }
     before = stress;
-    // Twice the step still lowers the stress, and half as many are needed (de Leeuw and Heiser
-    // 1980).
+    // A step of twice the length still lowers the stress and halves the number of steps (de Leeuw
+    // and Heiser 1980).
     positions = 2.0 * transformed - positions;
   }
 }
@@ -93,7 +94,7 @@ EmbeddedSamples EmbedSamples(
   if (topology.Components > 1)
   {
     throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components, between which there are no distances; give one of them");
+      " components, but distances between components are undefined; give one of them");
   }
   const std::vector<int> points =
     SampleFarthestPoints(surface, options.Samples, progress.Part(0.0, 0.2));

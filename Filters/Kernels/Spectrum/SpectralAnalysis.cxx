@@ -13,11 +13,11 @@ SpectralAnalysis ComputeLaplaceSpectrum(
   RequireOption(options.EmbeddingDimensions >= 1, "EmbeddingDimensions",
     options.EmbeddingDimensions, "at least 1");
   const bool isSpectral = options.Embedding == LaplaceSpectrumOptions::EmbeddingType::Spectral;
-  const double share = isSpectral ? 0.9 : 0.5; // of the time
+  const double share = isSpectral ? 0.9 : 0.5; // share of the time
   SpectralAnalysis analysis;
   analysis.Spectrum =
     SolveLaplaceEigenproblem(surface, options.NumberOfEigenpairs, progress.Part(0.0, share));
-  if (isSpectral) // first: it asks for most eigenpairs
+  if (isSpectral) // comes first, because it needs the most eigenpairs
   {
     analysis.Embedding = ComputeSpectralEmbedding(analysis.Spectrum, options.EmbeddingDimensions);
   }

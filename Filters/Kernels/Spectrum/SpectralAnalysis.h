@@ -16,7 +16,7 @@ struct LaplaceSpectrumOptions
     Spectral, ///< ComputeSpectralEmbedding
     MDS       ///< EmbedByClassicalMds
   };
-  /// The smallest ones, those of the constants included; see SolveLaplaceEigenproblem.
+  /// Number of smallest eigenpairs, including the constants; see SolveLaplaceEigenproblem.
   int NumberOfEigenpairs = 100;
   EmbeddingType Embedding = EmbeddingType::Spectral;
   int EmbeddingDimensions = 3; ///< >= 1
@@ -25,17 +25,17 @@ struct LaplaceSpectrumOptions
 struct SpectralAnalysis
 {
   LaplaceSpectrum Spectrum;
-  Eigen::MatrixXd HeatKernel; ///< n x 100: HeatKernelSignature
-  Eigen::MatrixXd WaveKernel; ///< n x 100: WaveKernelSignature
+  Eigen::MatrixXd HeatKernel; ///< n x 100: ComputeHeatKernelSignature
+  Eigen::MatrixXd WaveKernel; ///< n x 100: ComputeWaveKernelSignature
   Eigen::MatrixXd Embedding;  ///< n x EmbeddingDimensions
 };
 
 /**
- * The spectrum of a surface, its signatures and an embedding.
+ * Computes the spectrum of a surface, its signatures and an embedding.
  *
- * surface: a consistently oriented 2-manifold, open or closed; for MDS of one component. Throws
- * InvalidInput if it is not, or if an option is out of range or asks for more eigenpairs than there
- * are; SolveFailure, Aborted.
+ * surface: a consistently oriented 2-manifold, open or closed; for MDS with one component. Throws
+ * InvalidInput if it is not, if an option is out of range, or if it has fewer eigenpairs than
+ * requested; SolveFailure, Aborted.
  */
 SpectralAnalysis ComputeLaplaceSpectrum(const Surface& surface,
   const LaplaceSpectrumOptions& options = {}, const Progress& progress = {});

@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// How many eigenvalues are 0; there are more than these and `others`.
+/// Returns the number of zero eigenvalues. Throws InvalidInput if fewer than `others` are nonzero.
 Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
 {
   const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
@@ -22,8 +22,8 @@ Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
       ", of which " + std::to_string(zeros) +
       " are constants, one for each component; it must be at least " +
       std::to_string(zeros + others) +
-      ": raise it, refine a surface of fewer points, or merge points at the same position with "
-      "Clean");
+      "; increase it, refine the surface if it has fewer points, or merge points at the same "
+      "position with Clean");
   }
   return zeros;
 }
@@ -33,7 +33,7 @@ double Between(double first, double last, int i, int count)
   return count > 1 ? first + (last - first) * i / (count - 1) : first;
 }
 
-/// The weight of each eigenfunction at each time (k x times); each column's sum is 1.
+/// Returns the weight of each eigenfunction at each time (k x times); each column sums to 1.
 Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
@@ -50,7 +50,7 @@ Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
   return weights;
 }
 
-/// And at each energy.
+/// Returns the weight of each eigenfunction at each energy (k x energies).
 Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
@@ -58,7 +58,8 @@ Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
     spectrum.Eigenvalues.tail(spectrum.Eigenvalues.size() - zeros).array().log();
   const double first = logarithms(0), last = logarithms.tail(1)(0);
   const double deviation =
-    std::max(0.07 * (last - first), std::numeric_limits<double>::epsilon()); // if all are equal
+    // in case all are equal
+    std::max(0.07 * (last - first), std::numeric_limits<double>::epsilon());
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(spectrum.Eigenvalues.size(), energies);
   for (int i = 0; i < energies; ++i)
   {
@@ -70,7 +71,7 @@ Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
   return weights;
 }
 
-/// The sum over the eigenfunctions of their squares, times the area.
+/// Returns the weighted sum of the squared eigenfunctions, times the area.
 Eigen::MatrixXd Signature(const LaplaceSpectrum& spectrum, const Eigen::MatrixXd& weights)
 {
   return spectrum.Masses.sum() * (spectrum.Eigenfunctions.array().square().matrix() * weights);

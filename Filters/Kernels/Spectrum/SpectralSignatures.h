@@ -8,40 +8,41 @@ namespace shape
 {
 
 /**
- * The heat that remains at each point after a time (Sun, Ovsjanikov and Guibas, "A concise and
- * provably informative multi-scale signature based on heat diffusion", 2009, equation 3), divided
- * by the mean over the surface: sum of exp(-lambda t) phi(x)^2, over sum of exp(-lambda t), times
- * the area. So it has no unit, its mean by area is 1, and it is the same for surfaces that differ
- * in size.
+ * Computes the heat kernel signature (Sun, Ovsjanikov and Guibas, "A concise and provably
+ * informative multi-scale signature based on heat diffusion", 2009, equation 3). It is the heat
+ * that remains at each point after a time, divided by its mean over the surface: the sum of
+ * exp(-lambda t) phi(x)^2, divided by the sum of exp(-lambda t), times the area. It is
+ * dimensionless, its area-weighted mean is 1, and it does not depend on the size of the surface.
  *
- * Returns n x times, for times in a geometric sequence from 4 ln 10 / the largest eigenvalue to
- * 4 ln 10 / the smallest that is not 0; 0 at points without a triangle. times: >= 1. Throws
- * InvalidInput if all eigenvalues are 0.
+ * Returns n x times. The times form a geometric sequence from 4 ln 10 / the largest eigenvalue to 4
+ * ln 10 / the smallest nonzero one. The signature is 0 at points without a triangle. times: >= 1.
+ * Throws InvalidInput if all eigenvalues are 0.
  */
 Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times = 100);
 
 /**
- * The probability of finding a quantum particle of about an energy at each point (Aubry,
- * Schlickewei and Cremers, "The wave kernel signature", 2011, equation 6), times the area: its mean
- * by area is 1.
+ * Computes the wave kernel signature: the probability of finding a quantum particle of about a
+ * given energy at each point (Aubry, Schlickewei and Cremers, "The wave kernel signature", 2011,
+ * equation 6), times the area. Its area-weighted mean is 1.
  *
- * Returns n x energies: their logarithms are evenly spaced between those of the smallest eigenvalue
- * that is not 0 and of the largest, 2 standard deviations inside; the deviation is 7 % of that
- * range. 0 at points without a triangle. energies: >= 1. Throws as above.
+ * Returns n x energies; 0 at points without a triangle. The logarithms of the energies are evenly
+ * spaced between those of the smallest nonzero and the largest eigenvalue, 2 standard deviations
+ * inside. The standard deviation is 7 % of that range. energies: >= 1. Throws InvalidInput if all
+ * eigenvalues are 0.
  */
 Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int energies = 100);
 
-/// The wave kernel between each point and one point: the same with phi(x) phi(point) instead of
-/// phi(x)^2; n x energies. It distinguishes points that a symmetry of the surface exchanges, unless
-/// the symmetry keeps `point`.
+/// Computes the wave kernel between each point and the given point: phi(x) phi(point) replaces
+/// phi(x)^2. Returns n x energies. It distinguishes points that a symmetry of the surface
+/// exchanges, unless the symmetry maps `point` to itself.
 Eigen::MatrixXd ComputeWaveKernelFrom(
   const LaplaceSpectrum& spectrum, int point, int energies = 100);
 
 /**
- * The eigenfunctions of the smallest eigenvalues that are not 0, divided by the roots of these
- * (Rustamov, "Laplace-Beltrami eigenfunctions for deformation invariant shape representation",
- * 2007, section 4): n x dimensions, without unit; bending changes it little. dimensions: >= 1.
- * Throws InvalidInput if there are fewer eigenvalues that are not 0.
+ * Computes the eigenfunctions of the smallest nonzero eigenvalues, each divided by the square root
+ * of its eigenvalue (Rustamov, "Laplace-Beltrami eigenfunctions for deformation invariant shape
+ * representation", 2007, section 4). Returns n x dimensions, dimensionless; bending the surface
+ * changes it little. dimensions: >= 1. Throws InvalidInput if there are fewer nonzero eigenvalues.
  */
 Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions);
 

@@ -217,10 +217,10 @@ TEST(MeshSets, RefuseWhatCannotBeWritten)
     refusal(good, Eigen::Vector3i::Zero(), 40.0).find("3 regions for 2 cells"), std::string::npos);
   shape::Cells bad = good;
   bad.Kinds(1) = 25;
-  EXPECT_NE(refusal(bad, {}, 40.0).find("cell 1 is of VTK's type 25"), std::string::npos);
+  EXPECT_NE(refusal(bad, {}, 40.0).find("cell 1 has VTK's cell type 25"), std::string::npos);
   bad = good;
   bad.Corners(9) = 12;
-  EXPECT_NE(refusal(bad, {}, 40.0).find("cell 1 has a point that is not there"), std::string::npos);
+  EXPECT_NE(refusal(bad, {}, 40.0).find("cell 1 refers to a missing point"), std::string::npos);
   bad = good;
   bad.Points(3, 1) = std::nan("");
   EXPECT_NE(refusal(bad, {}, 40.0).find("not finite"), std::string::npos);

@@ -317,7 +317,8 @@ TEST(DiskMap, ALimbThatShrinksBelowDoublePrecisionIsAnError)
     }
     catch (const shape::SolveFailure& error)
     {
-      EXPECT_NE(std::string(error.what()).find("a limb shrinks exponentially"), std::string::npos)
+      EXPECT_NE(
+        std::string(error.what()).find("an extremity shrinks exponentially"), std::string::npos)
         << error.what();
     }
   }

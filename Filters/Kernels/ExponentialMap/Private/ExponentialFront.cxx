@@ -31,7 +31,7 @@ ExponentialFront::ExponentialFront(const PointGraph& graph, const Eigen::MatrixX
 EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
   const Sample& from, const Sample& to)
 {
-  constexpr double opposite = 1e-6; // between opposite normals no least rotation is defined
+  constexpr double opposite = 1e-6; // between opposite normals the smallest rotation is undefined
   const Vector3d edge = to.Position - from.Position;
   const Vector2d flat = from.Axes * edge;
   const double length2 = edge.squaredNorm(), flat2 = flat.squaredNorm();
@@ -46,19 +46,19 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
   return prediction;
 }
 
-/// The squared distance of the apex from the source of the distances at the ends of an edge: along
-/// the straight line in the unfolded triangle; infinite if this does not cross the edge. nearFirst:
-/// whether it does so in the half of `first`.
+/// Returns the squared distance of the apex from the source of the distances at an edge's ends,
+/// along the straight line in the unfolded triangle. It is infinite if the line does not cross the
+/// edge. nearFirst: whether it crosses the half of `first`.
 inline double ExponentialFront::Distance2Across(
   const Sample& first, const Sample& second, const Vector3d& apex, bool& nearFirst)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
   const Vector3d edge = second.Position - first.Position, side = apex - first.Position;
-  // The apex and the source, along the edge and across it: all times the edge's length.
+  // Coordinates of the apex and the source along the edge and across it, times the edge's length.
   const double length2 = edge.squaredNorm(), first2 = first.Distance * first.Distance;
   const double apexAlong = side.dot(edge);
   const double along = 0.5 * (first2 - second.Distance * second.Distance + length2);
-  // No height: an apex on the edge, of a triangle without area that closes a gap.
+  // Zero height: the apex lies on the edge, in a triangle without area that closes a gap.
   const double height2 = std::max(0.0, side.squaredNorm() * length2 - apexAlong * apexAlong);
   const double depth2 = first2 * length2 - along * along;
   if (!(depth2 >= 0.0))
@@ -94,7 +94,7 @@ void ExponentialFront::Reach(int node, double distance, int source, State state)
 {
   Sample& sample = this->Samples[node];
   int& mark = this->Marks[node];
-  // Only by rounding is a path shorter than the straight one from the seed.
+  // Only through rounding can a path be shorter than the straight line from the seed.
   if (mark < this->FirstMark || (distance < sample.Distance && sample.Source >= 0))
   {
     mark = this->FirstMark + state;
@@ -154,10 +154,10 @@ void ExponentialFront::Spread(int node)
   }
 }
 
-/// The neighbours that were met before, except the one that the front came from.
+/// Finds the neighbours that were reached before, except the one from which the front came.
 void ExponentialFront::FindUpwind(int node)
 {
-  // Whether one is settled cannot be predicted: a branch would cost more than the rest.
+  // Whether a neighbour is settled is unpredictable, so a branch would cost more than the rest.
   const int source = this->Samples[node].Source;
   int count = 0;
   for (int i = this->Fans.First[node]; i < this->Fans.First[node + 1]; ++i)
@@ -169,14 +169,14 @@ void ExponentialFront::FindUpwind(int node)
   this->UpwindCount = count;
 }
 
-/// Equation 11: the mean of all predictions, times a factor. Weights are the inverse squares of the
-/// edge lengths, times 1 - tilt x, where x is how far a neighbour is to the left of the line from
-/// the seed. So they are balanced on it: neighbours at the same distance on both sides err by the
-/// same amount in opposite directions.
+/// Returns the mean of all predictions, times a factor (equation 11). The weights are the inverse
+/// squared edge lengths, times 1 - tilt x, where x is a neighbour's offset to the left of the line
+/// from the seed. So the weights are balanced on both sides of the line, and errors of opposite
+/// sign cancel.
 EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
   const Sample& sample, const Prediction& first) const
 {
-  constexpr double maximum = 0.9; // of tilt x: no weight is negative
+  constexpr double maximum = 0.9; // maximum of tilt x, so that no weight is negative
   constexpr double aside = std::numeric_limits<double>::min();
   Vector2d image = Vector2d::Zero(), moment = Vector2d::Zero();
   Vector3d xAxis = Vector3d::Zero(), axisMoment = Vector3d::Zero();
@@ -199,7 +199,7 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
   for (int i = 0; i < this->UpwindCount; ++i)
   {
     const Prediction one = Predict(this->Samples[this->Upwind[i]], sample);
-    // About the sum of the edge lengths apart: the other way around a protrusion.
+    // Predictions farther apart come from the other side of a protrusion.
     const double most2 = 2.0 * (one.Length2 + first.Length2);
     if ((one.Image - first.Image).squaredNorm() <= most2)
     {
@@ -211,10 +211,11 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
   return { image - tilt * moment, xAxis - tilt * axisMoment, weights - tilt * moment1 };
 }
 
-/// The axes nearest to an x axis that is nearly tangent.
+/// Sets the tangent axes closest to an x axis that is nearly tangent.
 void ExponentialFront::SetAxes(Sample& sample, const Vector3d& xAxis)
 {
-  constexpr double nothing = 1e-6; // of the square: axes that cancel each other out
+  // relative to the square: smaller sums are axes that cancel each other
+  constexpr double nothing = 1e-6;
   const Vector3d tangent = xAxis - xAxis.dot(sample.Normal) * sample.Normal;
   const double length2 = tangent.squaredNorm();
   Vector3d x = tangent / std::sqrt(length2);
@@ -240,7 +241,8 @@ void ExponentialFront::Settle(int node)
     const double length = mean.Image.norm();
     if (this->Marks[node] == this->FirstMark + AlongEdge)
     {
-      // Paths along edges are too long. None is shorter than the straight line in space.
+      // A path along edges is too long, but a path is never shorter than the straight line in
+      // space.
       const double minimum = (sample.Position - this->Seed.Position).norm();
       sample.Distance = std::min(sample.Distance, std::max(length / mean.Factor, minimum));
     }
@@ -251,11 +253,12 @@ void ExponentialFront::Settle(int node)
   this->Marks[node] = this->FirstMark + Settled;
 }
 
-/// Starts from the corners of all triangles that contain the seed, also on their boundary.
+/// Starts from the corners of all triangles that contain the seed, inside or on their boundary.
 void ExponentialFront::Start(
   const Eigen::RowVector3i& corners, const Eigen::RowVector3d& barycentric)
 {
-  constexpr double none = 1e-9; // of a corner: the seed is on the edge opposite
+  // barycentric weight of a corner below which the seed lies on the opposite edge
+  constexpr double none = 1e-9;
   const auto start = [&](int node)
   {
     const double distance = (this->Samples[node].Position - this->Seed.Position).norm();

@@ -15,17 +15,18 @@ namespace shape
 {
 
 /**
- * The front of an ExponentialMap: see there. Runs over the nodes of a surface's graph, again and
- * again, each time in time proportional to what it covers. Throws Aborted.
+ * The front of an ExponentialMap (see there). It runs over the nodes of a surface's graph, any
+ * number of times. The time of a run is proportional to what it covers. Throws Aborted.
  */
 class ExponentialFront
 {
 public:
-  /// triangles: m x 3, of nodes; normals: n x 3, unit, of the nodes. upwindAverage: equation 11.
+  /// triangles: m x 3, nodes. normals: n x 3, unit normals of the nodes. upwindAverage: equation
+  /// 11.
   ExponentialFront(const PointGraph& graph, const Eigen::MatrixXi& triangles,
     const Eigen::MatrixXd& normals, bool upwindAverage);
 
-  /// From a frame in the triangle with these nodes until the next node is beyond the radius.
+  /// Runs from a frame in the triangle with these nodes until the next node is beyond the radius.
   void Run(const TangentFrame& seed, const Eigen::RowVector3i& corners,
     const Eigen::RowVector3d& barycentric, double radius, const Progress& progress = {});
 
@@ -37,8 +38,8 @@ public:
   };
 
   ///@{
-  /// Of the last run: the nodes in the order met, the triangles in the order in which their last
-  /// corner was met, and the data of one of these nodes.
+  /// Results of the last run: the nodes in the order in which they were reached, the triangles in
+  /// that of their last corners, and the data of a reached node.
   const std::vector<int>& Nodes() const { return this->Met; }
   const std::vector<Triangle>& Triangles() const { return this->Covered; }
   const Eigen::Vector2d& Image(int node) const { return this->Samples[node].Image; }
@@ -50,7 +51,7 @@ private:
   enum State
   {
     AlongEdge,      ///< reached along the edge from Source
-    AcrossTriangle, ///< reached straight across a triangle that Source is a corner of
+    AcrossTriangle, ///< reached on a straight line across a triangle with corner Source
     Settled,
     StateCount
   };
@@ -62,19 +63,19 @@ private:
     Eigen::Matrix<double, 2, 3> Axes = Eigen::Matrix<double, 2, 3>::Zero(); ///< x and y
     Eigen::Vector2d Image = Eigen::Vector2d::Zero();
     double Distance = 0.0;
-    int Source = -1; ///< the neighbour that the front came from; -1: the seed
+    int Source = -1; ///< the neighbour from which the front came; -1: the seed
   };
 
-  /// The image of a node that a neighbour predicts (equation 10).
+  /// The image of a node predicted by a neighbour (equation 10).
   struct Prediction
   {
     Eigen::Vector2d Image;
     Eigen::Vector3d XAxis;
-    Eigen::Vector2d Step; ///< from the image of the one to that of the other
-    double Length2;       ///< of the edge between them, squared
+    Eigen::Vector2d Step; ///< from the neighbour's image to the predicted image
+    double Length2;       ///< squared length of the edge between them
   };
 
-  /// The mean of several predictions: the image times Factor; the x axis is of any length.
+  /// The weighted sum of several predictions. Image is the mean times Factor; XAxis has any length.
   struct Mean
   {
     Eigen::Vector2d Image;
@@ -99,14 +100,14 @@ private:
 
   bool UpwindAverage;
   VertexFans Fans;
-  std::vector<Sample> Samples; ///< what older runs left is told by its mark and not cleared
-  std::vector<int> Marks; ///< of each node its State, from FirstMark on where reached in this run
+  std::vector<Sample> Samples; ///< not cleared between runs; Marks shows which are valid
+  std::vector<int> Marks; ///< FirstMark + State of each node reached in this run; less for others
   int FirstMark = 0;
   Sample Seed;
   std::vector<std::pair<double, int>> Queue;
   std::vector<Triangle> Covered;
   std::vector<int> Met,
-    Upwind; ///< Upwind: of the node that is being settled, the first UpwindCount
+    Upwind; ///< Upwind: neighbours of the node being settled; the first UpwindCount are valid
   int UpwindCount = 0;
 };
 

@@ -11,9 +11,9 @@ namespace shape
 namespace
 {
 
-/// Boxes that share one product, few enough to keep all threads at work.
+/// Number of boxes that share one product; small enough to keep all threads busy.
 constexpr int Boxes = 16;
-/// Points of a chunk where boxes play no part.
+/// Number of points in a chunk that needs no boxes.
 constexpr int Grain = 1024;
 
 template <typename Real>
@@ -38,7 +38,7 @@ std::vector<BoxPair> Diagonal(int count)
 
 } // namespace
 
-/// The numbers of one sum.
+/// The data of one sum.
 template <typename Real>
 struct FmmEvaluation<Real>::Workspace
 {
@@ -46,7 +46,7 @@ struct FmmEvaluation<Real>::Workspace
   bool Gradients = false;
   Eigen::MatrixXd Packed; ///< x y z and the charges of each source
   std::vector<Real> Outgoing, Incoming;
-  Eigen::MatrixXd Values; ///< in the tree's order
+  Eigen::MatrixXd Values; ///< in the order of the tree
 };
 
 template <typename Real>

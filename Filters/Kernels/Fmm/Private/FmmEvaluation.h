@@ -6,20 +6,20 @@
 namespace shape
 {
 
-/// How well, and at what price, the multipole method does.
+/// Accuracy and cost parameters of the multipole method.
 struct FmmEffort
 {
   FmmAccuracy Boxes;
-  RootError BoxError = RootError::Small;  ///< between charges or points and their box
-  RootError NearError = RootError::Small; ///< of the near terms
-  int Leaf = 64;                          ///< most sources of a box that is not split
+  RootError BoxError = RootError::Small;  ///< error between charges or points and their box
+  RootError NearError = RootError::Small; ///< error of the near terms
+  int Leaf = 64;                          ///< maximum number of sources in a box that is not split
 };
 
 /**
- * The passes of the multipole method over the boxes: charges to boxes, up, over, down, and to the
- * points, where the sources of touching boxes are summed pair by pair.
+ * The passes of the multipole method over the boxes: from charges to boxes, up, across, down, and
+ * to the points. The sources of touching boxes are summed directly.
  *
- * Real: of the numbers that stand for the boxes; sums over charges and at points are double.
+ * Real: number type of the box expansions; sums over charges and at points are in double.
  */
 template <typename Real>
 class FmmEvaluation
@@ -29,7 +29,8 @@ public:
   FmmEvaluation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
     const FmmEffort& effort, const Progress& progress);
 
-  /// charges: m x k, k <= 3. Returns n x k, or n x 3k for the gradients. Throws Aborted.
+  /// charges: m x k, k <= 3. Returns the potentials (n x k) or the gradients (n x 3k). Throws
+  /// Aborted.
   Eigen::MatrixXd Sum(
     const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const;
 
@@ -45,8 +46,8 @@ private:
   FmmEffort Effort;
   FmmOperators<Real> Operators;
   FmmTree Tree;
-  Eigen::MatrixXd Sources; ///< 3 x m, scaled, in the tree's order
-  Eigen::MatrixXd Points;  ///< n x 3, the same
+  Eigen::MatrixXd Sources; ///< 3 x m, scaled, in the order of the tree
+  Eigen::MatrixXd Points;  ///< n x 3, scaled, in the order of the tree
   std::vector<int> SourceLeaves;
 };
 

@@ -14,7 +14,7 @@ namespace shape
 namespace
 {
 
-/// The widest vectors, in single precision.
+/// Length of the widest vectors in single precision.
 constexpr int Widest = 16;
 
 int RoundedUp(Eigen::Index count)
@@ -22,7 +22,7 @@ int RoundedUp(Eigen::Index count)
   return static_cast<int>(count + Widest - 1) / Widest * Widest;
 }
 
-/// The positive half of the Gauss-Legendre points on [-1, 1] and their weights.
+/// The positive half of the Gauss-Legendre points on [-1, 1], and their weights.
 Eigen::ArrayX2d PositiveGaussPoints(int count)
 {
   Eigen::ArrayX2d rule(count / 2, 2);
@@ -52,8 +52,8 @@ double Sign(int axes, int parity)
   return ((both ^ both >> 1 ^ both >> 2) & 1) != 0 ? -1.0 : 1.0;
 }
 
-/// The Gauss points of the octant x, y, z > 0 and the roots of their weights; then its mirror
-/// images, so that point o of the octant mirrored along the axes g is number g x octant + o.
+/// The Gauss points of the octant x, y, z > 0 and the square roots of their weights, then their
+/// mirror images. Point o of the octant, mirrored along the axes g, has number g x octant + o.
 struct CubePoints
 {
   Eigen::MatrixXd Positions;
@@ -103,12 +103,12 @@ Eigen::MatrixXd InverseDistances(const Eigen::MatrixXd& to, const Eigen::MatrixX
   return matrix;
 }
 
-/// The largest singular values of A with their vectors, weighted by the roots of the weights.
+/// The largest singular values of A, and their vectors weighted by the roots of the weights.
 struct Spectrum
 {
   Eigen::VectorXd Values;
-  Eigen::MatrixXd Left, Right; ///< points x values
-  std::vector<int> Parities;   ///< the axes along which a vector is odd, as bits
+  Eigen::MatrixXd Left, Right; ///< number of points x number of values
+  std::vector<int> Parities;   ///< axes along which a vector is odd, as bits
 };
 
 Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double threshold)
@@ -166,8 +166,8 @@ Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double thre
   return kept;
 }
 
-/// Sums and differences of each two of eight octants that lie side by side, along each axis in
-/// turn.
+/// Replaces each two neighbouring octants of the eight by their sum and difference, along each axis
+/// in turn.
 template <typename Octant>
 void AddAndSubtract(const Octant& octant)
 {
@@ -185,8 +185,8 @@ void AddAndSubtract(const Octant& octant)
   }
 }
 
-/// Right^T potentials Right. Each vector is even or odd along each axis: sums and differences of
-/// the eight octants first leave products of an eighth of the size.
+/// Returns Right^T potentials Right. Each vector is even or odd along each axis, so with the sums
+/// and differences of the octants the products have an eighth of the size.
 Eigen::MatrixXd Projected(Eigen::MatrixXd potentials, const Spectrum& modes, int octant)
 {
   AddAndSubtract([&](int axes) { return potentials.middleCols(axes * octant, octant); });
@@ -280,7 +280,7 @@ FmmOperators<Real>::FmmOperators(const FmmAccuracy& accuracy, const Progress& pr
   const Eigen::MatrixXd up = this->Expansion.topLeftCorner(modes.Left.rows(), count).transpose() *
     (InverseDistances(outer.Positions, child) * modes.Right);
   this->FromChild = Pack<Real>(up, this->Stride, 0.0);
-  // Potentials of a child are in units of its own side, half of the parent's.
+  // The potentials of a child are in units of the child's edge, half of the parent's.
   this->ToChild = Pack<Real>(0.5 * up.transpose(), this->Stride, 0.0);
 
   ParallelFor(

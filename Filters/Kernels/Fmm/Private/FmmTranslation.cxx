@@ -1,6 +1,6 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Fmm/Private/FmmTranslation.cxx"
-// What AVX-512 and SSE4 compile to, these would only repeat.
+// Targets that would only repeat the code of AVX-512 and SSE4.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 
@@ -18,13 +18,13 @@ namespace
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Columns that go through the matrix together.
+/// Number of columns that are multiplied by the matrix together.
 constexpr int Tile = 12;
-/// The same for one pass of the innermost loop: as many as the registers hold.
+/// Number of columns in one pass of the innermost loop: as many as fit in the registers.
 constexpr int Pass = HWY_TARGET == HWY_AVX3 ? 12 : 6;
 
-/// Rows [row, row + Vectors x lanes) of the matrix times `Pass` columns of x, to y. Columns of x
-/// and y are `pitch` apart.
+/// Multiplies rows [row, row + Vectors x lanes) of the matrix by `Pass` columns of x, into y. The
+/// columns of x and y are `pitch` apart.
 template <int Vectors, typename Real>
 HWY_INLINE void Multiply(
   const FmmTranslation<Real>& product, int row, const Real* x, Real* y, std::ptrdiff_t pitch)
@@ -70,7 +70,7 @@ HWY_INLINE void Multiply(
 template <typename Real>
 void ProductsFor(const FmmTranslation<Real>& product, const BoxPair* pairs, std::ptrdiff_t count)
 {
-  // A pitch that is no multiple of 4096 bytes: the columns lie in different sets of the cache.
+  // The pitch is not a multiple of 4096 bytes, so the columns lie in different sets of the cache.
   constexpr std::ptrdiff_t pitch = FmmTranslation<Real>::Most + 16;
   const hn::ScalableTag<Real> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -86,7 +86,7 @@ void ProductsFor(const FmmTranslation<Real>& product, const BoxPair* pairs, std:
     const int size = static_cast<int>(count - first < atOnce ? count - first : atOnce);
     for (int column = 0; column < Tile; ++column)
     {
-      // Columns that are not there repeat the last: every column of a pass is defined.
+      // Missing columns repeat the last one, so every column of a pass is defined.
       const int at = column < size * columns ? column : size * columns - 1;
       const BoxPair pair = pairs[first + at / columns];
       const Real* in = product.In + pair.From * inBox + (at % columns) * product.InStride;
@@ -128,7 +128,7 @@ void ProductsFor(const FmmTranslation<Real>& product, const BoxPair* pairs, std:
 
 } // namespace
 
-// Not in the unnamed namespace: the dispatch below takes their addresses from every target.
+// Not in the unnamed namespace, because the dispatch below takes their addresses for every target.
 void FloatProducts(const FmmTranslation<float>& product, const BoxPair* pairs, std::ptrdiff_t count)
 {
   ProductsFor(product, pairs, count);

@@ -13,10 +13,10 @@ namespace shape
 namespace
 {
 
-/// Boxes of points whose translations are grouped by class.
+/// Number of boxes of points whose translations are grouped by operator.
 constexpr int ChunkBoxes = 64;
 
-/// The places where the keys of [begin, end), all of one box of `level`, pass to the next octant.
+/// Returns the indices where the keys of [begin, end), all in one box of `level`, change octant.
 std::array<int, 9> Octants(const std::vector<std::uint64_t>& keys, int begin, int end, int level)
 {
   const int shift = 3 * (FmmLatticeOrder::Halvings - 1 - level);
@@ -32,7 +32,7 @@ std::array<int, 9> Octants(const std::vector<std::uint64_t>& keys, int begin, in
   return start;
 }
 
-/// Splits box `at` of the list at its octants that are not empty.
+/// Splits box `at` of the list into its octants that are not empty.
 void AppendChildren(
   std::vector<FmmTree::Box>& boxes, int at, const std::vector<std::uint64_t>& keys)
 {
@@ -66,10 +66,10 @@ bool Touch(const FmmTree::Box& a, const FmmTree::Box& b)
 
 } // namespace
 
-/// What a box of points has around it.
+/// The sources around a box of points.
 struct FmmTree::Surroundings
 {
-  std::vector<int> Touching; ///< boxes of sources of its size
+  std::vector<int> Touching; ///< boxes of sources of the same size that touch it
   std::vector<int> Larger;   ///< leaves of sources that touch one of its ancestors
 };
 
@@ -83,8 +83,8 @@ FmmTree::FmmTree(
   this->Scale = std::ldexp(1.0, -1 - std::ilogb(extent));
   this->Side = this->Scale * extent;
   const Eigen::RowVector3d middle = this->Scale * 0.5 * (low + high);
-  // Coordinates much larger than the extent have no digits left for the smallest boxes; taking the
-  // middle off them is exact, as both are of one size.
+  // If coordinates are much larger than the extent, they have no digits left for the smallest
+  // boxes. Subtracting the centre is exact, because both have about the same size.
   constexpr double distant = 8.0;
   this->Shift = largest > distant * extent ? middle : Eigen::RowVector3d::Zero().eval();
   this->Origin = (middle - this->Shift).array() - 0.5 * this->Side;

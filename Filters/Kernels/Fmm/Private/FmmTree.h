@@ -14,16 +14,19 @@ namespace shape
 {
 
 /**
- * Boxes of sources and of points on one lattice of halved cubes, and which box sees which how.
+ * Boxes of sources and of points on one lattice of recursively halved cubes, and their
+ * interactions.
  *
- * The root cube holds the sources; a box of sources with more than `leaf` of them is split. Points
- * may lie anywhere: the same lattice goes on outside the root. A box of points is split as long as
- * a box of sources that touches it is. So where a point's value comes from depends on the sources
- * and on this point, not on the other points. The lists are those of H. Cheng, L. Greengard,
- * V. Rokhlin, "A fast adaptive multipole algorithm in three dimensions", J. Comput. Phys. 155,
- * 1999: a box receives from the boxes of its size that do not touch it and whose parents touch its
- * parent (their V list); the sources of the others are near. With this rule of splitting nothing is
- * left for their W list, and X, larger boxes of few sources, counts as near.
+ * The root cube contains the sources. A box of sources is split while it has more than `leaf` of
+ * them. Points may lie anywhere: the lattice continues outside the root. A box of points is split
+ * as long as a box of sources that touches it is split. So the terms of a point's value depend on
+ * the sources and on this point alone, not on other points.
+ *
+ * The interaction lists are those of H. Cheng, L. Greengard, V. Rokhlin, "A fast adaptive multipole
+ * algorithm in three dimensions", J. Comput. Phys. 155, 1999. A box receives the field of the boxes
+ * of its size that do not touch it and whose parents touch its parent (V list). Closer sources are
+ * summed directly. With this splitting rule the W list is empty. The boxes of the X list, larger
+ * boxes with few sources, are treated as near.
  */
 class FmmTree
 {
@@ -33,26 +36,27 @@ public:
   struct Box
   {
     int Level = 0;
-    std::array<int, 3> Cell = { 0, 0, 0 }; ///< of the lattice of its level, the root at the origin
-    int Begin = 0, End = 0;                ///< its sources or points in their order
-    int Parent = -1;                       ///< -1: none
+    /// in the lattice of its level, with the root at the origin
+    std::array<int, 3> Cell = { 0, 0, 0 };
+    int Begin = 0, End = 0; ///< range of its sources or points in the tree's order
+    int Parent = -1;        ///< -1: none
     int FirstChild = 0, ChildCount = 0;
 
-    /// The axes along which it is the upper half of its parent, as bits.
+    /// Returns the axes along which it is the upper half of its parent, as bits.
     int Octant() const
     {
       return (this->Cell[0] & 1) | (this->Cell[1] & 1) << 1 | (this->Cell[2] & 1) << 2;
     }
   };
 
-  /// Translations of one class, [Begin, End) of Pairs.
+  /// Translations [Begin, End) of Pairs, which share one operator.
   struct Run
   {
-    int Offset = 0; ///< |x| y z in base 4
+    int Offset = 0; ///< |x|, |y|, |z| of target - source in base 4
     int Begin = 0, End = 0;
   };
 
-  /// Boxes of points [FirstBox, LastBox) of one level with the runs [FirstRun, LastRun).
+  /// Boxes of points [FirstBox, LastBox) of one level, with the runs [FirstRun, LastRun).
   struct Chunk
   {
     int FirstBox = 0, LastBox = 0;
@@ -62,31 +66,31 @@ public:
   FmmTree(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points, int leaf,
     const Progress& progress);
 
-  /// The centre and half the side of a box, in the scaled coordinates.
+  /// The centre and half the edge length of a box, in scaled coordinates.
   Eigen::RowVector3d Centre(const Box& box) const;
   double HalfEdgeLength(const Box& box) const;
 
-  /// Sources or points in their order, in the scaled coordinates.
+  /// Returns sources or points in the tree's order, in scaled coordinates.
   Eigen::MatrixXd Ordered(const Eigen::MatrixXd& positions, const std::vector<int>& order) const;
 
-  double Scale = 1.0; ///< a power of two: scaled coordinates are coordinates times Scale - Shift
+  double Scale = 1.0; ///< a power of two; scaled coordinates = coordinates * Scale - Shift
   Eigen::RowVector3d Shift = Eigen::RowVector3d::Zero();
   Eigen::RowVector3d Origin = Eigen::RowVector3d::Zero(); ///< the lowest corner of the root
-  double Side = 1.0;                                      ///< of the root, 1/2 to 1
+  double Side = 1.0;                                      ///< edge length of the root, 1/2 to 1
   std::vector<int> SourceOrder, PointOrder;
-  std::vector<Box> SourceBoxes, PointBoxes;   ///< level after level, children side by side
-  std::vector<int> SourceLevels, PointLevels; ///< each level's first box, and the end
+  std::vector<Box> SourceBoxes, PointBoxes;   ///< level by level; siblings are contiguous
+  std::vector<int> SourceLevels, PointLevels; ///< first box of each level, and the end
   std::vector<int> PointLeaves;               ///< boxes of points without children
-  std::vector<int> NearStart;                 ///< of each leaf in Near, and the end
+  std::vector<int> NearStart;                 ///< first entry of each leaf in Near, and the end
   std::vector<SourceSpan> Near;
-  int FarPoints = 0;         ///< the first points in their order: too far for the lattice
-  std::vector<Chunk> Chunks; ///< level after level
+  int FarPoints = 0;         ///< number of points, first in the order, outside the lattice's cubes
+  std::vector<Chunk> Chunks; ///< level by level
   std::vector<int> ChunkLevels;
   std::vector<Run> Runs;
   std::vector<BoxPair> Pairs;
 
 private:
-  /// A box that another one receives from.
+  /// A box of sources whose field another box receives.
   struct Seen
   {
     int Offset = 0, Source = 0, Mirror = 0;

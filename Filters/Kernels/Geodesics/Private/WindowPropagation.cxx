@@ -10,12 +10,13 @@ namespace shape
 namespace
 {
 
-/// In lengths of the edge: what is narrower, or nearer by less, is rounding.
+/// Relative to the edge length: smaller widths and distance gains are rounding error.
 constexpr double Rounding = 1e-10;
-/// By how much a point's angle may be less than 2 pi and paths still turn there.
+/// Paths may turn at points whose angle is less than 2 pi by at most this.
 constexpr double AngleRounding = 1e-6;
 
-/// How far from `from` on the way to `to` the line from `eye` through (x, 0) crosses.
+/// Returns the distance from `from` at which the ray from `eye` through (x, 0) crosses the segment
+/// to `to`.
 double Crossing(
   const Eigen::Vector2d& eye, double x, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
@@ -25,7 +26,7 @@ double Crossing(
   return std::isfinite(share) ? std::clamp(share, 0.0, 1.0) * way.norm() : 0.0;
 }
 
-/// A position in the frame of the half-edge from `from` to `to`.
+/// Returns a position in the frame of the half-edge from `from` to `to`.
 Eigen::Vector2d InFrame(
   const Eigen::Vector2d& position, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
@@ -127,7 +128,7 @@ void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
   this->SeeFrom(triangle, weights);
   for (int k = 0; k < 3; ++k)
   {
-    // On the side from corner k: it sees the other triangle, too.
+    // A seed on the edge from corner k also sees the adjacent triangle.
     const int twin = this->Frames.Twin(3 * triangle + k);
     if (weights((k + 2) % 3) == 0.0 && twin >= 0)
     {
@@ -167,7 +168,7 @@ double WindowPropagation::Done() const
     static_cast<double>(this->Lengths.size());
 }
 
-/// No path from a point to the goal is shorter.
+/// Returns a lower bound of the length of a path from a point to the goal.
 double WindowPropagation::Ahead(int point) const
 {
   return this->Goal.Triangle < 0
@@ -175,7 +176,7 @@ double WindowPropagation::Ahead(int point) const
     : (this->Triangulation.Points.row(point) - this->Goal.Position).norm();
 }
 
-/// The same from any position on a half-edge.
+/// Returns a lower bound of the length of a path from any position on a half-edge to the goal.
 double WindowPropagation::AheadOfHalfEdge(int side) const
 {
   if (this->Goal.Triangle < 0)
@@ -190,7 +191,7 @@ double WindowPropagation::AheadOfHalfEdge(int side) const
   return (there - share * way).norm();
 }
 
-/// A position in the triangle of a half-edge, in its frame.
+/// Returns a position in the triangle of a half-edge, in the half-edge's frame.
 Eigen::Vector2d WindowPropagation::PositionInFrame(
   int side, const Eigen::RowVector3d& weights) const
 {
@@ -198,7 +199,7 @@ Eigen::Vector2d WindowPropagation::PositionInFrame(
     weights(PreviousHalfEdge(side) % 3) * this->Frames.Opposite(side);
 }
 
-/// Sees the three edges of a triangle from a position in it.
+/// Creates the windows of a triangle's three edges as seen from a position in it.
 void WindowPropagation::SeeFrom(int triangle, const Eigen::RowVector3d& weights)
 {
   if (triangle == this->Goal.Triangle)
@@ -218,8 +219,8 @@ void WindowPropagation::SeeFrom(int triangle, const Eigen::RowVector3d& weights)
   }
 }
 
-/// Makes a window on the other side of an edge unless it is useless. begin, end, eye: in the frame
-/// of `side`, from which it is seen.
+/// Creates a window on the other side of an edge unless it is useless. begin, end, eye: in the
+/// frame of `side`, the half-edge on the near side.
 void WindowPropagation::See(
   int side, double begin, double end, const Eigen::Vector2d& eye, double behind)
 {
@@ -252,7 +253,7 @@ bool WindowPropagation::IsUseful(const Window& window) const
     window.DistanceAt(window.Begin) < end + (length - window.Begin) + slack;
 }
 
-/// Shortens the distance of a point; one where paths may turn, or a seed, sends out windows.
+/// Lowers the distance of a point. If it is a seed, or paths may turn there, it will emit windows.
 void WindowPropagation::Reach(int point, double distance, bool isSeed)
 {
   if (distance >= this->Lengths(point))
@@ -280,7 +281,7 @@ void WindowPropagation::Reach(int point, double distance, bool isSeed)
   }
 }
 
-/// The way to the goal, in the window's triangle, that is shortest among those through the window.
+/// Lowers the goal's distance to the shortest path through a window of its triangle.
 void WindowPropagation::SeeGoal(const Window& window)
 {
   const Eigen::Vector2d position = this->PositionInFrame(window.Side, this->Goal.Weights),
@@ -307,7 +308,7 @@ void WindowPropagation::SendOut(int point)
   }
 }
 
-/// Carries a window across its triangle onto the two other sides.
+/// Propagates a window across its triangle to the two other edges.
 void WindowPropagation::Carry(const Window& window)
 {
   if (!this->IsUseful(window))
@@ -317,11 +318,11 @@ void WindowPropagation::Carry(const Window& window)
   const int side = window.Side, next = NextHalfEdge(side), previous = PreviousHalfEdge(side);
   if (side / 3 == this->Goal.Triangle)
   {
-    this->SeeGoal(window); // a shortest path ends where it enters this triangle
+    this->SeeGoal(window); // the shortest path ends in this triangle
     return;
   }
   const Eigen::Vector2d &corner = this->Frames.Opposite(side), &eye = window.Eye;
-  // Where the line from the eye to the corner enters the triangle.
+  // Position where the line from the eye to the corner enters the triangle.
   const double entry = eye(0) - (corner(0) - eye(0)) * eye(1) / (corner(1) - eye(1));
   const double slack = Rounding * this->Frames.Length(side);
   bool left = entry > window.Begin, right = entry < window.End;
@@ -340,7 +341,8 @@ void WindowPropagation::Carry(const Window& window)
     }
     else if (std::abs(entry - at) > slack)
     {
-      // What sees the corner from nearer sees all that is beyond it better.
+      // An eye nearer to the corner gives shorter paths to everything on its side beyond the
+      // corner.
       left = left && entry < at;
       right = right && entry > at;
     }
@@ -349,7 +351,7 @@ void WindowPropagation::Carry(const Window& window)
   const Eigen::Vector2d first(0.0, 0.0), second(this->Frames.Length(side), 0.0);
   if (left)
   {
-    // From the corner to the begin of the side.
+    // The edge from the corner to the begin of the half-edge.
     this->See(previous, Crossing(eye, std::min(entry, window.End), corner, first),
       Crossing(eye, window.Begin, corner, first), InFrame(eye, corner, first), window.Behind);
   }

@@ -13,22 +13,24 @@
 namespace shape
 {
 
-/// The half-edges of a surface as frames in the plane: half-edge 3 t + k runs from corner k of
-/// triangle t, at the origin, to the next one along the x axis, and its triangle is above.
+/// The half-edges of a surface as coordinate frames in the plane. Half-edge 3 t + k runs from
+/// corner k of triangle t, at the origin, to the next corner on the x axis. Its triangle lies
+/// above.
 class HalfEdgeFrames
 {
 public:
   /// surface: a consistently oriented 2-manifold, open or closed.
   explicit HalfEdgeFrames(const Surface& surface);
 
-  int Begin(int side) const { return this->Begins[side]; } ///< the point
+  int Begin(int side) const { return this->Begins[side]; } ///< start point
   int End(int side) const { return this->Begins[NextHalfEdge(side)]; }
-  int Twin(int side) const { return this->Twins[side]; } ///< in the adjacent triangle; -1: none
+  /// in the adjacent triangle; -1 on the boundary
+  int Twin(int side) const { return this->Twins[side]; }
   double Length(int side) const { return this->Lengths[side]; }
-  /// The corner opposite, in the frame.
+  /// The opposite corner, in the frame.
   const Eigen::Vector2d& Opposite(int side) const { return this->Opposites[side]; }
 
-  double Angle(int point) const { return this->Angles[point]; } ///< of all its corners
+  double Angle(int point) const { return this->Angles[point]; } ///< total angle around a point
   bool IsOnBoundary(int point) const { return this->OnBoundary[point] != 0; }
   const std::vector<int>& HalfEdgesFrom(int point) const { return this->From[point]; }
 
@@ -42,58 +44,60 @@ private:
 };
 
 /**
- * Carries windows across a surface in the order of the shortest path that may lead through them:
- * see ExactGeodesics.h. Used for one computation after the other; Clear comes between.
+ * Propagates windows across a surface, ordered by the length of the shortest path that may pass
+ * through them: see ExactGeodesics.h. An object serves many computations; call Clear between them.
  */
 class WindowPropagation
 {
 public:
-  /// Keeps references to both, which are of one surface.
+  /// Keeps references to both, which must belong to the same surface.
   WindowPropagation(const Mesh& mesh, const HalfEdgeFrames& frames);
 
-  /// A position, by its barycentric coordinates in a triangle.
+  /// Adds a seed, given by its barycentric coordinates in a triangle.
   void AddSeed(int triangle, const Eigen::RowVector3d& weights);
 
-  /// Looks for the path to this position alone, first where it can be shortest by the straight
-  /// distances that are left (Hart, Nilsson and Raphael 1968). Before AddSeed.
+  /// Restricts the search to the path to this position. Windows are ordered by a lower bound of the
+  /// length to the goal, which includes the remaining straight distance (Hart, Nilsson and Raphael
+  /// 1968). Call it before AddSeed.
   void SetGoal(int triangle, const Eigen::RowVector3d& weights);
 
-  /// Goes on for as many windows and points. Returns whether all is done.
+  /// Processes at most `steps` windows and points. Returns whether the computation is complete.
   bool Run(int steps);
 
-  /// Of the points, the share that is reached.
+  /// Returns the share of the points that has been reached.
   double Done() const;
 
-  /// n: with a goal, of the points on the way only.
+  /// n distances; with a goal, only the points that were visited have one
   const Eigen::VectorXd& Distances() const { return this->Lengths; }
 
-  /// To the goal; infinite if no path leads there.
+  /// The distance of the goal; infinite if there is no path.
   double GoalDistance() const { return this->Goal.Nearest; }
 
-  /// Forgets the seeds and the goal, in less time than the last computation took.
+  /// Removes the seeds and the goal, in less time than the last computation took.
   void Clear();
 
 private:
   static constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-  /// An interval of a half-edge that is seen from a position: in its frame, below the x axis.
+  /// An interval of a half-edge that is visible from a position (the eye). Coordinates are in the
+  /// half-edge's frame, where the eye lies below the x axis.
   struct Window
   {
-    int Side = -1; ///< of the triangle that it is carried into
+    int Side = -1; ///< half-edge of the triangle that it is propagated into
     double Begin = 0.0, End = 0.0;
     Eigen::Vector2d Eye = Eigen::Vector2d::Zero();
-    double Behind = 0.0; ///< the distance of the eye
+    double Behind = 0.0; ///< distance from the seeds to the eye
 
     double DistanceAt(double x) const;
     double Minimum() const;
   };
 
-  /// What is done next: a window is carried on, or a point sends out windows.
+  /// The next item to process: propagate a window, or emit windows from a point.
   struct Event
   {
-    double Key; ///< no path by way of it to the goal, or to anywhere, is shorter
+    double Key; ///< lower bound of the length of a path through it, to the goal if there is one
     double Distance;
-    int Point; ///< or -1
+    int Point; ///< the point, or -1 for a window
     Window Seen;
     bool operator<(const Event& other) const { return this->Key > other.Key; }
   };
@@ -119,8 +123,9 @@ private:
   const Mesh& Triangulation;
   const HalfEdgeFrames& Frames;
   Eigen::VectorXd Lengths;
-  std::vector<double> CornerDistances, CornerEntries; ///< of the window nearest to each corner
-  std::vector<int> ReachedPoints, ReachedCorners;     ///< that have a distance
+  /// of the nearest window that sees each corner
+  std::vector<double> CornerDistances, CornerEntries;
+  std::vector<int> ReachedPoints, ReachedCorners; ///< points and corners that have a distance
   std::priority_queue<Event> Queue;
   GoalPoint Goal;
 };

@@ -16,15 +16,17 @@ namespace shape
 namespace
 {
 
-/// Iterations go on until each coordinate's error is so much of the tolerance, for all three and
-/// positions between the rows to keep it, or until they hardly lower it.
+/// GMRES stops at this share of the tolerance in each coordinate. The margin covers the sum over
+/// three coordinates and the positions between the rows. It also stops when the error hardly
+/// decreases.
 constexpr double ShareOfTolerance = 0.5;
 
-/// Boundaries of fewer points may be refined as far as one of so many: it takes seconds, and
-/// those of a few hundred points have the longest triangles.
+/// A boundary with fewer points may be refined as much as one with this many. That takes seconds,
+/// and boundaries with a few hundred points have the longest triangles.
 constexpr double CheapPoints = 2500.0;
 
-/// If the residual of a map is more than this many tolerances, the next solver iterates longer.
+/// If the residual of a map exceeds this many tolerances, the next system is set up with more
+/// effort.
 constexpr double ToughTolerances = 1.5;
 
 /// A refined boundary with the images of its points.
@@ -34,7 +36,7 @@ struct RefinedBoundary
   Eigen::MatrixXd Targets;
 };
 
-/// The squares of what is left over, integrated over each triangle by the rule of NearSourceSystem.
+/// Returns the squared residual integrated over each triangle, by the rule of NearSourceSystem.
 Eigen::VectorXd SquaresLeft(const Mesh& surface, const Eigen::MatrixXd& left)
 {
   const Eigen::VectorXd squares = left.rowwise().squaredNorm();
@@ -53,8 +55,8 @@ Eigen::VectorXd SquaresLeft(const Mesh& surface, const Eigen::MatrixXd& left)
   return sums;
 }
 
-/// Halves the triangles that hold the largest part of what is left over, in the order of Doerfler
-/// ("A convergent adaptive algorithm for Poisson's equation", 1996).
+/// Bisects the triangles that together hold most of the squared residual (Doerfler marking, "A
+/// convergent adaptive algorithm for Poisson's equation", 1996).
 void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
 {
   constexpr double share = 0.7;

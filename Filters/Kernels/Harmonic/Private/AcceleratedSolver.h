@@ -8,10 +8,10 @@ namespace shape
 struct AcceleratedSetup;
 
 /**
- * One map from charges close to the boundary (NearSourceSystem), and more of them if that leaves
- * too much over: the triangles that hold most of it are halved, and what is left is fitted with the
- * charges of the refined boundary. Adds its levels to `result`, and keeps in `setup` what the next
- * targets on the same boundary can use.
+ * Fits a map with charges close to the boundary (NearSourceSystem). While the residual is above the
+ * tolerance, the triangles with the largest residual are bisected and a further map is fitted with
+ * the charges of the refined boundary. Appends its levels to `result`. `setup` keeps what further
+ * targets on the same boundary can reuse.
  */
 void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
   AcceleratedSetup& setup, HarmonicVolumeMapResult& result, const Progress& progress);

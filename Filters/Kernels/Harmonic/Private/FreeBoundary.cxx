@@ -25,7 +25,7 @@ namespace
 
 constexpr int MaximumSteps = 30;
 
-/// Some points stay on a surface, the others are free.
+/// Constrains some points to a surface; the others are free.
 class OnSurface : public PointConstraint
 {
 public:
@@ -71,7 +71,7 @@ Cells ToCells(const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra)
     Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), byCell.reshaped() };
 }
 
-/// The tetrahedra of an untangled solid with the positions at rest of all its points.
+/// The tetrahedra of an untangled solid, and the rest positions of all its points.
 struct Solid
 {
   Cells Moved;
@@ -86,7 +86,7 @@ Solid Untangled(
   if (result.InvertedAfter > 0)
   {
     throw SolveFailure("FreeBoundary: " + std::to_string(result.InvertedAfter) +
-      " tetrahedra of the solid stay inverted, so the boundary map folds; mend it, or turn "
+      " tetrahedra of the solid stay inverted, so the boundary map folds; correct it, or turn "
       "FreeBoundary off");
   }
   Solid solid{ std::move(result.Solid), Eigen::MatrixXd(0, 3) };
@@ -110,7 +110,8 @@ Solid Untangled(
   return solid;
 }
 
-/// The mean symmetric Dirichlet energy of a map of the tetrahedra, images scaled.
+/// Returns the mean symmetric Dirichlet energy of a map of the tetrahedra; images are scaled
+/// already.
 double Distortion(const TetrahedralizeResult& solid, const Eigen::MatrixXd& images)
 {
   CellSimplices cells;
@@ -163,7 +164,7 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   const HarmonicVolumeMapResult& map, const Progress& progress)
 {
   const TetrahedralizeResult tetrahedra = Tetrahedralize(boundary, {}, {}, progress.Part(0.0, 0.1));
-  // The images that a map gives the tetrahedra, those of the boundary exactly where they belong.
+  // Maps the tetrahedra's points; boundary points get exactly the given values.
   const auto carry = [&](const ChargeSet& charges, const Eigen::MatrixXd& values)
   {
     Eigen::MatrixXd images = Evaluate(charges, tetrahedra.Points, progress.Part(0.1, 0.15));

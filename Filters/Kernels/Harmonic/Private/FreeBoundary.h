@@ -13,21 +13,23 @@ struct FreeBoundaryResult
 {
   Eigen::MatrixXd Targets;     ///< n x 3: the images of the boundary's points, on the target
   HarmonicVolumeMapResult Map; ///< the harmonic map with these values
-  /// Means over the solid's volume of the symmetric Dirichlet energy |J|^2 + |J^-1|^2 of the
-  /// harmonic map, images scaled so that the volumes of solid and target agree: 6 for an isometry.
+  /// Mean over the solid's volume of the symmetric Dirichlet energy |J|^2 + |J^-1|^2 of the
+  /// harmonic map. Images are scaled so that solid and target have the same volume: 6 for an
+  /// isometry.
   double DistortionBefore = 0.0, DistortionAfter = 0.0;
-  bool Kept = false; ///< whether it became less: else Targets and Map are what was given
+  bool Kept = false; ///< whether the distortion decreased; else Targets and Map are the given ones
 };
 
 /**
- * Lets the images of a boundary's points slide on the target surface, so that the volume map is
- * distorted less: the solid's tetrahedra, carried by the harmonic map and untangled, lower their
- * elliptic energy (EllipticEnergy) with the points of the boundary on the target; then the harmonic
- * map with these values is solved. Creases of the target do not hold points.
+ * Lets the images of a boundary's points slide on the target surface to reduce the distortion of
+ * the volume map. The solid's tetrahedra are carried by the harmonic map and untangled. Then their
+ * elliptic energy (EllipticEnergy) is minimized with the boundary points on the target. Finally the
+ * harmonic map with the new boundary values is solved. Points may slide across creases of the
+ * target.
  *
- * boundary, targets, features, options: of ComputeHarmonicVolumeMap; map: its result. Throws what
- * that, Tetrahedralize and Untangle throw; SolveFailure if tetrahedra stay inverted, as they do
- * if the boundary map folds; Aborted.
+ * boundary, targets, features, options: as for ComputeHarmonicVolumeMap. map: its result. Throws
+ * the exceptions of that function, Tetrahedralize and Untangle. Throws SolveFailure if tetrahedra
+ * stay inverted, as they do if the boundary map folds; Aborted.
  */
 FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd& targets,
   const Surface& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,

@@ -22,7 +22,7 @@ namespace shape
 namespace
 {
 
-/// [A b]: the least-squares affine map from `points` to `targets`, weighted.
+/// Returns [A b] of the weighted least-squares affine map from `points` to `targets`.
 Eigen::Matrix<double, 3, 4> AffineFit(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& targets, const Eigen::VectorXd& weights)
 {
@@ -35,7 +35,7 @@ Eigen::Matrix<double, 3, 4> AffineFit(
   return solution.transpose();
 }
 
-/// The same field with one charge at each position, and none that is zero.
+/// Merges charges at the same position and drops zero charges; the field stays the same.
 ChargeSet MergeCharges(const ChargeSet& set)
 {
   std::map<std::array<double, 3>, int> positions;
@@ -70,8 +70,8 @@ ChargeSet MergeCharges(const ChargeSet& set)
   return merged;
 }
 
-/// What SingularValues takes for an m x n matrix, in GiB: the matrix, the triangle with its U and
-/// V^T, and gesdd's own room.
+/// Returns the memory of SingularValues for an m x n matrix in GiB: the matrix, its triangular
+/// factor with U and V^T, and the workspace of LAPACK's gesdd.
 double DecompositionMemory(double rows, double columns)
 {
   const double shorter = std::min(rows, columns);
@@ -146,16 +146,15 @@ void FundamentalSolutionFit::RequireMemory(int boundaryRows, int sources) const
 {
   const Eigen::Index rows = boundaryRows + this->RootWeights.size();
   const double memory = DecompositionMemory(static_cast<double>(rows), sources);
-  // LAPACK counts its own room, 4 times the square of the shorter side, in 32 bits.
+  // LAPACK stores its workspace size, 4 times the square of the shorter side, as a 32-bit integer.
   constexpr Eigen::Index maximum = 23000;
   if (memory > this->MaximumMemory || std::min<Eigen::Index>(rows, sources) > maximum)
   {
     std::ostringstream message;
     message << "the system of " << rows << " x " << sources << " would take " << memory
-            << " GiB to decompose; " << this->MaximumMemory << " GiB and a shorter side of "
-            << maximum
-            << " are the most; lower CollocationRatio and SourceRatio, or use MultiLevel with more "
-               "subsets";
+            << " GiB to decompose; the limits are " << this->MaximumMemory
+            << " GiB and a shorter side of " << maximum
+            << "; lower CollocationRatio and SourceRatio, or use MultiLevel with more subsets";
     throw InvalidInput(message.str());
   }
 }
@@ -220,7 +219,7 @@ double FundamentalSolutionFit::Add(
   const Eigen::MatrixXd change =
     Evaluate(step, this->Probes, progress.Part(0.0, 0.8), this->SumError);
 
-  // The least-squares factor of the step for each coordinate, over the weighted probes.
+  // The least-squares factor of each coordinate, over the weighted probes.
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(this->Probes.rows());
   weights.segment(n, m).setConstant(
     static_cast<double>(std::max<Eigen::Index>(1, this->Positions.rows())) / m);
@@ -257,7 +256,7 @@ Eigen::MatrixXd FundamentalSolutionFit::WorstPoints(int count, double spacing) c
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return errors(a) > errors(b); });
   Eigen::MatrixXd worst(count, 3);
   int found = 0;
-  // Far fewer are wanted than there are: the list of those taken is short enough to search.
+  // Few points are wanted, so a linear search through those already taken is fast enough.
   for (const int candidate : order)
   {
     if (found == count)

@@ -14,13 +14,13 @@ namespace shape
 namespace
 {
 
-/// The first level's collocation points for each of its sources: fewer let the first map swing
-/// between them, which later ones are slow to mend.
+/// Number of collocation points for each source at the first level. With fewer the first map
+/// oscillates between them, and later maps correct this slowly.
 constexpr int CoarseRowsPerSource = 2;
-/// New sources of a level, as a share of a subset.
+/// Number of new sources at each level / number of sources of a subset.
 constexpr double InsertedShare = 0.1;
 
-/// How many points a ratio of the boundary's asks for, at least 16.
+/// Returns `ratio` times the number of boundary points, rounded, at least 16.
 int ComputeSampleCount(const Surface& boundary, double ratio)
 {
   constexpr double minimum = 16.0, maximum = 1e8;
@@ -28,7 +28,7 @@ int ComputeSampleCount(const Surface& boundary, double ratio)
     std::clamp(std::round(ratio * boundary.Points().rows()), minimum, maximum));
 }
 
-/// The rows of all matrices.
+/// Concatenates the rows of all matrices.
 Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts)
 {
   Eigen::Index rows = 0;
@@ -46,7 +46,7 @@ Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts)
   return all;
 }
 
-/// So many collocation points, and more if a component would have less than 48.
+/// Samples the collocation points by CollocationRatio, but at least 48 on each component.
 Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
   const HarmonicVolumeMapOptions& options, const Progress& progress)
 {
@@ -56,9 +56,9 @@ Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
     options.CollocationSampling, options.Seed, progress));
 }
 
-/// The sources in subsets, each spread evenly: every so many-th source along a curve that keeps
-/// neighbours together. The shell of a small void has too few to be divided: every subset gets all
-/// of them.
+/// Divides the sources into evenly spread subsets: subset s takes every `subsets`-th source along a
+/// space-filling curve. If a small void's shell has too few sources to divide, every subset gets
+/// all of them.
 std::vector<Eigen::MatrixXd> DivideIntoSubsets(
   const std::vector<Eigen::MatrixXd>& shells, int subsets)
 {
@@ -91,8 +91,8 @@ std::vector<Eigen::MatrixXd> DivideIntoSubsets(
   return joined;
 }
 
-/// Moves sources to `factor` times their distance from the boundary. Those that meet another part
-/// of it on the way stay where they are.
+/// Moves sources to `factor` times their distance from the boundary. A source that would come near
+/// another part of the boundary is not moved.
 void MoveAway(
   Eigen::MatrixXd& sources, const SignedDistance& field, double factor, const Progress& progress)
 {
@@ -101,13 +101,13 @@ void MoveAway(
   Eigen::MatrixXd moved = sources;
   MoveToDistance(moved, field, wanted, progress.Part(0.2, 0.8));
   const Eigen::VectorXd reached = field.Evaluate(moved, progress.Part(0.8, 1.0)).Distances;
-  constexpr double slack = 0.1; // of the distance
+  constexpr double slack = 0.1; // relative to the distance
   const Eigen::Array<bool, Eigen::Dynamic, 1> there =
     (reached - wanted).array().abs() <= slack * wanted.array();
   sources = there.replicate(1, 3).select(moved, sources);
 }
 
-/// `points` with a coarse sample of them first.
+/// Reorders `points`: a coarse sample of them comes first.
 Eigen::MatrixXd CoarseFirst(const Eigen::MatrixXd& points, int coarse, double area)
 {
   if (coarse >= points.rows())
@@ -150,7 +150,7 @@ void AppendRows(Eigen::MatrixXd& matrix, const Eigen::MatrixXd& rows)
 
 int ComputeSubsetCount(const Surface& boundary, const HarmonicVolumeMapOptions& options)
 {
-  constexpr int fewest = 16; // sources of a subset
+  constexpr int fewest = 16; // minimum number of sources of a subset
   return std::clamp(options.SourceSubsets, 1,
     std::max(1, ComputeSampleCount(boundary, options.SourceRatio) / fewest));
 }
@@ -216,7 +216,7 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
     MoveAway(sources[s], problem.Distance(), std::pow(ComputeCoarseness(subsets), 1.0 - finer),
       progress.Part(0.15 + 0.05 * s / subsets, 0.15 + 0.05 * (s + 1) / subsets));
   }
-  // With several components their shares are rounded: there may be a point less than asked for.
+  // With several components the counts are rounded, so there may be one point less than requested.
   const Eigen::MatrixXd positions = SampleBoundary(problem, options, progress.Part(0.2, 0.25));
   const int coarseRows =
     static_cast<int>(std::min(positions.rows(), CoarseRowsPerSource * sources.front().rows()));
@@ -225,7 +225,7 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
 
   const SurfaceLocator outer(shells.Joined());
   const double spacing = std::sqrt(shells.Area() / sourceCount);
-  int idle = 0; // levels in a row that gained too little
+  int idle = 0; // number of levels in a row that gained too little
   for (int number = 1; number <= options.MaximumLevels; ++number)
   {
     const double share = 0.75 / options.MaximumLevels;
@@ -249,13 +249,13 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
       return;
     }
 
-    // A subset never runs empty: without a source it could not be fitted again.
+    // A subset without sources could not be fitted again, so at least one is kept.
     if (static_cast<Eigen::Index>(fit.Redundant.size()) < subset.rows())
     {
       subset = WithoutRows(subset, fit.Redundant);
       result.DeletedSources += static_cast<int>(fit.Redundant.size());
     }
-    // After a map that was left out the worst points are those that were treated already.
+    // If the map was left out, the residual is unchanged and its worst points already have sources.
     if (level.Kept)
     {
       const int inserted = static_cast<int>(InsertedShare * sourceCount / subsets);

@@ -17,14 +17,15 @@ namespace
 
 using Indices = std::vector<int>;
 
-/// |values - targets| by rows; infinite where it is not a number.
+/// Returns |values - targets| of each row; infinite if it is not a number.
 Eigen::VectorXd Misses(const Eigen::MatrixXd& values, const Eigen::MatrixXd& targets)
 {
   const Eigen::VectorXd misses = (values - targets).rowwise().norm();
   return misses.array().isFinite().select(misses, std::numeric_limits<double>::infinity());
 }
 
-/// Newton's steps from places of the search; zero where there is none.
+/// Returns the Newton steps at the active positions, at most maxStep long; zero if the derivative
+/// is singular.
 Eigen::MatrixXd NewtonSteps(const SearchedMap& map, const Search& search, const Indices& active,
   double maxStep, const Progress& progress)
 {
@@ -50,7 +51,7 @@ Eigen::MatrixXd NewtonSteps(const SearchedMap& map, const Search& search, const 
   return steps;
 }
 
-/// Fills a row for each point.
+/// Fills one row for each point, in parallel.
 template <typename Fill>
 Eigen::MatrixXd ByPoint(
   const Eigen::MatrixXd& points, int columns, const Fill& fill, const Progress& progress)
@@ -159,7 +160,7 @@ void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits,
           search.Positions.row(id) = positions.row(i);
           search.Values.row(id) = values.row(i);
           search.Misses(id) = misses(i);
-          // A step that gains little from a good place is rounding.
+          // If a step from an accepted position gains little, the rest is rounding error.
           if (misses(i) > limits.Goal || (misses(i) > 0.0 && misses(i) < 0.1 * before))
           {
             next.push_back(id);

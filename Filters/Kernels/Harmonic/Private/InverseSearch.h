@@ -6,11 +6,11 @@
 #include <functional>
 #include <utility>
 
-// Inside InverseMap: the search for places whose images are given.
+// Private to InverseMap: the search for positions with given images.
 namespace shape
 {
 
-/// Progress through a number of steps that nobody knows: each takes a tenth of what is left.
+/// Progress through an unknown number of steps: each takes a tenth of the remainder.
 class Steps
 {
 public:
@@ -30,7 +30,7 @@ private:
   double Done = 0.0;
 };
 
-/// The map whose values are searched for; the one it is made from must live as long.
+/// The map to invert. It refers to the map that it is constructed from, which must outlive it.
 struct SearchedMap
 {
   using Function =
@@ -42,35 +42,37 @@ struct SearchedMap
   SearchedMap(const PiecewiseHarmonicMap& map);
 };
 
-/// Positions on their way to preimages of targets (each n x 3).
+/// Iterates that converge to the preimages of targets (each n x 3).
 struct Search
 {
   Eigen::MatrixXd Positions;
   Eigen::MatrixXd Targets;
-  Eigen::MatrixXd Values; ///< f at the places
+  Eigen::MatrixXd Values; ///< f at Positions
   Eigen::VectorXd Misses; ///< |Values - Targets|
 };
 
 struct Limits
 {
-  double Goal;    ///< a miss that is small enough
-  double MaxStep; ///< how far one step goes at most
+  double Goal;    ///< a miss at most this large is accepted
+  double MaxStep; ///< maximum length of one step
   int Iterations;
 };
 
-/// The search that begins at `places`.
+/// Starts a search at `positions`.
 Search StartSearch(const SearchedMap& map, const Eigen::MatrixXd& positions,
   const Eigen::MatrixXd& targets, const Progress& progress);
 
-/// Newton's method from every place: until it misses by no more than the goal and gets no closer.
+/// Runs Newton's method from every position, until its miss is at most the goal and no longer
+/// decreases.
 void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress);
 
-/// From places whose images move in straight lines to the targets: each step is found by Newton's
-/// method, twice as long as the last where that succeeds, and half as long where it fails.
+/// Continues from `starts` while the images move to the targets on straight lines. Newton's method
+/// solves each step. A step is twice as long as the last if that succeeded, half as long if it
+/// failed.
 Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
   const Eigen::MatrixXd& targets, const Limits& limits, Steps& progress);
 
-/// Row i of a result of Jacobians, as a matrix.
+/// Returns row i of a result of Jacobians as a matrix.
 Eigen::Matrix3d GetJacobian(const Eigen::MatrixXd& jacobians, Eigen::Index i);
 
 } // namespace shape

@@ -14,7 +14,7 @@ namespace shape
 namespace
 {
 
-/// Cells along one side of the largest blocks that are skipped as a whole, and of the smallest.
+/// Cells along each edge of the largest and the smallest blocks that can be skipped.
 constexpr int LargestBlock = 8, SmallestBlock = 2;
 
 SampledGrid EmptyGrid(
@@ -25,7 +25,8 @@ SampledGrid EmptyGrid(
   SampledGrid grid;
   for (grid.Spacing = distance / options.CellsPerDistance;; grid.Spacing *= 1.1)
   {
-    // Two cells beyond the offset surface, so that it never meets a side; whole blocks.
+    // Two cells beyond the offset surface, so that it never meets the grid's faces; a whole number
+    // of blocks.
     const Eigen::RowVector3d margin = Eigen::RowVector3d::Constant(distance + 2.0 * grid.Spacing);
     grid.Origin = low - margin;
     const Eigen::Array3d blocks =
@@ -39,12 +40,13 @@ SampledGrid EmptyGrid(
     {
       throw InvalidInput("the offset distance is " +
         std::to_string(distance / ComputeLongestBoxEdge(points)) +
-        " of the surface's longest side, too small to sample; increase it");
+        " times the surface's longest side, too small to sample; increase it");
     }
   }
 }
 
-/// Calls visit(x, y, z) for each point of the block of `cells` cells a side that begins at `first`.
+/// Calls visit(x, y, z) for each grid point of the block with `cells` cells along each edge and
+/// first point `first`.
 template <typename Visit>
 void ForBlock(const Eigen::RowVector3i& first, int cells, const Visit& visit)
 {
@@ -60,7 +62,7 @@ void ForBlock(const Eigen::RowVector3i& first, int cells, const Visit& visit)
   }
 }
 
-/// The first grid points of all blocks of `cells` cells a side.
+/// Returns the first grid point of every block with `cells` cells along each edge.
 std::vector<Eigen::RowVector3i> AllBlocks(const SampledGrid& grid, int cells)
 {
   std::vector<Eigen::RowVector3i> blocks;
@@ -90,9 +92,8 @@ std::vector<Eigen::RowVector3i> Halved(const std::vector<Eigen::RowVector3i>& bl
   return halved;
 }
 
-/// Of `blocks`, those that the level may pass through. The points of the others get the distance of
-/// their block's centre: a whole block lies on the side of its centre where that is farther from
-/// the level than from the block's corners.
+/// Returns the blocks that may intersect the level. The grid points of the others get the distance
+/// of their block's centre: these blocks lie completely on one side of the level.
 std::vector<Eigen::RowVector3i> NearBlocks(SampledGrid& grid,
   const std::vector<Eigen::RowVector3i>& blocks, int cells, const SignedDistance& field,
   double distance, const Progress& progress)
@@ -136,7 +137,7 @@ void Sample(
     }
     blocks = Halved(blocks, cells);
   }
-  // Last, so that points shared with a skipped block have their own distance.
+  // This comes last, because points shared with a skipped block need their exact distance.
   std::vector<char> isNear(grid.Values.size(), 0);
   std::vector<Eigen::RowVector3i> positions;
   for (const Eigen::RowVector3i& block : blocks)
@@ -181,7 +182,7 @@ Mesh BuildOffsetSurface(const SignedDistance& field, double distance,
 void MoveToDistance(Eigen::MatrixXd& points, const SignedDistance& field,
   const Eigen::VectorXd& distances, const Progress& progress)
 {
-  // The closest point changes with the move where the surface is concave: few rounds settle it.
+  // Where the surface is concave, a move changes the closest point; a few rounds converge.
   constexpr int rounds = 3;
   for (int round = 0; round < rounds && points.rows() > 0; ++round)
   {

@@ -20,8 +20,8 @@ namespace shape
 namespace
 {
 
-/// The points that triangles use, in an order that depends on their coordinates alone and puts
-/// neighbours side by side: searches and sums run through memory that is at hand.
+/// Returns the points used by triangles, sorted by their coordinates alone. Neighbours are close in
+/// memory, which makes searches and sums faster.
 std::vector<int> UsedPointsByPosition(const Mesh& boundary)
 {
   std::vector<int> used = FindUsedPoints(boundary.Triangles, boundary.Points.rows());
@@ -44,7 +44,7 @@ std::vector<int> UsedPointsByPosition(const Mesh& boundary)
   return ordered;
 }
 
-/// The triangles, each from its lowest corner, in ascending order.
+/// Returns the triangles in ascending order, each rotated to begin with its lowest corner.
 Eigen::MatrixXi SortTriangles(const Eigen::MatrixXi& triangles)
 {
   std::vector<std::array<int, 3>> rows(triangles.rows());
@@ -62,7 +62,7 @@ Eigen::MatrixXi SortTriangles(const Eigen::MatrixXi& triangles)
   return sorted;
 }
 
-/// Throws InvalidInput unless one component alone faces outwards: the others bound voids.
+/// Throws InvalidInput unless exactly one component faces outwards; the others bound voids.
 void RequireOneSolid(const Surface& oriented)
 {
   const Topology& topology = oriented.Topology();

@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-/// How far from its wall the inside of a void reaches, by a lattice of points in its box.
+/// Returns the maximum distance from the wall inside a void, over a lattice of points in its box.
 double Depth(const Mesh& component, const SignedDistance& field, const Progress& progress)
 {
   constexpr int side = 16;
@@ -29,7 +29,7 @@ double Depth(const Mesh& component, const SignedDistance& field, const Progress&
   return field.Evaluate(lattice, progress).Distances.maxCoeff();
 }
 
-/// The components; the surface itself, with its search tree, if it is one.
+/// Returns the components. A connected surface is returned as it is, with its search tree.
 std::vector<Surface> Components(const Surface& boundary)
 {
   if (boundary.Topology().Components == 1)

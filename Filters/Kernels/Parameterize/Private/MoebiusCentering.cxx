@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-/// The points after the inversion that moves the origin to `center`.
+/// Returns the points after the inversion that moves the origin to `center`.
 Eigen::MatrixXd Inverted(const Eigen::MatrixXd& points, const Eigen::RowVector3d& center)
 {
   Eigen::MatrixXd moved(points.rows(), 3);
@@ -49,7 +49,8 @@ void Check(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights)
   if (weights.maxCoeff(&position) >= 0.5 * weights.sum())
   {
     throw InvalidInput("point " + std::to_string(position) +
-      " carries half of the weight or more, so that no Moebius transform can centre the points");
+      " has half of the weight or more, so no Moebius transform can centre the points; give it a "
+      "smaller weight");
   }
 }
 
@@ -66,7 +67,7 @@ MoebiusCenteringResult CenterOnSphere(const Eigen::MatrixXd& points, const Eigen
   while (mean.norm() > options.Tolerance && result.Iterations < options.MaximumIterations)
   {
     progress(static_cast<double>(result.Iterations) / options.MaximumIterations);
-    // The mean moves by 2 (I - sum w p p^T) c for a small c (equation 4 of the paper).
+    // For a small c the mean moves by 2 (I - sum w p p^T) c (equation 4 of the paper).
     const Eigen::Matrix3d change = 2.0 *
       (Eigen::Matrix3d::Identity() -
         result.Points.transpose() * shares.asDiagonal() * result.Points);

@@ -16,7 +16,7 @@ namespace
 
 constexpr int Grain = 2048; // triangles
 
-/// From the triangle's corner 0 to the other two, one a column.
+/// Returns the edges from corner 0 to the other two corners, one per column.
 Eigen::Matrix2d EdgesOf(
   const Eigen::MatrixXi& triangles, Eigen::Index t, const Eigen::MatrixXd& points)
 {
@@ -32,11 +32,11 @@ Eigen::Matrix2d Rotation(double angle)
   return (Eigen::Matrix2d() << c, -s, s, c).finished();
 }
 
-/// The smallest t > 0 with c + b t + a t^2 = 0, where c > 0.
+/// Returns the smallest t > 0 with c + b t + a t^2 = 0, for c > 0.
 double SmallestRoot(double a, double b, double c)
 {
   const double discriminant = b * b - 4.0 * a * c;
-  // Of the two, 2 c over -b + root and -b - root, that with the larger positive denominator.
+  // Of 2 c / (-b + root) and 2 c / (-b - root), the one with the larger positive denominator.
   const double denominator = discriminant >= 0.0 ? std::sqrt(discriminant) - b : 0.0;
   return denominator > 0.0 ? 2.0 * c / denominator : std::numeric_limits<double>::infinity();
 }
@@ -45,12 +45,12 @@ double SmallestRoot(double a, double b, double c)
 
 PlanarDecomposition DecomposePlanar(const Eigen::Matrix2d& matrix)
 {
-  // Of a similarity e + i h and an anti-similarity f + i g.
+  // The matrix is the sum of a similarity e + i h and an anti-similarity f + i g.
   const double e = 0.5 * (matrix(0, 0) + matrix(1, 1)), h = 0.5 * (matrix(1, 0) - matrix(0, 1));
   const double f = 0.5 * (matrix(0, 0) - matrix(1, 1)), g = 0.5 * (matrix(1, 0) + matrix(0, 1));
   const double first = std::hypot(e, h) + std::hypot(f, g);
   const double turn = std::atan2(h, e), stretch = std::atan2(g, f);
-  // The smaller one as a difference would lose its digits.
+  // Computing the smaller value as a difference would lose digits.
   return { Rotation(0.5 * (turn + stretch)), Rotation(0.5 * (stretch - turn)),
     { first, matrix.determinant() / first } };
 }
@@ -61,7 +61,7 @@ PlanarElements::PlanarElements(const Mesh& surface, double scale)
 {
   const TriangleAngles angles = ComputeTriangleAngles(surface);
   this->OwnAreas = scale * scale * angles.Areas;
-  constexpr double minimum = 1e-12; // of the mean
+  constexpr double minimum = 1e-12; // relative to the mean
   this->OwnAreas = this->OwnAreas.cwiseMax(minimum * this->OwnAreas.mean());
   for (Eigen::Index t = 0; t < this->OwnAreas.size(); ++t)
   {

@@ -16,7 +16,7 @@ namespace
 
 using Rings = std::vector<std::vector<int>>;
 
-/// The stack of merges, with where each level of the hierarchy begins.
+/// The stack of merges, and the index of the first merge of each level of the hierarchy.
 struct Merges
 {
   std::vector<int> Order;
@@ -30,8 +30,8 @@ struct Merges
   }
 };
 
-/// The triangles around `point`, wanted equilateral and with areas in proportion to the points that
-/// were merged into their corners (`loads`), compared within the star.
+/// Returns the triangles around `point` with their targets: equilateral, and areas in proportion to
+/// the number of points merged into their corners (`loads`), relative to the star.
 std::vector<StarTriangle> WantedStar(const VertexRings& rings, const std::vector<double>& loads,
   const Eigen::MatrixXd& points, int point, double areaWeight)
 {
@@ -55,8 +55,8 @@ std::vector<StarTriangle> WantedStar(const VertexRings& rings, const std::vector
   return star;
 }
 
-/// The minimum quality det / (sum of squared edges) of the triangles that merging a point into
-/// ring[0] makes; negative if one does not face outwards.
+/// Returns the minimum quality det / (sum of squared edges) of the triangles created by merging a
+/// point into ring[0]; negative if one does not face outwards.
 double MergedQuality(const Eigen::MatrixXd& points, const std::vector<int>& ring)
 {
   double minimum = 1.0;
@@ -76,7 +76,7 @@ double MergedQuality(const Eigen::MatrixXd& points, const std::vector<int>& ring
   return minimum;
 }
 
-/// Merges `point` into the neighbour that makes the best triangles, if one sees its ring.
+/// Merges `point` into the neighbour that gives the best triangles, if one sees the whole ring.
 bool MergeWhereSeen(VertexRings& rings, const Eigen::MatrixXd& points, int point, Merges& merges)
 {
   int best = -1;
@@ -97,8 +97,8 @@ bool MergeWhereSeen(VertexRings& rings, const Eigen::MatrixXd& points, int point
   return best >= 0;
 }
 
-/// Merges points at and around the flipped triangles until none is left. False if that fails or
-/// takes more than `maximum` merges.
+/// Merges points at and around the flipped triangles until none is left. Returns false if that
+/// fails or takes more than `maximum` merges.
 bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, int maximum, Merges& merges, const Progress& progress)
 {
@@ -125,7 +125,7 @@ bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
     {
       return true;
     }
-    // The flipped stars first; then whatever was drawn in around them.
+    // Flipped stars are processed first, then the points added around them.
     for (const int point : left)
     {
       merged = (rings.Contains(point) && MergeWhereSeen(rings, points, point, merges)) || merged;
@@ -148,8 +148,8 @@ bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
   return false;
 }
 
-/// Merges everything down to four points: in each level points that share no ring, those of few
-/// neighbours, so that the levels are few and the rings short.
+/// Merges all points down to four. Each level merges points that share no ring and have few
+/// neighbours, which keeps the levels few and the rings short.
 void MergeAll(VertexRings& rings, Merges& merges, const Progress& progress)
 {
   std::size_t maximum = 7;
@@ -205,8 +205,8 @@ void PlaceTetrahedron(const VertexRings& rings, Eigen::MatrixXd& points)
   }
 }
 
-/// Undoes the merges. Points that were merged, and if there are levels all others, move while
-/// they relax. Returns the point that found no room, or -1.
+/// Undoes the merges. Reinserted points are relaxed and may move; if there are levels, all points
+/// may. Returns the point that has no room, or -1.
 int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen::MatrixXd& points,
   const Progress& progress)
 {

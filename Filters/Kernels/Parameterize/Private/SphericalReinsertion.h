@@ -13,34 +13,36 @@ struct SphericalReinsertionResult
 {
   Eigen::MatrixXd Points;      ///< n x 3, on the unit sphere
   std::vector<int> Reinserted; ///< the points that were moved, ascending
-  bool Reached = false;        ///< no triangle is flipped, and the sphere is covered once
+  bool Reached = false;        ///< whether no triangle is flipped and the sphere is covered once
 };
 
 /**
- * Ends the flips of a map of a triangulated sphere to the unit sphere locally.
+ * Repairs the flipped triangles of a map from a triangulated sphere to the unit sphere, locally.
  *
  * Points of flipped triangles are merged into a neighbour that sees their whole ring (half-edge
- * collapses), and if none does, points around them, until no flipped triangle is left; then they
- * come back in the opposite order, each into the kernel of its ring, which is not empty: the
- * progressive parameterisation of Praun & Hoppe 2003, confined to where it is needed. After each
- * insertion the new point and the new ones next to it are relaxed towards equal angles.
+ * collapses). If there is none, points around them are merged first, until no flipped triangle is
+ * left. Then the points are reinserted in the reverse order, each into the kernel of its ring,
+ * which is not empty. This is the progressive parameterisation of Praun & Hoppe 2003, applied only
+ * where it is needed. After each insertion the point and the reinserted points next to it are
+ * relaxed towards equal angles.
  *
- * triangles: m x 3, closed, oriented, Euler number 2, one component, every point used.
- * points: n x 3, of unit length. Reached is false, and Points are those given, if the map does
- * not cover the sphere once or more than `maximum` points would have to be merged.
+ * triangles: m x 3, closed, oriented, Euler number 2, one component, every point used. points:
+ * n x 3, of unit length. If the map does not cover the sphere once, or more than `maximum` points
+ * would have to be merged, Reached is false and Points are the given points.
  */
 SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, int maximum, const Progress& progress = {});
 
 /**
- * The same for the whole sphere, from no map at all: points are merged down to a regular
- * tetrahedron, whatever their positions, and come back level by level. It ends for every
- * triangulated sphere unless rounding leaves no room for a point: SolveFailure. n >= 4 points.
+ * Computes a map of the whole sphere by the same method, without an initial map. Points are merged
+ * down to a regular tetrahedron, whatever their positions, and reinserted level by level. It
+ * succeeds for every triangulated sphere with n >= 4 points unless rounding leaves no room for a
+ * point; then it throws SolveFailure.
  *
- * areaWeight (>= 0) pulls towards equal areas against equal angles: triangles next to each other
- * get areas in proportion to the points they still have to take, level by level. 0 lets long
- * extremities shrink exponentially; 3 keeps the smallest triangle of a figure with limbs near 1e-4
- * of the mean.
+ * areaWeight (>= 0) is the weight of equal areas relative to equal angles. Neighbouring triangles
+ * get areas in proportion to the number of points still to be inserted there, level by level. With
+ * 0 long extremities shrink exponentially. With 3 the smallest triangle of a figure with arms and
+ * legs has about 1e-4 of the mean area.
  */
 SphericalReinsertionResult ReinsertAll(
   const Eigen::MatrixXi& triangles, int n, double areaWeight, const Progress& progress = {});

@@ -23,7 +23,7 @@ VertexRings::VertexRings(const Eigen::MatrixXi& triangles, int points)
   : Rings(points)
   , Count(points)
 {
-  // Each triangle at a point gives one step (from, to) of its ring; chain them.
+  // Each triangle at a point gives one step (from, to) of its ring; the steps are chained.
   std::vector<std::vector<std::pair<int, int>>> steps(points);
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
@@ -167,7 +167,7 @@ bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<i
   {
     sum += p;
   }
-  // Long thin kernels: their centre may be unseen by rounding; nearer to the corner it may not.
+  // In a long thin kernel rounding may hide the centre; positions nearer to the corner are tried.
   for (double share = 1.0; share > 1e-6 && sum.squaredNorm() > 0.0; share *= 0.5)
   {
     const Eigen::RowVector3d position = (corner + share * (sum.normalized() - corner)).normalized();

@@ -150,11 +150,11 @@ void PlanarTriangles::MakeDelaunay(std::vector<int> sides)
   }
 }
 
-/// Walks towards the place, over sides that it lies beyond.
+/// Walks towards the position, across half-edges that separate the triangle from it.
 PlanarTriangles::Location PlanarTriangles::Locate(const Eigen::RowVector2d& position) const
 {
   int triangle = this->Last / 3, entered = -1;
-  // Among Delaunay triangles the walk ends; marked edges could lead it around.
+  // In a Delaunay triangulation the walk ends; marked edges could make it cycle.
   for (int step = 0; step < this->Sides(); ++step)
   {
     int across = -1;
@@ -187,7 +187,7 @@ PlanarTriangles::Location PlanarTriangles::Locate(const Eigen::RowVector2d& posi
   return this->IsFar(triangle) ? Location{ 3 * triangle } : this->LocateIn(triangle, position);
 }
 
-/// A far triangle contains what lies strictly beyond its edge.
+/// A triangle at infinity contains the positions strictly outside its hull edge.
 bool PlanarTriangles::Contains(int triangle, const Eigen::RowVector2d& position) const
 {
   for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
@@ -203,7 +203,7 @@ bool PlanarTriangles::Contains(int triangle, const Eigen::RowVector2d& position)
   return true;
 }
 
-/// Where in a triangle that contains it.
+/// Returns the location of a position in a triangle that contains it.
 PlanarTriangles::Location PlanarTriangles::LocateIn(
   int triangle, const Eigen::RowVector2d& position) const
 {
@@ -224,8 +224,8 @@ PlanarTriangles::Location PlanarTriangles::LocateIn(
   return where;
 }
 
-/// Whether the edge is free and a flip makes it locally Delaunay. What lies beyond an edge of the
-/// hull is inside the circle of the far triangle there, a half plane.
+/// Whether the edge is not marked and a flip makes it locally Delaunay. The circle of a triangle at
+/// infinity is the half-plane outside its hull edge.
 bool PlanarTriangles::SplitsBetter(int side) const
 {
   const int x = this->Begin(side), y = this->End(side);
@@ -242,7 +242,7 @@ bool PlanarTriangles::SplitsBetter(int side) const
   {
     return this->Turn(c, x, d) > 0;
   }
-  // Images are rounded: that the flip is possible does not follow from them.
+  // Images are rounded, so convexity does not follow from the circle test and is tested as well.
   return EvaluateInCircle(this->Images[x], this->Images[y], this->Images[c], this->Images[d]) > 0 &&
     (!this->HasMetric || (this->Turn(d, y, c) > 0 && this->Turn(c, x, d) > 0));
 }
@@ -298,8 +298,8 @@ void PlanarTriangles::SplitEdge(int side, int point)
   this->Suspects = { PreviousHalfEdge(side), beyond + 1, PreviousHalfEdge(twin), twinBeyond + 1 };
 }
 
-/// Flips what the new point, the apex of the suspects, lies in the circle of: each flip gives it
-/// an edge, so that they end.
+/// Flips the edges whose circles contain the new point, the apex of the suspects. Each flip adds an
+/// edge to the new point, so the flips end.
 void PlanarTriangles::FlipAround()
 {
   while (!this->Suspects.empty())
@@ -339,7 +339,7 @@ void PlanarTriangles::Link(int side, int twin)
   this->Twins[twin] = side;
 }
 
-/// Another number for a side: its twin and its mark.
+/// Moves the twin and the mark of a half-edge to another number.
 void PlanarTriangles::Move(int from, int to)
 {
   this->Link(to, this->Twins[from]);

@@ -10,35 +10,35 @@ namespace shape
 {
 
 /**
- * A triangulation of places in the plane that grows point by point: the triangles of their convex
- * hull and, beside each edge of it, one whose third corner, Far, is infinitely far away. So every
- * side has a twin. Side 3 t + k runs from corner k of triangle t to the next one, the triangle on
- * its left.
+ * A triangulation of positions in the plane that grows point by point. It contains the triangles of
+ * their convex hull and, outside each hull edge, one whose third corner, Far, is at infinity. So
+ * every half-edge has a twin. Half-edge 3 t + k runs from corner k of triangle t to the next one,
+ * with the triangle on its left.
  *
- * Edges that are marked stay; the others are kept locally Delaunay by flips (Lawson 1977), with
- * exact tests.
+ * Marked edges are fixed. The others are kept locally Delaunay by flips (Lawson 1977), with exact
+ * predicates.
  */
 class PlanarTriangles
 {
 public:
   static constexpr int Far = -1;
 
-  /// The number of the group of segments that an edge is a part of, or -1; and how many run along
-  /// the side's direction less those that run against it.
+  /// Group: the group of segments that an edge belongs to, or -1. Winding: the number of segments
+  /// that run in the half-edge's direction minus those that run against it.
   struct SegmentMark
   {
     int Group = -1;
     int Winding = 0;
   };
 
-  /// points: n x 2; metric: circles are tested after this map. No triangle yet.
+  /// points: n x 2. metric: circles are tested after this map. There is no triangle yet.
   PlanarTriangles(const Eigen::MatrixXd& points, const Eigen::Matrix2d& metric);
 
-  /// The first triangle, of three points that do not lie on one line.
+  /// Creates the first triangle from three points that are not collinear.
   void Start(int a, int b, int c);
-  /// Makes a point a corner; returns it, or the corner that is there already.
+  /// Inserts a point as a corner. Returns it, or the corner that is already at its position.
   int Insert(int point);
-  /// A new place's number, for Insert; and the last one away again.
+  /// Appends a position and returns its number, for Insert; or removes the last one.
   int AddPosition(const Eigen::RowVector2d& position);
   void RemoveLastPosition();
 
@@ -47,28 +47,28 @@ public:
   const Eigen::RowVector2d& Position(int point) const { return this->Positions[point]; }
   int Begin(int side) const { return this->Begins[side]; }
   int End(int side) const { return this->Begins[NextHalfEdge(side)]; }
-  /// The corner that the side does not touch.
+  /// The corner opposite the half-edge.
   int Apex(int side) const { return this->Begins[PreviousHalfEdge(side)]; }
   int Twin(int side) const { return this->Twins[side]; }
-  /// A side that begins at a corner.
+  /// A half-edge that begins at a corner.
   int From(int point) const { return this->FirstEdges[point]; }
   bool IsFar(int triangle) const;
-  /// 1 where three points run counter-clockwise, 0 where they lie on one line.
+  /// Returns 1 if three points are counter-clockwise, 0 if they are collinear, else -1.
   int Turn(int a, int b, int c) const;
 
   const SegmentMark& Mark(int side) const { return this->Marks[side]; }
-  /// Marks both of an edge's sides.
+  /// Marks both half-edges of an edge.
   void SetMark(int side, const SegmentMark& mark);
 
-  /// Turns an edge to the other diagonal of its two triangles, which must be convex together:
-  /// from x -> y to c -> d, where c was the apex. Then the side runs from d to c, its next one from
-  /// c to x; the twin's next one from d to y. The triangles keep their numbers.
+  /// Replaces an edge x -> y by the other diagonal c -> d of its two triangles, which must form a
+  /// convex quadrilateral; c is the apex before. Afterwards `side` runs from d to c, its next
+  /// half-edge from c to x, and its twin's next one from d to y. The triangles keep their numbers.
   void Flip(int side);
-  /// Flips until each of these sides, and each that this changes, is locally Delaunay.
+  /// Flips until each of these half-edges, and each one affected by a flip, is locally Delaunay.
   void MakeDelaunay(std::vector<int> sides);
 
 private:
-  /// Where a place is: at a corner, or else on a side, or in the triangle of a side.
+  /// Location of a position: at a corner, on a half-edge, or in the triangle of a half-edge.
   struct Location
   {
     int Side;
@@ -89,14 +89,14 @@ private:
   void Move(int from, int to);
 
   Eigen::Matrix2d Metric;
-  bool HasMetric; ///< other than the plane's own
+  bool HasMetric; ///< whether Metric is not the identity
   std::vector<Eigen::RowVector2d> Positions;
-  std::vector<Eigen::RowVector2d> Images; ///< of the places, where circles are tested
-  std::vector<int> Begins, Twins;         ///< of each side
-  std::vector<SegmentMark> Marks;         ///< of each side
-  std::vector<int> FirstEdges;            ///< of each point
-  std::vector<int> Suspects;              ///< sides opposite the new point that may need a flip
-  int Last = 0;                           ///< a side near the last insertion, its triangle not far
+  std::vector<Eigen::RowVector2d> Images; ///< positions after Metric, where circles are tested
+  std::vector<int> Begins, Twins;         ///< for each half-edge
+  std::vector<SegmentMark> Marks;         ///< for each half-edge
+  std::vector<int> FirstEdges;            ///< for each point
+  std::vector<int> Suspects; ///< half-edges opposite the new point that may need a flip
+  int Last = 0;              ///< a half-edge near the last insertion, in a finite triangle
 };
 
 } // namespace shape

@@ -42,7 +42,7 @@ bool SegmentRecovery::IsAhead(int a, int b, int c) const
   return (from(axis) < to(axis)) == (from(axis) < position(axis)) && this->Plane.Turn(a, b, c) == 0;
 }
 
-/// Makes the piece from one of its points to the next one an edge; returns that point.
+/// Makes the part of the piece from one of its points to the next an edge. Returns the next point.
 int SegmentRecovery::Advance(int from, const Piece& piece)
 {
   const int to = piece.End;
@@ -67,7 +67,7 @@ int SegmentRecovery::Advance(int from, const Piece& piece)
   }
 }
 
-/// The same where edges are crossed. ahead: the first one's side beyond it.
+/// The same if edges are crossed. ahead: the half-edge of the first one, on its far side.
 int SegmentRecovery::Cross(int from, const Piece& piece, int ahead)
 {
   const int first = ahead;
@@ -95,9 +95,9 @@ int SegmentRecovery::Cross(int from, const Piece& piece, int ahead)
   }
 }
 
-/// Flips what the way between two points crosses until there is an edge; returns its side that
-/// leads back. The corners left of the way are cut off from it one by one where their chain is
-/// convex: then it always can be done.
+/// Flips the edges that the line between two points crosses until the points share an edge. Returns
+/// its half-edge from `to` to `from`. Corners left of the line are cut off one by one where their
+/// chain is convex, which is always possible.
 int SegmentRecovery::OpenWay(int from, int to, int ahead)
 {
   this->Flipped.clear();
@@ -126,8 +126,8 @@ int SegmentRecovery::OpenWay(int from, int to, int ahead)
   }
 }
 
-/// Flips the edges of a corner that cross the way, until the corners before and after it share
-/// an edge. back: the side to it from the one after; returns the same of the new edge.
+/// Flips the edges of a corner that cross the line, until the corners before and after it share an
+/// edge. back: the half-edge to the corner from the one after it. Returns that of the new edge.
 int SegmentRecovery::CutOff(int back, int before)
 {
   const int after = this->Plane.Begin(back);
@@ -178,7 +178,7 @@ void SegmentRecovery::AddMark(int side, const PlanarTriangles::SegmentMark& mark
   this->Plane.SetMark(side, own);
 }
 
-/// A point where the piece crosses a segment: both are to be recovered anew, through it.
+/// Adds a point where the piece crosses a segment; both must then be recovered again, through it.
 void SegmentRecovery::AddCrossing(int from, const Piece& piece, int side)
 {
   const PlanarTriangles::SegmentMark mark = this->Plane.Mark(side);
@@ -200,8 +200,8 @@ void SegmentRecovery::AddCrossing(int from, const Piece& piece, int side)
   }
   if (this->Plane.Points() > this->MaximumPointCount)
   {
-    throw SolveFailure("the segments cross again wherever a crossing is rounded; scale the points"
-                       " up, or move apart those that all but coincide");
+    throw SolveFailure("rounding the crossings of segments causes new crossings without end; scale "
+                       "the points up, or separate those that nearly coincide");
   }
   this->Plane.SetMark(side, {});
   this->Plane.MakeDelaunay({ side });

@@ -9,21 +9,21 @@
 namespace shape
 {
 
-/// Makes segments between the corners of a planar triangulation edges of it, by flips.
+/// Makes segments between the corners of a planar triangulation its edges, by flips.
 class SegmentRecovery
 {
 public:
   /// plane: changed by Recover; its other edges stay locally Delaunay. addCrossings: whether a
-  /// point is added where segments cross. segments: how many there will be.
+  /// point is added where segments cross. segments: the number of segments to recover.
   SegmentRecovery(PlanarTriangles& plane, bool addCrossings, Eigen::Index segments);
 
-  /// Makes a segment between two points edges; what it runs through splits it. They are marked with
-  /// the number of the group of segments that run along them. winding: 1 for an outline, or 0.
-  /// Throws InvalidInput where it crosses a marked edge and may not, SolveFailure where crossings,
-  /// rounded, cross again without end.
+  /// Makes a segment between two points a sequence of edges; points on it split it. The edges are
+  /// marked with the number of the group of segments that contain them. winding: 1 for an outline,
+  /// else 0. Throws InvalidInput if it crosses a marked edge and addCrossings is false. Throws
+  /// SolveFailure if rounded crossings cause new crossings without end.
   void Recover(int begin, int end, int segment, int winding);
 
-  /// The segments of a group, in order.
+  /// Returns the segments of a group, ascending.
   const std::vector<int>& Group(int mark) const { return this->Groups[mark]; }
 
 private:
@@ -45,8 +45,8 @@ private:
   bool AddsCrossings;
   double MaximumPointCount;
   std::vector<std::vector<int>> Groups;
-  std::vector<Piece> Pieces; ///< that are to be recovered
-  std::vector<int> Flipped;  ///< triangles that the last way changed
+  std::vector<Piece> Pieces; ///< pieces still to be recovered
+  std::vector<int> Flipped;  ///< triangles changed by the last OpenWay
 };
 
 } // namespace shape

@@ -25,7 +25,8 @@ Eigen::MatrixXd ComputeScalingAxes(const Eigen::MatrixXd& squares, int dimension
   Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(squares.rows(), dimensions);
   for (Eigen::Index k = 0; k < largest.Values.size(); ++k)
   {
-    constexpr double minimum = 1e-9; // of the largest; others are of rounding, or there are none
+    // relative to the largest eigenvalue; smaller ones are rounding error
+    constexpr double minimum = 1e-9;
     const double value = largest.Values(k);
     if (value > minimum * largest.Values(0))
     {
@@ -42,8 +43,8 @@ Eigen::MatrixXd EmbedByClassicalMds(
   if (topology.Components > 1)
   {
     throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components, between which there are no distances; give one of them, or use the spectral "
-      "embedding");
+      " components, but distances between components are undefined; give one of them, or use the "
+      "spectral embedding");
   }
   const std::vector<int> points = SampleFarthestPoints(surface, samples, progress.Part(0.0, 0.2));
   Eigen::MatrixXd squares =
