@@ -8,9 +8,9 @@ namespace shape
 {
 
 /**
- * Links each piece of a graph that no link joins to one of the nodes `mainland` to the nearest node
- * of another piece, until all are joined: the parts of a soup, loose points. Returns how many
- * pieces there were.
+ * Connects a graph. Each component that contains none of the nodes in `mainland`, such as a part of
+ * a soup or a loose point, is linked to the nearest node of another component, until all are
+ * connected. Returns the original number of components.
  *
  * mainland: at least one node. Throws Aborted.
  */
