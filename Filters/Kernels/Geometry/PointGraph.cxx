@@ -24,8 +24,8 @@ void RequireCorners(const Eigen::MatrixXi& elements, Eigen::Index points)
   if (elements.size() > 0 && (elements.minCoeff() < 0 || elements.maxCoeff() >= points))
   {
     const int wrong = elements.minCoeff() < 0 ? elements.minCoeff() : elements.maxCoeff();
-    throw InvalidInput("an element of the shape has the point " + std::to_string(wrong) +
-      ", but there are " + std::to_string(points) + " points; mend the connectivity");
+    throw InvalidInput("an element of the shape uses point " + std::to_string(wrong) +
+      ", but there are " + std::to_string(points) + " points; repair the connectivity");
   }
 }
 
@@ -293,7 +293,7 @@ PointGraph BuildPointGraph(
 {
   if (shape.Points.rows() == 0)
   {
-    throw InvalidInput("the shape has no points; give it some");
+    throw InvalidInput("the shape has no points; give a shape with points");
   }
   RequireFinite(shape.Points, "the shape");
   RequireExtent(shape.Points, "the shape");

@@ -117,8 +117,8 @@ HexRemeshResult ByPolycube(
   }
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
   const char* maps[] = { "the harmonic map of the polycube's boundary",
-    "the map of tetrahedra onto the polycube, whose harmonic map would turn more cells over",
-    "a grid in the solid bent towards the axes, for want of a polycube with charts" };
+    "the map of tetrahedra onto the polycube, because its harmonic map would invert more cells",
+    "a grid in the solid deformed towards the axes, because no polycube with charts was found" };
   return { std::move(result.Fit), std::move(result.Features), MethodType::Polycube,
     std::string("carried by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {}, true };
 }
@@ -208,7 +208,7 @@ void RequireOneSize(const HexRemeshOptions& options)
   {
     throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
       " and CellsOnLongestSide is " + std::to_string(options.CellsOnLongestSide) +
-      ", which both give the size of cells; set one of them to 0");
+      ", but only one of them can give the size of the cells; set the other to 0");
   }
 }
 
@@ -226,7 +226,7 @@ void RequireAgreement(
     RequireSizes(surface, guides.Sizes);
     if (options.CellSize > 0.0 || options.CellsOnLongestSide > 0)
     {
-      throw InvalidInput("a SizeArray is given, and CellSize or CellsOnLongestSide, too; set these "
+      throw InvalidInput("a SizeArray and also CellSize or CellsOnLongestSide are given; set these "
                          "to 0, or give no SizeArray");
     }
   }
@@ -238,8 +238,8 @@ void RequireAgreement(
     (NeedsGrid(guides) || options.Method == MethodType::Grid))
   {
     throw InvalidInput(
-      "a Polycube is given, but Method Grid, a SizeArray and InnerSurfaces take the "
-      "cells of a grid; disconnect it, or leave the others");
+      "a Polycube is given, but Method Grid, a SizeArray and InnerSurfaces use the "
+      "cells of a grid; disconnect the Polycube, or remove the others");
   }
 }
 
@@ -272,10 +272,10 @@ HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
   {
     result = ByGrid(surface, options, progress.Part(0.02, 1.0));
     result.Reason = "the surface crosses itself at " + std::to_string(crossings) +
-      " pairs of triangles; the solid is what it winds around" +
+      " pairs of triangles; the solid is the region that it winds around" +
       (result.TopologyAgreed
           ? ""
-          : ", whose Euler number and components are as one grid has them, for no two agree");
+          : ", with the topology of a single grid, because no two grids agree on it");
     return result;
   }
   return ByTheBetter(surface, options, progress.Part(0.02, 1.0));
@@ -299,7 +299,7 @@ HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& 
   if (result.Fit.Released > 0)
   {
     result.Reason += "; " + std::to_string(result.Fit.Released) +
-      " points of the boundary are off the surface, where hexahedra on it stayed inverted or bad";
+      " points of the boundary left the surface, because hexahedra there stayed inverted or bad";
   }
   if (result.Fit.Inverted > 0)
   {

@@ -255,7 +255,7 @@ BoundaryLoops FindBoundaryLoops(const Mesh& surface)
     if (surface.Triangles.row(t).minCoeff() < 0 ||
       surface.Triangles.row(t).maxCoeff() >= surface.Points.rows())
     {
-      throw InvalidInput("triangle " + std::to_string(t) + " names a point that does not exist");
+      throw InvalidInput("triangle " + std::to_string(t) + " uses a point that does not exist");
     }
   }
   return BoundaryWalk(surface).Find();

@@ -47,7 +47,7 @@ void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
   if (ComputeLongestBoxEdge(points) == 0.0)
   {
     throw InvalidInput(
-      name + " has no area: its points are all at one place; check its coordinates");
+      name + " has no area, because all its points coincide; check its coordinates");
   }
   RequireExtent(points, name);
 }

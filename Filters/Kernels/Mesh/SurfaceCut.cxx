@@ -129,7 +129,7 @@ EdgePath FindEdgePathThrough(
     throw InvalidInput("no path along edges leads from point " +
       std::to_string(stops[path.Stops.size() - 1]) + " to point " +
       std::to_string(stops[path.Stops.size()]) +
-      " past the path through the points before; subdivide the surface with Linear Subdivision");
+      " without meeting the path so far; refine the surface with Linear Subdivision");
   }
   progress(1.0);
   return path;

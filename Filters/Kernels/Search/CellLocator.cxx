@@ -43,7 +43,7 @@ std::vector<int> CellsThatCount(const Cells& cells, int& dimension)
     if (cells.Kinds(c) == VTK_POLYHEDRON)
     {
       throw InvalidInput("cell " + std::to_string(c) +
-        " is a polyhedron, which cannot be interpolated in; apply Tetrahedralize first");
+        " is a polyhedron, which has no shape functions; apply Tetrahedralize first");
     }
     if (GetCornerCount(cells, c) == 0)
     {
@@ -63,8 +63,9 @@ std::vector<int> CellsThatCount(const Cells& cells, int& dimension)
   }
   if (numbers.empty())
   {
-    throw InvalidInput("there is no polygon and no solid cell to interpolate in; give a surface or "
-                       "a solid, such as Delaunay 3D makes of points");
+    throw InvalidInput(
+      "there is no polygon and no solid cell; give a surface or a solid (Delaunay 3D "
+      "makes one from points)");
   }
   return numbers;
 }
@@ -223,9 +224,8 @@ struct CellLocator::SolidSearch : CellLocator::Search
     id = nearest.Number;
     if (id < 0)
     {
-      throw InvalidInput(
-        "a place is too far from every cell for its distance to be a number; scale "
-        "the shapes to a common size");
+      throw InvalidInput("a position is so far from every cell that its distance overflows; scale "
+                         "the shapes to a common size");
     }
     for (int k = 0; k < 3; ++k)
     {
@@ -265,7 +265,7 @@ struct CellLocator::SurfaceSearch : CellLocator::Search
       if (ids->GetNumberOfIds() == 0)
       {
         throw InvalidInput("cell " + std::to_string(number) +
-          " is a polygon that cannot be cut into triangles; repair it");
+          " is a polygon that cannot be split into triangles; repair it");
       }
     }
     Mesh mesh{ cells.Points, Eigen::MatrixXi(triangles.size(), 3) };

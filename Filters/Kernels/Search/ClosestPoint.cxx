@@ -117,8 +117,8 @@ void RequireFound(const Nearest& nearest)
 {
   if (nearest.Triangle < 0)
   {
-    throw InvalidInput("a place is too far from every triangle for its distance to be a "
-                       "number; scale the shapes to a common size");
+    throw InvalidInput("a position is so far from every triangle that its distance overflows; "
+                       "scale the shapes to a common size");
   }
 }
 

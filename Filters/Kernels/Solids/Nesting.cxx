@@ -127,7 +127,7 @@ KeptOrientation Orient(const Surface& surface, const std::string& name, const Pr
       }
       if (meeting.Found)
       {
-        throw InvalidInput(name + " has components that touch or cross (the ones of points " +
+        throw InvalidInput(name + " has components that touch or cross (those of points " +
           std::to_string(mesh.Triangles(components[i].Triangles[0], 0)) + " and " +
           std::to_string(mesh.Triangles(components[j].Triangles[0], 0)) +
           "); move them apart, or unite them");

@@ -117,8 +117,8 @@ void RequireClosed(const Surface& surface, const std::string& name)
       throw;
     }
     throw InvalidInput(name + " has " + std::to_string(topology.BoundaryLoops) +
-      (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + ", only because " +
-      std::to_string(duplicates) + " of its points lie where others do (first point " +
+      (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + ", but only because " +
+      std::to_string(duplicates) + " of its points coincide with others (first point " +
       std::to_string(first) + "); merge them with Clean");
   }
 }

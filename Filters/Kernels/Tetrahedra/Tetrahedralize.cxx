@@ -151,9 +151,9 @@ Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
   }
   if (missing + open > 0)
   {
-    throw SolveFailure("TetGen's tetrahedra miss " + std::to_string(missing) +
-      " triangles of the surface and end at " + std::to_string(open) +
-      " faces beside it; remesh where triangles are thin, or change PreserveBoundary");
+    throw SolveFailure("TetGen's tetrahedra do not contain " + std::to_string(missing) +
+      " triangles of the surface, and their boundary has " + std::to_string(open) +
+      " faces off the surface; remesh where triangles are thin, or change PreserveBoundary");
   }
   Eigen::VectorXi set = Eigen::VectorXi::Constant(tetrahedra.rows(), -1);
   std::vector<int> front;
@@ -239,9 +239,8 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
     regionOfSet(s) = regions.RegionAt(mesh.Points(corners, Eigen::all).colwise().mean());
     if (regionOfSet(s) == SolidRegions::Void)
     {
-      throw SolveFailure(
-        "TetGen filled a part of space that is not solid; remesh where parts of the "
-        "surface nearly touch");
+      throw SolveFailure("TetGen filled a region outside the solid; remesh where parts of the "
+                         "surface nearly touch");
     }
   }
   Eigen::VectorXi region(set.size());
@@ -257,7 +256,7 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
     if (!(std::abs(found(r) - regions.Volumes()(r)) <= 1e-9 * total))
     {
       throw SolveFailure("TetGen's tetrahedra of region " + std::to_string(r) +
-        " have another volume than the surfaces enclose (off by " +
+        " do not have the volume that the surfaces enclose (off by " +
         std::to_string(100.0 * (found(r) / regions.Volumes()(r) - 1.0)) +
         " %); remesh where triangles are thin, or change PreserveBoundary");
     }
@@ -297,7 +296,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const double byVolume = maximumVolume > 0.0 ? regions.Volumes().sum() / maximumVolume : 0.0;
   if (byVolume > 1e8)
   {
-    throw InvalidInput("MaximumVolume asks for more than 100 million tetrahedra; give more than " +
+    throw InvalidInput("MaximumVolume would give more than 100 million tetrahedra; use more than " +
       std::to_string(regions.Volumes().sum() / (scale * scale * scale) * 1e-8));
   }
 
@@ -318,7 +317,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   if (mesh.Points.rows() - given >= maximumNewPoints)
   {
     throw SolveFailure("TetGen added " + std::to_string(maximumNewPoints) +
-      " points without reaching the bounds, as it does beside sharp angles and in thin parts; "
+      " points without reaching the bounds, as happens near sharp angles and in thin parts; "
       "raise "
       "MaximumRadiusEdgeRatio, or switch PreserveBoundary on");
   }

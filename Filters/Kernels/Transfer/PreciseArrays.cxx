@@ -34,7 +34,7 @@ void RequireAll(Eigen::Index points, const std::function<bool(Eigen::Index)>& is
     throw Error(pointsName + " has " + what + " at " + std::to_string(count) +
       (count == 1 ? " point" : " points") + " (first at point " + std::to_string(first) +
       "); give the surface that the map was made for as " + targetName +
-      ", or leave TargetCell out with Pass Arrays and take the closest places");
+      ", or remove TargetCell with Pass Arrays to use the closest points");
   }
 }
 

@@ -83,7 +83,7 @@ public:
 
   virtual State Evaluate(const Eigen::Matrix3Xd& x, double epsilon) const = 0;
 
-  /// The Newton direction (3 x number of movable points), and the initial slope of the energy.
+  /// The Newton direction (3 x number of movable points), and its initial rate of energy decrease.
   struct Descent
   {
     Eigen::Matrix3Xd Direction;

@@ -289,8 +289,8 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     if (rest.rows() != cells.Points.rows())
     {
       throw InvalidInput("the RestShape has " + std::to_string(rest.rows()) +
-        " points, the Input " + std::to_string(cells.Points.rows()) +
-        "; give the same cells before they were moved");
+        " points, but the Input has " + std::to_string(cells.Points.rows()) +
+        "; give the Input before it was moved");
     }
   }
   // What is left then is a matter of patience, or of where it began.

@@ -156,11 +156,12 @@ public:
     if (!this->Best)
     {
       const Topology& topology = this->Cubes.SurfaceTopology();
-      throw SolveFailure("no grid of " + std::to_string(this->Options.MaximumHexahedra) +
-        " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
-        " and number of components " + std::to_string(topology.Components) +
-        (this->InnerBounding.empty() ? "" : ", and those of the inner surfaces, apart") +
-        ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
+      throw SolveFailure("no grid of at most " + std::to_string(this->Options.MaximumHexahedra) +
+        " hexahedra has the topology of the surface: Euler number " +
+        std::to_string(topology.EulerNumber) + ", " + std::to_string(topology.Components) +
+        (topology.Components == 1 ? " component" : " components") +
+        (this->InnerBounding.empty() ? "" : ", and the inner surfaces separate from each other") +
+        "; a part or gap is thinner than its cells: raise MaximumHexahedra, or thicken it");
     }
     const HexFit& fit = this->Best->Fit;
     if (fit.Inverted == 0 && fit.MinimumScaledJacobian < AcceptedScaledJacobian)
@@ -411,9 +412,8 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
     if (options.CellSize < minimum)
     {
       throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
-        ", which makes more than " + std::to_string(options.MaximumHexahedra) +
-        " hexahedra; at least " + std::to_string(minimum) +
-        " is needed, or a greater MaximumHexahedra");
+        ", which gives more than " + std::to_string(options.MaximumHexahedra) +
+        " hexahedra; use at least " + std::to_string(minimum) + ", or raise MaximumHexahedra");
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
     return search.Result(progress.Part(0.95, 1.0));

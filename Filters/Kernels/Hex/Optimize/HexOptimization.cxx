@@ -162,7 +162,7 @@ void RequireIndices(const HexMesh& mesh)
   if (mesh.Hexahedra.size() > 0 &&
     (mesh.Hexahedra.minCoeff() < 0 || mesh.Hexahedra.maxCoeff() >= mesh.Points.rows()))
   {
-    throw InvalidInput("a hexahedron has a point that is not there");
+    throw InvalidInput("a hexahedron uses a point that does not exist; repair the mesh");
   }
 }
 

@@ -68,7 +68,7 @@ void RequireAcrossAxes(const Mesh& polycube, double size)
   if (count > 0)
   {
     throw InvalidInput("the Polycube has " + std::to_string(count) +
-      " triangles that do not lie across an axis (first triangle " + std::to_string(first) +
+      " triangles that are not perpendicular to an axis (first triangle " + std::to_string(first) +
       "); give the second output of Shape Polycube, or a surface of such faces");
   }
 }
@@ -95,8 +95,8 @@ double UnitOf(const Mesh& polycube, double size)
   }
   if (unit < minimum * size)
   {
-    throw InvalidInput("the Polycube's faces are not at whole multiples of one length, of at least "
-                       "a thousandth of its longest side; move them there");
+    throw InvalidInput("the coordinates of the Polycube's faces are not integer multiples of one "
+                       "length of at least a thousandth of its size; move the faces there");
   }
   return unit;
 }
@@ -134,12 +134,12 @@ void RequireTopology(const HexMesh& cells, const Surface& surface)
   const Topology found = ComputeBoundaryTopology(cells);
   if (found.NonManifoldEdges > 0 || found.NonManifoldPoints > 0)
   {
-    throw InvalidInput("the Polycube touches itself in an edge or a point; move its parts apart");
+    throw InvalidInput("the Polycube touches itself at an edge or a point; move its parts apart");
   }
   if (found.EulerNumber != wanted.EulerNumber || found.Components != wanted.Components)
   {
     throw InvalidInput("the Polycube has the Euler number " + std::to_string(found.EulerNumber) +
-      " and " + std::to_string(found.Components) + " components, and the Surface " +
+      " and " + std::to_string(found.Components) + " components, but the Surface has " +
       std::to_string(wanted.EulerNumber) + " and " + std::to_string(wanted.Components) +
       "; give the polycube of this surface");
   }
@@ -167,7 +167,8 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   RequireClosedSurface(given, "the Polycube");
   if (polycube.Sources.rows() != polycube.Surface.Points.rows() || polycube.Sources.cols() != 3)
   {
-    throw InvalidInput("the Polycube's SourcePosition must be 3 numbers for each of its points");
+    throw InvalidInput(
+      "the Polycube's SourcePosition must have 3 components at each of its points");
   }
   RequireFinite(polycube.Sources, "the Polycube's SourcePosition");
   RequireSourcesOn(polycube.Sources, surface);
@@ -181,7 +182,7 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   const double cell = unit / std::max(1.0, std::round(unit / wanted));
   if (volume / (cell * cell * cell) > maximum)
   {
-    throw InvalidInput("the Polycube's unit " + std::to_string(unit) + " makes more than " +
+    throw InvalidInput("the Polycube's unit " + std::to_string(unit) + " gives more than " +
       std::to_string(maximum) + " cells; give one with a greater unit (TargetEdgeLength)");
   }
   const SampledGrid grid = GridIn(outer, cell);

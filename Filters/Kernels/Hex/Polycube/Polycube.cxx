@@ -322,10 +322,10 @@ PolycubeResult BuildPolycube(
   const auto turned = count();
   if (turned > 0)
   {
-    throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) + " charts turns " +
-      std::to_string(turned) + " of " + std::to_string(surface.Triangles().rows()) +
-      " triangles over: " +
-      DescribeTurned({ positions, surface.Triangles() }, result.Labels, charts) +
+    throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) +
+      " charts inverts " + std::to_string(turned) + " of " +
+      std::to_string(surface.Triangles().rows()) +
+      " triangles: " + DescribeTurned({ positions, surface.Triangles() }, result.Labels, charts) +
       "; refine the surface there, or try another Compactness");
   }
   result.Positions = map.CellSize * positions;

@@ -53,10 +53,10 @@ SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size)
   constexpr double maximum = 2e8;
   if (!(counts.prod() <= maximum))
   {
-    throw InvalidInput("cells of size " + std::to_string(size) + " make a grid of " +
+    throw InvalidInput("cells of size " + std::to_string(size) + " give a grid of " +
       std::to_string(counts.prod()) + " cells around the surface; at most " +
       std::to_string(maximum) +
-      " are possible: make CellSize greater, or turn the surface along the axes");
+      " are possible; raise CellSize, or rotate the surface along the axes");
   }
   SampledGrid grid;
   grid.Spacing = size;

@@ -21,11 +21,11 @@ public:
 
   explicit EditableSurface(const Mesh& mesh);
 
-  int PointCount() const { return static_cast<int>(this->Points.size()); } ///< includes removed
-  int TriangleCount() const
-  {
-    return static_cast<int>(this->Triangles.size());
-  } ///< includes removed
+  ///@{
+  /// The number of points and of triangles, including removed ones.
+  int PointCount() const { return static_cast<int>(this->Points.size()); }
+  int TriangleCount() const { return static_cast<int>(this->Triangles.size()); }
+  ///@}
   const Triangle& Corners(int triangle) const { return this->Triangles[triangle]; }
 
   /// The triangles around a point; none if it is removed.

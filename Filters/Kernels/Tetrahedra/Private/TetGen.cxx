@@ -152,7 +152,7 @@ void RunInChild(const TetGenInput& input, int pipe)
       throw SolveFailure("TetGen ran out of memory; use a coarser input, a larger MaximumVolume or "
                          "a larger MaximumRadiusEdgeRatio");
     case 3:
-      throw SolveFailure("TetGen takes parts of the surface for crossing, although they only come "
+      throw SolveFailure("TetGen treats parts of the surface as crossing, although they are only "
                          "close; move them apart, or remesh where triangles are thin");
     case 4:
       throw SolveFailure("TetGen found a feature too small for it; merge close points with Clean "
@@ -161,7 +161,7 @@ void RunInChild(const TetGenInput& input, int pipe)
       throw SolveFailure("TetGen found two facets too close to each other to put points on them; "
                          "switch PreserveBoundary on");
     case 10:
-      throw InvalidInput("TetGen refuses the surface as an input error; look for thin triangles "
+      throw InvalidInput("TetGen rejects the surface as an input error; look for thin triangles "
                          "and points that nearly coincide");
     default:
       throw SolveFailure("TetGen met an internal error (code " + std::to_string(code) +
@@ -173,14 +173,13 @@ void RunInChild(const TetGenInput& input, int pipe)
 {
   if (number == SIGKILL)
   {
-    throw SolveFailure("TetGen's process was killed, as the system does where memory runs out; use "
+    throw SolveFailure("TetGen's process was killed, probably because memory ran out; use "
                        "a coarser input or a larger MaximumVolume");
   }
   if (number == SIGABRT)
   {
-    throw SolveFailure(
-      "TetGen stopped at an assertion of its own; remesh where triangles are thin, "
-      "or change PreserveBoundary");
+    throw SolveFailure("TetGen stopped at an internal assertion; remesh where triangles are thin, "
+                       "or change PreserveBoundary");
   }
   throw SolveFailure("TetGen crashed (" +
     (number > 0 ? std::string(strsignal(number)) : std::string("it ended without a result")) +

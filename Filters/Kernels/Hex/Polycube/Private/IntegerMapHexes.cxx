@@ -185,7 +185,9 @@ int CellBeside(
   {
     return static_cast<int>(found - visits.begin());
   }
-  throw SolveFailure("a walk through the polycube ends in no cell: its map is not good enough");
+  throw SolveFailure(
+    "a walk through the polycube ends in no cell, because its map is not good enough; try "
+    "another Compactness");
 }
 
 } // namespace
@@ -197,7 +199,7 @@ IntegerMapHexesResult ExtractIntegerMapHexahedra(
   const std::vector<Visit> visits = FindCells(images, tetrahedra, walk);
   if (visits.empty())
   {
-    throw SolveFailure("the polycube has no cell");
+    throw SolveFailure("the polycube has no cell; use a smaller TargetEdgeLength");
   }
   const int cells = static_cast<int>(visits.size());
   DisjointSets joined(8 * cells);

@@ -295,7 +295,7 @@ PolycubeMap FindPolycubeMap(
   }
   if (!(options.CellSize >= 0.0) || !std::isfinite(options.CellSize))
   {
-    throw InvalidInput("the cell size must be positive, or 0 for an automatic one");
+    throw InvalidInput("the cell size must be positive, or 0 for an automatic size");
   }
   RequireClosedSurface(surface, "the surface");
   WorkingSolid solid = BuildWorkingSolid(surface, options.Triangles, progress.Part(0.0, 0.1));
@@ -330,7 +330,7 @@ PolycubeMap FindPolycubeMap(
   {
     throw SolveFailure("no valid polycube was found: of " + std::to_string(best.Charts.Count()) +
       " charts, " +
-      (best.Faults.empty() ? "none is at fault by itself"
+      (best.Faults.empty() ? "none of which is at fault alone"
                            : DescribeFaults(best.Faults, best.Charts)) +
       "; " + std::to_string(best.Result.Negative) + " of " +
       std::to_string(best.Solid.Tetrahedra.rows()) + " tetrahedra stay inverted" +
@@ -358,7 +358,7 @@ PolycubeMap FindPolycubeMap(
       return map;
     }
   }
-  throw SolveFailure("the charts of the polycube cannot be moved to whole cells of " +
+  throw SolveFailure("the charts of the polycube cannot be rounded to cells of size " +
     std::to_string(size / QuantisationShrinkage) + "; use a smaller TargetEdgeLength");
 }
 

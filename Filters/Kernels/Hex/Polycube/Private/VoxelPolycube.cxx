@@ -153,8 +153,8 @@ Eigen::MatrixXd Bent(
   const double folded = FoldedShare(solid, aligned);
   if (folded > MaximumFolded)
   {
-    throw SolveFailure("the solid cannot be bent towards the axes: " +
-      std::to_string(100.0 * folded) + " % of it would be turned inside out");
+    throw SolveFailure("the solid cannot be deformed towards the axes: " +
+      std::to_string(100.0 * folded) + " % of its volume would be inverted");
   }
   labels = FindAxisLabels(solid, aligned, compactness);
   return aligned;
@@ -195,8 +195,8 @@ VoxelPolycube FindVoxelPolycube(
   {
     if (size < minimum)
     {
-      throw SolveFailure("no grid of " + std::to_string(maximum) +
-        " cells in the solid bent towards the axes has the surface's topology (Euler number " +
+      throw SolveFailure("no grid of at most " + std::to_string(maximum) +
+        " cells in the solid deformed towards the axes has the surface's topology (Euler number " +
         std::to_string(topology.EulerNumber) + ")");
     }
     grid = SampleDistance(distance, BestOffset(bent, labels, size), size, progress.Part(0.7, 0.9));
