@@ -21,13 +21,13 @@ namespace
 
 using MethodType = HexRemeshOptions::MethodType;
 
-/// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
+/// Hexahedra of a polycube that are this good are accepted without comparison with a grid.
 constexpr double MinimumScaledJacobian = 0.3, LargestDistance = 0.01;
 
-/// Who gives a size gets as many as it makes, as far as their corners can be numbered.
+/// With a given size the number of hexahedra is limited only by the range of corner indices.
 constexpr int MaximumOfGivenSize = std::numeric_limits<int>::max() / 64;
 
-/// The options of one way to hexahedra.
+/// Returns the options of one method.
 template <typename MethodOptions>
 MethodOptions OfMethod(const HexMeshOptions& options)
 {
@@ -59,8 +59,8 @@ HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
   return result;
 }
 
-/// With smaller cells where creases are farther than wanted, if there may be this many and they are
-/// nearer then: the distance falls with the square of the size.
+/// Uses smaller cells if creases are farther than wanted, the maximum allows it, and the distance
+/// falls: it is proportional to the square of the size.
 PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions options,
   PolycubeHexesResult coarse, const Progress& progress)
 {
@@ -88,12 +88,12 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
   }
   catch (const SolveFailure&)
   {
-    // No polycube of such cells: those there are will do.
+    // There is no polycube of such cells; the coarse result is kept.
   }
   return coarse;
 }
 
-/// As grids are, by BuildGridHexahedra.
+/// Snaps to the surface in the same way as BuildGridHexahedra.
 void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress)
 {
   SnappingOptions options;
@@ -139,7 +139,7 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   return result;
 }
 
-/// Valid ones are better than others, then those with creases, then those that are nearer.
+/// Valid hexahedra are better than others, then those with creases, then those that are closer.
 bool IsBetter(const HexFit& one, const HexFit& other)
 {
   if ((one.Inverted > 0) != (other.Inverted > 0))
@@ -175,7 +175,7 @@ HexRemeshResult ByTheBetter(
   {
     why = failure.what();
   }
-  catch (const InvalidInput& failure) // by Tetrahedralize, which asks for more than a grid does
+  catch (const InvalidInput& failure) // by Tetrahedralize, which requires more than a grid
   {
     why = failure.what();
   }
@@ -217,7 +217,7 @@ bool NeedsGrid(const HexRemeshGuides& guides)
   return guides.Sizes.size() > 0 || !guides.InnerSurfaces.empty();
 }
 
-/// Throws where options contradict the guides.
+/// Throws if options contradict the guides.
 void RequireAgreement(
   const Surface& surface, const HexRemeshOptions& options, const HexRemeshGuides& guides)
 {
