@@ -22,12 +22,13 @@ namespace shape
 namespace
 {
 
-/// What counts as the same coordinate, as a share of the polycube's size.
+/// Coordinates that differ by less than this fraction of the polycube's size are equal.
 constexpr double Flatness = 1e-6;
-/// How far from the surface sources may lie, as a share of its diagonal.
+/// The maximum distance of sources from the surface, as a fraction of its diagonal.
 constexpr double MaximumSourceDistance = 0.02;
 
-/// The coordinates of faces along each axis, ascending. Throws where a triangle is across none.
+/// Returns the coordinates of the faces perpendicular to an axis, ascending. Throws if a triangle
+/// is perpendicular to no axis.
 std::vector<double> FaceCoordinates(const Mesh& polycube, double size, int axis)
 {
   std::vector<double> all;
@@ -73,17 +74,18 @@ void RequireAcrossAxes(const Mesh& polycube, double size)
   }
 }
 
-/// The greatest length that faces are at whole multiples of. Throws where there is none.
+/// Returns the greatest length that the faces' coordinates are multiples of. Throws if there is
+/// none.
 double UnitOf(const Mesh& polycube, double size)
 {
-  constexpr double minimum = 1e-3; // of the size: a thousand cells along it
+  constexpr double minimum = 1e-3; // fraction of the size: at most a thousand cells along it
   double unit = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::vector<double> coordinates = FaceCoordinates(polycube, size, axis);
     for (std::size_t i = 1; i < coordinates.size(); ++i)
     {
-      // Euclid's algorithm, with remainders around 0.
+      // Euclid's algorithm, with remainders centred at 0.
       double other = coordinates[i] - coordinates[0];
       while (other > 0.1 * minimum * size)
       {
@@ -101,7 +103,7 @@ double UnitOf(const Mesh& polycube, double size)
   return unit;
 }
 
-/// The grid of cells in the polycube's box, with a layer around them.
+/// Returns the grid of cells in the polycube's bounding box, surrounded by one more layer.
 SampledGrid GridIn(const Mesh& polycube, double cell)
 {
   const Eigen::RowVector3d low = polycube.Points.colwise().minCoeff();
@@ -176,7 +178,7 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   const double size = ComputeLongestBoxEdge(outer.Points());
   RequireAcrossAxes(outer, size);
   const double unit = UnitOf(outer, size), volume = ComputeEnclosedVolume(outer);
-  // The polycube may be drawn at another scale than the surface.
+  // The polycube may have another scale than the surface.
   const double scale = std::cbrt(volume / std::abs(ComputeEnclosedVolume(surface)));
   const double wanted = cellSize > 0.0 ? cellSize * scale : std::cbrt(volume / AutomaticCells);
   const double cell = unit / std::max(1.0, std::round(unit / wanted));

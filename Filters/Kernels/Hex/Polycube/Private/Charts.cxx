@@ -27,7 +27,7 @@ std::string LabelName(int label)
   return names[label];
 }
 
-/// The borders' edges from point to point, each with its left chart on the left.
+/// Chains the edges between charts into borders, each with its left chart on the left.
 std::vector<Charts::Border> TraceBoundaries(
   const Charts& charts, const std::vector<HalfEdge>& edges, const std::vector<int>& right)
 {
