@@ -100,7 +100,8 @@ void LinkLoosePoints(const PointGraph& graph, int nearest, std::vector<std::pair
   }
 }
 
-/// All in units of an area: lengths times, and volumes over, the mean length of a link.
+/// All weights have the unit of an area: lengths are multiplied, and volumes divided, by the mean
+/// length of a link.
 void AddWeights(PointGraph& graph, const Eigen::MatrixXi& lines, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXi& tetrahedra)
 {
@@ -197,7 +198,7 @@ void AddCurvatures(PointGraph& graph, const Eigen::MatrixXi& triangles)
   }
 }
 
-/// Triangles of three different nodes.
+/// Returns the triangles with three different nodes.
 Eigen::MatrixXi Unwelded(const Eigen::MatrixXi& triangles)
 {
   std::vector<int> kept;

@@ -32,7 +32,7 @@ int GetCornerCount(const Cells& cells, int cell)
   return cells.Offsets(cell + 1) - cells.Offsets(cell);
 }
 
-/// The numbers of the cells of the highest dimension, 3 or 2, and that dimension.
+/// The indices of the cells of the highest dimension, 3 or 2, and that dimension.
 std::vector<int> CellsThatCount(const Cells& cells, int& dimension)
 {
   dimension = 2;
@@ -70,7 +70,7 @@ std::vector<int> CellsThatCount(const Cells& cells, int& dimension)
   return numbers;
 }
 
-/// The box of a cell, a little larger than its points'. The sides of a curved one bulge beyond.
+/// The bounding box of a cell, slightly enlarged because the faces of a curved one bulge.
 Eigen::AlignedBox3d BoxOf(const Cells& cells, int number, vtkGenericCell* cell)
 {
   Eigen::AlignedBox3d box;
@@ -84,7 +84,7 @@ Eigen::AlignedBox3d BoxOf(const Cells& cells, int number, vtkGenericCell* cell)
   return { box.min() - margin, box.max() + margin };
 }
 
-/// Asks Eigen's walk through the tree for a cell that contains Place.
+/// The visitor with which Eigen's tree search finds a cell that contains Place.
 struct ContainingCell
 {
   const Cells& Grid;
@@ -112,8 +112,8 @@ struct ContainingCell
   // NOLINTEND(readability-identifier-naming)
 };
 
-/// What Eigen's branch and bound minimises outside of all cells: the squared distance from Place to
-/// the sides of a cell.
+/// The function that Eigen's branch and bound minimises outside all cells: the squared distance of
+/// Place from the faces of a cell.
 struct NearestCell
 {
   using Scalar = double;
@@ -131,7 +131,7 @@ struct NearestCell
   }
   double minimumOnObject(int number)
   {
-    // Eigen has boxes of pairs of cells alone: most cells need no closer look than at their own.
+    // Eigen has boxes of pairs of cells only: a cell's own box rules out most of them.
     const double minimum = this->minimumOnVolume(this->Boxes[number]);
     if (minimum > this->Closest.Distance2)
     {
@@ -181,7 +181,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
     const int n = static_cast<int>(positions.rows());
     CellPoints found{ Eigen::VectorXi(n), { n, this->Grid.Points.rows() }, Eigen::VectorXd(n) };
     constexpr int grain = 256;
-    std::vector<Triplets> weights((n + grain - 1) / grain); // of each chunk
+    std::vector<Triplets> weights((n + grain - 1) / grain); // for each chunk
     ParallelFor(
       n, grain,
       [&](int begin, int end)
@@ -203,7 +203,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
     return found;
   }
 
-  /// Finds the cell `id` of a place, appends its `row` of weights, returns its distance.
+  /// Finds the cell `id` of a position, appends its `row` of weights, returns its distance.
   double FindOne(
     const RowVector3d& position, vtkGenericCell* cell, int row, int& id, Triplets& weights) const
   {
@@ -235,7 +235,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
   }
 
   Cells Grid;
-  std::vector<Eigen::AlignedBox3d> Boxes; ///< of all cells; empty where one does not count
+  std::vector<Eigen::AlignedBox3d> Boxes; ///< of all cells; empty for cells that are ignored
   Eigen::KdBVH<double, 3, int> Tree;      ///< of cells
 };
 
@@ -297,7 +297,7 @@ struct CellLocator::SurfaceSearch : CellLocator::Search
     return found;
   }
 
-  std::vector<int> CellOfTriangle; ///< before Locator, which is made while it fills
+  std::vector<int> CellOfTriangle; ///< declared before Locator, whose construction fills it
   SurfaceLocator Locator;
 };
 

@@ -133,7 +133,7 @@ SurfaceComplex JoinSurfaces(const std::vector<Surface>& surfaces)
     triangles += surface.Triangles().rows();
   }
   Mesh all = JoinMeshes({ surfaces.begin(), surfaces.end() });
-  // Only points in use take part, so that none stands for them all.
+  // Only used points are compared, so that no unused point is the representative.
   const Eigen::Index points = all.Points.rows();
   const std::vector<int> kept = FindUsedPoints(all.Triangles, points);
   const Eigen::MatrixXd positions = all.Points(kept, Eigen::all);

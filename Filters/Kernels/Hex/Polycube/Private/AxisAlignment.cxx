@@ -26,7 +26,7 @@ constexpr int FlatteningRounds = 6;
 /// The distance along the surface, in edges, over which the rotations that triangles ask for are
 /// smoothed: from the first round to the last.
 constexpr double MaximumReach = 8.0, NearestReach = 1.0;
-/// The weight of flatness relative to rigidity, in units of 1 / edge length.
+/// The weight of flatness relative to rigidity, as a multiple of the edge length.
 constexpr double MinimumFlatness = 0.2, MaximumFlatness = 100.0;
 constexpr int AlignmentGrain = 512;
 
