@@ -37,7 +37,7 @@ void CheckOptions(const TetrahedralizeOptions& options)
   }
 }
 
-/// Progress of a loop that is at item `i` of `count`.
+/// Progress of a loop at item `i` of `count`.
 void ReportEvery(Eigen::Index i, Eigen::Index count, const Progress& progress)
 {
   if (i % 65536 == 0)
@@ -46,7 +46,7 @@ void ReportEvery(Eigen::Index i, Eigen::Index count, const Progress& progress)
   }
 }
 
-/// Turns all tetrahedra so that they are positive. Throws if they do not all agree.
+/// Orients all tetrahedra positively. Throws if their orientations differ.
 void MakePositive(
   const Eigen::MatrixXd& points, Eigen::MatrixXi& tetrahedra, const Progress& progress)
 {
@@ -78,7 +78,7 @@ struct Face
   int Tetrahedron;
 };
 
-/// All faces, equal ones side by side, those of surfaces before those of tetrahedra.
+/// Returns all faces; equal ones are adjacent, those of surfaces before those of tetrahedra.
 std::vector<Face> SortFaces(
   const Eigen::MatrixXi& tetrahedra, const Eigen::MatrixXi& onSurfaces, const Progress& progress)
 {
@@ -123,8 +123,8 @@ std::vector<Face> SortFaces(
   return sorted;
 }
 
-/// Sets of tetrahedra that no surface separates: the number of each one's set, from 0. Throws if
-/// a part of a surface is no face of a tetrahedron, or the tetrahedra end elsewhere.
+/// Returns, for each tetrahedron, the index of its set; no surface separates the tetrahedra of a
+/// set. Throws if a part of a surface is no face of a tetrahedron, or the tetrahedra end elsewhere.
 Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
   const Eigen::MatrixXi& onSurfaces, int& sets, const Progress& progress)
 {
@@ -300,7 +300,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
       std::to_string(regions.Volumes().sum() / (scale * scale * scale) * 1e-8));
   }
 
-  // Refinement need not end beside very sharp angles, nor soon inside a thin sheet.
+  // Refinement may not end near very sharp angles, and takes long inside a thin sheet.
   const int maximumNewPoints =
     1000000 + static_cast<int>(std::min(1e9, 50.0 * complex.Surfaces.Points.rows() + byVolume));
   TetGenOutput mesh =

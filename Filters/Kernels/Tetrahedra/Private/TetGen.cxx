@@ -17,7 +17,7 @@ TetGenOutput RunTetGen(const TetGenInput&, const Progress&)
 
 #else
 
-// The header defines terminatetetgen, which frees twice: ours, below, takes its place.
+// The header defines terminatetetgen, which frees twice; the definition below replaces it.
 #define TETLIBRARY
 #define terminatetetgen terminatetetgenOfTheHeader
 #include <tetgen.h>
@@ -36,11 +36,11 @@ TetGenOutput RunTetGen(const TetGenInput&, const Progress&)
 namespace
 {
 
-/// In the child, where its messages go; else -1.
+/// In the child, the file descriptor for its messages; else -1.
 int childPipe = -1;
 
-/// The first thing that a child sends: TetGen's exit code, 0 where it succeeded, and then how much
-/// follows.
+/// The first message from the child: TetGen's exit code, 0 for success, and the size of the data
+/// that follow.
 struct Header
 {
   int Code;
@@ -51,8 +51,8 @@ struct Header
 
 } // namespace
 
-/// What TetGen calls when it gives up; the library's own is a weak symbol. In a process that uses
-/// TetGen beside ShapeMap it does what TetGen's does, without freeing anything.
+/// TetGen calls this when it gives up; the library's own definition is a weak symbol. In a process
+/// that also uses TetGen otherwise, it behaves like TetGen's, but frees nothing.
 // NOLINTNEXTLINE(readability-identifier-naming)
 __attribute__((visibility("default"))) void terminatetetgen(tetgenmesh*, int code)
 {

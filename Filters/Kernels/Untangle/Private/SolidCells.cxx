@@ -128,7 +128,7 @@ void SolidCells::MarkBoundary()
 
 void SolidCells::TurnWedges()
 {
-  // VTK's own sources number wedges both ways round: what most of them do is right.
+  // VTK's own sources number wedges in both orientations: the majority decides.
   const Eigen::MatrixXd& positions = this->Rest.rows() > 0 ? this->Rest : this->Points;
   int sum = 0;
   for (int cell = 0; cell < this->CellCount(); ++cell)
@@ -244,7 +244,7 @@ int SolidCells::Split(const std::vector<int>& simplex)
   const int middle = this->PointCount();
   const auto append = [&](Eigen::MatrixXd& positions)
   {
-    // Room for more, so that many splits do not copy all points each time.
+    // Reserves more, so that many splits do not copy all points each time.
     if (positions.rows() <= middle)
     {
       positions.conservativeResize(middle + 1 + middle / 8, 3);
