@@ -8,9 +8,9 @@ namespace shape
 {
 
 /**
- * Connects a graph. Each component that contains none of the nodes in `mainland`, such as a part of
- * a soup or a loose point, is linked to the nearest node of another component, until all are
- * connected. Returns the original number of components.
+ * Connects a graph. Components without a node in `mainland`, such as parts of a soup or loose
+ * points, are linked to the nearest node of another component until all are connected. Returns the
+ * original number of components.
  *
  * mainland: at least one node. Throws Aborted.
  */

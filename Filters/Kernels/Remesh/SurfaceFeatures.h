@@ -41,9 +41,9 @@ struct SurfaceFeatures
  * than `angle` degrees.
  *
  * A crease that ends inside a patch is extended to another crease. The extension is the shortest
- * path over edges of at least three eighths of the angle, if there is one that does not meet the
- * other crease at a small angle. A patch smaller than `minimumArea` is merged with the neighbour
- * with which it shares the longest boundary.
+ * path over edges of at least three eighths of the angle. It must not meet the other crease at a
+ * small angle. A patch smaller than `minimumArea` is merged with the neighbour with which it shares
+ * the longest boundary.
  *
  * Returns one patch and no curves if no edge is sharp. It does so, too, if less than two thirds of
  * the sharp edges bound patches of more than a thousandth of the area: they are then noise, as in a

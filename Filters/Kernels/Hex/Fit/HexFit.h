@@ -33,8 +33,8 @@ struct FeatureDeviation
 FeatureDeviation CompareCreases(const Mesh& surface, const SurfaceFeatures& features,
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
 
-/// Samples positions along the surface's curves and returns the distance of each to the edges
-/// between quads of different patches, or to the whole boundary if it has a single patch.
+/// Samples positions along the surface's curves. Returns the distance of each to the edges between
+/// quads of different patches, or to the whole boundary if it has a single patch.
 SampledDistances ComputeDistancesToCurves(const Mesh& surface, const SurfaceFeatures& features,
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
 

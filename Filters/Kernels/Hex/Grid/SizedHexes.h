@@ -40,8 +40,8 @@ SizedGrid BuildSizedGrid(
 /// Throws InvalidInput unless each point of the surface has a positive, finite size.
 void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes);
 
-/// Returns the size of each quad (q), which is the square root of its area, divided by the wanted
-/// size at the point of the surface closest to the quad's centroid.
+/// Returns the size of each quad (q) divided by the wanted size. The size is the square root of the
+/// quad's area; the wanted size is taken at the point of the surface closest to its centroid.
 Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const Surface& surface, const Eigen::VectorXd& sizes);
 
