@@ -61,8 +61,8 @@ struct HexRemeshResult
  * creases and corners.
  *
  * Automatic first tries a polycube. It takes the result if the worst scaled Jacobian is at least
- * 0.3 and the distance to the surface at most 1 % of its diagonal. Otherwise it takes the better of
- * polycube and grid.
+ * 0.3 and the distance to the surface is at most 1 % of the box diagonal. Otherwise it takes the
+ * better of polycube and grid.
  *
  * Sizes prescribe the size of the grid's cells along the surface (BuildSizedHexahedra); the options
  * must not give a size then. Inner surfaces divide the solid into regions (MultiMaterialVoxels),
