@@ -303,7 +303,7 @@ without = shapetesting.copy(given)
 without.GetPointData().RemoveArray('SourcePosition')
 turned = shapetesting.copy(given)
 shapetesting.set_points(turned, points(given) @ numpy.array([[0.8, 0.6, 0], [-0.6, 0.8, 0], [0, 0, 1]]))
-for data, expected in ((without, "no point array 'SourcePosition'"), (turned, 'across an axis'),
+for data, expected in ((without, "no point array 'SourcePosition'"), (turned, 'perpendicular to an axis'),
                        (shapetesting.without_cells(given, [3]), 'open')):
     assert expected in made(torus, polycube=data)[2], (expected, made(torus, polycube=data)[2])
 assert 'away from the Surface' in made(ball, polycube=given)[2]

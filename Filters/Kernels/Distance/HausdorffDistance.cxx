@@ -11,7 +11,7 @@ namespace shape
 namespace
 {
 
-/// Where a surface is compared with others.
+/// The positions at which a surface is compared with others.
 struct ComparedPositions
 {
   Eigen::MatrixXd OfSurface; ///< k x 3

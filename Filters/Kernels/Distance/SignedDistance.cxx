@@ -22,7 +22,7 @@ constexpr double Flat = 1e-10;
 
 } // namespace
 
-/// NaN where a triangle is flat, or one beside the edge or the point.
+/// Pseudonormals; NaN if a triangle, or one adjacent to the edge or the point, is degenerate.
 struct SignedDistance::Pseudonormals
 {
   Eigen::MatrixXd OfTriangles; ///< m x 3

@@ -63,7 +63,7 @@ double ComputeTargetDistance(const Surface& boundary, const Eigen::MatrixXd& tar
   {
     throw InvalidInput("the Boundary has " + Described(from) + " and the Target has " +
       Described(onto) +
-      ": no map takes one onto the other without a tear; give a Target of the same genus, or "
+      ": no continuous one-to-one map between them exists; give a Target of the same genus, or "
       "close handles that are noise first");
   }
   const Eigen::VectorXd distances = SurfaceLocator(target).Find(targets, progress).Distances;

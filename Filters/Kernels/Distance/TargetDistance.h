@@ -7,13 +7,13 @@ namespace shape
 {
 
 /**
- * How far the images of a boundary's points lie from the target surface, root mean square, divided
- * by the longest side of the target: the error of the boundary map itself, which a harmonic map
- * inherits.
+ * Returns the root mean square distance of the images of a boundary's points from the target
+ * surface, divided by the longest edge of the target's bounding box. This is the error of the
+ * boundary map itself, which a harmonic map inherits.
  *
- * boundary: closed; targets (n x 3, finite): the images of its points. Throws InvalidInput if
- * the target is not closed, or its components have other genera than the boundary's: then no
- * continuous map takes one onto the other one to one; Aborted.
+ * boundary: closed. targets (n x 3, finite): the images of its points. Throws InvalidInput if the
+ * target is not closed, or if the genera of its components differ from the boundary's: no
+ * continuous one-to-one map between them exists then. Throws Aborted.
  */
 double ComputeTargetDistance(const Surface& boundary, const Eigen::MatrixXd& targets,
   const Surface& target, const Progress& progress = {});

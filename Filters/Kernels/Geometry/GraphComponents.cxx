@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// A way from a piece to another one.
+/// A link from a component to another one.
 struct Way
 {
   double Length = std::numeric_limits<double>::infinity();
@@ -39,13 +39,13 @@ int ConnectComponents(PointGraph& graph, const std::vector<int>& mainland, const
   {
     islands += pieces.Find(i) == i;
   }
-  --islands; // the mainland
+  --islands; // not counting the mainland
   if (islands == 0)
   {
     return 0;
   }
-  // In each round every island takes the shortest way to another piece (Boruvka's algorithm), so
-  // that few rounds are enough; the mainland need not look for one.
+  // In each round every island is linked to the nearest other component (Boruvka's algorithm), so
+  // few rounds are enough; the mainland need not search.
   const PointTree tree(graph.Positions);
   for (int left = islands; left > 0;)
   {

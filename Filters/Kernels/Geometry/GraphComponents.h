@@ -8,9 +8,9 @@ namespace shape
 {
 
 /**
- * Links each piece of a graph that no link joins to one of the nodes `mainland` to the nearest node
- * of another piece, until all are joined: the parts of a soup, loose points. Returns how many
- * pieces there were.
+ * Connects a graph. Components without a node in `mainland`, such as parts of a soup or loose
+ * points, are linked to the nearest node of another component until all are connected. Returns the
+ * original number of components.
  *
  * mainland: at least one node. Throws Aborted.
  */

@@ -8,34 +8,33 @@ namespace shape
 {
 
 /**
- * On which side of the plane through a, b, c the point d lies: 1 where the tetrahedron a b c d is
- * positive, (b - a) x (c - a) . (d - a) > 0, -1 where it is negative, 0 where the four points lie
- * in one plane.
+ * Returns on which side of the plane through a, b, c the point d lies: 1 if the tetrahedron a b c d
+ * is positive, (b - a) x (c - a) . (d - a) > 0; -1 if it is negative; 0 if the points are coplanar.
  *
- * Exact for the coordinates as they are: a floating-point filter decides where it can, else
- * expansions (Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
- * predicates", 1997) do. Coordinates must be finite; the sixth power of their differences must
- * neither over- nor underflow.
+ * Exact for the given coordinates: a floating-point filter decides if it can, otherwise expansions
+ * do (Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+ * predicates", 1997). Coordinates must be finite; the sixth power of their differences must neither
+ * overflow nor underflow.
  */
 int EvaluateOrientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
   const Eigen::RowVector3d& c, const Eigen::RowVector3d& d);
 
-/// The same in the plane: 1 where a, b, c run counter-clockwise, 0 where they lie on one line.
+/// The same in the plane: 1 if a, b, c are counter-clockwise, -1 if clockwise, 0 if collinear.
 int EvaluateOrientation(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c);
 
-/// 1 where d lies inside the circle through a, b, c, which run counter-clockwise; 0 on it. Exact as
-/// above; the fourth power of the differences must neither over- nor underflow.
+/// Returns 1 if d lies inside the circle through a, b, c (counter-clockwise), 0 on it, -1 outside.
+/// Exact as above; the fourth power of the differences must neither overflow nor underflow.
 int EvaluateInCircle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
   const Eigen::RowVector2d& c, const Eigen::RowVector2d& d);
 
-/// Whether the segment from a to b runs through the inside of a triangle whose corners run
-/// counter-clockwise: no line along a side of either has them on different sides. Exact as above.
+/// Whether the segment from a to b intersects the interior of a triangle with counter-clockwise
+/// corners: no line along an edge of either separates them. Exact as above.
 bool SegmentMeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
   const Eigen::Matrix<double, 3, 2>& triangle);
 
-/// The rows of triangles (m x 3) that do not run counter-clockwise between places (n x 2). Exact as
-/// above.
+/// Returns the rows of triangles (m x 3) that are not counter-clockwise at positions (n x 2). Exact
+/// as above.
 std::vector<int> FindInvertedTriangles(
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& positions);
 

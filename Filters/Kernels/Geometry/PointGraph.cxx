@@ -24,8 +24,8 @@ void RequireCorners(const Eigen::MatrixXi& elements, Eigen::Index points)
   if (elements.size() > 0 && (elements.minCoeff() < 0 || elements.maxCoeff() >= points))
   {
     const int wrong = elements.minCoeff() < 0 ? elements.minCoeff() : elements.maxCoeff();
-    throw InvalidInput("an element of the shape has the point " + std::to_string(wrong) +
-      ", but there are " + std::to_string(points) + " points; mend the connectivity");
+    throw InvalidInput("an element of the shape uses point " + std::to_string(wrong) +
+      ", but there are " + std::to_string(points) + " points; repair the connectivity");
   }
 }
 
@@ -100,7 +100,8 @@ void LinkLoosePoints(const PointGraph& graph, int nearest, std::vector<std::pair
   }
 }
 
-/// All in units of an area: lengths times, and volumes over, the mean length of a link.
+/// All weights have the unit of an area: lengths are multiplied, and volumes divided, by the mean
+/// length of a link.
 void AddWeights(PointGraph& graph, const Eigen::MatrixXi& lines, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXi& tetrahedra)
 {
@@ -197,7 +198,7 @@ void AddCurvatures(PointGraph& graph, const Eigen::MatrixXi& triangles)
   }
 }
 
-/// Triangles of three different nodes.
+/// Returns the triangles with three different nodes.
 Eigen::MatrixXi Unwelded(const Eigen::MatrixXi& triangles)
 {
   std::vector<int> kept;
@@ -293,7 +294,7 @@ PointGraph BuildPointGraph(
 {
   if (shape.Points.rows() == 0)
   {
-    throw InvalidInput("the shape has no points; give it some");
+    throw InvalidInput("the shape has no points; give a shape with points");
   }
   RequireFinite(shape.Points, "the shape");
   RequireExtent(shape.Points, "the shape");

@@ -11,8 +11,8 @@
 namespace shape
 {
 
-/// What a shape is made of, over common points (n x 3): a curve network, a surface or soup of
-/// triangles, a solid of tetrahedra, any mix of them, or points alone.
+/// The elements of a shape, over common points: a curve network, a surface or soup of triangles, a
+/// solid of tetrahedra, any mix of them, or points alone.
 struct ShapeElements
 {
   Eigen::MatrixXd Points;     ///< n x 3
@@ -23,57 +23,57 @@ struct ShapeElements
 
 struct PointGraphOptions
 {
-  int Nearest = 8; ///< neighbours of a point that no element joins to another
+  int Nearest = 8; ///< number of neighbours of a point that no element connects to another
 };
 
 /**
- * The points of a shape and who is next to whom, for what spreads over shapes of any kind: curves,
- * surfaces, solids, soups and point sets, manifold or not.
+ * The graph of a shape's points, for propagation over shapes of any kind: curves, surfaces, solids,
+ * soups and point sets, manifold or not.
  *
- * Nodes are the points, those at one place welded (FindPointsWithinTolerance). The neighbours of
- * node i are Neighbours[First[i]] ... Neighbours[First[i + 1] - 1], by number, Lengths[...] away.
+ * Nodes are the points; coincident ones are welded (FindPointsWithinTolerance). The neighbours of
+ * node i are Neighbours[First[i]] ... Neighbours[First[i + 1] - 1], ascending, at the distances
+ * Lengths[...].
  */
 struct PointGraph
 {
-  Eigen::MatrixXd Points;    ///< all of the shape, welded or not
+  Eigen::MatrixXd Points;    ///< all points of the shape, before welding
   Eigen::MatrixXd Positions; ///< n x 3
   std::vector<int> First;    ///< n + 1
   std::vector<int> Neighbours;
   std::vector<double> Lengths;
-  /// n: how much of the shape a node stands for (equation 8 of the paper below), so that a dense
-  /// spot counts no more than another: the area of the triangles, volume of the tetrahedra or
-  /// length of the lines around it; where there are none, the squared distance of its nearest
-  /// neighbour. 0 where all its elements are degenerate. Schmidt and Singh, "Drag-and-drop surface
-  /// composition".
+  /// n: how much of the shape a node represents (equation 8 of Schmidt and Singh, "Drag-and-drop
+  /// surface composition"), so that dense regions do not dominate. It is the area of the triangles,
+  /// volume of the tetrahedra or length of the lines around the node; if there are none, the
+  /// squared distance of its nearest neighbour. 0 if all its elements are degenerate.
   Eigen::VectorXd Weights;
-  /// n: the angles of the triangles around each node, less 2 pi, over a third of their area: the
-  /// Gaussian curvature but for its sign; 0 where that means nothing (borders, non-manifold nodes).
+  /// n: the absolute Gaussian curvature: the angle defect of the triangles around each node over a
+  /// third of their area. 0 where it is undefined (boundaries, non-manifold nodes).
   Eigen::VectorXd Curvatures;
   Eigen::MatrixXd Normals;  ///< n x 3: unit normals of the triangles around each node, or 0
-  Eigen::VectorXi NodeOf;   ///< points: the node of each
+  Eigen::VectorXi NodeOf;   ///< for each point of the shape, its node
   std::vector<int> PointOf; ///< n: the first point of each node
   double MeanLength = 0.0;  ///< ComputeMeanLinkLength
 
   int Size() const { return static_cast<int>(this->Positions.rows()); }
 };
 
-/// The graph of a shape. Throws InvalidInput where there is no point, a coordinate is not finite,
-/// the longest side of their box is neither 0 nor between 1e-50 and 1e50, or an element has a point
-/// out of range; Aborted.
+/// Builds the graph of a shape. Throws InvalidInput if there is no point, a coordinate is not
+/// finite, or an element has a point out of range. The longest edge of the bounding box must be 0
+/// or between 1e-50 and 1e50. Throws Aborted.
 PointGraph BuildPointGraph(
   const ShapeElements& shape, const PointGraphOptions& options = {}, const Progress& progress = {});
 
-/// The graph of a surface.
+/// Builds the graph of a surface.
 PointGraph BuildPointGraph(const Mesh& surface, const PointGraphOptions& options = {});
 
-/// Replaces the links of a graph by these pairs of different nodes, in any order, some perhaps
-/// twice, with the lengths of the straight ways between them.
+/// Replaces the links of a graph by these pairs of different nodes, in any order, possibly with
+/// repeats. Lengths are the straight distances.
 void SetLinks(PointGraph& graph, std::vector<std::pair<int, int>> links);
 
-/// The mean length of the links, each node's counting by its weight; 0 where there are none.
+/// Returns the mean length of the links, weighted by the nodes' weights; 0 if there are none.
 double ComputeMeanLinkLength(const PointGraph& graph);
 
-/// The links of a graph, each once, the lower node first, in order.
+/// Returns the links of a graph without repeats, the lower node first, in ascending order.
 std::vector<std::pair<int, int>> ListLinks(const PointGraph& graph);
 
 } // namespace shape

@@ -26,10 +26,9 @@ double Random(std::mt19937_64& generator)
   return static_cast<double>(generator() >> 11) * 0x1p-53;
 }
 
-/// The density of adaptive samples where the surface is flat, and the most it may be where it
-/// bends, as shares of the mean. Stronger contrasts starve the flat parts: on TwoTorus, its
-/// polycube and a scanned bear, 0.3 was worse than 0.5 by up to a tenth in the boundary error of
-/// the harmonic map.
+/// The density of adaptive samples in flat parts, and its maximum in curved parts, relative to the
+/// mean. A stronger contrast leaves too few points in flat parts: on TwoTorus, its polycube and a
+/// scanned bear, 0.3 increased the boundary error of the harmonic map by up to a tenth over 0.5.
 constexpr double MinimumDensity = 0.5, MaximumDensity = 4.0;
 
 /// Points spread at random over a surface, with the normals of their triangles.
@@ -61,7 +60,7 @@ RandomPoints SpreadAtRandom(const Mesh& surface, int count, unsigned int seed)
   return spread;
 }
 
-/// Coordinates of a point side by side, as the search visits them.
+/// The coordinates of points in the contiguous order in which the search visits them.
 using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<PointRows, 3>;
 using Neighbours = std::vector<std::pair<Eigen::Index, double>>; // row, squared distance
@@ -74,8 +73,8 @@ void FindWithin(
     centre.data(), radius * radius, found, nanoflann::SearchParams(32, 0.0f, false));
 }
 
-/// How much the surface bends within `radius` of each point: the root mean square of the
-/// differences between the normals there, 0 where it is flat.
+/// Returns the curvature within `radius` of each point: the root mean square difference of the
+/// normals there, 0 where the surface is flat.
 Eigen::VectorXd Bending(const RandomPoints& spread, double radius, const Progress& progress)
 {
   const int n = static_cast<int>(spread.Points.rows());
@@ -95,7 +94,7 @@ Eigen::VectorXd Bending(const RandomPoints& spread, double radius, const Progres
         {
           sum += (spread.Normals.row(i) - spread.Normals.row(j)).squaredNorm();
         }
-        bending(i) = std::sqrt(sum / found.size()); // itself is among them
+        bending(i) = std::sqrt(sum / found.size()); // includes the point itself
       }
     },
     progress);
@@ -120,8 +119,8 @@ Eigen::MatrixXd SampleSurface(
   Eigen::VectorXd radii = Eigen::VectorXd::Constant(candidates, radius);
   if (mode == SamplingMode::GeometryAdaptive)
   {
-    // Facets of size h stray from a surface of curvature k by k h^2 / 8, the same everywhere where
-    // their number goes with k: with the bending within a given radius.
+    // Facets of size h deviate from a surface of curvature k by k h^2 / 8. This is uniform if their
+    // density is proportional to k, measured as the bending within a fixed radius.
     const Eigen::VectorXd bending = Bending(spread, 2.0 * radius, progress.Part(0.0, 0.3));
     Eigen::ArrayXd density = bending.array().max(1e-6) / std::max(bending.mean(), 1e-6);
     density = density.max(MinimumDensity).min(MaximumDensity);
@@ -162,7 +161,7 @@ Eigen::VectorXi EliminateSamples(
   const Eigen::MatrixXd& points, const Eigen::VectorXd& radii, int count, const Progress& progress)
 {
   const int n = static_cast<int>(points.rows());
-  // Yuksel 2015, section 3: no two are counted as closer than this share of their radii's sum.
+  // Yuksel 2015, section 3: a lower bound of distances, as a fraction of the sum of the radii.
   const double closest = 0.65 * (1.0 - std::pow(static_cast<double>(count) / n, 1.5));
   const PointRows rows = points;
   const Tree tree(3, std::cref(rows), 10);
@@ -250,7 +249,7 @@ Eigen::VectorXd ComputeSampledAreas(const Eigen::MatrixXd& points)
     areas(i) = sum * sum;
   }
   const double mean = areas.mean();
-  if (!(mean > 0.0)) // all at one place
+  if (!(mean > 0.0)) // all points coincide
   {
     return Eigen::VectorXd::Ones(n);
   }

@@ -59,8 +59,8 @@ bool Contains(const std::array<RowVector2d, 3>& t, const RowVector2d& p)
   return low >= 0 || high <= 0;
 }
 
-/// Whether the segment p q passes from one side of the line a b to the other between a and b. Of
-/// the sides of a triangle that p q meets, with both ends outside, one at least is passed so.
+/// Whether the segment p q crosses the line a b between a and b. If p q meets a triangle and both
+/// ends are outside, it crosses at least one of the triangle's edges in this way.
 bool Cross(const RowVector2d& p, const RowVector2d& q, const RowVector2d& a, const RowVector2d& b)
 {
   return EvaluateOrientation(p, q, a) * EvaluateOrientation(p, q, b) <= 0 &&
@@ -152,7 +152,7 @@ struct Search
       this->Found.push_back({ std::min(this->Number, other), std::max(this->Number, other),
         mine.intersection(its).center().transpose() });
     }
-    return false; // go on
+    return false; // continue the search
   }
   // NOLINTEND(readability-identifier-naming)
 };

@@ -8,37 +8,37 @@
 namespace shape
 {
 
-/// Two triangles that have more in common than the corners and the edge they share.
+/// Two triangles that intersect beyond their shared corners and edge.
 struct Crossing
 {
   int First = -1;              ///< a triangle
   int Second = -1;             ///< a later triangle
-  Eigen::RowVector3d Position; ///< the middle of what their boxes have in common
+  Eigen::RowVector3d Position; ///< the centre of the intersection of their bounding boxes
 };
 
 /**
- * Whether two triangles have more in common than the corners and the edge they share, by exact
- * orientations (Geometry/Orientation.h). Points are shared by index. A flat triangle that shares no
- * point counts as its edges, and does not meet another flat one.
+ * Whether two triangles intersect beyond their shared corners and edge, decided by exact
+ * orientations (Geometry/Orientation.h). Points are shared by index. A degenerate triangle that
+ * shares no point is treated as its edges, and never intersects another degenerate one.
  */
 bool DoTrianglesIntersect(const Mesh& mesh, int first, int second);
 
-/// The triangles whose corners lie on one line, in order. Exact.
+/// Returns the triangles with collinear corners, ascending. Exact.
 std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
 
 /**
- * Every pair of triangles of a surface that cross, touch, overlap or coincide beyond the corners
- * and the edge they share, in the order of First, then Second.
+ * Finds every pair of triangles of a surface that cross, touch, overlap or coincide beyond their
+ * shared corners and edge, ordered by First, then Second.
  *
- * A hierarchy of boxes finds the candidates, exact orientations (Geometry/Orientation.h) decide: a
- * pair is listed if and only if the triangles meet. Points are shared by index: join points at the
- * same position first. mesh: any triangles, none of them in FindDegenerateTriangles. Throws
- * Aborted.
+ * A hierarchy of boxes finds the candidates, and exact orientations (Geometry/Orientation.h)
+ * decide: a pair is listed if and only if the triangles intersect. Points are shared by index, so
+ * coincident points must be joined first. mesh: any triangles except those of
+ * FindDegenerateTriangles. Throws Aborted.
  */
 std::vector<Crossing> FindSelfIntersections(const Mesh& mesh, const Progress& progress = {});
 
-/// The same of pairs whose second triangle is `first` or a later one. It stops soon after it has
-/// found `maximum` of them.
+/// The same for pairs whose second triangle is `first` or a later one. Stops soon after `maximum`
+/// pairs are found.
 std::vector<Crossing> FindSelfIntersectionsFrom(
   const Mesh& mesh, int first, int maximum, const Progress& progress = {});
 

@@ -20,7 +20,7 @@ bool HasPointTwice(const Eigen::RowVector3i& triangle)
   return triangle(0) == triangle(1) || triangle(1) == triangle(2) || triangle(2) == triangle(0);
 }
 
-/// Of each point the first one of those that are welded to it.
+/// Returns, for each point, the first of those that are welded to it.
 std::vector<int> FirstOfEach(const Mesh& surface, const std::vector<int>& placeOf)
 {
   const auto points = static_cast<int>(placeOf.size());
@@ -36,7 +36,7 @@ std::vector<int> FirstOfEach(const Mesh& surface, const std::vector<int>& placeO
   }
   sound.conservativeResize(count, 3);
   const std::vector<HalfEdge> sides = SortHalfEdges(sound, points);
-  std::vector<std::pair<std::array<int, 2>, std::array<int, 2>>> alone; // places, points
+  std::vector<std::pair<std::array<int, 2>, std::array<int, 2>>> alone; // positions, points
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
     while (end < sides.size() && sides[end].Low() == sides[begin].Low() &&
@@ -77,8 +77,8 @@ std::vector<int> FirstOfEach(const Mesh& surface, const std::vector<int>& placeO
   return first;
 }
 
-/// The points, those that no triangle uses at the place of one that is used: so that they neither
-/// count for the size nor for anything else.
+/// Returns the points, with unused ones moved to the position of a used one, so that they affect
+/// neither the size nor anything else.
 Eigen::MatrixXd WithUnusedAside(const Mesh& surface)
 {
   std::vector<bool> isUsed(surface.Points.rows(), false);

@@ -11,31 +11,32 @@
 namespace shape
 {
 
-/// Points nearer than this share of the diagonal of their box are at one place.
+/// Points closer than this fraction of their bounding box's diagonal are coincident.
 constexpr double WeldTolerance = 1e-9;
 
-/// Of each point (n x 3, finite) the first one at its place: itself, mostly. Throws Aborted.
+/// Returns, for each point (n x 3, finite), the first point coincident with it, usually itself.
+/// Throws Aborted.
 std::vector<int> FindPointsWithinTolerance(
   const Eigen::MatrixXd& points, const Progress& progress = {});
 
 /**
- * A surface whose seams are closed: sides of triangles that are alone between their points become
- * one where their ends are at the same places, and so do the ends of sides that have no length. So
- * a soup hangs together as the surface that it is, while points that only touch stay apart. A
- * welded point is where the first one is. Triangles of fewer than three points are left out.
+ * A surface whose seams are closed. Two boundary edges are welded if their ends are coincident, and
+ * so are the ends of an edge without length. A triangle soup thus becomes the connected surface
+ * that it represents, while points that only touch stay separate. A welded point has the position
+ * of the first one. Triangles with fewer than three distinct points are removed.
  */
 struct WeldedSurface
 {
-  /// Points that no triangle uses do not count for the tolerance. Throws InvalidInput where there
-  /// is no triangle of three places, an index is out of range or a coordinate, of those points too,
-  /// is not finite; Aborted. name: what an error calls the surface.
+  /// Points that no triangle uses do not affect the tolerance. Throws InvalidInput if no triangle
+  /// has three distinct positions, an index is out of range, or a coordinate (also of an unused
+  /// point) is not finite; Aborted. name: used for the surface in messages.
   explicit WeldedSurface(
     const Mesh& surface, const Progress& progress = {}, const std::string& name = "the surface");
 
-  Mesh Surface;               ///< the same points; triangles of three different ones
-  std::vector<int> Triangles; ///< of each: the given one
-  std::vector<int> First;     ///< of each point: the one that stands for those welded to it
-  int WeldedPoints = 0;       ///< that another one stands for
+  Mesh Surface;               ///< the same points; triangles of three distinct points
+  std::vector<int> Triangles; ///< the original index of each triangle
+  std::vector<int> First;     ///< for each point, the point it is welded to, or itself
+  int WeldedPoints = 0;       ///< the number of points replaced by another one
 };
 
 } // namespace shape

@@ -40,7 +40,7 @@ RowVector3d WeightedNormal(const Eigen::MatrixXd& points, const Eigen::RowVector
   }
 }
 
-/// Normals of points, areas around them and their rings, found where they are asked for.
+/// Computes normals of points, areas around them and their rings on demand.
 class Neighbourhoods
 {
 public:
@@ -123,8 +123,8 @@ private:
   std::map<int, RowVector3d> Vectors;
 };
 
-/// The slopes (x, y) at the origin of the paraboloid that fits places (n x 3) best, the differences
-/// in z times their weights.
+/// Returns the slopes (x, y) at the origin of the paraboloid that best fits positions (n x 3): it
+/// minimises the weighted differences in z.
 Eigen::RowVector2d SlopesOfParaboloid(
   const Eigen::MatrixXd& positions, const Eigen::VectorXd& weights)
 {
@@ -199,7 +199,7 @@ RowVector3d MeanAround(const PointGraph& graph, const Eigen::MatrixXd& normals, 
   return mean;
 }
 
-/// Gives nodes without a normal that of their neighbours, from those that have one outwards.
+/// Gives nodes without a normal that of their neighbours, spreading from nodes that have one.
 void FillNormals(const PointGraph& graph, Eigen::MatrixXd& normals)
 {
   std::vector<int> without;

@@ -12,20 +12,19 @@
 namespace shape
 {
 
-/// By what the normals of the triangles around a vertex are weighted. A surface's own normals
-/// (Surface::PointNormals) are those by angle.
+/// The weights of the normals of the triangles around a vertex. Surface::PointNormals uses Angle.
 enum class NormalWeight
 {
-  Area,  ///< of the triangle
-  Angle, ///< at the vertex: independent of how planar faces are triangulated
-  Max    ///< the sine of that angle over the lengths of its edges (Max, "Weights for computing
-      ///< vertex normals from facet normals", 1999): exact inside a surface whose vertices lie on
-      ///< a sphere, whatever the triangles
+  Area,  ///< the area of the triangle
+  Angle, ///< the angle at the vertex: independent of how planar faces are triangulated
+  Max    ///< the sine of that angle over the product of its edges' lengths (Max, "Weights for
+         ///< computing vertex normals from facet normals", 1999): exact for any triangles whose
+         ///< vertices lie on a sphere, except on the boundary
 };
 
 ///@{
-/// Unit normals of a surface at all vertices (n x 3), or at some (k x 3), given the fans of its
-/// triangles. Zero where no triangle has an area.
+/// Returns unit normals of a surface at all vertices (n x 3), or at some (k x 3), given the fans of
+/// its triangles. A normal is zero if no triangle around the vertex has an area.
 Eigen::MatrixXd ComputeVertexNormals(const Mesh& surface, NormalWeight weight);
 Eigen::MatrixXd ComputeVertexNormals(const Eigen::MatrixXd& points,
   const Eigen::MatrixXi& triangles, const TriangleFans& fans, const std::vector<int>& vertices,
@@ -33,27 +32,28 @@ Eigen::MatrixXd ComputeVertexNormals(const Eigen::MatrixXd& points,
 ///@}
 
 /**
- * Unit normals of a surface at vertices on its boundary (k x 3), where a mean of the triangles'
- * normals would be the normal at a position inside. A paraboloid is fitted to the two rings of
- * vertices around each, weighted by the area around them (Cazals and Pouget, "Estimating
- * differential quantities using polynomial fitting of osculating jets", 2005), without those of
- * triangles that face the other way. If there are too few of them, or if the paraboloid turns the
- * normal by more than 60 degrees, the result is the normal weighted by area; zero if the triangles
- * have no area.
+ * Returns unit normals at vertices on a surface's boundary (k x 3), where the mean of the
+ * triangles' normals would be biased towards the inside.
  *
- * Exact for planes; of third order in the edge length for spheres. fans: of the surface's
+ * A paraboloid is fitted to the two rings of vertices around each, weighted by the area around them
+ * (Cazals and Pouget, "Estimating differential quantities using polynomial fitting of osculating
+ * jets", 2005). Vertices of triangles that face the other way are ignored. If there are too few
+ * vertices, or if the paraboloid turns the normal by more than 60 degrees, the result is the normal
+ * weighted by area; zero if the triangles have no area.
+ *
+ * Exact for planes; of third order in the edge length for spheres. fans: those of the surface's
  * triangles.
  */
 Eigen::MatrixXd ComputeBoundaryNormals(
   const Mesh& surface, const TriangleFans& fans, const std::vector<int>& vertices);
 
 /**
- * Smooths unit normals at the nodes of a graph (n x 3): each round replaces a normal by the mean of
- * itself and those of its neighbours. Neighbours are weighted by their inverse distances; the
- * node's own normal counts as much as the nearest neighbour's.
+ * Smooths unit normals at the nodes of a graph (n x 3). Each round replaces a normal by the
+ * weighted mean of itself and those of its neighbours. The weights are inverse distances; the node
+ * itself has the weight of its nearest neighbour.
  *
- * First, a node whose normal is zero gets the mean of its neighbours', or (0, 0, 1) if no node
- * connected to it has one. Throws Aborted.
+ * First, a node whose normal is zero gets the mean of its neighbours' normals, or (0, 0, 1) if no
+ * node connected to it has one. Throws Aborted.
  */
 Eigen::MatrixXd SmoothNormals(
   const PointGraph& graph, Eigen::MatrixXd normals, int rounds, const Progress& progress = {});

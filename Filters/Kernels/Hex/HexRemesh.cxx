@@ -21,13 +21,13 @@ namespace
 
 using MethodType = HexRemeshOptions::MethodType;
 
-/// What hexahedra of a polycube have to be to be taken without a look at those of a grid.
+/// Hexahedra of a polycube that are this good are accepted without comparison with a grid.
 constexpr double MinimumScaledJacobian = 0.3, LargestDistance = 0.01;
 
-/// Who gives a size gets as many as it makes, as far as their corners can be numbered.
+/// With a given size the number of hexahedra is limited only by the range of corner indices.
 constexpr int MaximumOfGivenSize = std::numeric_limits<int>::max() / 64;
 
-/// The options of one way to hexahedra.
+/// Returns the options of one method.
 template <typename MethodOptions>
 MethodOptions OfMethod(const HexMeshOptions& options)
 {
@@ -59,8 +59,8 @@ HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
   return result;
 }
 
-/// With smaller cells where creases are farther than wanted, if there may be this many and they are
-/// nearer then: the distance falls with the square of the size.
+/// Uses smaller cells if creases are farther than wanted, the maximum allows it, and the distance
+/// falls: it is proportional to the square of the size.
 PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions options,
   PolycubeHexesResult coarse, const Progress& progress)
 {
@@ -88,12 +88,12 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
   }
   catch (const SolveFailure&)
   {
-    // No polycube of such cells: those there are will do.
+    // There is no polycube of such cells; the coarse result is kept.
   }
   return coarse;
 }
 
-/// As grids are, by BuildGridHexahedra.
+/// Snaps to the surface in the same way as BuildGridHexahedra.
 void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress)
 {
   SnappingOptions options;
@@ -144,7 +144,7 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   return result;
 }
 
-/// Valid ones are better than others, then those with creases, then those that are nearer.
+/// Valid hexahedra are better than others, then those with creases, then those that are closer.
 bool IsBetter(const HexFit& one, const HexFit& other)
 {
   if ((one.Inverted > 0) != (other.Inverted > 0))
@@ -180,7 +180,7 @@ HexRemeshResult ByTheBetter(
   {
     why = failure.what();
   }
-  catch (const InvalidInput& failure) // by Tetrahedralize, which asks for more than a grid does
+  catch (const InvalidInput& failure) // by Tetrahedralize, which requires more than a grid
   {
     why = failure.what();
   }
@@ -213,7 +213,7 @@ void RequireOneSize(const HexRemeshOptions& options)
   {
     throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
       " and CellsOnLongestSide is " + std::to_string(options.CellsOnLongestSide) +
-      ", which both give the size of cells; set one of them to 0");
+      ", but only one of them can give the size of the cells; set the other to 0");
   }
 }
 
@@ -222,7 +222,7 @@ bool NeedsGrid(const HexRemeshGuides& guides)
   return guides.Sizes.size() > 0 || !guides.InnerSurfaces.empty();
 }
 
-/// Throws where options contradict the guides.
+/// Throws if options contradict the guides.
 void RequireAgreement(
   const Surface& surface, const HexRemeshOptions& options, const HexRemeshGuides& guides)
 {
@@ -231,7 +231,7 @@ void RequireAgreement(
     RequireSizes(surface, guides.Sizes);
     if (options.CellSize > 0.0 || options.CellsOnLongestSide > 0)
     {
-      throw InvalidInput("a SizeArray is given, and CellSize or CellsOnLongestSide, too; set these "
+      throw InvalidInput("a SizeArray and also CellSize or CellsOnLongestSide are given; set these "
                          "to 0, or give no SizeArray");
     }
   }
@@ -243,8 +243,8 @@ void RequireAgreement(
     (NeedsGrid(guides) || options.Method == MethodType::Grid))
   {
     throw InvalidInput(
-      "a Polycube is given, but Method Grid, a SizeArray and InnerSurfaces take the "
-      "cells of a grid; disconnect it, or leave the others");
+      "a Polycube is given, but Method Grid, a SizeArray and InnerSurfaces use the "
+      "cells of a grid; disconnect the Polycube, or remove the others");
   }
 }
 

@@ -19,7 +19,7 @@ namespace
 constexpr int None = -1;
 constexpr int Tangled = -2;
 
-/// The sides of triangles, and what lies beside them.
+/// The half-edges of triangles, and their twins.
 class BoundaryWalk
 {
 public:
@@ -39,7 +39,7 @@ public:
       }
     }
     this->FindTwins(sides, [&](int side) { return this->Begin(side); });
-    // Seams whose points are doubled.
+    // Seams whose points are duplicated.
     sides.erase(std::remove_if(
                   sides.begin(), sides.end(), [&](int side) { return this->Twins[side] != None; }),
       sides.end());
@@ -75,8 +75,8 @@ private:
   int BeginPosition(int side) const { return this->Position[this->Begin(side)]; }
   int EndPosition(int side) const { return this->Position[this->End(side)]; }
 
-  /// Of sides between the same two points, two that run against each other are twins; one alone is
-  /// on the border; what is beside the others is unclear.
+  /// Among half-edges between the same two points, two of opposite direction are twins. A single
+  /// one is on the boundary. The twins of the others are undefined.
   template <typename PointOf>
   void FindTwins(const std::vector<int>& sides, const PointOf& pointOf)
   {
@@ -88,7 +88,7 @@ private:
         return this->High != other.High ? this->High < other.High : this->Side < other.Side;
       }
     };
-    // Few share their lower point: counted first, they are sorted in no time.
+    // Few share their lower point, so a counting pass makes the sort fast.
     std::vector<int> first(this->Position.size() + 1, 0);
     const auto endsOf = [&](int side)
     {
@@ -137,8 +137,8 @@ private:
     }
   }
 
-  /// The side of the border after this one: around the same fan of triangles, where that is tangled
-  /// the first one left at the place, or None.
+  /// Returns the next boundary half-edge: around the same fan of triangles or, if that is
+  /// ambiguous, the first one left at the position; None if there is none.
   int Next(int side)
   {
     int next = NextHalfEdge(side);
@@ -171,11 +171,11 @@ private:
     return chain;
   }
 
-  /// Takes the closed loops without a place twice out of a chain.
+  /// Extracts from a chain the closed loops that contain no position twice.
   void Split(const std::vector<int>& chain, BoundaryLoops& boundary)
   {
-    std::vector<int> open;                // sides
-    std::unordered_map<int, int> visited; // place -> where in `open` a side leaves it
+    std::vector<int> open;                // half-edges
+    std::unordered_map<int, int> visited; // position -> index in `open` of a half-edge from it
     for (const int side : chain)
     {
       visited.try_emplace(this->BeginPosition(side), static_cast<int>(open.size()));
@@ -197,7 +197,7 @@ private:
     boundary.UnclosedSides += static_cast<int>(open.size());
   }
 
-  /// Sides that close a loop; both of doubled points are in it.
+  /// Adds half-edges that form a closed loop; both of two duplicated points are part of it.
   void Add(const std::vector<int>& sides, BoundaryLoops& boundary) const
   {
     std::vector<int> loop;
@@ -240,10 +240,10 @@ private:
   }
 
   const Mesh& Surface;
-  std::vector<int> Position;                         ///< of each point
-  std::vector<int> Twins;                            ///< of each side
-  std::vector<bool> Used;                            ///< sides
-  std::unordered_map<int, std::vector<int>> Leaving; ///< place -> sides of the border
+  std::vector<int> Position;                         ///< the position of each point
+  std::vector<int> Twins;                            ///< the twin of each half-edge
+  std::vector<bool> Used;                            ///< whether each half-edge is in a chain
+  std::unordered_map<int, std::vector<int>> Leaving; ///< position -> boundary half-edges from it
 };
 
 } // namespace
@@ -255,7 +255,7 @@ BoundaryLoops FindBoundaryLoops(const Mesh& surface)
     if (surface.Triangles.row(t).minCoeff() < 0 ||
       surface.Triangles.row(t).maxCoeff() >= surface.Points.rows())
     {
-      throw InvalidInput("triangle " + std::to_string(t) + " names a point that does not exist");
+      throw InvalidInput("triangle " + std::to_string(t) + " uses a point that does not exist");
     }
   }
   return BoundaryWalk(surface).Find();

@@ -7,26 +7,28 @@
 namespace shape
 {
 
-/// The border of a set of triangles.
+/// The boundary of a set of triangles.
 struct BoundaryLoops
 {
-  /// The points of each closed loop as the triangles run through them, with the surface to the
-  /// left; no loop has a point twice. The longest first, equally long ones in the order of their
-  /// first points; each starts at its first point by number.
+  /// The points of each closed loop in the direction of the triangles (the surface lies to the
+  /// left); no loop contains a point twice. The longest comes first; loops of equal length are
+  /// ordered by their first points. Each starts at its point of lowest index.
   std::vector<std::vector<int>> Loops;
-  int UnclosedSides = 0; ///< sides of triangles on the border that are part of no closed loop
+  int UnclosedSides = 0; ///< boundary edges that belong to no closed loop
 };
 
 /**
- * The loops of border around the holes of any triangles, manifold or not: FindManifoldBoundaryLoops
- * for surfaces of which nothing is known. A side is on the border where no other triangle has the
- * edge, nor one between points at the same places: a seam whose points are doubled is no border.
- * Where the border meets itself at a point (two holes that share it) it goes on along the same fan
- * of triangles, and is split there into loops that touch: filled, they leave a manifold. Where the
- * points there are doubled, both are in the loop, one after the other, so that the fills match
- * theirs by number. Triangles with a point twice count as if they were not there.
+ * Finds the boundary loops around the holes of any triangles, manifold or not. For manifolds, use
+ * FindManifoldBoundaryLoops. An edge is on the boundary if no other triangle has an edge between
+ * the same points or points at the same positions; a seam of duplicated points is therefore no
+ * boundary.
  *
- * Throws InvalidInput where an index is out of range.
+ * Where the boundary meets itself at a point (two holes share it), it continues along the same fan
+ * of triangles and is split into loops that touch there; if these are filled, the result is a
+ * manifold. If the points there are duplicated, a loop contains both, consecutively, so that the
+ * fill uses the same indices. Triangles that use a point twice are ignored.
+ *
+ * Throws InvalidInput if an index is out of range.
  */
 BoundaryLoops FindBoundaryLoops(const Mesh& surface);
 

@@ -5,7 +5,7 @@
 namespace shape
 {
 
-/// What kinds of cells are called, numbered as in VTK.
+/// Names of the kinds of cells, numbered as in VTK.
 namespace cell_kind
 {
 inline constexpr int Vertex = 1, Line = 3, Triangle = 5, Quadrilateral = 9, Tetrahedron = 10,
@@ -16,7 +16,7 @@ inline constexpr int Vertex = 1, Line = 3, Triangle = 5, Quadrilateral = 9, Tetr
  * Cells of any kinds over common points: a solid, or a surface of polygons.
  *
  * Points: n x 3. Cell c has the points Corners(Offsets(c)), ..., Corners(Offsets(c + 1) - 1), in
- * the order of its kind: those of cell_kind, or another of VTK's.
+ * VTK's order for its kind: one of cell_kind, or another VTK type.
  */
 struct Cells
 {

@@ -7,7 +7,7 @@
 namespace shape
 {
 
-/// Of each point (n x d) the first one at exactly the same place: itself, mostly.
+/// Returns, for each point (n x d), the first point at exactly the same position, usually itself.
 std::vector<int> FindCoincidentPoints(const Eigen::MatrixXd& points);
 
 } // namespace shape

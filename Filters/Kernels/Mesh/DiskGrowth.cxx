@@ -24,12 +24,12 @@ std::vector<int> GrowDisk(const Eigen::MatrixXi& triangles, Eigen::Index points)
         sharedSide = side;
       }
     }
-    // Along one side: the corner across must be new, or the disk would touch itself there. Along
-    // two, the corner between them comes inside. With all three it would become a sphere.
+    // With one shared edge, the opposite corner must be new, or the disk would touch itself there.
+    // With two, the corner between them becomes an inner point. With three, a sphere would result.
     return shared == 2 ||
       (shared == 1 && !isMet[triangles(triangle, PreviousHalfEdge(sharedSide) % 3)]);
   };
-  // Those next to the disk; one that cannot join waits for its next neighbour.
+  // Triangles next to the disk; one that cannot join is queued again by its next neighbour.
   std::priority_queue<int, std::vector<int>, std::greater<>> front;
   const auto add = [&](int triangle)
   {

@@ -19,7 +19,7 @@ CutTriangles SplitEdges(
   std::vector<Eigen::RowVector3i> parts;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
-    // Cut at one of its edges, and the parts at the others.
+    // Split at one of its edges; the parts are then split at the others.
     std::size_t part = parts.size();
     parts.emplace_back(triangles.row(t));
     for (; part < parts.size(); ++part)

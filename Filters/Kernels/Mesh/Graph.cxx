@@ -30,7 +30,7 @@ Graph BuildEdgeGraph(const Surface& surface)
   graph.Neighbours.resize(2 * edges.size());
   graph.Lengths.resize(2 * edges.size());
   std::vector<int> next = graph.First;
-  // In the order of their lower ends: so each node's neighbours are in ascending order.
+  // Sorted by lower ends, so that each node's neighbours are in ascending order.
   for (const HalfEdge& edge : edges)
   {
     const double length = (points.row(edge.Low()) - points.row(edge.High())).norm();

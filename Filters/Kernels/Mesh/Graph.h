@@ -15,22 +15,22 @@
 namespace shape
 {
 
-/// A graph whose links have lengths, in compressed rows: node i is linked with Neighbours[k], at
+/// A graph whose edges have lengths, in compressed rows. Node i is connected to Neighbours[k], with
 /// the length Lengths[k], for each k from First[i] to First[i + 1] - 1.
 struct Graph
 {
   std::vector<int> First;      ///< n + 1
-  std::vector<int> Neighbours; ///< of each node in ascending order
+  std::vector<int> Neighbours; ///< for each node, in ascending order
   std::vector<double> Lengths; ///< >= 0
 
   int Size() const { return static_cast<int>(this->First.size()) - 1; }
 };
 
-/// The points and edges of a surface, built once and kept with it. Throws InvalidInput as
-/// RequireIndices.
+/// Returns the graph of a surface's points and edges, which is computed once and cached in the
+/// surface. Throws InvalidInput under the conditions of RequireIndices.
 std::shared_ptr<const Graph> GetEdgeGraph(const Surface& surface);
 
-/// Nodes that paths start from, and the distance that each starts with.
+/// The nodes where paths start, and the initial distance of each.
 struct GraphSources
 {
   std::vector<int> Nodes;
@@ -41,11 +41,11 @@ struct GraphSources
  * Dijkstra's algorithm ("A note on two problems in connexion with graphs", 1959): visits the nodes
  * of a graph in ascending order of their distance from the sources.
  *
- * distances (n): lowered where a path from the sources is shorter; infinite ones stay so if no path
- * leads there. extend(distance, k): the distance at the end of link k from that at its start, not
- * less than it; infinite if the link is closed. reach(node, before): called whenever a distance is
- * lowered, with the node before it on the path, or -1. settle(node): called when a distance is
- * final; the search ends if it returns true.
+ * distances (n): lowered where a path from the sources is shorter; unreachable nodes keep their
+ * value. extend(distance, k): returns the distance at the end of edge k from that at its start,
+ * which must not be smaller; infinity if the edge is closed. reach(node, before): called whenever a
+ * distance is lowered, with the previous node on the path, or -1. settle(node): called when a
+ * distance is final; returns true to end the search.
  */
 template <typename Extend, typename Reach, typename Settle>
 void RunDijkstra(const Graph& graph, const GraphSources& sources, Eigen::VectorXd& distances,
@@ -85,13 +85,13 @@ void RunDijkstra(const Graph& graph, const GraphSources& sources, Eigen::VectorX
   }
 }
 
-/// Lowers distances (n) to the lengths of shortest paths from the sources where these are less, and
-/// searches no farther. Throws Aborted.
+/// Lowers distances (n) to the lengths of shortest paths from the sources, wherever these are
+/// shorter; the search does not continue beyond. Throws Aborted.
 void LowerDistances(const Graph& graph, const GraphSources& sources, Eigen::VectorXd& distances,
   const Progress& progress = {});
 
-/// The shortest path between two nodes, both ends included; empty if there is none. extend: as in
-/// RunDijkstra.
+/// Returns the shortest path between two nodes, including both; empty if there is none. extend: as
+/// in RunDijkstra.
 std::vector<int> FindShortestPath(
   const Graph& graph, int from, int to, const std::function<double(double, int)>& extend);
 

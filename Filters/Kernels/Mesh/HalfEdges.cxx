@@ -23,7 +23,7 @@ std::vector<HalfEdge> SortHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Ind
       }
     }
   };
-  // Few share their lower point: counted first, they are sorted in no time.
+  // Few share their lower point, so a counting pass makes the sort fast.
   std::vector<int> start(points + 1, 0);
   forAll([&](const HalfEdge& edge) { ++start[edge.Low() + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());

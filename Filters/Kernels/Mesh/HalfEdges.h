@@ -8,7 +8,7 @@
 namespace shape
 {
 
-/// One triangle's side, from the point Begin at its corner Corner to End at the next one.
+/// An edge of one triangle, from the point Begin at its corner Corner to the point End at the next.
 struct HalfEdge
 {
   int Begin;
@@ -19,19 +19,19 @@ struct HalfEdge
   int High() const { return std::max(this->Begin, this->End); }
 };
 
-/// The sides of all triangles (m x 3, indices less than `points`): those of one edge side by side,
-/// in the order of Low, High, Triangle.
+/// Returns the half-edges of all triangles (m x 3, indices less than `points`), sorted by Low,
+/// High, Triangle. Half-edges of the same edge are therefore adjacent.
 std::vector<HalfEdge> SortHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
-/// Of side 3 t + k, which runs from corner k of triangle t to the next one, the side of the
-/// triangle beside it, or -1 on the border. triangles: an oriented 2-manifold's.
+/// Returns the twin of each half-edge, or -1 on the boundary. Half-edge 3 t + k runs from corner k
+/// of triangle t to the next corner. triangles: an oriented 2-manifold.
 std::vector<int> FindTwins(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
-/// The same of SortHalfEdges.
+/// The same from sorted half-edges (SortHalfEdges).
 std::vector<int> FindTwins(const std::vector<HalfEdge>& sorted);
 
 ///@{
-/// The sides of the same triangle after and before a side.
+/// Return the next and the previous half-edge of the same triangle.
 inline int NextHalfEdge(int side)
 {
   return side - side % 3 + (side + 1) % 3;

@@ -8,7 +8,7 @@ namespace shape
 
 Eigen::MatrixXi FindBoundaryQuads(const HexMesh& mesh)
 {
-  // The corners of each face in order, and which it is: those of one face lie side by side.
+  // The sorted corners of each face, and its index: equal faces become adjacent.
   std::vector<std::array<int, 5>> faces;
   faces.reserve(6 * mesh.Hexahedra.rows());
   for (int hex = 0; hex < mesh.Hexahedra.rows(); ++hex)

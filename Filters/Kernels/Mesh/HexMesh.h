@@ -7,15 +7,15 @@
 namespace shape
 {
 
-/// A solid of hexahedra. Points: n x 3. Hexahedra: m x 8 indices in VTK's order: four around the
-/// bottom, counter-clockwise seen from the top, then those above them.
+/// A solid of hexahedra. Points: n x 3. Hexahedra: m x 8 indices in VTK's order: the four corners
+/// of the bottom, counter-clockwise seen from the top, then those above them.
 struct HexMesh
 {
   Eigen::MatrixXd Points;
   Eigen::MatrixXi Hexahedra;
 };
 
-/// The ends of the three edges at each corner of a hexahedron, right-handed.
+/// The neighbours of each corner of a hexahedron along its three edges, right-handed.
 inline constexpr int HexNeighbours[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
   { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
 
@@ -23,17 +23,17 @@ inline constexpr int HexNeighbours[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6
 inline constexpr int HexFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
   { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
 
-/// The faces that one hexahedron has alone (q x 4), counter-clockwise seen from outside, in the
-/// order of their hexahedra.
+/// Returns the boundary quads (q x 4): faces that belong to only one hexahedron, counter-clockwise
+/// seen from outside, in the order of their hexahedra.
 Eigen::MatrixXi FindBoundaryQuads(const HexMesh& mesh);
 
-/// Each quad (q x 4) as two triangles (2q x 3).
+/// Splits each quad (q x 4) into two triangles (2q x 3).
 Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads);
 
-/// The mean length of the edges of a hexahedron.
+/// Returns the mean length of the edges of a hexahedron.
 double ComputeMeanEdgeLength(const HexMesh& mesh, Eigen::Index hex);
 
-/// Marks, of n points, also those of the hexahedra that have a marked one; `rings` times.
+/// Extends the marks (n) to all points of hexahedra that have a marked point, `rings` times.
 void GrowRings(const Eigen::MatrixXi& hexahedra, int rings, std::vector<char>& marked);
 
 } // namespace shape

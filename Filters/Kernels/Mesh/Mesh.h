@@ -17,7 +17,7 @@ struct Mesh
   Eigen::MatrixXi Triangles;
 };
 
-/// The corners of a triangle, one a row.
+/// Returns the corners of a triangle, one per row.
 inline Eigen::Matrix3d GetCorners(const Mesh& mesh, Eigen::Index triangle)
 {
   Eigen::Matrix3d corners;
@@ -28,56 +28,58 @@ inline Eigen::Matrix3d GetCorners(const Mesh& mesh, Eigen::Index triangle)
   return corners;
 }
 
-/// The longest side of the points' axis-aligned bounding box: the size that errors are divided by.
+/// Returns the longest edge of the points' axis-aligned bounding box: the size that errors are
+/// relative to.
 double ComputeLongestBoxEdge(const Eigen::MatrixXd& points);
 
-/// The diagonal of that box.
+/// Returns the diagonal of the bounding box.
 double ComputeBoxDiagonal(const Eigen::MatrixXd& points);
 
-/// Twice-area vectors of the triangles (m x 3): the cross product of two edges, pointing outwards.
+/// Returns the cross product of two edges of each triangle (m x 3): it points outwards, and its
+/// length is twice the area.
 Eigen::MatrixXd ComputeAreaVectors(const Mesh& mesh);
 
-/// The area of the surface.
+/// Returns the area of the surface.
 double ComputeArea(const Mesh& mesh);
 
-/// Unit normals at the points (n x 3): those of the triangles around each, weighted by their angles
-/// there; 0 where no triangle with an area is.
+/// Returns unit normals at the points (n x 3): the mean of the normals of the triangles around
+/// each, weighted by their angles there; 0 if none of these triangles has an area.
 Eigen::MatrixXd ComputePointNormals(const Mesh& mesh);
 
-/// A third of the area of the triangles around each point (n).
+/// Returns a third of the total area of the triangles around each point (n).
 Eigen::VectorXd ComputePointAreas(const Mesh& mesh);
 
-/// Volume enclosed by a closed surface; negative when its triangles face inwards.
+/// Returns the volume enclosed by a closed surface; negative if its triangles face inwards.
 double ComputeEnclosedVolume(const Mesh& mesh);
 
 /**
- * How often closed surfaces of `triangles` (m x 3) over `points` wind around a place that lies on
- * none of them: the sum of the solid angles / 4 pi (Van Oosterom and Strackee, "The solid angle of
- * a plane triangle", 1983). 1 inside one that faces outwards, -1 inside one that faces inwards, 0
- * outside.
+ * Returns the winding number of closed surfaces of `triangles` (m x 3) over `points` around a
+ * position on none of them: the sum of the solid angles / 4 pi (Van Oosterom and Strackee, "The
+ * solid angle of a plane triangle", 1983). It is 1 inside a surface that faces outwards, -1 inside
+ * one that faces inwards, 0 outside.
  */
 double ComputeWindingNumber(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
   const Eigen::RowVector3d& position);
 
-/// The same closed surface with all triangles turned where it faces inwards.
+/// Returns a closed surface with all triangles reversed if they face inwards.
 Mesh OrientOutwards(Mesh mesh);
 
-/// Centroids of the triangles (m x 3).
+/// Returns the centroids of the triangles (m x 3).
 Eigen::MatrixXd ComputeCentroids(const Mesh& mesh);
 
-/// A place in each triangle (m x 3) as far from its edges as random ones are on average, and away
-/// from its centroid and its middles: an error that is small only where a map was fitted shows. The
-/// order of its corners' coordinates decides which corner it is near.
+/// Returns one position in each triangle (m x 3), as far from its edges as random ones on average.
+/// It avoids the centroid and the medians, so errors there do not profit from a map that was fitted
+/// there. The order of the corners' coordinates decides which corner it is closest to.
 Eigen::MatrixXd ComputeOffCentres(const Mesh& mesh);
 
-/// Values given at the points (n x d), interpolated linearly at the places of ComputeOffCentres (m
-/// x d).
+/// Interpolates values at the points (n x d) linearly at the positions of ComputeOffCentres (m x
+/// d).
 Eigen::MatrixXd InterpolateAtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values);
 
-/// Random places on the triangles (count x 3), evenly over their area.
+/// Returns random positions on the triangles (count x 3), uniformly distributed over the area.
 Eigen::MatrixXd SampleRandomly(const Mesh& mesh, int count, unsigned int seed);
 
-/// Means over each triangle's corners (m x d) of values given at the points (n x d).
+/// Returns the mean over each triangle's corners (m x d) of values at the points (n x d).
 Eigen::MatrixXd AverageAtCorners(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
 
 } // namespace shape

@@ -58,7 +58,7 @@ void RequireSurfaceWithBoundary(const Surface& surface, LoopCount loops)
       topology.ComponentId.begin();
     throw InvalidInput("the surface has " + std::to_string(unused) +
       (unused == 1 ? " point that no triangle uses" : " points that no triangle uses") +
-      " (first at point " + std::to_string(first) + "); remove with Clean");
+      " (first at point " + std::to_string(first) + "); remove them with Clean");
   }
 }
 

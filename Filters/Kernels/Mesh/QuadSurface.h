@@ -12,10 +12,10 @@
 namespace shape
 {
 
-/// An edge of a quad, counter-clockwise around it seen from outside.
+/// An edge of a quad, in counter-clockwise direction seen from outside.
 using QuadEdge = std::pair<int, int>;
 
-/// A closed surface of quads, as hexahedra have: which quads are neighbours. Never changes.
+/// An immutable closed surface of quads, such as the boundary of hexahedra, with its adjacency.
 class QuadSurface
 {
 public:
@@ -24,19 +24,19 @@ public:
 
   const Eigen::MatrixXi& Quads() const { return this->Corners; } ///< q x 4
 
-  /// The quad of each edge; each edge is there twice, once in each direction.
+  /// The quad of each directed edge; each edge occurs in both directions.
   const std::map<QuadEdge, int>& Edges() const { return this->QuadOf; }
 
-  /// The quad that an edge belongs to. Throws std::out_of_range if there is no such edge.
+  /// Returns the quad of a directed edge. Throws std::out_of_range if there is no such edge.
   int QuadAt(const QuadEdge& edge) const { return this->QuadOf.at(edge); }
 
-  /// The quad across edge k of a quad: from its corner k to the next.
+  /// Returns the quad across edge k of a quad, which runs from its corner k to the next.
   int Across(int quad, int k) const;
 
-  /// The quad after `quad` around a point of it, counter-clockwise.
+  /// Returns the quad after `quad` around one of its points, counter-clockwise.
   int NextAround(int point, int quad) const;
 
-  /// The quads around a point, counter-clockwise from `quad`, which has the point.
+  /// Returns the quads around a point of `quad`, counter-clockwise, starting with `quad`.
   std::vector<int> QuadsAround(int point, int quad) const;
 
 private:
@@ -44,11 +44,11 @@ private:
   std::map<QuadEdge, int> QuadOf;
 };
 
-/// The topology of the boundary of hexahedra.
+/// Computes the topology of the boundary of hexahedra.
 Topology ComputeBoundaryTopology(const HexMesh& mesh);
 
 /// Whether the boundary of hexahedra is a 2-manifold with the Euler number and the number of
-/// components of `wanted`.
+/// components in `wanted`.
 bool HasBoundaryTopology(const HexMesh& mesh, const Topology& wanted);
 
 } // namespace shape

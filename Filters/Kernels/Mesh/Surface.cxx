@@ -11,7 +11,7 @@ namespace shape
 namespace
 {
 
-// One type for each quantity that is kept.
+// One type for each cached quantity.
 struct KeptHalfEdges
 {
   std::vector<HalfEdge> Sorted;
@@ -28,7 +28,7 @@ struct KeptPointNormals
 {
   Eigen::MatrixXd OfPoints;
 };
-/// That the coordinates are finite and of a size that can be computed with.
+/// Throws unless the coordinates are finite and of a usable size.
 struct KeptSoundness
 {
 };
@@ -46,7 +46,7 @@ void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
   if (ComputeLongestBoxEdge(points) == 0.0)
   {
     throw InvalidInput(
-      name + " has no area: its points are all at one place; check its coordinates");
+      name + " has no area, because all its points coincide; check its coordinates");
   }
   RequireExtent(points, name);
 }
@@ -69,10 +69,10 @@ const Topology& TopologyOfSound(
   return surface.Topology();
 }
 
-/// Whether no choice of sides for the triangles agrees across all edges, as on a Moebius strip.
+/// Whether no orientation of the triangles is consistent across all edges, as on a Moebius strip.
 bool IsOneSided(const Surface& surface)
 {
-  // Twice as many as triangles: those as they are, then those turned over, joined where they agree.
+  // Two sets per triangle, one for each orientation; those that agree across an edge are joined.
   const auto m = static_cast<int>(surface.Triangles().rows());
   DisjointSets sheets(2 * m);
   const std::vector<HalfEdge>& sides = surface.HalfEdges();

@@ -15,30 +15,31 @@ namespace shape
 {
 
 /**
- * A triangulated surface that never changes, with what follows from it: half-edges, topology,
+ * An immutable triangulated surface with cached data derived from it: half-edges, topology,
  * normals, and whatever kernels add (a search tree, a Laplacian).
  *
- * Each of these is computed when it is first asked for, once, and shared by all copies; a copy
- * costs as much as a pointer. Kernels take a `const Surface&`, so that one that calls ten others
- * checks and indexes its surface once. Every member may be called from several threads.
+ * Each of these is computed once, on first use, and shared by all copies; a copy costs as much as
+ * a pointer. Kernels take a `const Surface&`, so a kernel that calls ten others checks and indexes
+ * its surface only once. Every member may be called from several threads.
  */
 class Surface
 {
 public:
-  /// No points and no triangles.
+  /// Constructs a surface without points and triangles.
   Surface();
 
-  /// From a mesh, which is moved or copied. A mesh may stand wherever a kernel takes a surface.
+  /// Constructs from a mesh, which is moved or copied. The conversion is implicit: a mesh can be
+  /// passed wherever a kernel takes a surface.
   Surface(Mesh mesh); // NOLINT(google-explicit-constructor)
 
-  /// From n x 3 positions and m x 3 indices of them.
+  /// Constructs from n x 3 positions and m x 3 indices of them.
   Surface(Eigen::MatrixXd points, Eigen::MatrixXi triangles);
 
   const Eigen::MatrixXd& Points() const { return this->AsMesh().Points; }       ///< n x 3
   const Eigen::MatrixXi& Triangles() const { return this->AsMesh().Triangles; } ///< m x 3
 
   ///@{
-  /// The points and triangles as a value, for what takes a mesh.
+  /// The points and triangles as a Mesh.
   const Mesh& AsMesh() const;
   operator const Mesh&() const { return this->AsMesh(); } // NOLINT(google-explicit-constructor)
   ///@}
@@ -48,24 +49,25 @@ public:
   /// there is not one row for each point.
   Surface WithPoints(Eigen::MatrixXd points) const;
 
-  /// SortHalfEdges of the triangles. Throws InvalidInput as RequireIndices does.
+  /// The sorted half-edges (SortHalfEdges). Throws InvalidInput if an index is out of range.
   const std::vector<HalfEdge>& HalfEdges() const;
 
-  /// SideTwins of the triangles, which must be an oriented 2-manifold's.
+  /// The twin of each half-edge (FindTwins). The surface must be an oriented 2-manifold.
   const std::vector<int>& Twins() const;
 
-  /// Throws InvalidInput as ComputeTopology does.
+  /// The topology (ComputeTopology). Throws what ComputeTopology throws.
   const shape::Topology& Topology() const;
 
-  /// AreaVectors of the triangles (m x 3).
+  /// The twice-area vectors of the triangles (m x 3, ComputeAreaVectors).
   const Eigen::MatrixXd& AreaVectors() const;
 
-  /// PointNormals of the points (n x 3).
+  /// The unit normals at the points (n x 3, ComputePointNormals).
   const Eigen::MatrixXd& PointNormals() const;
 
-  /// Something of type T that follows from the surface: what `make()` returns when it is first
-  /// asked for. There is one of each type; a kernel defines a type for what it keeps here. It must
-  /// not hold the surface itself, or neither would ever be freed.
+  /// Returns an object of type T derived from the surface: the result of `make()` on first use,
+  /// kept for all later calls. There is one object per type, so a kernel defines a type for the
+  /// data it keeps here. The object must not hold the surface itself, or neither would ever be
+  /// freed.
   template <typename T, typename Make>
   std::shared_ptr<const T> Cached(const Make& make) const
   {
@@ -75,20 +77,21 @@ public:
 
 private:
   struct Data;
-  /// What was kept under the type, or made now; what `make` throws is thrown, and nothing is kept.
+  /// Returns the object cached under the type, or makes it. If `make` throws, nothing is cached.
   const std::shared_ptr<const void>& Find(
     std::type_index type, const std::function<std::shared_ptr<const void>()>& make) const;
 
   std::shared_ptr<Data> Impl;
 };
 
-/// Throws InvalidInput unless `surface` has triangles, every coordinate is finite, its longest side
-/// is between 1e-50 and 1e50 and it is a consistently oriented 2-manifold, open or closed. `name`
-/// is what the message calls it.
+/// Throws InvalidInput unless `surface` has triangles and is a consistently oriented 2-manifold,
+/// open or closed. Every coordinate must be finite, and the longest edge of the bounding box
+/// between 1e-50 and 1e50. `name` is used for the surface in the message. Returns the topology.
 Topology RequireManifold(const Surface& surface, const std::string& name);
 
 /**
- * The same, and closed: `name` is what the message calls it: "the boundary", "the surface".
+ * The same, and also throws InvalidInput unless the surface is closed. `name` is, for example, "the
+ * boundary" or "the surface".
  */
 Topology RequireClosedSurface(const Surface& surface, const std::string& name);
 

@@ -19,8 +19,8 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// The path through the stops; where a leg is missing, the path up to there. toll: of passing a
-/// point beside a stop that the leg does not end at.
+/// Finds the path through the stops, or the path up to a leg that does not exist. toll: the cost of
+/// passing a neighbour of a stop at which the leg does not end.
 EdgePath FindPath(
   const Graph& graph, const std::vector<int>& stops, double toll, const Progress& progress)
 {
@@ -120,7 +120,7 @@ EdgePath FindEdgePathThrough(
   EdgePath path = FindPath(*graph, stops, 0.0, progress.Part(0.0, 0.5));
   if (path.Stops.size() < stops.size())
   {
-    // A stop was walled in: now that costs as much as ten times across the surface.
+    // A stop was enclosed: now passing near stops costs as much as ten times across the surface.
     path =
       FindPath(*graph, stops, 10.0 * ComputeBoxDiagonal(surface.Points()), progress.Part(0.5, 1.0));
   }
@@ -129,7 +129,7 @@ EdgePath FindEdgePathThrough(
     throw InvalidInput("no path along edges leads from point " +
       std::to_string(stops[path.Stops.size() - 1]) + " to point " +
       std::to_string(stops[path.Stops.size()]) +
-      " past the path through the points before; subdivide the surface with Linear Subdivision");
+      " without meeting the path so far; refine the surface with Linear Subdivision");
   }
   progress(1.0);
   return path;

@@ -13,27 +13,28 @@ namespace shape
 /// A surface that was cut open along edges.
 struct CutSurface
 {
-  Mesh Surface;               ///< the same triangles; copies of points come after all points
-  std::vector<int> Originals; ///< of each point: the one of the uncut surface
+  Mesh Surface;               ///< the same triangles; copied points come after the original ones
+  std::vector<int> Originals; ///< the original point of each point
 };
 
-/// Cuts along the given edges: a point has a copy for each part that its triangles fall into; the
-/// part with the first triangle keeps the point itself. surface: an oriented 2-manifold.
+/// Cuts along the given edges. A point is copied for each further part into which the cut divides
+/// its triangles; the part with the first triangle keeps the original. surface: an oriented
+/// 2-manifold.
 CutSurface CutAlongEdges(const Surface& surface, const std::vector<std::array<int, 2>>& edges);
 
 /// A path along edges.
 struct EdgePath
 {
   std::vector<int> Points;
-  std::vector<int> Stops; ///< places in Points of the points that it was to pass
+  std::vector<int> Stops; ///< the indices in Points of the stops
 };
 
 /**
- * The path through `stops` in order, each leg the shortest along edges that meets neither the legs
- * before it nor another stop; where that leaves a stop out of reach, legs keep away from the points
- * beside stops to come.
+ * Finds the path through `stops` in order. Each leg is the shortest along edges that meets neither
+ * the previous legs nor another stop. If that makes a stop unreachable, legs also avoid the
+ * neighbours of later stops.
  *
- * Throws InvalidInput where there is none: the mesh is too coarse there. Aborted.
+ * Throws InvalidInput if there is no such path because the mesh is too coarse; Aborted.
  */
 EdgePath FindEdgePathThrough(
   const Surface& surface, const std::vector<int>& stops, const Progress& progress = {});

@@ -5,8 +5,8 @@
 namespace shape
 {
 
-/// A point on a surface: a triangle, and barycentric coordinates >= 0 in it whose sum is 1. Those
-/// opposite an edge that it lies on are exactly 0; at a vertex one of them is exactly 1.
+/// A point on a surface: a triangle, and barycentric coordinates >= 0 whose sum is 1. On an edge
+/// the coordinate of the opposite corner is exactly 0; at a vertex one coordinate is exactly 1.
 struct SurfacePoint
 {
   int Triangle = -1;

@@ -52,7 +52,7 @@ SurfacePoints MakeSurfacePointsAtVertices(const Eigen::VectorXi& targets, const 
     if (at < 0)
     {
       throw InvalidInput("point " + std::to_string(targets(i)) +
-        " is to be a target and no triangle uses it; remove it with Clean to Grid");
+        " is a target, but no triangle uses it; remove it with Clean to Grid");
     }
     map.Triangles(i) = at / 3;
     map.Barycentrics(i, at % 3) = 1.0;

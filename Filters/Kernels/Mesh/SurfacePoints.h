@@ -7,28 +7,29 @@
 namespace shape
 {
 
-/// Where on the triangles of another surface each of n places goes.
+/// The images of n points on the triangles of another surface.
 struct SurfacePoints
 {
   Eigen::VectorXi Triangles;    ///< n
   Eigen::MatrixXd Barycentrics; ///< n x 3: >= 0, the sum of each row is 1
 };
 
-/// P values (n x d): where a map goes, of values (k x d) at the points of the other surface, whose
-/// triangles are given, linear in each of them.
+/// Returns P values (n x d): values at the points of the other surface (k x d), interpolated
+/// linearly at the images. triangles: those of the other surface.
 Eigen::MatrixXd PullBack(
   const SurfacePoints& map, const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
 
-/// P' values (points x d): the transpose of that, of values (n x d) at the places that are mapped.
+/// Returns P^T values (points x d): the transpose of PullBack, applied to values (n x d) at the
+/// points that are mapped.
 Eigen::MatrixXd PushForward(const SurfacePoints& map, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& values, Eigen::Index points);
 
-/// The map that takes place i to point targets(i) of the other surface: to a corner of one of the
-/// triangles there. Throws InvalidInput where a target has no triangle.
+/// Returns the map that takes point i to vertex targets(i) of the other surface, as a corner of one
+/// of its triangles. Throws InvalidInput if a target belongs to no triangle.
 SurfacePoints MakeSurfacePointsAtVertices(const Eigen::VectorXi& targets, const Mesh& other);
 
-/// The point of each triangle's corners that has most weight (n): the nearest one, but for shapes
-/// of triangles.
+/// Returns, for each image, the corner of its triangle with the largest barycentric coordinate (n);
+/// in well-shaped triangles this is the nearest corner.
 Eigen::VectorXi FindNearestCorners(const SurfacePoints& map, const Eigen::MatrixXi& triangles);
 
 } // namespace shape

@@ -24,8 +24,8 @@ void RequireDistinctCorners(const Mesh& mesh)
   }
 }
 
-/// Every point must have one fan of triangles: count the groups of triangles around it that hang
-/// together by edges at the point.
+/// Every point must have one fan of triangles. Counts, for each point, the groups of its triangles
+/// that are connected by edges at the point.
 void CountPinchedPoints(const Mesh& mesh, const std::vector<HalfEdge>& sides, Topology& topology)
 {
   // A corner is 3 * triangle + corner; corners of one point are joined across a shared edge.

@@ -11,35 +11,37 @@
 namespace shape
 {
 
-/// What kind of surface a mesh is. Points that no triangle uses do not count.
+/// The topology of a mesh. Points that no triangle uses are ignored.
 struct Topology
 {
   int EulerNumber = 0;         ///< points - edges + triangles
-  int Components = 0;          ///< pieces that share no point
-  int BoundaryLoops = 0;       ///< chains of edges with one triangle
-  int FirstOpenPoint = -1;     ///< a point of the first of them, or -1
-  int NonManifoldEdges = 0;    ///< edges with three or more triangles
-  int FirstNonManifold = -1;   ///< a point of the first of them, or -1
-  int NonManifoldPoints = 0;   ///< points where two fans of triangles touch
-  int FirstPinchedPoint = -1;  ///< the first of them, or -1
-  int MisorientedEdges = 0;    ///< edges that both triangles run through in the same sense
-  int FirstMisoriented = -1;   ///< a point of the first of them, or -1
-  Eigen::VectorXi ComponentId; ///< n: 0, 1, ... in order of the first point; -1 at unused points
+  int Components = 0;          ///< number of connected components (by shared points)
+  int BoundaryLoops = 0;       ///< number of chains of edges with only one triangle
+  int FirstOpenPoint = -1;     ///< a point of the first boundary loop, or -1
+  int NonManifoldEdges = 0;    ///< number of edges with three or more triangles
+  int FirstNonManifold = -1;   ///< a point of the first non-manifold edge, or -1
+  int NonManifoldPoints = 0;   ///< number of points where two fans of triangles touch
+  int FirstPinchedPoint = -1;  ///< the first of these points, or -1
+  int MisorientedEdges = 0;    ///< number of edges with the same direction in both triangles
+  int FirstMisoriented = -1;   ///< a point of the first of these edges, or -1
+  Eigen::VectorXi ComponentId; ///< n: 0, 1, ... in order of first points; -1 at unused points
 };
 
-/// Throws InvalidInput if a triangle has an index out of range.
+/// Throws InvalidInput if an index of a triangle is out of range.
 void RequireIndices(const Mesh& mesh);
 
-/// Throws InvalidInput as RequireIndices does, and if a triangle uses a point twice.
+/// Computes the topology. Throws InvalidInput if an index is out of range or a triangle uses a
+/// point twice.
 Topology ComputeTopology(const Mesh& mesh);
 
-/// The same of a mesh whose indices are in range, and its SortHalfEdges.
+/// The same for a mesh whose indices are in range, with its sorted half-edges (SortHalfEdges).
 Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sorted);
 
-/// The components of a surface in the order of ComponentId, each with the points it uses, in order.
+/// Returns the components of a surface in the order of ComponentId, each with the points it uses,
+/// in their original order.
 std::vector<Mesh> SplitComponents(const Mesh& mesh);
 
-/// Throws InvalidInput where `values` has a NaN or an infinity: "`name` has 3 values that are not
+/// Throws InvalidInput if `values` contains a NaN or an infinity: "`name` has 3 values that are not
 /// finite (first at point 17)".
 void RequireFinite(const Eigen::MatrixXd& values, const std::string& name);
 

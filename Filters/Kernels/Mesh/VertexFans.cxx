@@ -29,7 +29,7 @@ VertexFans::VertexFans(const Eigen::MatrixXi& triangles, int nodes)
       next.push_back(triangle.Next);
     }
     std::sort(next.begin(), next.end());
-    // On the rim, and where triangles do not agree, a neighbour comes last only.
+    // On the boundary and at inconsistent triangles, a neighbour is only a Previous.
     for (std::size_t k = 0, count = fans[i].size(); k < count; ++k)
     {
       const int previous = fans[i][k].Previous;

@@ -7,8 +7,8 @@
 namespace shape
 {
 
-/// A triangle around a node, which is its corner Corner; or, with Triangle -1, only a neighbour,
-/// Next, that is this in no other triangle around the node.
+/// A triangle around a node; Corner is the index of the node in the triangle. With Triangle -1, the
+/// entry stands only for a neighbour that is Next in no triangle around the node.
 struct FanTriangle
 {
   int Next, Previous; ///< nodes
@@ -16,15 +16,16 @@ struct FanTriangle
 };
 
 /// The triangles around each node: those of node i are Triangles[First[i]] ... Triangles[First[i +
-/// 1] - 1]. Each neighbour of a node is Next in one of them, where triangles agree on their sense.
+/// 1] - 1]. If triangles are consistently oriented, each neighbour of a node is Next in exactly one
+/// of them.
 struct VertexFans
 {
-  /// triangles: m x 3, of nodes; one of which two corners are one node is once in its fan.
+  /// triangles: m x 3 indices of nodes. A triangle with a repeated node occurs once in its fan.
   VertexFans(const Eigen::MatrixXi& triangles, int nodes);
 
   std::vector<int> First;
   std::vector<FanTriangle> Triangles;
-  int Largest = 0; ///< how many there are at most
+  int Largest = 0; ///< the largest number of triangles in a fan
 };
 
 } // namespace shape

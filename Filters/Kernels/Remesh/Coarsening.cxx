@@ -22,10 +22,10 @@ namespace shape
 namespace
 {
 
-constexpr double MinimumTurnCosine = 0.5; // of what a triangle may turn by
-constexpr double Slim = 0.02;             // twice a triangle's area over its longest side's square
+constexpr double MinimumTurnCosine = 0.5; // cosine of the largest rotation of a triangle
+constexpr double Slim = 0.02;             // twice a triangle's area over its longest edge squared
 constexpr std::size_t MaximumAround = 64; // triangles at a point that is merged, or merged into
-constexpr double Steepness = 30.0;        // what being off the planes around costs against length
+constexpr double Steepness = 30.0;        // cost of distance from the planes, relative to length
 
 using Triangle = EditableSurface::Triangle;
 
@@ -146,7 +146,7 @@ private:
     return areas > 0.0 ? sum / areas : 0.0;
   }
 
-  /// Finds what a point is to be merged into, if anything, and puts that into the queue.
+  /// Finds the neighbour that a point is merged into, if any, and queues the merge.
   void Queue(int point)
   {
     ++this->Tried[point];
@@ -203,7 +203,7 @@ private:
       }
     }
     this->Surface.FindNeighbours(into, this->Others);
-    // The link condition: no neighbours in common but those of the edge's triangles.
+    // The link condition: no common neighbours except those of the edge's triangles.
     const auto common = std::count_if(ring.begin(), ring.end(),
       [&](int i) { return std::binary_search(this->Others.begin(), this->Others.end(), i); });
     if (common != shared || (this->OnBoundary[point] != 0 && shared == 2) ||
@@ -215,7 +215,7 @@ private:
       [&](int t) { return this->Spoils(this->Surface.Corners(t), point, into); });
   }
 
-  /// Whether a triangle turns too far or becomes slim with one corner elsewhere.
+  /// Whether moving one corner rotates a triangle too far or makes it a sliver.
   bool Spoils(const Triangle& corners, int point, int into) const
   {
     if (EditableSurface::Has(corners, into))
@@ -232,7 +232,7 @@ private:
         this->Surface.SquaredLength(t[1], t[2]), this->Surface.SquaredLength(t[2], t[0]) });
     };
     const double sizeBefore = longest(corners), sizeAfter = longest(moved);
-    // The normal of a slim triangle says nothing.
+    // The normal of a sliver is meaningless.
     const bool turns = before.norm() > Slim * sizeBefore &&
       before.dot(after) < MinimumTurnCosine * before.norm() * after.norm();
     return turns ||
@@ -263,7 +263,7 @@ private:
     }
   }
 
-  /// Puts a point on the closest of a few triangles.
+  /// Locates a point on the closest of a few triangles.
   void Carry(int point, const std::vector<int>& triangles)
   {
     double minimum = std::numeric_limits<double>::infinity();
@@ -296,7 +296,7 @@ private:
   std::vector<std::vector<int>> Carried; ///< merged points on each triangle
   SurfacePoints Positions;
   int Left;
-  std::vector<int> Ring, Others; ///< kept to spare allocations
+  std::vector<int> Ring, Others; ///< buffers, kept to avoid allocations
 };
 
 } // namespace

@@ -22,7 +22,7 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// Splits a closed sequence of points at those that it comes back to.
+/// Splits a closed sequence of points at points that occur repeatedly.
 std::vector<std::vector<int>> SimpleLoops(const std::vector<int>& sequence)
 {
   std::vector<std::vector<int>> loops;
@@ -36,7 +36,7 @@ std::vector<std::vector<int>> SimpleLoops(const std::vector<int>& sequence)
       placeOf.erase(point);
     }
     open.resize(begin);
-    if (loop.size() > 2) // else there and back
+    if (loop.size() > 2) // otherwise it only goes back and forth
     {
       loops.push_back(std::move(loop));
     }
@@ -160,8 +160,8 @@ private:
     }
   }
 
-  /// The points of a triangle that is split, and their positions in it; first those of its outline,
-  /// whose number is returned.
+  /// Returns the points of a triangle that is split, with their positions in it. The points of its
+  /// outline come first; their number is returned.
   int PointsOf(int triangle, const Parted& parted, std::vector<int>& ids,
     std::vector<RowVector3d>& positions) const
   {
@@ -266,7 +266,7 @@ private:
     }
   }
 
-  /// The points from a node to the next one along an edge, the first included.
+  /// Returns the points from a node to the next one along an edge, including the first.
   std::vector<int> AlongEdge(
     const PointPair& edge, const ImprintNode& a, const ImprintNode& b) const
   {
@@ -347,7 +347,7 @@ private:
   std::vector<NodeLoop> Loops;
 };
 
-/// How often loops meet themselves or each other.
+/// Returns how often loops meet themselves or each other.
 int CountTouches(const ImprintedCurves& inserted, std::size_t given)
 {
   std::vector<char> isUsed(inserted.Surface.Points.rows(), 0);
@@ -385,7 +385,7 @@ ImprintedCurves ImprintCurves(const Mesh& surface, const std::vector<SurfaceLoop
     if (std::find(result.LoopIds.begin(), result.LoopIds.end(), i) == result.LoopIds.end())
     {
       throw InvalidInput("loop " + std::to_string(i) +
-        " encloses nothing: it runs along the same way there and back; draw it around an area");
+        " encloses no area, because it returns along the same path; draw it around an area");
     }
   }
   progress(1.0);

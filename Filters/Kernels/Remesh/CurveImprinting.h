@@ -14,33 +14,34 @@ namespace shape
 
 struct CurveImprintingOptions
 {
-  /// How near to an end of an edge, as a share of its length, the loop is moved to the end, and how
-  /// near to an edge, as a share of its length, a point inside a triangle to the edge: in [0, 0.5).
-  /// If that would make loops touch they are left where they are.
+  /// Snapping tolerances, as a fraction of an edge's length, in [0, 0.5). A loop this close to an
+  /// end of an edge is moved to the end. A point inside a triangle this close to an edge is moved
+  /// to the edge. If snapping would make loops touch, it is not done.
   double SnapShare = 0.05;
 };
 
-/// A surface that loops run along the edges of.
+/// A surface whose edges contain the given loops.
 struct ImprintedCurves
 {
   Mesh Surface;                        ///< the given points come first
-  SurfacePoints NewPoints;             ///< of each further point: its position on the given surface
-  Eigen::VectorXi OriginalTriangles;   ///< of each triangle: the one that it is a part of
-  std::vector<std::vector<int>> Loops; ///< closed; no point twice in one; the longest first
-  std::vector<int> LoopIds;            ///< of each of them: the given loop that it is a part of
+  SurfacePoints NewPoints;             ///< position of each further point on the given surface
+  Eigen::VectorXi OriginalTriangles;   ///< for each triangle, the given one that contains it
+  std::vector<std::vector<int>> Loops; ///< closed; none repeats a point; the longest first
+  std::vector<int> LoopIds;            ///< for each of these, the given loop that contains it
 };
 
 /**
- * Splits the triangles of a surface that loops run through such that they run along edges. The
- * surface has the same shape; triangles that are not split keep their points and their order. A
- * stretch of a loop along edges splits none.
+ * Splits the triangles that loops on a surface pass through, so that the loops run along edges. The
+ * shape of the surface does not change. Triangles that are not split keep their points and their
+ * order. Parts of a loop that already run along edges split nothing.
  *
- * A loop that touches or crosses itself becomes several; what it runs along there and back is left
- * out. Parts of a triangle are Delaunay triangles in its plane but for the loops.
+ * A loop that touches or crosses itself becomes several loops; parts that are traversed back and
+ * forth are left out. The parts of a triangle form a Delaunay triangulation constrained by the
+ * loops.
  *
- * surface: triangles of three different points, manifold or not. Throws InvalidInput if an
- * option is not as above or a given loop encloses nothing, SolveFailure if loops cross too near
- * to an edge, Aborted.
+ * surface: triangles of three different points, manifold or not. Throws InvalidInput if an option
+ * is out of range or a given loop encloses nothing. Throws SolveFailure if loops cross too close to
+ * an edge; Aborted.
  */
 ImprintedCurves ImprintCurves(const Mesh& surface, const std::vector<SurfaceLoop>& loops,
   const CurveImprintingOptions& options = {}, const Progress& progress = {});

@@ -22,9 +22,9 @@ namespace
 {
 
 constexpr double Long = 4.0 / 3.0, Short = 4.0 / 5.0;
-/// The cosine of the angle by which a triangle may turn at most when its corners move.
+/// The cosine of the largest angle by which a triangle may rotate when its corners move.
 constexpr double MinimumCosine = 0.5;
-/// Creases of a shorter total length, in edges, are noise.
+/// Connected creases of a shorter total length, in edges, are noise.
 constexpr double ShortestCrease = 8.0;
 
 using Triangle = EditableSurface::Triangle;
@@ -49,7 +49,7 @@ public:
 
   void Split()
   {
-    // Halves may be too long, too.
+    // The halves may still be too long.
     for (auto edges = this->Edges(Long, true); !edges.empty(); edges = this->Edges(Long, true))
     {
       for (const auto& [a, b] : edges)
@@ -187,8 +187,8 @@ private:
     }
   }
 
-  /// Whether a triangle around v, but those with `except`, would turn too far or become too slim
-  /// with v at a position.
+  /// Whether moving v to a position would rotate a triangle around it too far or make it a sliver;
+  /// triangles with `except` are ignored.
   bool Turns(int v, const Eigen::Vector3d& position, int except)
   {
     const Eigen::Vector3d old = this->Edited.Position(v);
@@ -218,7 +218,7 @@ private:
     return false;
   }
 
-  /// Moves a onto b.
+  /// Merges a into b.
   bool TryCollapse(int a, int b)
   {
     if (this->CreaseEdges[a] > 0 && (this->CreaseEdges[a] != 2 || !this->OnCrease(a, b)))
@@ -230,7 +230,7 @@ private:
     this->Edited.FindNeighbours(b, ofB);
     std::set_intersection(
       ofA.begin(), ofA.end(), ofB.begin(), ofB.end(), std::back_inserter(common));
-    // The link condition: no neighbours in common but those of the edge's two triangles.
+    // The link condition: no common neighbours except those of the edge's two triangles.
     if (this->Edited.TrianglesOf(a, b).size() != 2 || common.size() != 2)
     {
       return false;
@@ -266,7 +266,7 @@ private:
     return true;
   }
 
-  /// Flips an edge if that makes valences more even and the surface does not change much.
+  /// Flips an edge if that equalises the valences and hardly changes the surface.
   void TryFlip(int a, int b)
   {
     if (this->OnCrease(a, b))
@@ -312,7 +312,7 @@ private:
     this->Edited.Flip(t, s, a, b);
   }
 
-  /// The centroid of the triangles around v, projected to its tangent plane.
+  /// Returns the centroid of the triangles around v, projected onto its tangent plane.
   Eigen::Vector3d Slid(int v) const
   {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();

@@ -9,21 +9,22 @@ namespace shape
 
 struct IsotropicRemeshOptions
 {
-  double EdgeLength = 0.0;   ///< wanted, in the surface's units; > 0
-  double CreaseAngle = 40.0; ///< degrees between the normals at a crease; creases are kept
-  int Rounds = 6;            ///< >= 1
+  double EdgeLength = 0.0;   ///< the target length of edges, in the surface's units; > 0
+  double CreaseAngle = 40.0; ///< degrees between normals above which an edge is a crease
+  int Rounds = 6;            ///< number of rounds; >= 1
 };
 
 /**
- * A surface of nearly equilateral triangles of one size near a closed surface: edges that are too
- * long are split, those too short are collapsed, flips make the valences even, and points slide
- * along the surface (Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004).
+ * Returns a surface of nearly equilateral triangles of uniform size close to a closed surface.
+ * Edges that are too long are split, those too short are collapsed, flips equalise the valences,
+ * and points slide along the surface (Botsch and Kobbelt, "A remeshing approach to multiresolution
+ * modeling", 2004).
  *
- * Creases stay where they are, and so do points where they meet or end. Creases shorter than some
- * edges are noise and are not kept. The topology stays; whether the result intersects itself is not
- * checked (FindSelfIntersections).
+ * Creases are preserved, and so are points where they meet or end. Creases shorter than a few edges
+ * are treated as noise and are not preserved. The topology is preserved; self-intersections of the
+ * result are not checked (FindSelfIntersections).
  *
- * surface: closed, consistently oriented. Throws InvalidInput if options are out of range,
+ * surface: closed and consistently oriented. Throws InvalidInput if an option is out of range;
  * Aborted.
  */
 Mesh RemeshIsotropically(

@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// The edges of a surface, each once.
+/// The edges of a surface, without repeats.
 struct Edges
 {
   std::vector<std::pair<int, int>> Ends; ///< the lower point first
@@ -35,8 +35,8 @@ Edges EdgesOf(const Mesh& surface)
   return edges;
 }
 
-/// The corner of each triangle at which its longest edge begins. Ties go to the edge of the lower
-/// number, so that both triangles beside an edge agree.
+/// Returns the corner of each triangle at which its longest edge begins. Ties are decided by the
+/// edge index, so that both triangles of an edge agree.
 std::vector<int> LongestCorners(const Mesh& surface, const Edges& edges)
 {
   std::vector<double> lengths;
@@ -59,7 +59,7 @@ std::vector<int> LongestCorners(const Mesh& surface, const Edges& edges)
   return corners;
 }
 
-/// Whoever has a halved edge has its longest one halved, too.
+/// A triangle with any bisected edge has its longest edge bisected, too.
 void Close(std::vector<char>& halved, const Edges& edges, const std::vector<int>& longest)
 {
   std::vector<std::array<int, 2>> sides(edges.Ends.size(), { -1, -1 });

@@ -26,17 +26,17 @@ struct Hinge
   std::array<int, 2> Triangles;
   double Length;
   bool Sharp;
-  double Angle; ///< inside, in degrees
+  double Angle; ///< interior dihedral angle, in degrees
   bool IsCrease = Sharp;
 };
 
-/// Creases fade out: where one ends, it goes on along the shortest way over edges whose normals are
-/// at least this share of the angle apart, to another crease. Without such a way it stays as it is.
+/// A crease that fades out is extended to another crease, along the shortest path over edges whose
+/// normals differ by at least this fraction of the angle. Without such a path it ends there.
 constexpr double FadingShare = 0.375;
-/// Patches of a smaller share of the area are as noise makes them; if the boundaries of others are
-/// less than such a share of what is sharp, all of that is noise.
+/// Patches below this fraction of the area are like noise. If the boundaries of the others are less
+/// than this fraction of the sharp edges, all of that is noise.
 constexpr double NoiseArea = 1e-3, MinimumCurves = 2.0 / 3.0;
-/// A way that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
+/// A path that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
 constexpr double MinimumTip = 50.0;
 
 std::vector<Hinge> FindHinges(const Surface& surface, double angle)
@@ -65,7 +65,7 @@ std::vector<Hinge> FindHinges(const Surface& surface, double angle)
   return hinges;
 }
 
-/// Paths from the ends of creases over edges that are less sharp, to other creases.
+/// Finds paths from the ends of creases to other creases, over edges that are less sharp.
 class FadingCreases
 {
 public:
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  /// From a node along a crease to where it is at least `length` away, or forks.
+  /// Follows a crease from a node until it is at least `length` away, or forks.
   Eigen::RowVector3d Chord(int node, int link, double length) const
   {
     const Eigen::RowVector3d begin = this->Positions.row(node);
@@ -199,7 +199,7 @@ private:
     return false;
   }
 
-  /// Makes creases of the edges that the path to a node runs along.
+  /// Turns the edges along the path to a node into creases.
   void MarkPath(int node)
   {
     for (; this->Before[node] >= 0; node = this->Before[node])
@@ -219,7 +219,7 @@ private:
   std::vector<int> HingeOf; ///< of each link
   Eigen::MatrixXd Positions;
   Eigen::VectorXd Distances; ///< infinite between searches
-  std::vector<int> Before;   ///< of each node reached: the one before it on the path
+  std::vector<int> Before;   ///< for each reached node, the previous one on the path
 };
 
 /// Merges the smallest patch into the one with the longest common boundary until none is too small.
@@ -253,7 +253,7 @@ void UniteSmall(DisjointSets& sets, const std::vector<Hinge>& hinges, const Eige
     order.erase(order.begin());
     if (boundaries.count(gone) == 0)
     {
-      continue; // a component of its own
+      continue; // a patch without neighbours
     }
     const auto around = boundaries[gone];
     const int into = std::max_element(around.begin(), around.end(), bySecond)->first;

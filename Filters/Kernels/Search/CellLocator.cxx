@@ -32,7 +32,7 @@ int GetCornerCount(const Cells& cells, int cell)
   return cells.Offsets(cell + 1) - cells.Offsets(cell);
 }
 
-/// The numbers of the cells of the highest dimension, 3 or 2, and that dimension.
+/// The indices of the cells of the highest dimension, 3 or 2, and that dimension.
 std::vector<int> CellsThatCount(const Cells& cells, int& dimension)
 {
   dimension = 2;
@@ -43,7 +43,7 @@ std::vector<int> CellsThatCount(const Cells& cells, int& dimension)
     if (cells.Kinds(c) == VTK_POLYHEDRON)
     {
       throw InvalidInput("cell " + std::to_string(c) +
-        " is a polyhedron, which cannot be interpolated in; apply Tetrahedralize first");
+        " is a polyhedron, which has no shape functions; apply Tetrahedralize first");
     }
     if (GetCornerCount(cells, c) == 0)
     {
@@ -63,13 +63,14 @@ std::vector<int> CellsThatCount(const Cells& cells, int& dimension)
   }
   if (numbers.empty())
   {
-    throw InvalidInput("there is no polygon and no solid cell to interpolate in; give a surface or "
-                       "a solid, such as Delaunay 3D makes of points");
+    throw InvalidInput(
+      "there is no polygon and no solid cell; give a surface or a solid (Delaunay 3D "
+      "makes one from points)");
   }
   return numbers;
 }
 
-/// The box of a cell, a little larger than its points'. The sides of a curved one bulge beyond.
+/// The bounding box of a cell, slightly enlarged because the faces of a curved one bulge.
 Eigen::AlignedBox3d BoxOf(const Cells& cells, int number, vtkGenericCell* cell)
 {
   Eigen::AlignedBox3d box;
@@ -83,7 +84,7 @@ Eigen::AlignedBox3d BoxOf(const Cells& cells, int number, vtkGenericCell* cell)
   return { box.min() - margin, box.max() + margin };
 }
 
-/// Asks Eigen's walk through the tree for a cell that contains Place.
+/// The visitor with which Eigen's tree search finds a cell that contains Place.
 struct ContainingCell
 {
   const Cells& Grid;
@@ -111,8 +112,8 @@ struct ContainingCell
   // NOLINTEND(readability-identifier-naming)
 };
 
-/// What Eigen's branch and bound minimises outside of all cells: the squared distance from Place to
-/// the sides of a cell.
+/// The function that Eigen's branch and bound minimises outside all cells: the squared distance of
+/// Place from the faces of a cell.
 struct NearestCell
 {
   using Scalar = double;
@@ -130,7 +131,7 @@ struct NearestCell
   }
   double minimumOnObject(int number)
   {
-    // Eigen has boxes of pairs of cells alone: most cells need no closer look than at their own.
+    // Eigen has boxes of pairs of cells only: a cell's own box rules out most of them.
     const double minimum = this->minimumOnVolume(this->Boxes[number]);
     if (minimum > this->Closest.Distance2)
     {
@@ -180,7 +181,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
     const int n = static_cast<int>(positions.rows());
     CellPoints found{ Eigen::VectorXi(n), { n, this->Grid.Points.rows() }, Eigen::VectorXd(n) };
     constexpr int grain = 256;
-    std::vector<Triplets> weights((n + grain - 1) / grain); // of each chunk
+    std::vector<Triplets> weights((n + grain - 1) / grain); // for each chunk
     ParallelFor(
       n, grain,
       [&](int begin, int end)
@@ -202,7 +203,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
     return found;
   }
 
-  /// Finds the cell `id` of a place, appends its `row` of weights, returns its distance.
+  /// Finds the cell `id` of a position, appends its `row` of weights, returns its distance.
   double FindOne(
     const RowVector3d& position, vtkGenericCell* cell, int row, int& id, Triplets& weights) const
   {
@@ -223,9 +224,8 @@ struct CellLocator::SolidSearch : CellLocator::Search
     id = nearest.Number;
     if (id < 0)
     {
-      throw InvalidInput(
-        "a place is too far from every cell for its distance to be a number; scale "
-        "the shapes to a common size");
+      throw InvalidInput("a position is so far from every cell that its distance overflows; scale "
+                         "the shapes to a common size");
     }
     for (int k = 0; k < 3; ++k)
     {
@@ -235,7 +235,7 @@ struct CellLocator::SolidSearch : CellLocator::Search
   }
 
   Cells Grid;
-  std::vector<Eigen::AlignedBox3d> Boxes; ///< of all cells; empty where one does not count
+  std::vector<Eigen::AlignedBox3d> Boxes; ///< of all cells; empty for cells that are ignored
   Eigen::KdBVH<double, 3, int> Tree;      ///< of cells
 };
 
@@ -265,7 +265,7 @@ struct CellLocator::SurfaceSearch : CellLocator::Search
       if (ids->GetNumberOfIds() == 0)
       {
         throw InvalidInput("cell " + std::to_string(number) +
-          " is a polygon that cannot be cut into triangles; repair it");
+          " is a polygon that cannot be split into triangles; repair it");
       }
     }
     Mesh mesh{ cells.Points, Eigen::MatrixXi(triangles.size(), 3) };
@@ -297,7 +297,7 @@ struct CellLocator::SurfaceSearch : CellLocator::Search
     return found;
   }
 
-  std::vector<int> CellOfTriangle; ///< before Locator, which is made while it fills
+  std::vector<int> CellOfTriangle; ///< declared before Locator, whose construction fills it
   SurfaceLocator Locator;
 };
 

@@ -10,37 +10,39 @@
 namespace shape
 {
 
-/// Where n places lie among cells.
+/// The location of n positions in cells.
 struct CellPoints
 {
-  Eigen::VectorXi Ids; ///< n: the cell
-  /// n x points of the cells: what interpolates values given at these to the places. A row has the
-  /// corners of its cell, or of a triangle of it, and sums to 1.
+  Eigen::VectorXi Ids; ///< n: the cell of each position
+  /// n x points of the cells: the weights that interpolate values at the points to the positions. A
+  /// row refers to the corners of the cell, or of a triangle of it, and sums to 1.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
-  Eigen::VectorXd Distances; ///< n: 0 in the cell, else to the closest place in it
+  Eigen::VectorXd Distances; ///< n: 0 inside the cell, else the distance to its closest point
 };
 
 /**
- * Finds the cell that a place lies in and the weights of its points; built once, queried from any
- * thread.
+ * Finds the cell that contains a position, and the weights of the cell's points there. It is built
+ * once and queried from any thread.
  *
- * Solid cells interpolate by their shape functions (linear in tetrahedra, trilinear in hexahedra:
- * values that are linear in space are met exactly), as vtkCell::EvaluatePosition gives them.
- * Outside of all of them the closest place on a side of one counts, the side cut into triangles.
- * Where no cell is solid, polygons are cut into triangles, and the closest place on them counts, by
- * barycentric weights. Where there are both, polygons do not count; lines and vertices never do.
+ * Solid cells interpolate by their shape functions, as in vtkCell::EvaluatePosition: linear in
+ * tetrahedra, trilinear in hexahedra, so linear functions of space are reproduced exactly. A
+ * position outside all cells takes the closest point on a face of a cell, split into triangles.
+ *
+ * If no cell is solid, polygons are split into triangles, and a position takes the closest point on
+ * them, with barycentric weights. If there are both, polygons are ignored; lines and vertices
+ * always are.
  */
 class CellLocator
 {
 public:
-  /// Throws InvalidInput where no cell is a polygon or solid, or a cell is a polyhedron, which has
+  /// Throws InvalidInput if no cell is a polygon or solid, or if a cell is a polyhedron, which has
   /// no shape functions; Aborted.
   explicit CellLocator(const Cells& cells, const Progress& progress = {});
   ~CellLocator();
   CellLocator(CellLocator&&) noexcept;
   CellLocator& operator=(CellLocator&&) noexcept;
 
-  /// places: n x 3, finite. Throws InvalidInput where the square of a distance overflows, Aborted.
+  /// positions: n x 3, finite. Throws InvalidInput if the square of a distance overflows; Aborted.
   CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:

@@ -36,24 +36,24 @@ RowVector3d OnSegment(const Eigen::Matrix3d& corners, int i, int j, const RowVec
 
 using BoxTree = Eigen::KdBVH<double, 3, int>;
 
-/// A triangle with what its plane needs: side by side for the search.
+/// A triangle and data of its plane, contiguous for the search.
 struct Facet
 {
   Eigen::Matrix3d Corners;
   RowVector3d Normal; ///< unit; zero where there is none
 };
 
-/// The triangle closest to Place that has been seen so far.
+/// The triangle closest to Place among those tested so far.
 struct Nearest
 {
   RowVector3d Position;
-  double Bound2; ///< no less than the least squared distance: what is farther away is not looked at
+  double Bound2; ///< an upper bound of the minimum squared distance, which prunes the search
   int Triangle = -1;
   RowVector3d Barycentric = RowVector3d::Zero();
 
   void Look(const Facet& facet, int triangle)
   {
-    // The plane is seldom nearer than the best so far: most triangles end here.
+    // The plane is seldom closer than the best so far: most triangles are rejected here.
     const double height = (this->Position - facet.Corners.row(0)).dot(facet.Normal);
     if (height * height > this->Bound2)
     {
@@ -70,8 +70,8 @@ struct Nearest
   }
 };
 
-/// Depth first, the nearer box first: without the queue of Eigen's search it takes a third of the
-/// time.
+/// Searches depth first, the nearer box first. Without the queue of Eigen's search this takes a
+/// third of the time.
 void Search(const BoxTree& tree, const std::vector<Facet>& facets, Nearest& nearest)
 {
   struct Box
@@ -79,7 +79,7 @@ void Search(const BoxTree& tree, const std::vector<Facet>& facets, Nearest& near
     int Node;
     double Distance2;
   };
-  std::array<Box, 128> open; // a tree halves its triangles: one box waits for each level
+  std::array<Box, 128> open; // a tree halves its triangles, so one box waits per level
   int count = 0;
   open[count++] = { tree.getRootIndex(), 0.0 };
   while (count > 0)
@@ -117,8 +117,8 @@ void RequireFound(const Nearest& nearest)
 {
   if (nearest.Triangle < 0)
   {
-    throw InvalidInput("a place is too far from every triangle for its distance to be a "
-                       "number; scale the shapes to a common size");
+    throw InvalidInput("a position is so far from every triangle that its distance overflows; "
+                       "scale the shapes to a common size");
   }
 }
 
@@ -198,8 +198,8 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
     static_cast<int>(n), 256,
     [&](int begin, int end)
     {
-      // Points that follow each other are mostly neighbours: what is closest to the one before is a
-      // good bound, and with a margin for rounding it changes no result.
+      // Consecutive points are usually neighbours. The previous result is therefore a good bound,
+      // which with a margin for rounding does not change the result.
       constexpr double margin = 1.0 + 1e-9, maximum = std::numeric_limits<double>::max();
       RowVector3d before = RowVector3d::Constant(std::numeric_limits<double>::quiet_NaN());
       for (int i = begin; i < end; ++i)
@@ -210,7 +210,7 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
         Search(this->Impl->Boxes, this->Impl->Facets, nearest);
         if (nearest.Triangle < 0 && bound2 < maximum)
         {
-          // On the surface, rounding can be more than the margin.
+          // For a point on the surface, rounding can exceed the margin.
           nearest.Bound2 = maximum;
           Search(this->Impl->Boxes, this->Impl->Facets, nearest);
         }

@@ -10,15 +10,15 @@
 namespace shape
 {
 
-/// Where on a surface the closest points to n points lie; barycentric coordinates are exactly 0
-/// opposite an edge that a place lies on.
+/// The points on a surface closest to n points. On an edge the barycentric coordinate of the
+/// opposite corner is exactly 0.
 struct ClosestPoints : SurfacePoints
 {
   Eigen::MatrixXd Positions; ///< n x 3
   Eigen::VectorXd Distances; ///< n: >= 0
 };
 
-/// Where on a surface the closest point to one point lies.
+/// The point on a surface closest to one point.
 struct ClosestPoint
 {
   int Triangle = -1;
@@ -26,25 +26,26 @@ struct ClosestPoint
   double Distance = 0.0;
 };
 
-/// Barycentric coordinates of the point of a triangle (one corner a row) closest to `place`; those
-/// opposite an edge that it lies on are exactly 0. The triangle may have no area.
+/// Returns the barycentric coordinates of the point of a triangle (one corner per row) closest to
+/// `position`. On an edge the coordinate of the opposite corner is exactly 0. The triangle may be
+/// degenerate.
 Eigen::RowVector3d FindClosestPointInTriangle(
   const Eigen::Matrix3d& corners, const Eigen::RowVector3d& position);
 
-/// Finds the closest points of a triangulated surface, from any thread. The search tree is kept
-/// with the surface: a second locator of the same one costs nothing.
+/// Finds the closest points on a triangulated surface, from any thread. The search tree is cached
+/// in the surface, so another locator of the same surface costs nothing.
 class SurfaceLocator
 {
 public:
   /// Throws InvalidInput if the surface has no triangle.
   explicit SurfaceLocator(const Surface& surface);
 
-  /// points: n x 3, finite. Throws InvalidInput where the square of a distance overflows, Aborted.
+  /// points: n x 3, finite. Throws InvalidInput if the square of a distance overflows; Aborted.
   ClosestPoints Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// The same for one point. guess: a triangle that is likely near, which makes it quicker and is
-  /// taken where no other is nearer, and at once where the point lies on it but for rounding; or
-  /// -1. Throws InvalidInput as above.
+  /// The same for one point. guess: a triangle that is likely to be close, which speeds up the
+  /// search, or -1. It is returned if no other is closer, and immediately if the point lies on it
+  /// up to rounding. Throws InvalidInput as above.
   ClosestPoint FindOne(const Eigen::RowVector3d& point, int guess = -1) const;
 
   const Surface& GetSurface() const { return this->Searched; } ///< the surface that is searched

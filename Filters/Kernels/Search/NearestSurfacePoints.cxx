@@ -13,7 +13,7 @@ namespace shape
 Eigen::VectorXi FindNearestRows(
   const Eigen::MatrixXd& queries, const Eigen::MatrixXd& rows, const Progress& progress)
 {
-  // |q - r|^2 = |q|^2 - 2 (q r - |r|^2 / 2): the nearest has the largest of what is in brackets.
+  // |q - r|^2 = |q|^2 - 2 (q r - |r|^2 / 2): the nearest r maximises the bracket.
   const Eigen::MatrixXf targets = rows.cast<float>();
   const Eigen::VectorXf halves = 0.5F * targets.rowwise().squaredNorm();
   constexpr int grain = 128, block = 1024; // queries and rows whose products stay in the cache
@@ -33,7 +33,7 @@ Eigen::VectorXi FindNearestRows(
         products.colwise() -= halves.segment(first, count);
         for (int i = 0; i < end - begin; ++i)
         {
-          // Where it is is asked for only where it counts: finding that takes longer.
+          // The index is computed only for a new maximum, because finding it takes longer.
           if (products.col(i).maxCoeff() > best(i))
           {
             Eigen::Index at = 0;

@@ -8,20 +8,21 @@
 namespace shape
 {
 
-/// For each row of `queries` (q x d) the row of `rows` (n x d, at least one) nearest to it, by
-/// products of matrices in single precision: in a hundred dimensions quicker than any tree, and
-/// exact but for that rounding; the first of those equally near. Throws Aborted.
+/// Returns, for each row of `queries` (q x d), the nearest row of `rows` (n x d, n >= 1); the first
+/// if several are equally near. Matrix products in single precision compute the distances: in a
+/// hundred dimensions this is faster than any tree, and exact up to rounding. Throws Aborted.
 Eigen::VectorXi FindNearestRows(
   const Eigen::MatrixXd& queries, const Eigen::MatrixXd& rows, const Progress& progress = {});
 
 /**
- * For each row of `queries` (q x d) a place of the surface whose points are the rows of `points` (n
- * x d) that is near to it in all d dimensions: around the point nearest of all (FindNearestRows),
- * the nearest place in the triangles there, and on from triangle to triangle that share a corner
- * while they lead nearer. In many dimensions a quick stand-in for the nearest place of all. From
- * the nearest of fewer points walks end elsewhere on thin limbs, and maps go wrong there.
+ * Finds, for each row of `queries` (q x d), a nearby point on the surface whose vertices are the
+ * rows of `points` (n x d), in all d dimensions. The search starts at the nearest vertex
+ * (FindNearestRows), takes the nearest point in the triangles there, and walks to triangles that
+ * share a corner while the distance falls. In many dimensions this is a fast approximation of the
+ * nearest point. Starting from a subset of the vertices would end elsewhere on thin parts, where
+ * maps would then be wrong.
  *
- * triangles: m x 3; points without one are no targets. Throws Aborted.
+ * triangles: m x 3; vertices without a triangle are never targets. Throws Aborted.
  */
 SurfacePoints FindNearestSurfacePoints(const Eigen::MatrixXd& queries,
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points, const Progress& progress = {});

@@ -15,7 +15,7 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using NearestTree = nanoflann::KDTreeEigenMatrixAdaptor<Rows, 3>;
 using Found = std::vector<std::pair<double, int>>; // squared distance, point
 
-/// The k nearest; of equally near ones those that come first by number.
+/// The k nearest points; at equal distance those of lower index.
 class NearestSet
 {
 public:
@@ -36,7 +36,7 @@ public:
   }
   double worstDist() const // NOLINT(readability-identifier-naming)
   {
-    // One step farther, so that equally near points are offered, too.
+    // The next larger double, so that points at equal distance are offered, too.
     return this->Items.size() < this->Count
       ? std::numeric_limits<double>::max()
       : std::nextafter(this->Items.back().first, std::numeric_limits<double>::max());
@@ -126,7 +126,7 @@ int PointTree::NearestOf(
 
 std::vector<int> PointTree::Within(const Eigen::RowVector3d& position, double radius) const
 {
-  // One step farther: nanoflann leaves out what is exactly as far.
+  // The next larger double, because nanoflann excludes points at exactly this distance.
   std::vector<std::pair<Eigen::Index, double>> found;
   this->Impl->Nodes.index->radiusSearch(position.data(),
     std::nextafter(radius * radius, std::numeric_limits<double>::max()), found,

@@ -9,7 +9,7 @@
 namespace shape
 {
 
-/// Finds the nearest of n fixed points (n x 3); its answers do not change with their order.
+/// Finds the nearest of n fixed points (n x 3). The results do not depend on the points' order.
 class PointTree
 {
 public:
@@ -18,15 +18,16 @@ public:
   PointTree(PointTree&&) noexcept;
   PointTree& operator=(PointTree&&) noexcept;
 
-  /// The `count` nearest points (fewer where there are fewer), the nearest first; equally near ones
-  /// by number.
+  /// Returns the `count` nearest points, or all if there are fewer. The nearest comes first; points
+  /// at equal distance are ordered by index.
   std::vector<int> Nearest(const Eigen::RowVector3d& position, int count) const;
 
-  /// The nearest of the points that `accepts` takes, nearer than `within`, or -1.
+  /// Returns the nearest point that `accepts` returns true for and that is closer than `within`; -1
+  /// if there is none.
   int NearestOf(const Eigen::RowVector3d& position, const std::function<bool(int)>& accepts,
     double within) const;
 
-  /// The points no farther than `radius`, by number.
+  /// Returns the points at a distance of at most `radius`, in ascending order of index.
   std::vector<int> Within(const Eigen::RowVector3d& position, double radius) const;
 
 private:

@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float SquareRounding = 1e-6F; // eight times that of one operation
 
-/// How far a point is from 16 balls; negative inside.
+/// Returns the distances of a point from 16 balls; negative inside.
 void GapsFor(
   const float* point, int dimension, const float* centres, const float* radii, float* gaps)
 {
@@ -37,9 +37,9 @@ void GapsFor(
   }
 }
 
-/// The squares of how far a point is from the triangles of a block, less what rounding may add: the
-/// least of the place in the plane, where that is inside, and the nearest places of the three
-/// sides.
+/// Returns the squared distances of a point from the triangles of a block, less the possible
+/// rounding error: the minimum over the projection onto the plane, if it is inside, and the nearest
+/// points of the three edges.
 void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, float* squares)
 {
   constexpr int size = TriangleBlocks::Size;
@@ -62,7 +62,7 @@ void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, flo
     }
     const Vector a = hn::LoadU(d, products + i), b = hn::LoadU(d, products + size + i),
                  c = hn::LoadU(d, products + 2 * size + i);
-    // What is farther by than the corner: s (s a + 2 t b - 2 u) + t (t c - 2 v).
+    // The difference to the corner's squared distance: s (s a + 2 t b - 2 u) + t (t c - 2 v).
     const auto farther = [&](Vector s, Vector t)
     {
       const Vector inner = hn::MulAdd(s, a, hn::Mul(two, hn::Sub(hn::Mul(t, b), u)));
@@ -80,11 +80,11 @@ void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, flo
     const Vector determinant = hn::NegMulAdd(b, b, hn::Mul(a, c));
     const Vector s = hn::Div(hn::NegMulAdd(b, v, hn::Mul(c, u)), determinant),
                  t = hn::Div(hn::NegMulAdd(b, u, hn::Mul(a, v)), determinant);
-    // Of a triangle without area s and t are not finite, and no comparison holds.
+    // For a triangle without area s and t are not finite, and no comparison is true.
     const auto inside =
       hn::And(hn::And(hn::Ge(s, zero), hn::Ge(t, zero)), hn::Le(hn::Add(s, t), one));
     minimum = hn::IfThenElse(inside, hn::Min(minimum, farther(s, t)), minimum);
-    // What rounding may have added: next to a triangle the sum is a difference of larger numbers.
+    // The possible rounding error: close to a triangle the sum cancels larger numbers.
     const Vector large = hn::Add(square, hn::Add(a, c));
     const Vector sum = hn::NegMulAdd(hn::Set(d, SquareRounding), large, hn::Add(square, minimum));
     hn::StoreU(hn::Max(zero, sum), d, squares + i);
@@ -120,7 +120,7 @@ constexpr int Multiple = 4; // numbers that one instruction may take
 constexpr int MaximumDimensions = 64;
 using Four = Eigen::Array<double, Multiple, 1>;
 
-/// By how much a distance in single precision may be wrong where no coordinate is larger.
+/// Returns the maximum error of a distance in single precision for coordinates up to `largest`.
 float RoundingOf(double largest, int dimension)
 {
   constexpr double roundings = 8.0; // of differences, a sum of squares and a root
@@ -175,7 +175,7 @@ void TriangleTree::Split(int first, int count, const Eigen::MatrixXd& centres)
   {
     return;
   }
-  // Halves of whole blocks, the first as many as a power of two: balls are around neighbours.
+  // Splits into whole blocks, the first half a power of two, so that balls are around neighbours.
   int half = Block;
   while (2 * half < count)
   {
@@ -287,7 +287,7 @@ void TriangleTree::MoveBalls()
         centre[k] = (there * own).sum() / there.sum();
         squares += (own - centre[k]).square();
       }
-      // A ball that is not there has a radius below any distance.
+      // An unused ball has a radius below any distance.
       put(this->Blocks.Levels[l], item, centre.data(), (squares.sqrt() + radii).maxCoeff());
     }
   }
@@ -362,7 +362,7 @@ NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) c
     {
       if (numbers[i] < bound)
       {
-        // The nearest comes out first.
+        // The nearest is popped first.
         int position = height++;
         for (; position > before && stack[position - 1].Gap < numbers[i]; --position)
         {

@@ -7,52 +7,53 @@
 namespace shape
 {
 
-/// Where in which triangle the nearest place is.
+/// The nearest point in a set of triangles.
 struct NearestTriangle
 {
   int Triangle = -1;
-  Eigen::RowVector3d Barycentric; ///< exactly 0 opposite an edge that it lies on
+  Eigen::RowVector3d Barycentric; ///< on an edge, exactly 0 for the opposite corner
   double SquaredDistance = 0.0;
 };
 
-/// Triangles in the order of a tree, 16 to a block, and balls around them, in single precision: for
-/// coordinate k of what is in place i of block b, index (b * Dimension + k) * 16 + i.
+/// Triangles in the order of a tree, 16 per block, and balls around them, in single precision.
+/// Coordinate k of entry i of block b has the index (b * Dimension + k) * 16 + i.
 struct TriangleBlocks
 {
   static constexpr int Size = 16;
 
-  /// Balls around 16 blocks, or around 16 balls of the level before; the last level has at most 16.
+  /// Balls around 16 blocks, or around 16 balls of the previous level; the last level has at most
+  /// 16.
   struct Level
   {
     std::vector<float> Centres;
-    std::vector<float> Radii; ///< with room for rounding; below any distance where there is no ball
+    std::vector<float> Radii; ///< enlarged for rounding; negative in unused entries
   };
 
   int Dimension = 0;
-  std::vector<float> Corners, FirstEdges, SecondEdges; ///< the sides start at the corner
-  std::vector<float> Products;                         ///< of the sides: 3 in place of Dimension
+  std::vector<float> Corners, FirstEdges, SecondEdges; ///< both edges start at the corner
+  std::vector<float> Products;                         ///< edge products: 3, not Dimension, values
   std::vector<Level> Levels;
-  float Rounding = 0.0F; ///< by how much a distance may be wrong
+  float Rounding = 0.0F; ///< the largest error of a distance
 };
 
 /**
- * Finds the nearest places of triangles between points of any dimension: a tree of balls around
- * triangles that are near each other, which fit a surface askew in many dimensions better than
- * boxes do. Sixteen balls, or triangles, are compared at once in single precision (Highway); what
- * may be nearest by that is in double precision. Where points are moved a little, as an iteration
- * does, the tree stays and its balls follow.
+ * Finds the nearest points of triangles in any dimension. The tree consists of balls around
+ * triangles that are close to each other, which in many dimensions fit an oblique surface better
+ * than boxes. Sixteen balls or triangles are compared at once in single precision (Highway);
+ * candidates for the nearest are compared in double precision. If points move a little, as in an
+ * iteration, the tree is kept and its balls are updated.
  */
 class TriangleTree
 {
 public:
-  /// triangles: m x 3, at least one, kept by reference; points: n x d, d <= 64, as they are now.
+  /// triangles: m x 3, m >= 1, kept by reference. points: n x d, d <= 64, the initial positions.
   TriangleTree(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points);
 
-  /// points: n x d. The result of Find is as exact however far they move, but takes longer.
+  /// points: n x d. However far they move, Find stays exact, but becomes slower.
   void Move(const Eigen::MatrixXd& points);
 
-  /// The nearest place to a point (d), over all triangles. guess: a triangle that is likely near,
-  /// which makes it quicker; of places equally near, the guess's is taken.
+  /// Returns the nearest point of all triangles to a point (d). guess: a triangle that is likely to
+  /// be close, which speeds up the search; it is preferred among points at equal distance.
   NearestTriangle Find(const Eigen::RowVectorXd& point, int guess) const;
 
 private:
@@ -62,10 +63,10 @@ private:
   void Test(const double* point, int triangle, NearestTriangle& best) const;
 
   const Eigen::MatrixXi& Triangles;
-  int Dimension; ///< d, raised to a multiple of 4 by zeros
+  int Dimension; ///< d, padded with zeros to a multiple of 4
   std::vector<int> Order;
   std::vector<double> Coordinates; ///< n x Dimension
-  Eigen::MatrixXd Products;        ///< m x 3: of each triangle's edges from its first corner
+  Eigen::MatrixXd Products;        ///< m x 3: products of the edges at the first corner
   TriangleBlocks Blocks;
 };
 

@@ -46,10 +46,10 @@ void TriangleWalk::Go(int point, const Eigen::VectorXd& towards)
   }
 }
 
-/// Looks at the triangles around a point; whether one leads nearer.
+/// Tests the triangles around a point; returns whether one is closer.
 bool TriangleWalk::Look(int point, const Eigen::VectorXd& towards)
 {
-  constexpr double rounding = 1e-12; // else a walk could go around places equally near
+  constexpr double rounding = 1e-12; // otherwise a walk could cycle between equally near points
   bool nearer = false;
   for (int i = this->Fans.First[point]; i < this->Fans.First[point + 1]; ++i)
   {
@@ -61,7 +61,7 @@ bool TriangleWalk::Look(int point, const Eigen::VectorXd& towards)
     w = towards - p;
     const double a = e.squaredNorm(), b = e.dot(f), c = f.squaredNorm(), u = w.dot(e), v = w.dot(f);
     const auto [x, y] = ProjectOntoTriangle(a, b, c, u, v);
-    // Rounding must not make it negative: the walk would never end.
+    // Rounding must not make it negative, or the walk would never end.
     const double squared =
       std::max(0.0, w.squaredNorm() + x * (x * a + 2.0 * y * b - 2.0 * u) + y * (y * c - 2.0 * v));
     if (squared < this->Squared * (1.0 - rounding))

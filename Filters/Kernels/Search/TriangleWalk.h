@@ -11,7 +11,8 @@
 namespace shape
 {
 
-/// The triangles around each point: those of point i from First[i] to First[i + 1].
+/// The triangles around each point: those of point i are Triangles[First[i]] ...
+/// Triangles[First[i + 1] - 1].
 struct TriangleFans
 {
   TriangleFans(const Eigen::MatrixXi& triangles, Eigen::Index points);
@@ -19,12 +20,12 @@ struct TriangleFans
   std::vector<int> First, Triangles;
 };
 
-/// Goes on a surface between points of any dimension towards a place near to it: from triangle to
-/// triangle that share a corner while they lead nearer.
+/// Walks on a surface in any dimension towards a position: from triangle to triangle that share a
+/// corner while the distance falls.
 class TriangleWalk
 {
 public:
-  /// triangles: m x 3; points: d x n, one a column; all are kept by reference.
+  /// triangles: m x 3. points: d x n, one per column. Keeps references to all arguments.
   TriangleWalk(
     const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points, const TriangleFans& fans)
     : Triangles(triangles)
@@ -33,10 +34,10 @@ public:
   {
   }
 
-  /// From the triangles around a point that has some, to where none around leads nearer.
+  /// Walks from the triangles around a point, which must have some, to a local minimum of distance.
   void Go(int point, const Eigen::VectorXd& towards);
 
-  int Triangle = -1; ///< where it ended
+  int Triangle = -1; ///< the triangle where the walk ended
   Eigen::RowVector3d Barycentric;
 
 private:
@@ -45,12 +46,13 @@ private:
   const Eigen::MatrixXi& Triangles;
   const Eigen::MatrixXd& Points;
   const TriangleFans& Fans;
-  double Squared = 0.0;               ///< the distance that is left
-  Eigen::VectorXd First, Second, Way; ///< kept to spare allocations
+  double Squared = 0.0;               ///< the squared distance that remains
+  Eigen::VectorXd First, Second, Way; ///< buffers, kept to avoid allocations
 };
 
-/// Where walks to places (q x d, one a row) end on the surface of points (n x d, one a row). begin:
-/// of each place the point to walk from, asked for from any thread. Throws Aborted.
+/// Returns the ends of walks towards positions (q x d, one per row) on the surface of points (n x
+/// d, one per row). begin: returns the start point for each position; called from any thread.
+/// Throws Aborted.
 SurfacePoints WalkToPositions(const Eigen::MatrixXd& positions, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, const TriangleFans& fans, const std::function<int(int)>& begin,
   const Progress& progress = {});

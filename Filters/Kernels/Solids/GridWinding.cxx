@@ -13,8 +13,8 @@ namespace shape
 namespace
 {
 
-/// Which side of the line from a to b the place is on when it has been moved by an infinitesimal
-/// step along the first axis and a smaller one along the second; 0 where a and b are the same.
+/// Returns the side of the line from a to b on which the position lies after an infinitesimal step
+/// along the first axis and a smaller one along the second; 0 if a and b are equal.
 int SideOf(
   const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& position)
 {
@@ -36,8 +36,8 @@ int FirstBeyond(const SampledGrid& grid, int axis, double position)
     static_cast<double>(grid.Counts(axis))));
 }
 
-/// The grid's lines between two coordinates along an axis, and one on either side, since the exact
-/// orientations decide.
+/// The grid's lines between two coordinates along an axis, and one more on either side, because the
+/// exact orientations decide.
 struct Lines
 {
   Lines(const SampledGrid& grid, int axis, double low, double high)
@@ -62,7 +62,7 @@ double CrossingOf(const Eigen::Matrix3d& corners, const Eigen::RowVector2d& line
 
 Eigen::VectorXi ComputeGridWindingNumbers(const Mesh& mesh, const SampledGrid& grid)
 {
-  // First by how much the number changes at each point, as seen from the one before.
+  // First the change of the number at each point relative to the previous one.
   Eigen::VectorXi winding = Eigen::VectorXi::Zero(grid.Counts.prod());
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {

@@ -9,16 +9,17 @@ namespace shape
 {
 
 /**
- * How often a closed surface winds around each point of a grid: Counts.prod() numbers in the order
- * of its values, 1 inside one that faces outwards, 0 outside; 2 where two such solids overlap.
+ * Returns the winding number of a closed surface around each point of a grid: Counts.prod() numbers
+ * in the order of its values. It is 1 inside a surface that faces outwards, 0 outside, and 2 where
+ * two such solids overlap.
  *
- * Along each of the grid's lines in x the crossings with triangles are counted with their sign.
- * Exact orientations (Geometry/Orientation.h) decide which triangles a line crosses; one that meets
- * an edge or a point counts as if it were moved by an infinitesimal step in y and a smaller one in
- * z, so that the numbers are consistent whatever the triangles are like: they may cross each other.
+ * Signed crossings with triangles are counted along each of the grid's lines in x. Exact
+ * orientations (Geometry/Orientation.h) decide which triangles a line crosses. A line that meets an
+ * edge or a point is treated as if it were moved by an infinitesimal step in y and a smaller one in
+ * z. The numbers are therefore consistent for any triangles, even if they cross each other.
  *
- * mesh: closed and consistently oriented, within the grid in y and z where its lines are to be
- * right. The grid's values are not used.
+ * mesh: closed and consistently oriented, within the grid's range in y and z. The grid's values are
+ * not used.
  */
 Eigen::VectorXi ComputeGridWindingNumbers(const Mesh& mesh, const SampledGrid& grid);
 

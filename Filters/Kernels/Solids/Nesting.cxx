@@ -51,7 +51,7 @@ std::vector<Component> Split(const Mesh& mesh, const Topology& topology)
   return components;
 }
 
-/// Asks Eigen's walk through two trees whether a triangle of one meets a triangle of the other.
+/// The visitor of Eigen's search in two trees: whether a triangle of one meets one of the other.
 struct Meeting
 {
   const Mesh& Searched;
@@ -98,7 +98,7 @@ bool IsFacingOutwards(const Mesh& mesh, const Component& component, const RowVec
   return sixVolumes > 0.0;
 }
 
-/// What a surface keeps: itself with components inverted, or nothing if none had to be.
+/// The data cached in a surface: itself with components inverted, or nothing if none had to be.
 struct KeptOrientation
 {
   std::optional<Surface> Inverted;
@@ -127,7 +127,7 @@ KeptOrientation Orient(const Surface& surface, const std::string& name, const Pr
       }
       if (meeting.Found)
       {
-        throw InvalidInput(name + " has components that touch or cross (the ones of points " +
+        throw InvalidInput(name + " has components that touch or cross (those of points " +
           std::to_string(mesh.Triangles(components[i].Triangles[0], 0)) + " and " +
           std::to_string(mesh.Triangles(components[j].Triangles[0], 0)) +
           "); move them apart, or unite them");

@@ -9,19 +9,19 @@ namespace shape
 {
 
 /**
- * The surface of a solid with voids, facing out of the solid: the given one itself if it does.
+ * Orients the surface of a solid with voids so that it faces out of the solid.
  *
  * Each component of a closed surface bounds the solid from outside, or a void in it, or a solid in
- * that void, and so on: a component that lies within an even number of others is turned to face
- * outwards, one within an odd number to face inwards. It does not matter how they face before.
- * The winding number at one of its points decides where a component lies (Mesh/Mesh.h), and exact
- * orientations whether two meet (Geometry/SelfIntersections.h).
+ * that void, and so on. A component inside an even number of others is oriented outwards, one
+ * inside an odd number inwards, whatever their orientation before. The winding number at one of its
+ * points decides which components are around a component (Mesh/Mesh.h). Exact orientations decide
+ * whether two meet (Geometry/SelfIntersections.h).
  *
- * surface: as for RequireClosedSurface; `name` is what errors call it. If every component faces the
- * right way already, the result is the same surface, with what is cached in it. The result itself
- * is cached in `surface`. Throws InvalidInput if it is not closed, or if two components touch or
- * cross, so that neither lies within the other; Aborted. A component that touches itself is not
- * noticed.
+ * surface: as for RequireClosedSurface; `name` is used for it in messages. If every component is
+ * already oriented correctly, the result is the same surface, with its cached data. The result is
+ * cached in `surface`. Throws InvalidInput if the surface is not closed, or if two components touch
+ * or cross, so that neither lies within the other; Aborted. A component that touches itself is not
+ * detected.
  */
 Surface OrientByNesting(
   const Surface& surface, const std::string& name, const Progress& progress = {});

@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-/// What is kept with a surface: it must not hold the surface itself.
+/// The data cached in a surface; it must not hold the surface itself.
 struct KeptBoundary
 {
   int Crossings = 0;
@@ -47,7 +47,7 @@ KeptBoundary FindBoundary(const Surface& surface, const Progress& progress)
   const Mesh& mesh = surface;
   KeptBoundary result;
   const Eigen::Index count = mesh.Triangles.rows();
-  // Flat triangles bound nothing, and say nothing about crossings that others do not.
+  // Degenerate triangles bound nothing, and their crossings are also found by others.
   std::vector<char> apart(count, 0);
   for (const int flat : FindDegenerateTriangles(mesh))
   {
@@ -74,7 +74,7 @@ KeptBoundary FindBoundary(const Surface& surface, const Progress& progress)
   {
     apart[solid[crossing.First]] = apart[solid[crossing.Second]] = 1;
   }
-  // Triangles that are connected without crossing others are all inside, or all outside.
+  // Triangles connected without crossings are all inside or all outside.
   const std::vector<std::vector<int>> neighbours = Neighbours(surface);
   const double step = 1e-6 * ComputeLongestBoxEdge(mesh.Points);
   std::vector<int> kept;

@@ -6,26 +6,27 @@
 namespace shape
 {
 
-/// What bounds the solid that a surface winds around.
+/// The part of a surface that bounds its solid.
 struct SolidBoundaryResult
 {
-  /// The surface's triangles that bound it, with all of the surface's points; the surface itself
-  /// where all do.
+  /// The surface's triangles that bound the solid, with all of the surface's points; the surface
+  /// itself if all triangles do.
   shape::Surface Surface;
-  int Crossings = 0; ///< pairs of triangles that cross or touch; with none, nothing is left out
+  int Crossings = 0; ///< pairs of triangles that cross or touch; if 0, no triangle is removed
 };
 
 /**
- * The triangles of a closed surface that may cross itself, without those inside the solid that it
- * winds around at least once (Jacobson, Kavan and Sorkine-Hornung, "Robust inside-outside
- * segmentation using generalized winding numbers", 2013). Triangles that cross others are kept
- * whole, so a little of them may lie inside. The result is kept with the surface.
+ * Extracts the triangles of a closed surface that bound its solid, the region with a winding number
+ * of at least 1; the surface may cross itself. Triangles inside the solid are removed (Jacobson,
+ * Kavan and Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding
+ * numbers", 2013). Triangles that cross others are not split, so small parts of them may lie
+ * inside. The result is cached in the surface.
  *
- * surface: closed, oriented consistently. Throws Aborted.
+ * surface: closed and consistently oriented. Throws Aborted.
  */
 SolidBoundaryResult ExtractSolidBoundary(const Surface& surface, const Progress& progress = {});
 
-/// The closed surface with its normals pointing outwards: itself if they do.
+/// Returns the closed surface with its normals pointing outwards: itself if they already do.
 Surface OrientOutwards(const Surface& surface);
 
 } // namespace shape

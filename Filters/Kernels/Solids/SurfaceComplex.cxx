@@ -117,8 +117,8 @@ void RequireClosed(const Surface& surface, const std::string& name)
       throw;
     }
     throw InvalidInput(name + " has " + std::to_string(topology.BoundaryLoops) +
-      (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + ", only because " +
-      std::to_string(duplicates) + " of its points lie where others do (first point " +
+      (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + ", but only because " +
+      std::to_string(duplicates) + " of its points coincide with others (first point " +
       std::to_string(first) + "); merge them with Clean");
   }
 }
@@ -133,7 +133,7 @@ SurfaceComplex JoinSurfaces(const std::vector<Surface>& surfaces)
     triangles += surface.Triangles().rows();
   }
   Mesh all = JoinMeshes({ surfaces.begin(), surfaces.end() });
-  // Only points in use take part, so that none stands for them all.
+  // Only used points are compared, so that no unused point is the representative.
   const Eigen::Index points = all.Points.rows();
   const std::vector<int> kept = FindUsedPoints(all.Triangles, points);
   const Eigen::MatrixXd positions = all.Points(kept, Eigen::all);

@@ -37,7 +37,7 @@ void CheckOptions(const TetrahedralizeOptions& options)
   }
 }
 
-/// Progress of a loop that is at item `i` of `count`.
+/// Progress of a loop at item `i` of `count`.
 void ReportEvery(Eigen::Index i, Eigen::Index count, const Progress& progress)
 {
   if (i % 65536 == 0)
@@ -46,7 +46,7 @@ void ReportEvery(Eigen::Index i, Eigen::Index count, const Progress& progress)
   }
 }
 
-/// Turns all tetrahedra so that they are positive. Throws if they do not all agree.
+/// Orients all tetrahedra positively. Throws if their orientations differ.
 void MakePositive(
   const Eigen::MatrixXd& points, Eigen::MatrixXi& tetrahedra, const Progress& progress)
 {
@@ -78,7 +78,7 @@ struct Face
   int Tetrahedron;
 };
 
-/// All faces, equal ones side by side, those of surfaces before those of tetrahedra.
+/// Returns all faces; equal ones are adjacent, those of surfaces before those of tetrahedra.
 std::vector<Face> SortFaces(
   const Eigen::MatrixXi& tetrahedra, const Eigen::MatrixXi& onSurfaces, const Progress& progress)
 {
@@ -123,8 +123,8 @@ std::vector<Face> SortFaces(
   return sorted;
 }
 
-/// Sets of tetrahedra that no surface separates: the number of each one's set, from 0. Throws if
-/// a part of a surface is no face of a tetrahedron, or the tetrahedra end elsewhere.
+/// Returns, for each tetrahedron, the index of its set; no surface separates the tetrahedra of a
+/// set. Throws if a part of a surface is no face of a tetrahedron, or the tetrahedra end elsewhere.
 Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
   const Eigen::MatrixXi& onSurfaces, int& sets, const Progress& progress)
 {
@@ -151,9 +151,9 @@ Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
   }
   if (missing + open > 0)
   {
-    throw SolveFailure("TetGen's tetrahedra miss " + std::to_string(missing) +
-      " triangles of the surface and end at " + std::to_string(open) +
-      " faces beside it; remesh where triangles are thin, or change PreserveBoundary");
+    throw SolveFailure("TetGen's tetrahedra do not contain " + std::to_string(missing) +
+      " triangles of the surface, and their boundary has " + std::to_string(open) +
+      " faces off the surface; remesh where triangles are thin, or change PreserveBoundary");
   }
   Eigen::VectorXi set = Eigen::VectorXi::Constant(tetrahedra.rows(), -1);
   std::vector<int> front;
@@ -239,9 +239,8 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
     regionOfSet(s) = regions.RegionAt(mesh.Points(corners, Eigen::all).colwise().mean());
     if (regionOfSet(s) == SolidRegions::Void)
     {
-      throw SolveFailure(
-        "TetGen filled a part of space that is not solid; remesh where parts of the "
-        "surface nearly touch");
+      throw SolveFailure("TetGen filled a region outside the solid; remesh where parts of the "
+                         "surface nearly touch");
     }
   }
   Eigen::VectorXi region(set.size());
@@ -257,7 +256,7 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
     if (!(std::abs(found(r) - regions.Volumes()(r)) <= 1e-9 * total))
     {
       throw SolveFailure("TetGen's tetrahedra of region " + std::to_string(r) +
-        " have another volume than the surfaces enclose (off by " +
+        " do not have the volume that the surfaces enclose (off by " +
         std::to_string(100.0 * (found(r) / regions.Volumes()(r) - 1.0)) +
         " %); remesh where triangles are thin, or change PreserveBoundary");
     }
@@ -297,11 +296,11 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const double byVolume = maximumVolume > 0.0 ? regions.Volumes().sum() / maximumVolume : 0.0;
   if (byVolume > 1e8)
   {
-    throw InvalidInput("MaximumVolume asks for more than 100 million tetrahedra; give more than " +
+    throw InvalidInput("MaximumVolume would give more than 100 million tetrahedra; use more than " +
       std::to_string(regions.Volumes().sum() / (scale * scale * scale) * 1e-8));
   }
 
-  // Refinement need not end beside very sharp angles, nor soon inside a thin sheet.
+  // Refinement may not end near very sharp angles, and takes long inside a thin sheet.
   const int maximumNewPoints =
     1000000 + static_cast<int>(std::min(1e9, 50.0 * complex.Surfaces.Points.rows() + byVolume));
   TetGenOutput mesh =
@@ -318,7 +317,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   if (mesh.Points.rows() - given >= maximumNewPoints)
   {
     throw SolveFailure("TetGen added " + std::to_string(maximumNewPoints) +
-      " points without reaching the bounds, as it does beside sharp angles and in thin parts; "
+      " points without reaching the bounds, as happens near sharp angles and in thin parts; "
       "raise "
       "MaximumRadiusEdgeRatio, or switch PreserveBoundary on");
   }

@@ -10,55 +10,56 @@ namespace shape
 
 struct TetrahedralizeOptions
 {
-  /// Bound on each tetrahedron's circumradius divided by its shortest edge: > 1, or 0 for none.
-  /// Beside sharp angles of the surface, and along a boundary that is preserved, it can be missed.
+  /// Bound on the ratio of each tetrahedron's circumradius to its shortest edge: > 1, or 0 for
+  /// none. It may be missed near sharp angles of the surface and along a preserved boundary.
   double MaximumRadiusEdgeRatio = 2.0;
 
-  /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. Along a boundary
-  /// that is preserved it can be missed, elsewhere by a few hundredths, by flips after refinement.
+  /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. It may be missed
+  /// along a preserved boundary, and elsewhere by a few percent because of flips after refinement.
   double MaximumVolume = 0.0;
 
-  /// Keeps every triangle of the surfaces as it is; else points may be added on them.
+  /// Keeps every triangle of the surfaces unchanged; if false, points may be added on them.
   bool PreserveBoundary = true;
 };
 
 struct TetrahedralizeResult
 {
-  /// n x 3: the surface's points that triangles use, in order, one for each position; then those of
-  /// the inner surfaces; then the new ones.
+  /// n x 3: first the points of the surface that triangles use, in order, without duplicates; then
+  /// those of the inner surfaces; then the new ones.
   Eigen::MatrixXd Points;
   Eigen::MatrixXi Tetrahedra;    ///< m x 4: (b - a) x (c - a) . (d - a) > 0
-  Eigen::VectorXi RegionId;      ///< m: see Tetrahedralize
-  Eigen::VectorXi OriginalPoint; ///< n: the surface's point that it is, or -1
-  int SteinerPoints = 0;         ///< how many points are of no surface
-  int Regions = 0;               ///< how many regions have tetrahedra
-  double Volume = 0.0;           ///< of all tetrahedra
-  /// The minimum scaled Jacobian: 6 sqrt(2) volume over the largest product of the three edges at a
-  /// corner; 1 for the regular tetrahedron, near 0 for a flat one.
+  Eigen::VectorXi RegionId;      ///< m: the region of each tetrahedron, see Tetrahedralize
+  Eigen::VectorXi OriginalPoint; ///< n: the index of the surface's point, or -1
+  int SteinerPoints = 0;         ///< number of points that belong to no surface
+  int Regions = 0;               ///< number of regions that contain tetrahedra
+  double Volume = 0.0;           ///< total volume of the tetrahedra
+  /// The minimum scaled Jacobian. For one tetrahedron it is 6 sqrt(2) times the volume, over the
+  /// largest product of the three edges at a corner: 1 if regular, near 0 if flat.
   double MinimumScaledJacobian = 0.0;
 };
 
 /**
  * Fills the solid inside a closed surface with tetrahedra: a constrained Delaunay
- * tetrahedralisation, refined until its tetrahedra keep the bounds (Shewchuk, "Tetrahedral mesh
+ * tetrahedralisation, refined until its tetrahedra satisfy the bounds (Shewchuk, "Tetrahedral mesh
  * generation by Delaunay refinement", 1998; Hang Si, "TetGen, a Delaunay-based quality tetrahedral
  * mesh generator", 2015).
  *
- * surface: closed, oriented consistently, may have several components: one inside an odd number of
- * others bounds a void, which stays empty. innerSurfaces: the same, inside the solid, also inside
- * one another: borders between materials. RegionId is i + 1 if inner surface i is the innermost
- * around a tetrahedron, and 0 if none is. Winding numbers inside its largest tetrahedron decide
- * which region a set of tetrahedra between surfaces has. No two surfaces may cross or touch but in
- * points; points at the same position count as one.
+ * surface: closed and consistently oriented. It may have several components: one inside an odd
+ * number of others bounds a void, which stays empty.
  *
- * The result is checked: every tetrahedron is positive (exactly), each region's volume agrees with
- * the surfaces' to 1e-9, and, if the boundary is preserved, each triangle of a surface is a
- * face.
+ * innerSurfaces: closed and consistently oriented borders between materials inside the solid; they
+ * may be nested. RegionId is i + 1 if inner surface i is the innermost around a tetrahedron, and 0
+ * if none is. The region of a set of tetrahedra between surfaces is decided by winding numbers
+ * inside the largest of them. Surfaces may touch each other at single points only. Points at the
+ * same position are merged.
  *
- * Throws InvalidInput if a surface is not closed, has flat triangles, crosses itself or another,
- * encloses no volume, an inner surface lies outside the solid, an option is out of its range, or
- * ShapeMap was built without TetGen; SolveFailure if TetGen fails or its result does not pass;
- * Aborted.
+ * The result is checked. Every tetrahedron is positive (exactly). Each region's volume agrees with
+ * the surfaces' to 1e-9. If the boundary is preserved, each triangle of a surface is a face.
+ *
+ * Throws InvalidInput if a surface is not closed, has degenerate triangles, crosses itself or
+ * another, or encloses no volume. Throws it also if an inner surface lies outside the solid, an
+ * option is out of range, or ShapeMap was built without TetGen. Throws SolveFailure if TetGen fails
+ * or its result does not pass the checks; Aborted.
  */
 TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const std::vector<Surface>& innerSurfaces = {}, const TetrahedralizeOptions& options = {},

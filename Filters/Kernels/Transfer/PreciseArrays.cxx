@@ -14,8 +14,7 @@ namespace
 
 constexpr double SingleRounding = 1e-6; ///< the arrays may have been stored in single precision
 
-/// Throws where a point is at fault: "the Input has `what` at 3 points (first at point 7); give
-/// ...".
+/// Throws if a point is invalid: "the Input has `what` at 3 points (first at point 7); give ...".
 template <typename Error>
 void RequireAll(Eigen::Index points, const std::function<bool(Eigen::Index)>& isSound,
   const std::string& pointsName, const std::string& what, const std::string& targetName)
@@ -34,7 +33,7 @@ void RequireAll(Eigen::Index points, const std::function<bool(Eigen::Index)>& is
     throw Error(pointsName + " has " + what + " at " + std::to_string(count) +
       (count == 1 ? " point" : " points") + " (first at point " + std::to_string(first) +
       "); give the surface that the map was made for as " + targetName +
-      ", or leave TargetCell out with Pass Arrays and take the closest places");
+      ", or remove TargetCell with Pass Arrays to use the closest points");
   }
 }
 

@@ -10,7 +10,7 @@
 namespace shape
 {
 
-/// A precise map as points carry it: what their arrays of these names hold (n rows).
+/// A precise map in the form of point arrays of these names (n rows).
 struct PreciseArrays
 {
   Eigen::VectorXd TargetCell;
@@ -18,35 +18,38 @@ struct PreciseArrays
   Eigen::MatrixXd TargetPosition;    ///< n x 3
 };
 
-/// The arrays are sound, but were made for another target.
+/// Thrown if the arrays are valid but were made for another target.
 class MapOfAnotherSurface : public InvalidInput
 {
 public:
   using InvalidInput::InvalidInput;
 };
 
-/// A surface as TargetCell numbers it.
+/// A surface with the cell numbers that TargetCell refers to.
 struct NumberedSurface
 {
   Mesh Surface;
-  int First = 0;         ///< the number of its first triangle: vertices and lines come before
-  Eigen::VectorXi Cells; ///< m: the polygon that each triangle is cut from
+  int First = 0;         ///< the cell number of its first triangle, after vertices and lines
+  Eigen::VectorXi Cells; ///< m: the polygon that contains each triangle
 };
 
 /**
- * The map that the arrays hold, into the triangles of `target`. Between sheets that lie close
- * together it tells which one is meant, which the position closest to TargetPosition does not.
+ * Returns the map given by the arrays, into the triangles of `target`. Where sheets lie close
+ * together it determines the correct one, unlike the point closest to TargetPosition.
  *
- * tolerance: how far that position and TargetPosition may be apart, as a share of the longest side
- * of the target's box. names: what messages call the points and the target, "the Input". Throws
- * InvalidInput if a number is not finite, a barycentric coordinate is negative or three do not
- * sum to 1 (by more than single precision loses); MapOfAnotherSurface if a cell is no triangle
- * of the target, or the positions are farther apart.
+ * tolerance: the maximum distance between the mapped position and TargetPosition, relative to the
+ * longest edge of the target's bounding box. pointsName, targetName: used in messages for the
+ * points and the target, for example "the Input".
+ *
+ * Throws InvalidInput if a number is not finite, a barycentric coordinate is negative, or the three
+ * do not sum to 1 up to single precision. Throws MapOfAnotherSurface if a cell is no triangle of
+ * the target, or if the positions are farther apart than the tolerance.
  */
 SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
   double tolerance, const std::string& pointsName, const std::string& targetName);
 
-/// Where points that go to positions on the giver's triangles take their values; none is outside.
+/// Returns the weights that take values from the giver's points to points mapped onto its
+/// triangles. No point is outside.
 TransferWeights LocateOnTriangles(const SurfacePoints& map, const NumberedSurface& giver);
 
 } // namespace shape

@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// The giver where its values are looked up.
+/// The giver in the space in which positions are located.
 Cells InPlace(Cells giver, const Eigen::MatrixXd& map, const TransferFieldsOptions& options)
 {
   if (!(options.Tolerance >= 0.0))

@@ -8,7 +8,7 @@ namespace shape
 {
 
 /**
- * A tetrahedron beside the one that it should look like: the affine map between them has the
+ * A tetrahedron together with its reference shape. The affine map from the reference has the
  * Jacobian J = sum over corners of x_v Gradients_v^T.
  */
 struct ReferenceSimplex
@@ -17,7 +17,7 @@ struct ReferenceSimplex
   Eigen::Matrix<double, 4, 3> Gradients; ///< of the corners' hat functions on the reference
 };
 
-/// The four gradients for a reference with the edges `edges` (columns) from its first corner.
+/// Returns the four gradients for the reference with the given edges (columns) at its first corner.
 Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges);
 
 /**
@@ -27,18 +27,19 @@ Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges);
  *
  *   (1 - t) |J|^2 / (3 chi^(2/3)) + t (D^2 + 1) / (2 chi),  chi = (D + sqrt(D^2 + epsilon^2)) / 2
  *
- * with t = VolumeShare: 1, the minimum, for a rotation. Finite for every J while epsilon > 0; as
- * epsilon falls it becomes a barrier at D = 0.
+ * with t = VolumeShare. Its minimum is 1, for a rotation. It is finite for every J if epsilon > 0,
+ * and tends to a barrier at D = 0 as epsilon tends to 0.
  */
 class EllipticEnergy
 {
 public:
   static constexpr double VolumeShare = 0.1;
 
-  /// The stand-in for the determinant; positive where epsilon is.
+  /// Returns chi, the regularised determinant; positive if epsilon is.
   static double Chi(double determinant, double epsilon);
 
-  /// The epsilon at which Chi(determinant, epsilon) = chi; `minimum` where none is greater.
+  /// Returns the epsilon for which Chi(determinant, epsilon) = chi, or `minimum` if that is
+  /// greater.
   static double EpsilonFor(double determinant, double chi, double minimum);
 
   EllipticEnergy(const Eigen::Matrix3d& jacobian, double epsilon);
@@ -46,14 +47,14 @@ public:
   double Value() const;
   double Determinant() const { return this->D; }
 
-  /// The derivative by J.
+  /// Returns the derivative with respect to J.
   Eigen::Matrix3d Gradient() const;
 
   /**
-   * A positive semi-definite part of the second derivative, in which D as a function of J and chi
-   * as a function of D are taken as linear: the energy is convex in J, D and chi together. It is
-   * Identity * I + Mixed (j c^T + c j^T) + Rank * c c^T with j and c the entries of J and of its
-   * cofactors.
+   * A positive semi-definite part of the second derivative. It treats D as a linear function of J
+   * and chi as a linear function of D, because the energy is convex in J, D and chi jointly. It is
+   * Identity * I + Mixed (j c^T + c j^T) + Rank * c c^T, where j and c are the entries of J and of
+   * its cofactor matrix.
    */
   struct Curvature
   {
@@ -66,7 +67,7 @@ public:
 
 private:
   Eigen::Matrix3d J, C;
-  double D, X, Slope, Power; ///< determinant, chi, its derivative, chi^(-2/3)
+  double D, X, Slope, Power; ///< determinant, chi, the derivative of chi, chi^(-2/3)
 };
 
 } // namespace shape

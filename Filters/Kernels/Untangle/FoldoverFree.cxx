@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double MinimumEpsilon = 1e-10;
-/// By which chi of the minimum determinant falls from step to step.
+/// The factor by which chi of the minimum determinant falls from step to step.
 constexpr double MinimumShare = 0.1, MaximumShare = 0.5;
 
 constexpr int SimplexGrain = 2048;
@@ -243,10 +243,10 @@ private:
   NewtonSystem System;
 };
 
-/// The minimiser of the sum of |J|^2, from which garbage is untangled.
+/// Returns the minimiser of the sum of |J|^2, the start for very distorted positions.
 Eigen::Matrix3Xd Smoothest(const Eigen::Matrix3Xd& x, EnergyProblem& problem)
 {
-  // One step of the same method with an epsilon beside which every determinant is nothing.
+  // One step of the same method, with an epsilon so large that all determinants are negligible.
   const EnergyProblem::Descent descent = problem.NewtonDirection(x, 1e100);
   Eigen::Matrix3Xd smooth = x;
   problem.Move(smooth, descent.Direction, 1.0);
@@ -307,7 +307,7 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
       state = next;
     }
     const double before = epsilon;
-    // Whole steps that gain little mean that the minimiser for this epsilon is near: go faster.
+    // Full steps with little gain mean that the minimiser for this epsilon is near: go faster.
     if (step == 1.0 && gain < 0.05)
     {
       share = std::min(1.3 * share, MaximumShare);

@@ -22,17 +22,16 @@ namespace shape
 namespace
 {
 
-/// How many rings of points around inverted cells move, one round after the other; cells that
-/// stayed inverted are split in one edge from FirstSplitting on, and all around from FirstCollar
-/// on.
+/// The number of rings of points around inverted cells that move, in successive rounds. Cells that
+/// stay inverted are split at one edge from FirstSplitting on, and all around from FirstCollar on.
 constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 };
 constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
-/// This many rounds without fewer inverted cells than ever before are the end.
+/// The end comes after this many rounds without a new minimum of inverted cells.
 constexpr int Patience = 6;
-/// This many times more inverted cells than there have been are a wrong way: it is left.
+/// A state with this many times more inverted cells than the best is abandoned.
 constexpr std::size_t MaximumIncrease = 2;
-/// This many rounds after one another the edges of a fixed point may be split once more.
+/// After this many consecutive rounds the edges of a fixed point may be split again.
 constexpr int RoundsPerCollar = 4;
 
 class Untangler
@@ -49,11 +48,11 @@ public:
     }
   }
 
-  /// Forgets where the points inside are, and begins with each in the middle of its neighbours.
+  /// Restarts with each inner point at the mean of its neighbours.
   void StartFromMeans() { this->Solid.Points = SolveTutteEmbedding(this->Solid); }
 
-  /// Moves points, in steps that may take `patience` times as many iterations as asked for, until
-  /// no cell is inverted or no way to fewer of them is found. Returns how many are.
+  /// Moves points until no cell is inverted or no further progress is found, with up to `patience`
+  /// times the maximum number of iterations. Returns the number of inverted cells.
   int Run(int patience, const Progress& progress)
   {
     this->MaximumSteps = patience *
@@ -143,7 +142,7 @@ private:
     return !this->Solid.OnBoundary(point) || (this->Sliding && this->Sliding->Freedom(point) > 0);
   }
 
-  /// Each set of movable points around inverted cells that is connected is a patch of its own.
+  /// Each connected set of movable points around inverted cells is a separate patch.
   void MovePoints(int rings, const Progress& progress)
   {
     const Eigen::VectorXd sizes = ComputeLogarithmicSizes(this->Solid);
@@ -289,11 +288,11 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     if (rest.rows() != cells.Points.rows())
     {
       throw InvalidInput("the RestShape has " + std::to_string(rest.rows()) +
-        " points, the Input " + std::to_string(cells.Points.rows()) +
-        "; give the same cells before they were moved");
+        " points, but the Input has " + std::to_string(cells.Points.rows()) +
+        "; give the Input before it was moved");
     }
   }
-  // What is left then is a matter of patience, or of where it began.
+  // The rest may need more iterations, or another start.
   constexpr int patience = 3;
   auto best = std::make_unique<Untangler>(cells, rest, options);
   const auto invertedBefore = static_cast<int>(best->InvertedCells().size());
@@ -349,7 +348,7 @@ UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& mo
     const auto row = static_cast<Eigen::Index>(i);
     if (closest.Distances(row) <= farthest)
     {
-      // At a point of the surface its own image, to the bit.
+      // At a point of the surface exactly its image.
       int corner = 0;
       const bool atCorner = closest.Barycentrics.row(row).maxCoeff(&corner) > 1.0 - 1e-9;
       carried.Points.row(outer[i]) = atCorner

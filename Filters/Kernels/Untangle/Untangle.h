@@ -14,59 +14,66 @@ namespace shape
 
 struct UntangleOptions
 {
-  bool FixBoundary = true;     ///< else its points slide along the boundary's surface
-  int MaximumIterations = 100; ///< Newton steps that a patch of cells may take at a time; >= 1
+  bool FixBoundary = true;     ///< if false, boundary points slide along the boundary's surface
+  int MaximumIterations = 100; ///< maximum number of Newton steps for a patch at a time; >= 1
 };
 
 struct UntangleResult
 {
-  Cells Solid; ///< those cells that were split come where they were, their other parts at the end
-  Eigen::VectorXi OriginalCell; ///< for each cell: the input's that it is, or is a part of
-  /// For each new point (they come after the input's): the points in whose middle it was put, -1
-  /// where there are fewer than four.
+  Cells Solid; ///< one part of a split cell has its index, the other parts are appended
+  Eigen::VectorXi OriginalCell; ///< for each cell, the input cell that contains it
+  /// For each new point, which are numbered after the input's: the points of which it is the
+  /// centroid, padded with -1 if they are fewer than four.
   std::vector<std::array<int, 4>> Parents;
-  Eigen::VectorXi Inverted; ///< for each cell: 1 where it could not be made positive
-  int InvertedBefore = 0;   ///< cells of the input that were inverted
-  int InvertedAfter = 0;    ///< cells of the result that are
-  int SplitCells = 0;       ///< cells of the input that were split
-  int MovedPoints = 0;      ///< points of the input that are elsewhere now
-  int Iterations = 0;       ///< Newton steps of all patches
+  Eigen::VectorXi Inverted; ///< for each cell: 1 if it stays inverted, else 0
+  int InvertedBefore = 0;   ///< number of inverted cells in the input
+  int InvertedAfter = 0;    ///< number of inverted cells in the result
+  int SplitCells = 0;       ///< number of the input's cells that were split
+  int MovedPoints = 0;      ///< number of the input's points that were moved
+  int Iterations = 0;       ///< number of Newton steps in all patches
 };
 
 /**
- * Moves the points of a solid so that no cell is inverted, by lowering the regularised elliptic
- * energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov, "Foldover-free maps in 50
- * lines of code" (2021), with Newton's method.
+ * Moves the points of a solid until no cell is inverted. Newton's method lowers the regularised
+ * elliptic energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov, "Foldover-free maps
+ * in 50 lines of code" (2021).
  *
- * cells: tetrahedra, pyramids, wedges, hexahedra, in VTK's order of points. A cell is inverted
- * where a corner tetrahedron is not positive (a tetrahedron is its own; the corners of a pyramid's
- * base, which suffice; all corners of wedges and hexahedra, which are necessary for a positive
- * Jacobian, and nearly always suffice); exact predicates decide this. rest (n x 3, or empty): the
- * same points before the map to be untangled, whose distortion is what the energy measures; else
- * cells become like regular ones. Sizes are those of the boundary, smooth inside.
+ * cells: tetrahedra, pyramids, wedges, hexahedra, in VTK's order of points. A cell is inverted if
+ * one of its corner tetrahedra is not positive, which exact predicates decide. A tetrahedron is its
+ * own corner tetrahedron. For a pyramid the corners of the base are sufficient. For wedges and
+ * hexahedra all corners are tested, which is necessary for a positive Jacobian and nearly always
+ * sufficient.
  *
- * Only points around inverted cells move, with more of their surroundings where that does not
- * suffice. With a fixed boundary, which stays to the bit, some tetrahedra cannot be positive, such
- * as those with four points on it; those are split, and so are, in the end, the edges of other ones
- * that stay inverted. New points are put on no edge or face of the boundary.
+ * rest (n x 3, or empty): the points before the map that is to be untangled; the energy measures
+ * the distortion from there. If empty, cells become similar to regular ones. The sizes of cells are
+ * given by the boundary, and interpolated smoothly inside.
  *
- * Where that leaves inverted cells, it goes on with three times as many Newton steps, and then all
- * is done once more with the points inside put into the middle of their neighbours first; the best
- * result counts. What stays inverted, since the boundary itself is, is counted and marked. Throws
- * InvalidInput for other cells, coordinates that are not finite, options out of range, or a rest
- * shape of another number of points; Aborted.
+ * Only points around inverted cells move, and more of their surroundings if that is not sufficient.
+ * A fixed boundary stays exactly unchanged. Some tetrahedra then cannot be positive, such as those
+ * with four points on it, and are split. Finally, the edges of other tetrahedra that stay inverted
+ * are split, too. No new point lies on an edge or face of the boundary.
+ *
+ * If inverted cells remain, three times as many Newton steps are tried. Then everything is repeated
+ * from a state in which inner points are the means of their neighbours. The best result is
+ * returned. Cells that stay inverted because the boundary itself is inverted are counted and
+ * marked.
+ *
+ * Throws InvalidInput if a cell is of another kind, a coordinate is not finite, an option is out of
+ * range, or the rest shape has another number of points; Aborted.
  */
 UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest = {},
   const UntangleOptions& options = {}, const Progress& progress = {});
 
 /**
- * A solid that a map of its boundary's surface has carried, without inverted cells: points of the
- * solid's boundary that lie on the surface (to 1e-6 of its longest side) are put exactly on its
- * image, the others stay where the map took them, and what is inside is untangled, the boundary
- * fixed (Untangle). The result is a mesh, not a map that could be evaluated elsewhere.
+ * Carries a solid by a map of its boundary's surface, without inverted cells. Boundary points of
+ * the solid that lie on the surface (within 1e-6 of the longest edge of its bounding box) are put
+ * exactly on its image. The other boundary points stay where the map took them. The interior is
+ * then untangled with a fixed boundary (Untangle). The result is a mesh, not a map that could be
+ * evaluated elsewhere.
  *
- * domain: solid cells before the map; moved (n x 3): where it took their points. boundary: a
- * surface in the domain's space; targets: the images of its points. Throws what Untangle throws.
+ * domain: solid cells before the map. moved (n x 3): the images of their points. boundary: a
+ * surface in the space of the domain. targets: the images of its points. Throws what Untangle
+ * throws.
  */
 UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
   const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress = {});

@@ -142,7 +142,7 @@ TEST(OrientByNesting, RefusesComponentsThatTouchOrCross)
   }
   EXPECT_NO_THROW(shape::OrientByNesting(Joined({ cube, Cube({ 1.001, 0, 0 }) }), "it"));
   const std::string error = ErrorOf(Joined({ Sphere(1.0, Origin), Sphere(1.0, { 0.5, 0, 0 }) }));
-  EXPECT_NE(error.find("touch or cross (the ones of points 0 and 642"), std::string::npos) << error;
+  EXPECT_NE(error.find("touch or cross (those of points 0 and 642"), std::string::npos) << error;
   EXPECT_NE(error.find("turn Signed off"), std::string::npos) << error;
 }
 

@@ -346,7 +346,7 @@ TEST(Tetrahedralize, BadSurfacesAreNamed)
       soup.Triangles(t, k) = static_cast<int>(3 * t + k);
     }
   }
-  ExpectContains(Refusal(soup), "only because 798 of its points lie where others do");
+  ExpectContains(Refusal(soup), "only because 798 of its points coincide with others");
   ExpectContains(Refusal({ sphere.Points, Eigen::MatrixXi(0, 3) }), "has no triangles");
   // A point in the middle of an edge makes a triangle without area.
   shape::Mesh flat = Box({ 0, 0, 0 }, { 1, 1, 1 });
@@ -440,7 +440,7 @@ TEST(Tetrahedralize, ACrashOfTetGenIsAnError)
     return std::string("no error");
   };
   ExpectContains(with(SIGSEGV), "TetGen crashed (Segmentation fault)");
-  ExpectContains(with(SIGABRT), "TetGen stopped at an assertion of its own");
+  ExpectContains(with(SIGABRT), "TetGen stopped at an internal assertion");
   ExpectContains(with(SIGKILL), "where memory runs out");
   EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "a child is left";
   EXPECT_GT(shape::Tetrahedralize(Icosphere(1)).Tetrahedra.rows(), 0) << "afterwards all is well";
@@ -471,7 +471,7 @@ TEST(Tetrahedralize, WhatTetGenGivesUpOnIsAnError)
   }
   catch (const shape::SolveFailure& error)
   {
-    ExpectContains(error.what(), "TetGen takes parts of the surface for crossing");
+    ExpectContains(error.what(), "TetGen treats parts of the surface as crossing");
   }
 }
 

@@ -357,7 +357,7 @@ TEST(Untangle, RefusesWhatItCannotUse)
   refused(cells, {}, options, "MaximumIterations is 0");
   shape::Cells twice = cells;
   twice.Corners(1) = twice.Corners(0);
-  refused(twice, {}, {}, "cell 0 has a point twice");
+  refused(twice, {}, {}, "cell 0 repeats a point");
   twice = cells;
   twice.Kinds(3) = 7;
   refused(twice, {}, {}, "cell 3 is no tetrahedron");

@@ -16,7 +16,7 @@ struct PolylinePosition
   Eigen::Index Segment;
 };
 
-/// The position of a polyline (k x 3, k >= 1) closest to another one.
+/// Returns the position on a polyline (k x 3, k >= 1) closest to a given one.
 PolylinePosition NearestOn(const Eigen::MatrixXd& line, const Eigen::RowVector3d& position)
 {
   PolylinePosition nearest{ line.row(0), 0 };

@@ -14,12 +14,12 @@
 namespace shape
 {
 
-/// Points of a boundary keep to the corner, the curve or the patch of a surface that they lie on;
-/// the others are free.
+/// Keeps each point of a boundary on the corner, curve or patch of the surface that it lies on; all
+/// other points are free.
 class FeatureConstraint : public PointConstraint
 {
 public:
-  /// points: how many the hexahedra have.
+  /// points: the number of points of the hexahedra.
   FeatureConstraint(const Surface& surface, const SurfaceFeatures& features,
     const PatchedBoundary& boundary, Eigen::Index points);
 
@@ -28,23 +28,23 @@ public:
   Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& position) const override;
 
 private:
-  /// Of a point on a patch, from the triangle that was found for it before.
+  /// Finds the closest point on the patch, starting from the triangle found last for this point.
   ClosestPoint FindOnPatch(int point, const Eigen::RowVector3d& position) const;
 
   static constexpr int Free = -1;
-  std::vector<int> PositionOf; ///< of each point an index into Positions or Spans, or Free
-  std::vector<int> FreedomOf;  ///< 0 at a corner, 1 on a curve, 2 on a patch, 3
-  std::vector<SurfaceLocator> Positions; ///< patches
-  std::vector<Eigen::MatrixXd> Spans;    ///< of points on curves and corners: polylines
-  std::vector<Eigen::MatrixXd> Normals;  ///< of the patches' triangles
-  mutable std::vector<int> Guesses;      ///< of each point the triangle found last, or -1
+  std::vector<int> PositionOf; ///< for each point, an index into Positions or Spans, or Free
+  std::vector<int> FreedomOf;  ///< 0 at a corner, 1 on a curve, 2 on a patch, 3 otherwise
+  std::vector<SurfaceLocator> Positions; ///< one for each patch
+  std::vector<Eigen::MatrixXd> Spans;    ///< polylines that points on curves and corners keep to
+  std::vector<Eigen::MatrixXd> Normals;  ///< the triangle normals of each patch
+  mutable std::vector<int> Guesses;      ///< the triangle found last for each point, or -1
 };
 
-/// Points may go where another constraint lets them, but some are held, or let go.
+/// Another constraint, except that some points can be held or released.
 class OverridableConstraint : public PointConstraint
 {
 public:
-  /// others: is kept.
+  /// Keeps a reference to `others`.
   OverridableConstraint(const PointConstraint& others, Eigen::Index points)
     : Others(others)
   {
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// The same; the others live as long as this.
+  /// The same, but shares ownership of `others`.
   OverridableConstraint(std::shared_ptr<const PointConstraint> others, Eigen::Index points)
     : OverridableConstraint(*others, points)
   {
@@ -71,7 +71,7 @@ public:
     return this->Others.Nearest(point, position);
   }
 
-  /// Of each point: the others', until it is made 0 (held) or 3 (let go).
+  /// The freedom of each point: initially that of `others`; set to 0 to hold, to 3 to release.
   std::vector<char> Freedoms;
 
 private:

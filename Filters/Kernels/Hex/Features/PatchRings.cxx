@@ -70,7 +70,7 @@ private:
       const int before = labels[(begin + count - 1) % count], own = labels[begin];
       if (before == own)
       {
-        continue; // not where an arc begins
+        continue; // no arc begins here
       }
       std::size_t length = 1;
       while (length < count && labels[(begin + length) % count] == own)
@@ -127,7 +127,7 @@ PatchRing BuildPatchRing(const std::vector<int>& patches)
 
 std::vector<PatchRing> FindCornerRings(const Mesh& surface, const SurfaceFeatures& features)
 {
-  // Of each corner, by the edge of a triangle that leaves it: the next edge, and the patch between.
+  // For each corner: the next edge and the patch in between, by the edge that leaves it.
   std::map<int, std::map<int, std::pair<int, int>>> fans;
   for (const int corner : features.Corners)
   {
@@ -158,7 +158,7 @@ std::vector<PatchRing> FindCornerRings(const Mesh& surface, const SurfaceFeature
     }
     if (edge == fan.end())
     {
-      patches.clear(); // on a boundary loop, as if a surface crosses itself
+      patches.clear(); // on a boundary loop, as in a surface that crosses itself
     }
     rings.push_back(BuildPatchRing(patches));
   }

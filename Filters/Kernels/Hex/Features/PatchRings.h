@@ -12,26 +12,28 @@
 namespace shape
 {
 
-/// Patches in the order in which one passes them on the way around a point, counter-clockwise. One
-/// that is passed several times in a row is there once.
+/// The patches around a point in counter-clockwise order. Consecutive repeats of a patch are
+/// merged.
 using PatchRing = std::vector<int>;
 
-/// The ring of the patches passed one by one, rotated such that equal rings are equal vectors.
+/// Returns the ring of a sequence of patches, rotated to a canonical start, so that equal rings are
+/// equal vectors.
 PatchRing BuildPatchRing(const std::vector<int>& patches);
 
-/// The ring of each corner of a surface.
+/// Returns the ring of each corner of a surface.
 std::vector<PatchRing> FindCornerRings(const Mesh& surface, const SurfaceFeatures& features);
 
-/// The distance of a quad to a patch.
+/// Returns the distance of a quad to a patch.
 using DistanceToPatch = std::function<double(int quad, int patch)>;
 
 /**
- * If a patch of quads touches itself at a point, the patches that it separates there meet nowhere
- * on the surface: there is a corner too many. The quads of one arc around the point join a patch
- * next to them: those of the arc that is closest to it, in sum. Points with the ring of a corner
- * stay, and those that no single arc helps.
+ * Removes pinches: points at which a patch of quads touches itself. The patches that it separates
+ * there do not meet on the surface, so the quads have a corner too many. The quads of one arc
+ * around the point are moved to an adjacent patch: the arc with the smallest sum of distances to
+ * it. Points with the ring of a corner are left unchanged, and so are points that no single arc
+ * repairs.
  *
- * corners: see FindCornerRings. patchOf: of each quad.
+ * corners: from FindCornerRings. patchOf: the patch of each quad.
  */
 void SplitPinches(const QuadSurface& quads, const std::vector<PatchRing>& corners,
   const DistanceToPatch& distance, Eigen::VectorXi& patchOf);

@@ -53,8 +53,8 @@ std::vector<std::set<int>> PatchesAroundCorners(
   return around;
 }
 
-/// The patches of a surface; where there is one, the surface, whose search tree is then the
-/// patch's.
+/// Returns the patches of a surface. A single patch is the surface itself, so that its search tree
+/// is reused.
 std::vector<Surface> PatchesOf(const Surface& surface, const SurfaceFeatures& features)
 {
   if (features.Patches == 1)
@@ -70,7 +70,7 @@ struct Chain
 {
   std::vector<int> Points;
   std::array<int, 2> Patches;
-  std::array<int, 2> Corners; ///< at its ends, ascending; -1 where it is closed
+  std::array<int, 2> Corners; ///< its end corners, ascending; -1 if it is closed
 };
 
 class Matcher
@@ -91,7 +91,8 @@ public:
   bool Run() { return this->MatchCorners() && this->FindChains() && this->MatchCurves(); }
 
 private:
-  /// Corners and points of the quads have to be as many between the same patches; nearest first.
+  /// Pairs corners with points of the quads between the same patches, the nearest first. Their
+  /// numbers must agree.
   bool MatchCorners()
   {
     const auto corners = PatchesAroundCorners(this->Surface, this->Features);
@@ -195,7 +196,7 @@ private:
     return true;
   }
 
-  /// How far the chain's points lie from a curve's, on average.
+  /// Returns the mean distance of the chain's points from a curve.
   double Distance(const Chain& chain, const FeatureCurve& curve) const
   {
     double sum = 0.0;

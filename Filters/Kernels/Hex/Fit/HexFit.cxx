@@ -24,7 +24,7 @@ namespace shape
 namespace
 {
 
-/// Lines between points.
+/// Line segments between points.
 struct Segments
 {
   const Eigen::MatrixXd& Points;
@@ -35,7 +35,7 @@ struct Segments
     return (this->Points.row(ends[0]) - this->Points.row(ends[1])).norm();
   }
 
-  /// As triangles without area.
+  /// Returns the segments as triangles without area.
   Mesh AsMesh() const
   {
     Mesh mesh{ this->Points, Eigen::MatrixXi(static_cast<Eigen::Index>(this->Ends.size()), 3) };
@@ -46,7 +46,7 @@ struct Segments
     return mesh;
   }
 
-  /// Their ends and positions between, about as many altogether as asked for.
+  /// Returns their ends and positions between them, about `count` in total.
   Eigen::MatrixXd Positions(int count) const
   {
     double whole = 0.0;
@@ -161,11 +161,11 @@ SampledDistances ComputeDistancesToCurves(const Mesh& surface, const SurfaceFeat
 namespace
 {
 
-/// The worst scaled Jacobian that is enough not to spend more sweeps on it.
+/// If the worst scaled Jacobian is at least this, no further sweeps are spent on it.
 constexpr double RaisedTo = 0.55;
 
-/// The layers that creases ask for. False where these are more hexahedra than there may be, or the
-/// creases of the result are not the surface's.
+/// Adds the layers that creases need. Returns false if these exceed the maximum number of
+/// hexahedra, or if the creases of the result are not the surface's.
 bool AddLayers(HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features, int maximum,
   PatchedBoundary& boundary)
 {
@@ -192,7 +192,7 @@ void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
       .Larger();
 }
 
-/// With these features, if they are found on the hexahedra.
+/// Fits hexahedra with these features; nothing if the features are not found on the hexahedra.
 std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
   const Progress& progress)
@@ -223,7 +223,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   {
     fit.Solid.Points.row(point) = position;
   }
-  // Layers along creases begin without thickness: what is tangled then takes long to untangle.
+  // Layers along creases begin without thickness, and untangling them takes long.
   const int smoothings = features.Curves.empty() ? 2 : 30;
   SmoothHexahedra(fit.Solid, constraint, smoothings, progress.Part(0.0, 0.1));
   SmoothPillows(*boundary, fit.Solid.Points);

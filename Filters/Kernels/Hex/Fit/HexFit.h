@@ -18,52 +18,54 @@
 namespace shape
 {
 
-/// How well the boundary of hexahedra has the creases and corners of a surface.
+/// The deviation of the hexahedra's creases and corners from those of a surface.
 struct FeatureDeviation
 {
   /// The larger one-sided Hausdorff distance between the surface's curves and the edges between
-  /// quads of different patches, at positions along both; to the whole boundary where it is of one
-  /// patch. 0 where the surface has no curves.
+  /// quads of different patches, sampled along both. If the boundary has a single patch, the
+  /// distance from the curves to the whole boundary. 0 if the surface has no curves.
   double Distance = 0.0;
-  std::vector<int> CornerPoints; ///< of the boundary, those exactly at a corner of the surface
+  std::vector<int> CornerPoints; ///< boundary points that coincide with a corner of the surface
 };
 
-/// quads: q x 4, of points. patchOf: q.
+/// Compares the creases of a surface with those of a quad mesh. quads: q x 4 indices into points;
+/// patchOf: q.
 FeatureDeviation CompareCreases(const Mesh& surface, const SurfaceFeatures& features,
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
 
-/// Positions along the surface's curves, and how far each is from the edges between quads of
-/// different patches; from the whole boundary where it is of one patch.
+/// Samples positions along the surface's curves. Returns the distance of each to the edges between
+/// quads of different patches, or to the whole boundary if it has a single patch.
 SampledDistances ComputeDistancesToCurves(const Mesh& surface, const SurfaceFeatures& features,
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf);
 
-/// What every way to hexahedra has in common.
+/// The options shared by all methods that build hexahedra.
 struct HexMeshOptions
 {
-  /// Of the cells, in the surface's units; smaller ones are used if these cannot have the solid's
-  /// topology. 0: automatic.
+  /// The size of the cells, in the surface's units. Smaller cells are used if these cannot have the
+  /// solid's topology. 0: automatic.
   double CellSize = 0.0;
-  int MaximumHexahedra = 200000; ///< no smaller cells are tried than give this many
-  int PaddingLayers = 1;         ///< of hexahedra along the surface; >= 1
-  double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
+  int MaximumHexahedra = 200000; ///< the largest number of hexahedra that cells may give
+  int PaddingLayers = 1;         ///< layers of hexahedra along the surface; >= 1
+  double FeatureAngle = 40.0;    ///< angle between normals above which an edge is a crease; degrees
 };
 
 /// Throws InvalidInput if one of the options is out of its range.
 void RequireInRange(const HexMeshOptions& options);
 
-/// The creases that hexahedra of cells of this size can have: those around patches at least 4 faces
-/// of a cell large.
+/// Finds the creases that hexahedra of this cell size can follow: those around patches of the area
+/// of at least 4 cell faces.
 SurfaceFeatures FindFeatures(
   const Surface& surface, const HexMeshOptions& options, double cellSize);
 
 struct HexFitOptions
 {
-  int PaddingLayers = 1; ///< of hexahedra around what is given; >= 1
-  /// Creases whose layers make more are given up.
+  int PaddingLayers = 1; ///< layers of hexahedra around the core; >= 1
+  /// Creases are dropped if their layers exceed this number of hexahedra.
   int MaximumHexahedra = std::numeric_limits<int>::max();
-  /// The scaled Jacobian below which creases are given up, if the hexahedra are better without.
+  /// If the scaled Jacobian with creases is below this and better without them, they are dropped.
   double MinimumWithFeatures = 0.2;
-  /// The worst scaled Jacobian below which no more time is spent on it (ImproveWorst may, later).
+  /// If the worst scaled Jacobian is below this, no further time is spent on it; ImproveWorst may
+  /// do so later.
   double RaisedFrom = 0.0;
 };
 
@@ -71,65 +73,68 @@ struct HexFitOptions
 struct HexFit
 {
   HexMesh Solid;
-  Eigen::MatrixXi Quads;              ///< q x 4: its boundary, counter-clockwise seen from outside
-  Eigen::VectorXi PatchOf;            ///< q: the patch of the surface that a quad lies on
-  double MinimumScaledJacobian = 0.0; ///< positive where no hexahedron is inverted
+  Eigen::MatrixXi Quads;              ///< q x 4: the boundary, counter-clockwise from outside
+  Eigen::VectorXi PatchOf;            ///< q: the patch of the surface that each quad lies on
+  double MinimumScaledJacobian = 0.0; ///< positive if no hexahedron is inverted
   double MeanScaledJacobian = 0.0;
-  int Inverted = 0; ///< hexahedra with a scaled Jacobian of 0 or less
+  int Inverted = 0; ///< hexahedra with a scaled Jacobian <= 0
   /// The larger one-sided Hausdorff distance between the surface and the boundary.
   double Distance = 0.0;
-  /// Whether every curve and corner of the features is one of the hexahedra; where not, none is.
+  /// Whether the hexahedra follow every curve and corner of the features; if false, they follow
+  /// none.
   bool CreasesKept = false;
-  FeatureDeviation Creases; ///< how far the surface's and the hexahedra's are apart
-  Eigen::VectorXi RegionOf; ///< m: of each hexahedron, see RegionCells; 0 without inner surfaces
+  FeatureDeviation Creases; ///< how far the hexahedra's creases are from the surface's
+  Eigen::VectorXi RegionOf; ///< m: the region of each hexahedron (RegionCells); 0 without regions
   std::vector<Eigen::MatrixXi>
-    Interfaces;               ///< the quads on each inner surface, seen from outside it
-  double InnerDistance = 0.0; ///< the largest between an interface and its surface
-  int Released = 0; ///< points that need not be on the surface any more (RelaxBoundaryAroundBad)
-  /// What points keep to; none where solids were joined.
+    Interfaces;               ///< the quads on each inner surface, counter-clockwise from outside
+  double InnerDistance = 0.0; ///< the largest distance of an interface to its inner surface
+  int Released = 0; ///< points that no longer need to lie on the surface (RelaxBoundaryAroundBad)
+  /// The constraint on the points; null if solids were joined.
   std::shared_ptr<const PointConstraint> Constraint;
 };
 
 /**
- * Puts the boundary of hexahedra on a surface near it: layers of hexahedra around them, whose outer
- * points lie on the surface, its creases on chains of edges and its corners on points; then all
- * points are moved so that the worst scaled Jacobian is as good as it can be (OptimizeHexahedra).
+ * Puts the boundary of hexahedra on a nearby surface. Layers of hexahedra are added around the
+ * core: their outer points lie on the surface, its creases become chains of edges, and its corners
+ * become points. Then all points are moved to maximise the worst scaled Jacobian
+ * (OptimizeHexahedra).
  *
- * Where the hexahedra are too coarse for the creases, or bad with them, there is one patch.
+ * If the hexahedra are too coarse for the creases, or bad with them, the creases are dropped and
+ * the boundary becomes a single patch.
  *
- * With interfaces, there are layers on both sides of these, too, and their points lie on the inner
- * surfaces; creases of theirs are not kept.
+ * Interfaces get layers on both sides, too, and their points lie on the inner surfaces, whose
+ * creases are not kept.
  *
- * core: its boundary is a manifold. surface: closed, oriented consistently. features: of it. Throws
- * Aborted.
+ * core: its boundary is a manifold. surface: closed and consistently oriented. features: those of
+ * the surface. Throws Aborted.
  */
 HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFeatures& features,
   const HexFitOptions& options = {}, const Progress& progress = {},
   const InnerInterfaces& interfaces = {});
 
 /**
- * Puts points of the boundary on what of the surface is farther from it than wanted
- * (SnapToFarPositions); creases stay as they are.
+ * Moves points of the boundary to parts of the surface that are farther from it than wanted
+ * (SnapToFarPositions); creases are not changed.
  *
- * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
+ * fit: from FitHexahedra with the same surface. Throws Aborted.
  */
 void SnapToSurface(HexFit& fit, const Surface& surface, const SnappingOptions& options,
   const Progress& progress = {});
 
 /**
- * Spends more time on the worst hexahedra where they are not good enough.
+ * Spends more sweeps on the worst hexahedra if they are not good enough.
  *
- * fit: of FitHexahedra, none inverted, and surface: what it was given. Throws Aborted.
+ * fit: from FitHexahedra with the same surface; none is inverted. Throws Aborted.
  */
 void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress = {});
 
 /**
- * Frees points around hexahedra of the surface: around those that are inverted
- * (RelaxBoundaryOfInverted), then around the worst where they are not good enough
- * (RelaxBoundaryOfWorst), as long as the distance stays below a most one, or grows by less than a
- * twentieth.
+ * Lets points around bad hexahedra leave the surface: first around inverted ones
+ * (RelaxBoundaryOfInverted), then around the worst if they are not good enough
+ * (RelaxBoundaryOfWorst). The second step keeps the distance to the surface below maximumDistance
+ * or 1.05 times its value before, whichever is larger.
  *
- * fit: of FitHexahedra, and surface: what it was given. Throws Aborted.
+ * fit: from FitHexahedra with the same surface. Throws Aborted.
  */
 void RelaxBoundaryAroundBad(
   HexFit& fit, const Surface& surface, double maximumDistance, const Progress& progress = {});

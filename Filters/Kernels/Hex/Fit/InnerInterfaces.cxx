@@ -20,7 +20,7 @@ std::array<int, 4> Sorted(const Eigen::RowVector4i& quad)
   return corners;
 }
 
-/// For each quad the hexahedron that has it, among some.
+/// Finds, for each quad, the hexahedron among some that has it as a face.
 std::vector<int> HexahedraAt(
   const Eigen::MatrixXi& hexahedra, const std::vector<int>& rows, const Eigen::MatrixXi& quads)
 {

@@ -15,31 +15,31 @@
 namespace shape
 {
 
-/// Where hexahedra of a solid's regions meet, near surfaces inside it. Without Cells there are
-/// none.
+/// The interfaces between a solid's regions, and the inner surfaces that they approximate. There
+/// are none if Cells is null.
 struct InnerInterfaces
 {
   const RegionCells* Cells = nullptr;
-  const std::vector<Surface>* Surfaces = nullptr; ///< one for each of the interfaces
+  const std::vector<Surface>* Surfaces = nullptr; ///< the inner surface of each interface
 
   std::size_t Count() const { return this->Cells ? this->Cells->Interfaces.size() : 0; }
 };
 
 /**
- * The layers of hexahedra on both sides of the quads of interfaces, which stay and keep their
- * points: then each hexahedron has at most one face on an interface.
+ * Layers of hexahedra on both sides of the interfaces, whose quads and points stay unchanged. Each
+ * hexahedron then has at most one face on an interface.
  */
 class InterfaceLayers
 {
 public:
-  /// Adds them to the cells of the interfaces, as many as `layers` on each side. Both arguments
-  /// must outlive this.
+  /// Adds `layers` layers on each side of the interfaces to the mesh. Both arguments must outlive
+  /// this object.
   InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers);
 
-  /// Of each hexahedron of a mesh of this many; those that were added later are of region 0.
+  /// Returns the region of each of `hexahedra` hexahedra; those added later belong to region 0.
   Eigen::VectorXi Regions(Eigen::Index hexahedra) const;
 
-  /// Puts the points of layers evenly between the interface and what is beyond them.
+  /// Distributes the points of the layers evenly between the interface and the next points beyond.
   void Spread(Eigen::MatrixXd& points) const;
 
 private:
@@ -47,14 +47,14 @@ private:
     HexMesh& mesh, const std::vector<char>& side, const Eigen::MatrixXi& quads, int layers);
 
   std::vector<int> RegionOf;
-  std::vector<PatchedBoundary> Sides; ///< the copies of points on each side of each interface
+  std::vector<PatchedBoundary> Sides; ///< the copied points on each side of each interface
 };
 
-/// Points of the outer boundary keep to its features, those of interfaces to inner surfaces.
+/// Keeps points of the outer boundary on its features, and points of interfaces on inner surfaces.
 class MultiSurfaceConstraint : public PointConstraint
 {
 public:
-  /// points: how many the hexahedra have.
+  /// points: the number of points of the hexahedra.
   MultiSurfaceConstraint(
     FeatureConstraint outer, const InnerInterfaces& interfaces, Eigen::Index points);
 
@@ -67,11 +67,11 @@ private:
 
   FeatureConstraint Outer;
   std::vector<FeatureConstraint> Inner;
-  std::vector<int> SurfaceOf; ///< of each point the inner surface, or -1
+  std::vector<int> SurfaceOf; ///< the index of each point's inner surface, or -1
 };
 
-/// The larger one-sided Hausdorff distance between interfaces (quads of each) and their surfaces; 0
-/// without any.
+/// Returns the largest Hausdorff distance between an interface (the quads of each) and its inner
+/// surface; 0 if there are none.
 double ComputeInterfaceDistance(const Eigen::MatrixXd& points,
   const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<Surface>& surfaces,
   const Progress& progress = {});

@@ -15,10 +15,10 @@ namespace shape
 namespace
 {
 
-/// By how much raising the worst hexahedra has been seen to raise them.
+/// The largest improvement of the minimum that raising the worst hexahedra was seen to give.
 constexpr double MaximumRaised = 0.15;
 
-/// Where the surfaces are far from each other.
+/// A position at which the surfaces are far from each other.
 struct FarPosition
 {
   Eigen::RowVector3d OnSurface, OnBoundary;
@@ -54,9 +54,8 @@ public:
 
   double Distance() const { return this->Reached; }
 
-  /// Puts points on the positions that are far; where this makes hexahedra too bad all is undone,
-  /// and the points that did are put less far the next time. False where nothing is gained by one
-  /// more round.
+  /// Moves points to positions that are far. If this makes hexahedra too bad, it is undone, and the
+  /// points responsible move less far the next time. Returns false if another round is useless.
   bool Round(const SnappingOptions& options, const Progress& progress)
   {
     const Eigen::MatrixXd before = this->Solid.Points;
@@ -125,8 +124,8 @@ private:
     }
   }
 
-  /// Points of bad hexahedra, or of such next to them, that were not held before are put only half
-  /// as far in the next rounds. False where there are none.
+  /// Halves the share of the way for points of bad hexahedra, or next to such, that were held in
+  /// this round. Returns false if there are none.
   bool HalveCulprits(const std::vector<char>& freedoms, double minimum)
   {
     std::vector<char> near = MarkPointsOfBadHexahedra(this->Solid, minimum);
@@ -143,7 +142,7 @@ private:
     return found;
   }
 
-  /// Of each position that is far the nearest point of the quad there.
+  /// Returns, for each position that is far, the nearest point of the quad there.
   std::vector<int> NearestPoints() const
   {
     Eigen::MatrixXd positions(this->Far.size(), 3);
@@ -165,9 +164,9 @@ private:
     return nearest;
   }
 
-  /// Puts the nearest point of the boundary on each position that is far, farthest first, but for
-  /// points next to another one that is put, and holds them. Marks these; none where there are
-  /// none.
+  /// Moves the nearest boundary point to each position that is far, the farthest first, and holds
+  /// it. Points next to one that was moved are skipped. Returns marks of the points that were
+  /// moved, or nothing if there are none.
   std::vector<char> Snap()
   {
     constexpr double minimumShare = 0.2;
@@ -203,9 +202,9 @@ private:
   const SurfaceLocator Target;
   const PointConstraint& Given;
   OverridableConstraint Constraint;
-  std::vector<double> Share; ///< of the way that a point is put
+  std::vector<double> Share; ///< fraction of the way that each point is moved
   const double Wanted;
-  std::vector<std::vector<int>> QuadsAround; ///< of each point
+  std::vector<std::vector<int>> QuadsAround; ///< the quads around each point
   double Reached = 0.0;
   std::vector<FarPosition> Far;
 };

@@ -12,23 +12,23 @@ namespace shape
 
 struct SnappingOptions
 {
-  /// Between the surfaces, in their units: what is farther is snapped to; >= 0.
+  /// Parts of the surface farther than this from the boundary are snapped to, in its units; >= 0.
   double WantedDistance = 0.0;
-  /// No scaled Jacobian falls below the first of these that none was below before, or below the
-  /// least before.
+  /// Lower bounds of the minimum scaled Jacobian in a round. The first that was reached before the
+  /// round applies; if neither was, the minimum must not fall.
   std::array<double, 2> ScaledJacobians = { 0.62, 0.55 };
-  int Rounds = 6; ///< at most
+  int Rounds = 6; ///< the maximum number of rounds
 };
 
 /**
- * Ridges and tips that are sharper than the cells lie between the points of a boundary that is on a
- * surface, and are cut off. Here the points nearest to the positions that are farthest are put on
- * them and held, and the points around are moved so that the worst scaled Jacobian is as good as
- * it can be (OptimizeHexahedra). Done again as long as the distance falls, a few times; a round
- * that makes it larger, or hexahedra too bad, is undone. Points on creases stay.
+ * Restores ridges and tips that are sharper than the cells: they lie between the points of the
+ * boundary, which cuts them off. The boundary points nearest to the farthest positions are moved
+ * there and held. The points around them are moved to maximise the worst scaled Jacobian
+ * (OptimizeHexahedra). This is repeated for a few rounds while the distance falls. A round that
+ * increases the distance or makes hexahedra too bad is undone. Points on creases stay.
  *
- * mesh: its points, each where it may be, are moved. quads: of its boundary, as FitHexahedra's.
- * constraint: of all points. Returns the larger one-sided Hausdorff distance between the surface
+ * mesh: its points are moved within the constraint. quads: of its boundary, as in HexFit.
+ * constraint: for all points. Returns the larger one-sided Hausdorff distance between the surface
  * and the quads. Throws Aborted.
  */
 double SnapToFarPositions(HexMesh& mesh, const Eigen::MatrixXi& quads, const Surface& surface,

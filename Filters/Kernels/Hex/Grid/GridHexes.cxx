@@ -22,20 +22,20 @@ namespace shape
 namespace
 {
 
-/// By which cells become smaller where they have not the solid's topology.
+/// The factor by which cells shrink if they do not have the solid's topology.
 constexpr double Shrinkage = 0.85;
-/// By which there are more hexahedra in the next grids with an automatic size, and where most of
-/// the solid asks for smaller cells.
+/// The factor by which the number of hexahedra grows in the next grids of an automatic size; the
+/// second applies if most of the solid needs smaller cells.
 constexpr double Growth = 1.4, LargeGrowth = 3.0;
-/// What is good enough not to go on to smaller cells everywhere.
+/// If the result is at least this good, cells are not made smaller everywhere.
 constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
-/// The worst scaled Jacobian that is likely to become an accepted one by more time spent on it.
+/// From this minimum scaled Jacobian on, further sweeps are likely to reach the accepted one.
 constexpr double RaisedFrom = 0.4;
-/// What is farther by more than this many times is not snapped to, but asks for another grid.
+/// What is farther than this multiple of the distance is not snapped to, but needs another grid.
 constexpr double SnappedFrom = 2.0;
-/// How much better smaller cells must make the result for still smaller ones to be tried.
+/// The gain of the score that smaller cells must bring, or still smaller ones are not tried.
 constexpr double LeastGain = 0.02;
-/// After this many rounds without such a gain no more are made.
+/// The search ends after this many rounds without such a gain.
 constexpr int MaximumIdleSteps = 2;
 
 class GridSearch
@@ -62,9 +62,9 @@ public:
     return this->Cubes.CellSizeFor(this->Options.MaximumHexahedra, warp);
   }
 
-  /// Rounds of grids, each finer where the one before was not good enough. size: of the cells in
-  /// the first; where it is 0, such that there are about `hexahedra` in each. By what to grow for
-  /// the next.
+  /// Makes grids in rounds, each finer where the previous one was not good enough. size: of the
+  /// cells in the first grid; 0: a size that gives about `hexahedra` in each. Returns the factor by
+  /// which the number of hexahedra should grow next.
   double Refine(double size, double hexahedra, int rounds, const Progress& progress)
   {
     std::vector<RefinementSeed> seeds = this->Options.Seeds;
@@ -98,7 +98,7 @@ public:
           this->Snap(*result, part.Part(0.8, 1.0));
         }
       }
-      // Where nothing is magnified the next grid would be the same.
+      // If nothing is magnified, the next grid would be the same.
       const bool isLast = seeds.size() == before || this->IsAsWanted(*result) || growth > Growth;
       ++this->Rounds;
       const double score = this->Score(*result);
@@ -122,13 +122,13 @@ public:
     return growth;
   }
 
-  /// Grids of the Euler number and number of components that come out, where the surface crosses
-  /// itself and there is nothing yet.
+  /// If the surface crosses itself and there is no result yet, accepts any Euler number and number
+  /// of components.
   void TakeAnyTopology(const Progress& progress)
   {
     if (!this->Best && this->Cubes.Boundary().Crossings > 0)
     {
-      constexpr double share = 0.25; // of the most
+      constexpr double share = 0.25; // fraction of MaximumHexahedra
       this->Regions.Outer().TakeAnyTopology();
       this->Refine(0.0, share * this->Options.MaximumHexahedra, 1, progress);
       if (this->Best)
@@ -145,7 +145,7 @@ public:
         this->AreOnlyCornersBad(*this->Best));
   }
 
-  /// Minus infinity where there is nothing yet.
+  /// Minus infinity if there is no result yet.
   double BestScore() const
   {
     return this->Best ? this->Score(*this->Best) : -std::numeric_limits<double>::infinity();
@@ -156,11 +156,12 @@ public:
     if (!this->Best)
     {
       const Topology& topology = this->Cubes.SurfaceTopology();
-      throw SolveFailure("no grid of " + std::to_string(this->Options.MaximumHexahedra) +
-        " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
-        " and number of components " + std::to_string(topology.Components) +
-        (this->InnerBounding.empty() ? "" : ", and those of the inner surfaces, apart") +
-        ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
+      throw SolveFailure("no grid of at most " + std::to_string(this->Options.MaximumHexahedra) +
+        " hexahedra has the topology of the surface: Euler number " +
+        std::to_string(topology.EulerNumber) + ", " + std::to_string(topology.Components) +
+        (topology.Components == 1 ? " component" : " components") +
+        (this->InnerBounding.empty() ? "" : ", and the inner surfaces separate from each other") +
+        "; a part or gap is thinner than its cells: raise MaximumHexahedra, or thicken it");
     }
     const HexFit& fit = this->Best->Fit;
     if (fit.Inverted == 0 && fit.MinimumScaledJacobian < AcceptedScaledJacobian)
@@ -178,7 +179,7 @@ public:
   }
 
 private:
-  /// The hexahedra that cells of this size make, or of a smaller one that has the topology.
+  /// Returns the hexahedra for cells of this size, or of a smaller one that has the topology.
   std::optional<GridHexesResult> Fill(
     double size, const GridDensity& warp, const Progress& progress)
   {
@@ -225,8 +226,8 @@ private:
     return result.Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
   }
 
-  /// Whether all is good enough but for hexahedra at corners that are kept, of which other grids
-  /// have the same.
+  /// Whether everything is good enough except hexahedra at preserved corners, which other grids
+  /// have as well.
   bool AreOnlyCornersBad(const GridHexesResult& result) const
   {
     return this->Reaches(result, 0.0, AcceptedDistance) && this->HasWantedCreases(result) &&
@@ -234,14 +235,14 @@ private:
       AcceptedScaledJacobian;
   }
 
-  /// Where the boundary's points were moved, those of interfaces near them were, too.
+  /// Updates the distance of the interfaces, whose points may have moved with the boundary's.
   void MeasureInner(HexFit& fit) const
   {
     fit.InnerDistance =
       ComputeInterfaceDistance(fit.Solid.Points, fit.Interfaces, this->InnerBounding);
   }
 
-  /// Puts the boundary on what is farther than wanted.
+  /// Snaps the boundary to parts of the surface that are farther than wanted.
   void Snap(GridHexesResult& result, const Progress& progress,
     double minimum = AcceptedScaledJacobian) const
   {
@@ -256,9 +257,8 @@ private:
     }
   }
 
-  /// Lets points leave the surface at bad hexahedra; but next to creases, whose corners may well be
-  /// why these are bad, and with inner surfaces, which points would leave too, only at inverted
-  /// ones.
+  /// Lets points leave the surface at bad hexahedra. With creases, whose corners may be the reason,
+  /// or with inner surfaces, which points would leave too, it does so only at inverted ones.
   void Release(GridHexesResult& result, const Progress& progress) const
   {
     const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
@@ -272,8 +272,8 @@ private:
     }
   }
 
-  /// Snaps at the cost of hexahedra, whose points leave the surface then, unless that costs more
-  /// than it gains.
+  /// Snaps at the expense of hexahedra, whose points may then leave the surface. Undone if the
+  /// score falls.
   void SnapAndRelease(GridHexesResult& result, const Progress& progress) const
   {
     constexpr double minimum = 0.2;
@@ -286,7 +286,7 @@ private:
     }
   }
 
-  /// Spends more time on the worst hexahedra, unless that costs more than it gains.
+  /// Spends more sweeps on the worst hexahedra. Undone if the score falls.
   void Raise(GridHexesResult& result, const Progress& progress) const
   {
     GridHexesResult raised = result;
@@ -298,8 +298,8 @@ private:
     }
   }
 
-  /// Whether snapping is likely to make it what is wanted, or what is accepted where nothing is
-  /// yet.
+  /// Whether snapping is likely to reach the wanted quality, or the accepted quality if no result
+  /// is accepted yet.
   bool IsWorthSnapping(const GridHexesResult& result) const
   {
     return this->Reaches(result,
@@ -307,7 +307,7 @@ private:
       SnappedFrom * AcceptedDistance);
   }
 
-  /// That the search is for.
+  /// Returns the distance that the search reduces.
   static double Distance(const GridHexesResult& result)
   {
     return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
@@ -326,7 +326,7 @@ private:
     return this->Reaches(result, 0.0, SnappedFrom * AcceptedDistance);
   }
 
-  /// The greater, the better. Creases count most among what is not inverted, then what is accepted.
+  /// Greater is better. Without inverted hexahedra, preserved creases and acceptance add 1 each.
   double Score(const GridHexesResult& result) const
   {
     const HexFit& fit = result.Fit;
@@ -341,9 +341,9 @@ private:
       (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
   }
 
-  /// Adds seeds where the surfaces or their creases are far from each other, at corners that
-  /// patches too small for the cells have, and at bad hexahedra. Whether these are for most of the
-  /// solid.
+  /// Adds seeds where the surfaces or their creases are far from each other, at corners of patches
+  /// that are too small for the cells, and at bad hexahedra. Returns whether the seeds cover most
+  /// of the solid.
   bool AddSeeds(const GridHexesResult& result, std::vector<RefinementSeed>& seeds) const
   {
     const HexMesh& solid = result.Fit.Solid;
@@ -380,11 +380,11 @@ private:
 
   const GridHexesOptions& Options;
   MultiMaterialVoxels Regions;
-  const TopologyPreservingVoxels& Cubes; ///< of the whole solid
-  const Surface Bounding;                ///< what bounds it
+  const TopologyPreservingVoxels& Cubes; ///< cells of the whole solid
+  const Surface Bounding;                ///< the surface that bounds it
   std::vector<Surface> InnerBounding;
   const double Diagonal;
-  const SurfaceFeatures AllFeatures; ///< patches of any size
+  const SurfaceFeatures AllFeatures; ///< includes patches of any size
   /// Larger cells did not have the topology.
   double LargestSize = std::numeric_limits<double>::infinity();
   std::optional<GridHexesResult> Best;
@@ -411,9 +411,8 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
     if (options.CellSize < minimum)
     {
       throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
-        ", which makes more than " + std::to_string(options.MaximumHexahedra) +
-        " hexahedra; at least " + std::to_string(minimum) +
-        " is needed, or a greater MaximumHexahedra");
+        ", which gives more than " + std::to_string(options.MaximumHexahedra) +
+        " hexahedra; use at least " + std::to_string(minimum) + ", or raise MaximumHexahedra");
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
     return search.Result(progress.Part(0.95, 1.0));

@@ -11,65 +11,66 @@
 namespace shape
 {
 
-/// CellSize 0: one that gives about 20,000 hexahedra, or smaller ones if these are not good enough
-/// anywhere but at corners that are kept, where other grids have the same.
+/// CellSize 0: a size that gives about 20,000 hexahedra. Smaller cells are used if the result is
+/// not good enough; bad hexahedra at preserved corners do not count, as every grid has them.
 struct GridHexesOptions : HexMeshOptions
 {
-  double FirstHexahedra = 16500.0; ///< about this many cells in the first grid of an automatic size
-  /// The scaled Jacobian of the worst hexahedron that is aimed at.
+  double FirstHexahedra = 16500.0; ///< approximate number of cells of the first automatic grid
+  /// The target for the worst scaled Jacobian.
   double WantedScaledJacobian = 0.62;
-  /// What distances are shares of, in the surface's units; 0: the diagonal of the surface's box.
+  /// The length that distances are relative to, in the surface's units; 0: the diagonal of the
+  /// surface's bounding box.
   double Diagonal = 0.0;
-  /// The distance between the surfaces that is aimed at, as a share of the diagonal.
+  /// The target distance between the surface and the boundary, as a fraction of the diagonal.
   double WantedDistance = 0.0045;
-  /// The same of the distance between creases.
+  /// The target distance between creases, as a fraction of the diagonal.
   double WantedCreaseDistance = 0.001;
-  bool Snap = true; ///< whether points are put on what is farther than wanted (SnapToSurface)
-  std::vector<RefinementSeed> Seeds; ///< of the space of the first grid; with a CellSize
-  int Rounds = 6; ///< of making cells smaller where the result is not as wanted; >= 1
+  bool Snap = true; ///< whether points move to parts that are farther than wanted (SnapToSurface)
+  std::vector<RefinementSeed> Seeds; ///< seeds that refine the first grid; they need a CellSize
+  int Rounds = 6;                    ///< maximum number of refinement rounds; >= 1
 };
 
 struct GridHexesResult
 {
-  HexFit Fit;               ///< its distance is to what bounds the solid
-  SurfaceFeatures Features; ///< creases that were looked for, patches at least 4 cells large
-  double CellSize = 0.0;    ///< the largest that was used, where the grid was not made finer
-  int Crossings = 0;        ///< pairs of the surface's triangles that cross
-  /// False where the surface crosses itself and no two successive grids have the same Euler number
-  /// and number of components: then they are those of one grid of middling cells.
+  HexFit Fit;               ///< its distance is measured to the boundary of the solid
+  SurfaceFeatures Features; ///< creases around patches of the area of at least 4 cell faces
+  double CellSize = 0.0;    ///< the largest size that was used, outside the refined parts
+  int Crossings = 0;        ///< the number of pairs of the surface's triangles that cross
+  /// False if the surface crosses itself and no two successive grids have the same Euler number and
+  /// number of components. The result then has the topology of a single grid of medium cells.
   bool TopologyAgreed = true;
-  int Rounds = 0; ///< how many grids were made
-  /// False where inner surfaces have creases, which are rounded; then no cells become smaller for
-  /// the distance to these surfaces.
+  int Rounds = 0; ///< the number of grids that were made
+  /// False if inner surfaces have creases, which are rounded. The distance to these surfaces then
+  /// does not refine the grid.
   bool InnerCreasesKept = true;
 };
 
 /**
- * Hexahedra inside a closed surface: the cells of a regular grid whose centres lie in it, with
- * layers of hexahedra around them whose boundary lies on the surface and has its creases
- * (FitHexahedra).
+ * Fills a closed surface with hexahedra. They are the cells of a regular grid whose centres lie
+ * inside, surrounded by layers of hexahedra whose boundary lies on the surface and follows its
+ * creases (FitHexahedra).
  *
- * Where the result is farther from the surface than wanted, or has bad hexahedra, the next grid is
- * one of smaller cells there: space is magnified around these positions before the grid is laid
- * (GridDensity), and the connections stay those of a regular grid. The best result is kept. What is
- * near the wanted distance, and the best one, are snapped to what is farther (SnapToSurface).
+ * If the result is too far from the surface or has bad hexahedra, the next grid has smaller cells
+ * there: space is magnified around these positions before the grid is laid (GridDensity). The
+ * connectivity stays that of a regular grid. The best result is kept. Results that are close to the
+ * wanted distance, and the best one, are snapped to the surface where they are farther
+ * (SnapToSurface).
  *
- * The boundary of the result is a manifold of the surface's Euler number and number of components.
- * Cells become smaller until that is so: thin parts and narrow gaps ask for it. Where the surface
- * crosses itself the solid is what it winds around at least once (TopologyPreservingVoxels).
- * Where hexahedra of the best grid are inverted or bad, points around them leave the surface
- * (RelaxBoundaryAroundBad).
+ * The boundary of the result is a manifold with the Euler number and the number of components of
+ * the surface. Cells become smaller until it is: thin parts and narrow gaps need small cells. If
+ * the surface crosses itself, the solid is the region with a winding number of at least 1
+ * (TopologyPreservingVoxels). If the best grid has inverted or bad hexahedra, the points around
+ * them may leave the surface (RelaxBoundaryAroundBad).
  *
- * Several solids that are apart (SplitSolids) have grids of their own, so that gaps between them
- * need no small cells; each has a share of the hexahedra by its volume, at least some. Features are
- * of their surfaces, one after the other, then.
+ * Disjoint solids (SplitSolids) get one grid each, because gaps between them then need no small
+ * cells. Each solid gets a share of the hexahedra by its volume, but at least a few. The features
+ * of their surfaces are concatenated in the result.
  *
- * Inner surfaces are borders between regions (MultiMaterialVoxels): hexahedra of two regions meet
- * on them.
+ * Inner surfaces separate regions (MultiMaterialVoxels); hexahedra of two regions meet on them.
  *
- * surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface and
- * MultiMaterialVoxels, and where options are out of range; SolveFailure where no grid of so few
- * cells has the topology of the surface, Aborted.
+ * surface: closed and consistently oriented. Throws InvalidInput under the conditions of
+ * RequireClosedSurface and MultiMaterialVoxels, or if an option is out of range. Throws
+ * SolveFailure if no grid within MaximumHexahedra has the topology of the surface; Aborted.
  */
 GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOptions& options = {},
   const Progress& progress = {}, const std::vector<Mesh>& innerSurfaces = {});

@@ -17,9 +17,9 @@ namespace shape
 namespace
 {
 
-/// Of the natural logarithm of a size: what is not mended, and what is too large or too small.
+/// Logarithms of size ratios: errors below the first are not corrected; the second is acceptable.
 const double Tolerated = std::log(1.1), Accepted = std::log(1.2);
-/// No seed is smaller than this many cells, where it stands.
+/// The minimum radius of a seed, in cells of the wanted size at its centre.
 constexpr double MinimumRadius = 3.0;
 constexpr int MaximumSeeds = 400;
 
@@ -31,7 +31,7 @@ public:
     constexpr int count = 3000;
     constexpr unsigned int seed = 1;
     const Eigen::MatrixXd spread = SampleRandomly(surface, count, seed);
-    // Small parts with small cells have points, if not much area.
+    // Small parts with small cells may have little area, but they have points.
     const Eigen::Index stride = surface.Points().rows() / count + 1;
     const Eigen::Index points = (surface.Points().rows() + stride - 1) / stride;
     this->Positions.resize(count + points, 3);
@@ -46,13 +46,13 @@ public:
     this->CellSize = this->Wanted.mean();
   }
 
-  /// What is left over: logarithms of the sizes of cells by those wanted.
+  /// The residual: logarithms of cell sizes relative to the wanted ones.
   Eigen::VectorXd Excess() const
   {
     return (this->CellSize - this->Stretch.array() - this->Wanted.array()).matrix();
   }
 
-  /// Adds seeds where cells have not the size wanted; false where there is no such position.
+  /// Adds seeds where cells do not have the wanted size; false if there are no such positions.
   bool Add(double radius)
   {
     const Eigen::VectorXd excess = this->Excess().cwiseAbs();
@@ -80,7 +80,7 @@ public:
     return this->Seeds.size() > before;
   }
 
-  /// One step of Gauss and Newton's for all strengths and the size of the grid.
+  /// Makes one Gauss-Newton step for all strengths and the size of the grid.
   void Step()
   {
     constexpr double ridge = 1e-3;
@@ -89,7 +89,7 @@ public:
     Eigen::MatrixXd slopes(this->Positions.rows(), count + 1);
     for (Eigen::Index j = 0; j < count; ++j)
     {
-      // The divergence of the velocity at both ends of the way.
+      // The mean of the velocity's divergence at both ends of the path.
       const RefinementSeed& seed = this->Seeds[j];
       for (Eigen::Index i = 0; i < slopes.rows(); ++i)
       {
@@ -135,7 +135,8 @@ private:
     return (1.0 - scaled / 3.0) * std::exp(-0.5 * scaled);
   }
 
-  /// The logarithm of the flow's stretch, the cubic root of its determinant, at the positions.
+  /// Returns the logarithm of the flow's stretch, the cube root of its determinant, at the
+  /// positions.
   void FindStretch()
   {
     const GridDensity warp(this->Seeds);
@@ -162,9 +163,9 @@ private:
   }
 
   Eigen::MatrixXd Positions;
-  Eigen::VectorXd Wanted;  ///< logarithms of the sizes
-  Eigen::VectorXd Stretch; ///< logarithms
-  double CellSize;         ///< a logarithm
+  Eigen::VectorXd Wanted;  ///< logarithms of the wanted sizes
+  Eigen::VectorXd Stretch; ///< logarithms of the stretch
+  double CellSize;         ///< logarithm of the cell size
   std::vector<RefinementSeed> Seeds;
 };
 
@@ -234,8 +235,8 @@ Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::Ma
 namespace
 {
 
-/// The sizes to ask for at the surface's points, so that what came out of `asked` becomes `sizes`:
-/// less by the mean logarithm of the quads' ratios nearby.
+/// Corrects the requested sizes at the surface's points: each is divided by the local geometric
+/// mean of the quads' size ratios.
 Eigen::VectorXd Corrected(const Surface& surface, const Eigen::VectorXd& sizes,
   const Eigen::VectorXd& asked, const HexFit& fit, const Eigen::VectorXd& ratios)
 {
@@ -255,7 +256,7 @@ Eigen::VectorXd Corrected(const Surface& surface, const Eigen::VectorXd& sizes,
         const double width = reach * sizes(i);
         const Eigen::ArrayXd squared =
           (midpoints.rowwise() - surface.Points().row(i)).rowwise().squaredNorm() / (width * width);
-        // The nearest quads count even where all are far away.
+        // Relative to the nearest quad, so that the weights do not vanish if all are far away.
         const Eigen::ArrayXd weights = (0.5 * (squared.minCoeff() - squared)).exp();
         corrected(i) *= std::exp(-(weights * logarithms).sum() / weights.sum());
       }

@@ -12,54 +12,55 @@
 namespace shape
 {
 
-/// A grid whose cells have given sizes along a surface.
+/// A grid whose cells have prescribed sizes along a surface.
 struct SizedGrid
 {
-  std::vector<RefinementSeed> Seeds; ///< of the space that the grid is laid in
-  double CellSize = 0.0;             ///< of a cell there
-  /// Shares of the surface's area where cells are at most 1.2 times as large as wanted, and at
-  /// least 1 / 1.2 times.
+  std::vector<RefinementSeed> Seeds; ///< seeds of the magnified space that the grid is laid in
+  double CellSize = 0.0;             ///< the size of a cell in that space
+  /// Fractions of the surface's area on which cells are at most 1.2 times as large as wanted, and
+  /// at least 1 / 1.2 times as large.
   double NotTooLarge = 0.0, NotTooSmall = 0.0;
 };
 
 /**
- * Magnifies space around a surface so that cells of a uniform grid there have the wanted sizes on
- * it, before they are moved.
+ * Magnifies the space around a surface. The cells of a uniform grid in the magnified space have the
+ * wanted sizes along the surface before the points are optimised.
  *
- * The size that a cell has at x is that of the grid / det(DF(x))^(1/3), with the flow F of the
- * seeds. Its logarithm depends on their strengths nearly linearly, so these and the size of
- * the grid are found by Gauss and Newton's method, with seeds as wide as the surface at first
- * and more, half as wide, where that leaves more than a tenth, down to a few cells.
+ * The cell size at x is the grid's size / det(DF(x))^(1/3), with the flow F of the seeds. Its
+ * logarithm depends almost linearly on the strengths of the seeds, so a Gauss-Newton method finds
+ * the strengths and the size of the grid. The first seeds are as wide as the surface. Seeds of half
+ * the width are added where an error of more than a tenth remains, down to a width of a few cells.
  *
- * surface: its triangles are all used. sizes (n): > 0, in the surface's units; between its points
- * they are linear. Throws Aborted.
+ * surface: uses all of its points. sizes (n): > 0, in the surface's units, interpolated linearly
+ * between the points. Throws Aborted.
  */
 SizedGrid BuildSizedGrid(
   const Surface& surface, const Eigen::VectorXd& sizes, const Progress& progress = {});
 
-/// Throws InvalidInput unless there is a positive, finite size for each of the surface's points.
+/// Throws InvalidInput unless each point of the surface has a positive, finite size.
 void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes);
 
-/// The sizes of quads (q: the root of the area of each), divided by the size that is
-/// wanted at the position of the surface closest to its middle.
+/// Returns the size of each quad (q) divided by the wanted size. The size is the square root of the
+/// quad's area; the wanted size is taken at the point of the surface closest to its centroid.
 Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const Surface& surface, const Eigen::VectorXd& sizes);
 
 struct SizedHexesResult
 {
   GridHexesResult Hexes;
-  Eigen::VectorXd Ratios; ///< of the boundary's quads: see SizeRatios
+  Eigen::VectorXd Ratios; ///< the size ratio of each boundary quad (ComputeSizeRatios)
 };
 
 /**
- * Hexahedra of a grid (BuildGridHexahedra) whose sizes along the surface are given: the grid is
- * laid in a space that is magnified where they are to be small (BuildSizedGrid). What a first
- * mesh's quads are too large or too small, nearby on average, the second one's grid makes up for.
+ * Builds the hexahedra of a grid (BuildGridHexahedra) with prescribed sizes along the surface. The
+ * grid is laid in a space that is magnified where they should be small (BuildSizedGrid). A second
+ * grid corrects the local mean error of the sizes in the first mesh.
  *
- * Smaller hexahedra are used where the solid's topology or a good fit asks for them.
+ * Smaller hexahedra are used where the solid's topology or a good fit needs them.
  *
- * surface: closed, oriented consistently. sizes: one for each of its points, > 0, in its units.
- * options: CellSize and Seeds are not used. Throws InvalidInput as RequireSizes, and as
+ * surface: closed and consistently oriented. sizes: one for each of its points, > 0, in its units.
+ * options: CellSize and Seeds are ignored. Throws InvalidInput under the conditions of
+ * RequireSizes, and whatever BuildGridHexahedra throws.
  * BuildGridHexahedra throws.
  */
 SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::VectorXd& sizes,

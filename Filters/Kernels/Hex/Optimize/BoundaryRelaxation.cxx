@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr int MaximumRings = 4;
-/// The scaled Jacobian below which hexahedra are taken for inverted, once some are.
+/// If some hexahedra are inverted, those below this scaled Jacobian are treated as inverted, too.
 constexpr double Bad = 0.2;
 
 bool HasInverted(const HexMesh& mesh)
@@ -78,7 +78,7 @@ void RelaxBoundaryOfWorst(HexMesh& mesh, OverridableConstraint& freedoms, double
       freedoms.Freedoms[point] = marked[point] && isOnSurface ? 3 : freedoms.Freedoms[point];
     }
     HexOptimizationOptions options;
-    options.Sweeps = 0; // over all: those near the worst are enough, and stay nearer to the surface
+    options.Sweeps = 0; // moving points near the worst suffices and stays closer to the surface
     options.RaiseTo = wanted;
     const HexOptimizationResult result = OptimizeHexahedra(mesh, freedoms, options,
       progress.Part(rings / (MaximumRings + 1.0), (rings + 1.0) / (MaximumRings + 1.0)));

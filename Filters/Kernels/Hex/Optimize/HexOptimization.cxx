@@ -18,7 +18,7 @@ const std::vector<double> GentleSharpnesses = { 2, 4, 6 };
 const std::vector<double> Sharpnesses = { 2, 4, 6, 8, 10, 12, 16, 20 };
 const std::vector<double> WorstSharpnesses = { 25, 30, 40, 60, 90 };
 
-/// Keeps the points of the best of several states: the fewest inverted, then the best worst one.
+/// Keeps the points of the best state: the fewest inverted hexahedra, then the best minimum.
 class Best
 {
 public:
@@ -56,7 +56,7 @@ private:
   Eigen::VectorXd Values;
 };
 
-/// Sweeps over the points that move; the best state on the way is offered.
+/// Sweeps over the movable points and offers the best state after each sharpness.
 void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
   const std::vector<double>& sharpnesses, const HexOptimizationOptions& options, Best& best,
   const Progress& progress)
@@ -76,7 +76,7 @@ void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
   }
 }
 
-/// Of the marks leaves those that are in others, too, where there are any.
+/// Clears the marks that are not set in `others` as well; keeps all if `others` is empty.
 void LeaveMarked(const std::vector<char>& others, std::vector<char>& marked)
 {
   for (std::size_t point = 0; point < std::min(marked.size(), others.size()); ++point)
@@ -97,7 +97,7 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
     std::vector<char> marked;
     for (int sweep = 0; sweep < options.WorstSweeps; ++sweep)
     {
-      constexpr int between = 5; // which are bad changes little by one sweep
+      constexpr int between = 5; // one sweep hardly changes the set of bad hexahedra
       if (sweep % between == 0)
       {
         marked = MarkPointsOfBadHexahedra({ sweeps.Positions(), mesh.Hexahedra }, options.Bad);
@@ -114,13 +114,13 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
   }
 }
 
-/// Sweeps over the points of bad hexahedra, and longer ones near those that are still too bad.
+/// Sweeps over the points of bad hexahedra, with more sweeps near those that are still too bad.
 void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, Best& best, const Progress& progress)
 {
   LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
   constexpr double minimumGain = 0.01, share = 0.2;
-  constexpr double maximum = 0.1; // of the points: where more are concerned it helps too little
+  constexpr double maximum = 0.1; // fraction of the points: for more it helps too little
   constexpr int attempts = 3, rings = 3;
   HexOptimizationOptions longer = options;
   longer.WorstSweeps *= 3;
@@ -143,8 +143,8 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   }
 }
 
-/// A few gentle sweeps turn most of what is inverted; the rest is untangled before sharper ones,
-/// which turn little, are spent on it.
+/// A few sweeps of low sharpness repair most inverted hexahedra. The rest is untangled before
+/// sweeps of higher sharpness, which repair few, are spent on it.
 void Turn(HexMesh& mesh, const PointConstraint& constraint, const HexOptimizationOptions& options,
   Best& best, const Progress& progress)
 {
@@ -162,7 +162,7 @@ void RequireIndices(const HexMesh& mesh)
   if (mesh.Hexahedra.size() > 0 &&
     (mesh.Hexahedra.minCoeff() < 0 || mesh.Hexahedra.maxCoeff() >= mesh.Points.rows()))
   {
-    throw InvalidInput("a hexahedron has a point that is not there");
+    throw InvalidInput("a hexahedron uses a point that does not exist; repair the mesh");
   }
 }
 
@@ -216,7 +216,7 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   HexOptimizationResult result;
   result.MinimumBefore = best.Minimum();
   result.InvertedBefore = best.Inverted();
-  // Sweeps over all points free some of what untangling alone does not.
+  // Sweeps over all points repair some hexahedra that untangling alone does not.
   constexpr double worstFrom = 0.8; // of the progress
   constexpr int attempts = 2;
   for (int attempt = 0; attempt < attempts && (attempt == 0 || best.Inverted() > 0); ++attempt)

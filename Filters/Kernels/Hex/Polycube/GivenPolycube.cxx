@@ -22,12 +22,13 @@ namespace shape
 namespace
 {
 
-/// What counts as the same coordinate, as a share of the polycube's size.
+/// Coordinates that differ by less than this fraction of the polycube's size are equal.
 constexpr double Flatness = 1e-6;
-/// How far from the surface sources may lie, as a share of its diagonal.
+/// The maximum distance of sources from the surface, as a fraction of its diagonal.
 constexpr double MaximumSourceDistance = 0.02;
 
-/// The coordinates of faces along each axis, ascending. Throws where a triangle is across none.
+/// Returns the coordinates of the faces perpendicular to an axis, ascending. Throws if a triangle
+/// is perpendicular to no axis.
 std::vector<double> FaceCoordinates(const Mesh& polycube, double size, int axis)
 {
   std::vector<double> all;
@@ -68,22 +69,23 @@ void RequireAcrossAxes(const Mesh& polycube, double size)
   if (count > 0)
   {
     throw InvalidInput("the Polycube has " + std::to_string(count) +
-      " triangles that do not lie across an axis (first triangle " + std::to_string(first) +
+      " triangles that are not perpendicular to an axis (first triangle " + std::to_string(first) +
       "); give the second output of Shape Polycube, or a surface of such faces");
   }
 }
 
-/// The greatest length that faces are at whole multiples of. Throws where there is none.
+/// Returns the greatest length that the faces' coordinates are multiples of. Throws if there is
+/// none.
 double UnitOf(const Mesh& polycube, double size)
 {
-  constexpr double minimum = 1e-3; // of the size: a thousand cells along it
+  constexpr double minimum = 1e-3; // fraction of the size: at most a thousand cells along it
   double unit = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::vector<double> coordinates = FaceCoordinates(polycube, size, axis);
     for (std::size_t i = 1; i < coordinates.size(); ++i)
     {
-      // Euclid's algorithm, with remainders around 0.
+      // Euclid's algorithm, with remainders centred at 0.
       double other = coordinates[i] - coordinates[0];
       while (other > 0.1 * minimum * size)
       {
@@ -95,13 +97,13 @@ double UnitOf(const Mesh& polycube, double size)
   }
   if (unit < minimum * size)
   {
-    throw InvalidInput("the Polycube's faces are not at whole multiples of one length, of at least "
-                       "a thousandth of its longest side; move them there");
+    throw InvalidInput("the coordinates of the Polycube's faces are not integer multiples of one "
+                       "length of at least a thousandth of its size; move the faces there");
   }
   return unit;
 }
 
-/// The grid of cells in the polycube's box, with a layer around them.
+/// Returns the grid of cells in the polycube's bounding box, surrounded by one more layer.
 SampledGrid GridIn(const Mesh& polycube, double cell)
 {
   const Eigen::RowVector3d low = polycube.Points.colwise().minCoeff();
@@ -134,12 +136,12 @@ void RequireTopology(const HexMesh& cells, const Surface& surface)
   const Topology found = ComputeBoundaryTopology(cells);
   if (found.NonManifoldEdges > 0 || found.NonManifoldPoints > 0)
   {
-    throw InvalidInput("the Polycube touches itself in an edge or a point; move its parts apart");
+    throw InvalidInput("the Polycube touches itself at an edge or a point; move its parts apart");
   }
   if (found.EulerNumber != wanted.EulerNumber || found.Components != wanted.Components)
   {
     throw InvalidInput("the Polycube has the Euler number " + std::to_string(found.EulerNumber) +
-      " and " + std::to_string(found.Components) + " components, and the Surface " +
+      " and " + std::to_string(found.Components) + " components, but the Surface has " +
       std::to_string(wanted.EulerNumber) + " and " + std::to_string(wanted.Components) +
       "; give the polycube of this surface");
   }
@@ -167,7 +169,8 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   RequireClosedSurface(given, "the Polycube");
   if (polycube.Sources.rows() != polycube.Surface.Points.rows() || polycube.Sources.cols() != 3)
   {
-    throw InvalidInput("the Polycube's SourcePosition must be 3 numbers for each of its points");
+    throw InvalidInput(
+      "the Polycube's SourcePosition must have 3 components at each of its points");
   }
   RequireFinite(polycube.Sources, "the Polycube's SourcePosition");
   RequireSourcesOn(polycube.Sources, surface);
@@ -175,13 +178,13 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   const double size = ComputeLongestBoxEdge(outer.Points());
   RequireAcrossAxes(outer, size);
   const double unit = UnitOf(outer, size), volume = ComputeEnclosedVolume(outer);
-  // The polycube may be drawn at another scale than the surface.
+  // The polycube may have another scale than the surface.
   const double scale = std::cbrt(volume / std::abs(ComputeEnclosedVolume(surface)));
   const double wanted = cellSize > 0.0 ? cellSize * scale : std::cbrt(volume / AutomaticCells);
   const double cell = unit / std::max(1.0, std::round(unit / wanted));
   if (volume / (cell * cell * cell) > maximum)
   {
-    throw InvalidInput("the Polycube's unit " + std::to_string(unit) + " makes more than " +
+    throw InvalidInput("the Polycube's unit " + std::to_string(unit) + " gives more than " +
       std::to_string(maximum) + " cells; give one with a greater unit (TargetEdgeLength)");
   }
   const SampledGrid grid = GridIn(outer, cell);

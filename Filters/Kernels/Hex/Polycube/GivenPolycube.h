@@ -10,30 +10,32 @@
 namespace shape
 {
 
-/// A polycube of a surface that is given: as Shape Polycube makes it, or made by hand.
+/// A polycube that the user gives: the output of Shape Polycube, or made by hand.
 struct GivenPolycube
 {
-  /// Closed; its faces lie across the axes, at whole multiples of one length along each of them.
+  /// A closed surface. Its faces are perpendicular to the axes, and their coordinates are integer
+  /// multiples of one length along each axis.
   Mesh Surface{};
-  Eigen::MatrixXd Sources{}; ///< n x 3: where its points lie on the surface
+  Eigen::MatrixXd Sources{}; ///< n x 3: the position on the surface that each point maps to
 };
 
 struct GivenPolycubeCells
 {
-  HexMesh Solid;         ///< near the surface
-  double CellSize = 0.0; ///< in the surface's units: of a polycube of the same volume
+  HexMesh Solid;         ///< the cells, close to the surface
+  double CellSize = 0.0; ///< in the surface's units: the cell size of a polycube of equal volume
 };
 
 /**
- * The cells of a regular grid in a polycube, carried to the solid inside a surface by the harmonic
- * map of the polycube's boundary map (ComputeHarmonicVolumeMap). The cells are as many to the
- * polycube's unit, the greatest length that all of its faces are at multiples of, as come closest
- * to cellSize.
+ * Carries the cells of a regular grid in a polycube into the solid inside a surface. They are
+ * carried by the harmonic map that extends the polycube's boundary map (ComputeHarmonicVolumeMap).
+ * The polycube's unit is the greatest length that the coordinates of all faces are multiples of. It
+ * is divided into the number of cells that comes closest to cellSize.
  *
- * surface: closed. cellSize: in the surface's units; 0: about 12,000 cells, or more where the unit
- * asks for them. Throws InvalidInput where the polycube is not closed, has faces that lie across no
- * axis or at no multiples of one length, overlaps itself, has more cells than `most`, sources that
- * are not finite or far from the surface, or another topology; as ComputeHarmonicVolumeMap throws.
+ * surface: closed. cellSize: in the surface's units; 0: about 12,000 cells, or more if the unit
+ * requires it. Throws InvalidInput if the polycube is not closed, overlaps itself, needs more than
+ * `maximum` cells, or has another topology than the surface. Its faces must be perpendicular to an
+ * axis at multiples of one length, and its sources finite and close to the surface. Throws what
+ * ComputeHarmonicVolumeMap throws.
  */
 GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surface& surface,
   double cellSize, int maximum, const Progress& progress = {});

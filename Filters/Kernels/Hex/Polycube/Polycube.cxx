@@ -26,8 +26,8 @@ namespace
 constexpr int Rings[] = { 2, 4, 8 };
 constexpr int MaximumRelabellings = 10;
 
-/// Points move in the planes of their charts. Those beyond the surface's are tips of tetrahedra:
-/// they move along the plane of their triangle.
+/// Points move in the planes of their charts. Points with indices beyond the surface's are tips of
+/// tetrahedra, which move parallel to the plane of their triangle.
 class InPlanes : public PointConstraint
 {
 public:
@@ -65,13 +65,13 @@ private:
   std::vector<std::array<bool, 3>> Fixed;
 };
 
-/// Of the pieces into which each chart of the coarse solid falls keeps the largest; the others get
-/// the label that most of their border is with.
+/// Keeps the largest of the pieces into which each chart of the coarse solid falls. Each other
+/// piece gets the label with which it shares the longest border.
 void RemoveIslands(
   const Mesh& surface, const Eigen::VectorXi& coarseCharts, Eigen::VectorXi& labels)
 {
   const Charts pieces = FindCharts(surface, labels);
-  std::map<int, int> largest; // by the coarse chart
+  std::map<int, int> largest; // the largest piece of each coarse chart
   std::vector<int> origin(pieces.Count(), -1);
   for (Eigen::Index f = 0; f < labels.size(); ++f)
   {
@@ -86,7 +86,7 @@ void RemoveIslands(
       }
     }
   }
-  std::map<int, std::map<int, double>> boundaries; // of islands, with each label
+  std::map<int, std::map<int, double>> boundaries; // border length of small pieces by label
   for (const Charts::Border& boundary : pieces.Borders)
   {
     double length = 0.0;
@@ -113,8 +113,9 @@ void RemoveIslands(
   }
 }
 
-/// The labels of the coarse solid's triangles closest to the surface's. A triangle that would have
-/// all its corners on the border of another chart, which leaves it no area, goes to that chart.
+/// Transfers the labels of the closest triangles of the coarse solid to the surface. A triangle
+/// whose corners would all lie on the border of another chart would have no area; it joins that
+/// chart.
 Eigen::VectorXi TransferLabels(const Mesh& surface, const PolycubeMap& map,
   const SurfaceLocator& coarse, const Progress& progress)
 {
@@ -151,11 +152,11 @@ Eigen::VectorXi TransferLabels(const Mesh& surface, const PolycubeMap& map,
   return labels;
 }
 
-/// Puts the points into the planes of their triangles' charts.
+/// Moves the points into the planes of their triangles' charts.
 std::vector<std::array<bool, 3>> Snap(
   const Mesh& surface, const Charts& charts, Eigen::MatrixXd& positions)
 {
-  // The plane of a chart is where most of it is.
+  // The plane of a chart is where most of its area lies.
   std::vector<std::vector<double>> coordinates(charts.Count());
   for (Eigen::Index f = 0; f < surface.Triangles.rows(); ++f)
   {
@@ -182,7 +183,7 @@ std::vector<std::array<bool, 3>> Snap(
   return fixed;
 }
 
-/// Moves the points of triangles that are inverted, and this many rings around them.
+/// Moves the points of inverted triangles and of this many rings around them.
 void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
   const std::vector<std::array<bool, 3>>& fixed, int rings, Eigen::MatrixXd& positions,
   const Progress& progress)
@@ -204,7 +205,7 @@ void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
       marked[f] = marked[f] || points[c(0)] || points[c(1)] || points[c(2)];
     }
   }
-  // Each triangle is a tetrahedron with a tip of its own, which slides at one height.
+  // Each triangle forms a tetrahedron with its own tip, which slides at constant height.
   SimplexPatch patch;
   std::vector<std::array<bool, 3>> planes = fixed;
   Eigen::MatrixXd all = positions;
@@ -255,7 +256,7 @@ void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
   positions = all.topRows(positions.rows());
 }
 
-/// Which charts, those with the most first.
+/// Lists the charts concerned, those with the most triangles first.
 std::string DescribeTurned(
   const Mesh& polycube, const Eigen::VectorXi& labels, const Charts& charts)
 {
@@ -322,10 +323,10 @@ PolycubeResult BuildPolycube(
   const auto turned = count();
   if (turned > 0)
   {
-    throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) + " charts turns " +
-      std::to_string(turned) + " of " + std::to_string(surface.Triangles().rows()) +
-      " triangles over: " +
-      DescribeTurned({ positions, surface.Triangles() }, result.Labels, charts) +
+    throw SolveFailure("the polycube of " + std::to_string(map.Charts.Count()) +
+      " charts inverts " + std::to_string(turned) + " of " +
+      std::to_string(surface.Triangles().rows()) +
+      " triangles: " + DescribeTurned({ positions, surface.Triangles() }, result.Labels, charts) +
       "; refine the surface there, or try another Compactness");
   }
   result.Positions = map.CellSize * positions;

@@ -24,7 +24,7 @@ namespace shape
 namespace
 {
 
-/// Where the worst hexahedron of a polycube with charts is worse, that of a grid is tried, too.
+/// If the worst hexahedron of a polycube with charts is worse than this, a grid is tried, too.
 constexpr double MinimumAccepted = 0.2;
 
 /// Hexahedra of a polycube before they are optimised.
@@ -53,7 +53,7 @@ std::vector<char> OnBoundary(const HexMesh& mesh)
   return on;
 }
 
-/// The cells of the polycube, by the better one of two maps.
+/// Returns the cells of the polycube, mapped by the better of two maps.
 Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
 {
   IntegerMapHexesResult hexes =
@@ -86,7 +86,8 @@ Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
   return cubes;
 }
 
-/// Those of a polycube with charts; none, and `why`, where there are none that will do.
+/// Returns the cells of a polycube with charts; nothing, and the reason in `why`, if none is
+/// usable.
 std::optional<Cubes> CubesOfCharts(const Surface& surface, const PolycubeHexesOptions& options,
   std::string& why, const Progress& progress)
 {
@@ -125,7 +126,7 @@ Cubes CubesOfVoxels(
     PolycubeHexesResult::MapType::Voxels, false };
 }
 
-/// The points that triangles use, and the triangles with their numbers.
+/// The points that triangles use, and the triangles with renumbered points.
 Mesh Compacted(const Eigen::MatrixXd& points, Eigen::MatrixXi triangles, Eigen::VectorXi& used)
 {
   std::vector<int> number(points.rows(), -1), kept;
@@ -150,7 +151,7 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const Surface& surface,
   result.Features = FindFeatures(surface, options, cubes.CellSize);
   result.Fit = FitHexahedra(cubes.Solid, surface, result.Features,
     { options.PaddingLayers, options.MaximumHexahedra }, progress);
-  // Points of the boundary stay points of the boundary.
+  // Boundary points remain boundary points.
   Eigen::VectorXi points;
   result.Polycube = Compacted(cubes.Positions, SplitQuads(FindBoundaryQuads(cubes.Solid)), points);
   result.Targets = result.Fit.Solid.Points(points, Eigen::all);

@@ -12,7 +12,7 @@
 namespace shape
 {
 
-/// CellSize 0: what gives about 16,000 hexahedra.
+/// CellSize 0: a size that gives about 16,000 hexahedra.
 struct PolycubeHexesOptions : HexMeshOptions
 {
   double Compactness = PolycubeOptions().Compactness;
@@ -21,34 +21,37 @@ struct PolycubeHexesOptions : HexMeshOptions
 struct PolycubeHexesResult
 {
   HexFit Fit;
-  SurfaceFeatures Features; ///< creases that were looked for, patches at least 4 cells large
-  /// The polycube's surface in cells, its unit squares cut in two, and where its points went: on
-  /// the boundary of the hexahedra.
+  SurfaceFeatures Features; ///< creases around patches of the area of at least 4 cell faces
+  /// The polycube's surface, in units of cells, with each unit square split into two triangles.
+  /// Targets (n x 3): the positions of its points on the boundary of the hexahedra.
   Mesh Polycube;
   Eigen::MatrixXd Targets;
   enum class MapType
   {
-    Harmonic = 0,   ///< the harmonic map of the polycube's boundary map
-    Tetrahedra = 1, ///< the inverse of the tetrahedra's deformation
-    Voxels = 2      ///< of a grid, see FindVoxelPolycube: better, or no other was found
+    Harmonic = 0,   ///< the harmonic map that extends the polycube's boundary map
+    Tetrahedra = 1, ///< the inverse of the deformation of the tetrahedra
+    Voxels = 2      ///< a grid (FindVoxelPolycube): it was better, or no polycube was found
   };
-  MapType Map = MapType::Tetrahedra; ///< what carried the grid
-  int Charts = 0;                    ///< flat parts of the polycube
-  int Corners = 0;                   ///< points where three or more of them meet
-  bool Overlaps = false;             ///< the polycube overlaps itself
-  double CellSize = 0.0;             ///< the one that was used
+  MapType Map = MapType::Tetrahedra; ///< the map that carried the cells
+  int Charts = 0;                    ///< number of flat parts of the polycube
+  int Corners = 0;                   ///< number of points where three or more of them meet
+  bool Overlaps = false;             ///< whether the polycube overlaps itself
+  double CellSize = 0.0;             ///< the size that was used, in the surface's units
 };
 
 /**
- * Hexahedra inside a closed surface: the unit cells of a polycube of the solid (FindPolycubeMap),
- * brought back by the harmonic map of the polycube's boundary onto the surface
- * (ComputeHarmonicVolumeMap) where that inverts no more hexahedra than the inverse of the
- * tetrahedra's own map, which needs no polycube that is free of overlaps; with layers around them
- * whose boundary lies on the surface and has its creases (FitHexahedra).
+ * Fills a closed surface with hexahedra: the unit cells of a polycube of the solid
+ * (FindPolycubeMap), surrounded by layers whose boundary lies on the surface and follows its
+ * creases (FitHexahedra).
  *
- * The boundary has the Euler number and the components of the surface. Throws InvalidInput as
- * Tetrahedralize, and where options are out of range; SolveFailure where neither a polycube nor a
- * grid of the surface's topology is found; Aborted.
+ * The cells are carried into the solid by one of two maps. The first is the harmonic map that
+ * extends the map of the polycube's boundary onto the surface (ComputeHarmonicVolumeMap). The
+ * second is the inverse of the deformation of the tetrahedra, which also works if the polycube
+ * overlaps itself. The second is used if the first inverts more hexahedra.
+ *
+ * The boundary has the Euler number and the number of components of the surface. Throws
+ * InvalidInput under the conditions of Tetrahedralize, or if an option is out of range. Throws
+ * SolveFailure if neither a polycube nor a grid with the surface's topology is found; Aborted.
  */
 PolycubeHexesResult BuildPolycubeHexahedra(
   const Surface& surface, const PolycubeHexesOptions& options = {}, const Progress& progress = {});

@@ -85,7 +85,7 @@ void RefinementSeeds::AddDistant(const SampledDistances& far, double wanted)
     {
       break;
     }
-    // What is more than four times too far would take too many rounds.
+    // Positions more than four times too far would otherwise need too many rounds.
     constexpr double maximum = 2.0;
     this->Add(
       far.Positions.row(i), std::clamp(std::log2(0.5 * far.Distances(i) / wanted), 1.0, maximum));

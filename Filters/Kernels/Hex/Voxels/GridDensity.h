@@ -11,7 +11,7 @@
 namespace shape
 {
 
-/// Space grows around a position: by exp(Strength) there, less and less up to some Radii away.
+/// Magnifies space by a factor exp(Strength) at Centre, which fades within a few Radius.
 struct RefinementSeed
 {
   Eigen::RowVector3d Centre;
@@ -20,8 +20,8 @@ struct RefinementSeed
 };
 
 /**
- * A smooth one-to-one map of space that magnifies it around some positions, so that a uniform grid
- * in its image is a finer one there: the flow, for a time of 1, of the velocity
+ * A smooth one-to-one map that magnifies space around some positions. A uniform grid in its image
+ * is therefore finer there. The map is the flow, for a time of 1, of the velocity
  *
  *   v(x) = sum over seeds of Strength (x - Centre) exp(-|x - Centre|^2 / (2 Radius^2)).
  *
@@ -48,29 +48,30 @@ private:
   std::vector<RefinementSeed> Seeds;
 };
 
-/// Gathers positions that ask for smaller cells into seeds that are apart from each other: of two
-/// that are near only the first stays.
+/// Collects seeds at positions that need smaller cells. A position close to an earlier seed is
+/// ignored.
 class RefinementSeeds
 {
 public:
-  /// cellSize: of the grid that they are positions of.
+  /// cellSize: the cell size of the grid that the positions belong to.
   explicit RefinementSeeds(double cellSize)
     : CellSize(cellSize)
   {
   }
 
-  /// times: how much stronger than usual its seed is.
+  /// times: the strength of the seed, relative to the usual one.
   void Add(const Eigen::RowVector3d& centre, double times = 1.0);
 
-  /// Those that are farther than nearly wanted, the farthest first, the stronger the farther.
+  /// Adds the positions whose distance is at least 0.9 of `wanted`, the farthest first. The farther
+  /// a position, the stronger its seed.
   void AddDistant(const SampledDistances& far, double wanted);
 
-  /// Hexahedra of a lower scaled Jacobian than accepted.
+  /// Adds the centroids of hexahedra whose scaled Jacobian is below `accepted`.
   void AddBad(const HexMesh& mesh, double accepted);
 
   const std::vector<RefinementSeed>& Seeds() const { return this->Gathered; }
 
-  /// Whether the seeds are for most of a solid of this many cells.
+  /// Whether the seeds magnify a large part, about 0.3, of a solid with this number of cells.
   bool AreMostOf(Eigen::Index cells) const;
 
 private:

@@ -16,7 +16,7 @@ namespace shape
 namespace
 {
 
-/// Throws where surfaces are not closed, cross, or are not inside one another as they have to be.
+/// Throws if surfaces are not closed, cross each other, or are not nested inside the outer one.
 void RequireNested(
   const Mesh& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress)
 {
@@ -32,10 +32,10 @@ void RequireNested(
     RequireClosed(surfaces[s], names[s]);
   }
   RequireConformingComplex(JoinSurfaces(surfaces), names, 1.0, progress.Part(0.0, 0.8));
-  const SolidRegions regions(surfaces, names, progress.Part(0.8, 1.0)); // throws where not inside
+  const SolidRegions regions(surfaces, names, progress.Part(0.8, 1.0)); // throws if not inside
 }
 
-/// Marks the corners of cells where some of the eight cells around are inside and some are not.
+/// Marks the corners of cells around which some of the eight cells are inside and some are not.
 std::vector<char> BoundaryCorners(const SampledGrid& grid, const std::vector<char>& inside)
 {
   std::vector<char> marked(inside.size(), 0); // the corner towards the origin of each cell
@@ -57,7 +57,7 @@ std::vector<char> BoundaryCorners(const SampledGrid& grid, const std::vector<cha
   return marked;
 }
 
-/// Of each cell that is inside the size of its part, whose cells are connected by faces.
+/// Returns, for each cell that is inside, the size of its part; parts are connected by faces.
 std::vector<int> PartSizes(const SampledGrid& grid, const std::vector<char>& inside)
 {
   const int strides[] = { 1, grid.Counts(0), grid.Counts(0) * grid.Counts(1) };

@@ -14,26 +14,27 @@
 namespace shape
 {
 
-/// Cells of a solid in regions.
+/// The cells of a solid, divided into regions.
 struct RegionCells
 {
   HexMesh Solid;
-  /// m: i + 1 inside inner surface i (the innermost around the cell), 0 where none is around.
+  /// m: the region of each cell: i + 1 if i is the innermost inner surface around it, 0 if none is.
   Eigen::VectorXi RegionOf;
-  std::vector<std::vector<char>> Inside;   ///< of each inner surface: whether a cell is inside
-  std::vector<Eigen::MatrixXi> Interfaces; ///< and its quads, counter-clockwise seen from outside
+  std::vector<std::vector<char>> Inside;   ///< for each inner surface, whether each cell is inside
+  std::vector<Eigen::MatrixXi> Interfaces; ///< its boundary quads, counter-clockwise from outside
 };
 
 /**
- * The cells of grids that fill a solid, as TopologyPreservingVoxels finds them, cut into regions by
- * inner surfaces: borders between materials. The cells inside each of them have its topology, and
- * no two surfaces share a point of the grid, so each region's boundary is a manifold.
+ * Fills a solid with cells of a grid (TopologyPreservingVoxels) and divides them into regions by
+ * inner surfaces, the borders between materials. The cells inside each inner surface have its
+ * topology. No two surfaces share a point of the grid, so the boundary of each region is a
+ * manifold.
  */
 class MultiMaterialVoxels
 {
 public:
-  /// innerSurfaces: closed, inside the solid, also inside one another. Throws InvalidInput where
-  /// one is not so, or surfaces cross or touch, or have flat triangles; Aborted.
+  /// innerSurfaces: closed, inside the solid; they may be nested. Throws InvalidInput if one is not
+  /// closed, is not inside, crosses or touches another, or has degenerate triangles; Aborted.
   MultiMaterialVoxels(
     const Surface& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress = {});
 
@@ -41,14 +42,14 @@ public:
   const TopologyPreservingVoxels& Outer() const { return this->Whole; }
   const std::vector<TopologyPreservingVoxels>& Inner() const { return this->Parts; }
 
-  /// The cells of a uniform grid in the warped space, carried back; nothing where they are too
-  /// coarse for the surfaces. Throws as TopologyPreservingVoxels::Fill.
+  /// Returns the cells of a uniform grid in the warped space, mapped back; nothing if they are too
+  /// coarse for the surfaces. Throws what TopologyPreservingVoxels::Fill throws.
   std::optional<RegionCells> Fill(
     double size, const GridDensity& warp, const Progress& progress = {});
 
 private:
   TopologyPreservingVoxels Whole;
-  std::vector<TopologyPreservingVoxels> Parts; ///< inside each inner surface
+  std::vector<TopologyPreservingVoxels> Parts; ///< the interior of each inner surface
 };
 
 } // namespace shape

@@ -53,10 +53,10 @@ SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size)
   constexpr double maximum = 2e8;
   if (!(counts.prod() <= maximum))
   {
-    throw InvalidInput("cells of size " + std::to_string(size) + " make a grid of " +
+    throw InvalidInput("cells of size " + std::to_string(size) + " give a grid of " +
       std::to_string(counts.prod()) + " cells around the surface; at most " +
       std::to_string(maximum) +
-      " are possible: make CellSize greater, or turn the surface along the axes");
+      " are possible; raise CellSize, or rotate the surface along the axes");
   }
   SampledGrid grid;
   grid.Spacing = size;
@@ -108,13 +108,13 @@ SampledGrid SampleSolidDistances(
 namespace
 {
 
-/// How far outside, in cells, the centre of a cell may lie that counts as inside: with a little,
-/// thin parts stay whole.
+/// The levels, in cells, below which a cell counts as inside, in the order of trial: a little above
+/// 0 keeps thin parts connected.
 constexpr double Reaches[] = { 0.15, 0.0, 0.3, -0.15 };
-/// How far, in cells, the surface may lie from the cells on either side of it.
+/// The maximum distance, in cells, of the surface from the cells on either side of it.
 constexpr double CoverReach = 0.7;
 
-/// How many components of a surface bound solids from outside.
+/// Returns the number of components of a surface that bound solids from outside.
 int CountSolids(const Mesh& surface)
 {
   const std::vector<Mesh> components = SplitComponents(surface);
@@ -122,8 +122,8 @@ int CountSolids(const Mesh& surface)
     [](const Mesh& component) { return ComputeEnclosedVolume(component) > 0.0; }));
 }
 
-/// A surface in warped space, its edges so short that they may as well be straight there; itself
-/// if the warp is the identity.
+/// Maps a surface to warped space, with edges so short that they may stay straight there. Returns
+/// the surface itself if the warp is the identity.
 Surface Warp(const Surface& surface, const GridDensity& warp, double size)
 {
   if (warp.IsIdentity())
@@ -167,8 +167,8 @@ double TopologyPreservingVoxels::CellSizeFor(double hexahedra, const GridDensity
 {
   const Mesh warped{ warp.Forward(this->Whole.Points()), this->Whole.Triangles() };
   const double volume = ComputeEnclosedVolume(warped), area = ComputeArea(warped);
-  // The layer has more hexahedra than the cells whose room it takes: half a cell's volume for each
-  // cell's area was measured.
+  // The layer has more hexahedra than the cells it replaces: the excess was measured as half a
+  // cell's volume for each cell face of area.
   double size = std::cbrt(volume / hexahedra);
   for (int step = 0; step < 50; ++step)
   {

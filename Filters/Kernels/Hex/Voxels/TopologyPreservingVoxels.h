@@ -17,64 +17,68 @@
 namespace shape
 {
 
-/// How far from the surface, in cells, levels still are distances.
+/// The distance from the surface, in cells, up to which levels are distances.
 inline constexpr double LevelBand = 2.0;
 
-/// A grid of cubic cells around points (n x 3), without values; its outermost cells lie outside of
-/// their box. size: of a cell, > 0. Throws InvalidInput where it has more than 2e8 cells.
+/// Returns a grid of cubic cells around points (n x 3), without values. Its outermost cells lie
+/// outside the points' bounding box. size: the edge length of a cell, > 0. Throws InvalidInput if
+/// the grid would have more than 2e8 cells.
 SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size);
 
 /**
- * The levels of a solid in the cells of a grid: at the centre of each the signed distance to the
- * solid's boundary, negative inside, where it is nearer than LevelBand cells; LevelBand cells
- * elsewhere. The solid is what `surface` winds around at least once.
+ * Computes the levels of a solid at the centres of a grid's cells: the signed distance to the
+ * solid's boundary, negative inside, within LevelBand cells of it. Farther away the level is
+ * LevelBand cells. The solid is the region where `surface` has a winding number of at least 1.
  *
- * surface: closed, oriented consistently, facing outwards, inside the grid; it may cross itself.
- * boundary: what of it bounds the solid (ExtractSolidBoundary). Throws Aborted.
+ * surface: closed, consistently oriented, facing outwards, inside the grid; it may cross itself.
+ * boundary: the part of it that bounds the solid (ExtractSolidBoundary). Throws Aborted.
  */
 void SampleDistances(const Mesh& surface, const SurfaceLocator& boundary, SampledGrid& grid,
   const Progress& progress = {});
 
-/// The levels in the cells around the surface. Throws as both.
+/// Returns the levels in a grid around the surface: BuildGridAround, then SampleDistances. Throws
+/// what these throw.
 SampledGrid SampleSolidDistances(
   const Mesh& surface, const SurfaceLocator& boundary, double size, const Progress& progress = {});
 
 /**
- * The cells of grids that fill a solid and have its topology: what a closed surface winds around at
- * least once.
+ * Fills a solid with cells of a grid that have its topology. The solid is the region where a closed
+ * surface has a winding number of at least 1.
  *
- * The topology of a surface that crosses itself is not known: it is the Euler number and number of
- * components that two successive grids agree on; where none do, any after TakeAnyTopology.
+ * The topology of a surface that crosses itself is not known in advance. It is then the Euler
+ * number and number of components that two successive grids agree on, or any after TakeAnyTopology.
  */
 class TopologyPreservingVoxels
 {
 public:
-  /// surface: closed, oriented consistently. Throws InvalidInput as RequireClosedSurface, Aborted.
+  /// surface: closed and consistently oriented. Throws InvalidInput under the conditions of
+  /// RequireClosedSurface; Aborted.
   explicit TopologyPreservingVoxels(const Surface& surface, const Progress& progress = {});
 
   /// The surface, facing outwards.
   const Surface& GetSurface() const { return this->Whole; }
-  /// What of it bounds the solid, and how often it crosses itself.
+  /// The part of the surface that bounds the solid, and the number of its self-crossings.
   const SolidBoundaryResult& Boundary() const { return this->Bounding; }
-  /// Of the surface: what the solid has to have where it does not cross itself.
+  /// The surface's topology, which the solid must have unless the surface crosses itself.
   const Topology& SurfaceTopology() const { return this->Wanted; }
 
-  /// Takes any manifold from now on where the surface crosses itself.
+  /// From now on accepts any manifold if the surface crosses itself.
   void TakeAnyTopology() { this->TakesAny = true; }
 
-  /// The size of cells in the warped space that make about this many hexahedra, those of a layer
-  /// around them included.
+  /// Returns the cell size in the warped space that gives about this number of hexahedra, including
+  /// one layer around the cells.
   double CellSizeFor(double hexahedra, const GridDensity& warp) const;
 
-  /// The cells of a uniform grid in the warped space, carried back; nothing where none of the
-  /// choices of cells on the boundary has the solid's topology. Throws as SampleSolidDistances.
+  /// Returns the cells of a uniform grid in the warped space, mapped back. Returns nothing if no
+  /// choice of the cells at the boundary gives the solid's topology. Throws what
+  /// SampleSolidDistances throws.
   std::optional<HexMesh> Fill(double size, const GridDensity& warp, const Progress& progress = {});
 
-  /// The grid that Fill uses, in the warped space; without values.
+  /// Returns the grid that Fill uses, in the warped space, without values.
   SampledGrid Grid(double size, const GridDensity& warp) const;
 
-  /// The cells of a grid in the warped space around the surface that are inside, and accepted;
-  /// nothing where none of the choices of cells on the boundary has the solid's topology and is.
+  /// Marks the cells of a grid in the warped space that are inside the solid. Returns nothing if no
+  /// choice of the cells at the boundary has the solid's topology and is accepted.
   std::optional<std::vector<char>> CellsInside(const SampledGrid& grid, const GridDensity& warp,
     const std::function<bool(const std::vector<char>& inside)>& accepts,
     const Progress& progress = {});
@@ -84,10 +88,10 @@ private:
 
   Surface Whole;
   Topology Wanted;
-  int Solids; ///< components that bound solids from outside
+  int Solids; ///< number of components that bound solids from outside
   SolidBoundaryResult Bounding;
   bool TakesAny = false;
-  std::optional<std::pair<int, int>> Before; ///< Euler number and components of the last grid
+  std::optional<std::pair<int, int>> Before; ///< Euler number and components of the previous grid
 };
 
 } // namespace shape

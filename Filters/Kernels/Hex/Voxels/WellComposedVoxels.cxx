@@ -12,8 +12,8 @@ namespace shape
 namespace
 {
 
-/// Whether the marked ones of eight cells around a corner are connected by faces: cells that
-/// differ in one bit have a common one.
+/// Whether the marked ones of eight cells around a corner are connected by faces: cells whose
+/// indices differ in one bit share a face.
 bool HangTogether(unsigned int cells)
 {
   if (cells == 0)
@@ -39,7 +39,7 @@ bool IsManifold(unsigned int cells)
   return HangTogether(cells) && HangTogether(~cells & 0xff);
 }
 
-/// The eight cells around the corner that cell (x, y, z) has towards the origin.
+/// Returns the eight cells around the corner of cell (x, y, z) that is closest to the origin.
 std::array<int, 8> CellsAround(const SampledGrid& grid, int x, int y, int z)
 {
   std::array<int, 8> cells{};
@@ -60,8 +60,8 @@ unsigned int PatternOf(const std::array<int, 8>& cells, const std::vector<char>&
   return pattern;
 }
 
-/// Of eight cells around a pinched corner, the one that is to change sides: one that mends it where
-/// there is such, -1 where all have changed before. Cells that change once only come to an end.
+/// Returns which of eight cells around a pinched corner should change sides, preferably one that
+/// repairs the corner; -1 if all have changed before. Each cell changes once, so this terminates.
 int CellToChange(unsigned int pattern, const std::array<int, 8>& cells,
   const Eigen::VectorXd& levels, const std::vector<char>& changed)
 {
@@ -99,7 +99,7 @@ public:
 
   int Count() const { return this->Flips; }
 
-  /// Changes a cell where that is allowed.
+  /// Changes a cell if the topology allows it.
   bool Flip(const Eigen::RowVector3i& cell)
   {
     const int index = this->Grid.Index(cell(0), cell(1), cell(2));
@@ -124,7 +124,7 @@ public:
   }
 
 private:
-  /// Whether the faces that a cell has in common with the solid make up a disc.
+  /// Whether the faces that a cell shares with the solid form a disk.
   bool SharesADisc(const Eigen::RowVector3i& cell) const
   {
     std::array<int, 3> shared{}; // of the two faces across each axis
@@ -153,8 +153,8 @@ private:
   int Flips = 0;
 };
 
-/// How far a position, in a cell's own coordinates in [0, 1], is from the nearest of the cells
-/// around that is on the other side; 2 where none is.
+/// Returns the distance of a position, in a cell's coordinates in [0, 1], from the nearest adjacent
+/// cell on the other side; 2 if there is none.
 double DistanceToOtherSide(const SampledGrid& grid, const std::vector<char>& inside,
   const Eigen::RowVector3i& cell, const Eigen::RowVector3d& position)
 {
@@ -178,7 +178,7 @@ double DistanceToOtherSide(const SampledGrid& grid, const std::vector<char>& ins
   return std::sqrt(minimum);
 }
 
-/// Marks the cells on the grid's sides.
+/// Marks the outermost cells of the grid.
 std::vector<char> OnSides(const SampledGrid& grid)
 {
   std::vector<char> marked(grid.Values.size(), 0);

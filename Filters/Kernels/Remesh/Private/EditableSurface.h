@@ -11,8 +11,9 @@
 namespace shape
 {
 
-/// A triangulated surface whose edges are collapsed, split and flipped: the corners of each
-/// triangle and the triangles around each point. What is removed keeps its number until Compact.
+/// A triangulated surface whose edges can be collapsed, split and flipped. It stores the corners of
+/// each triangle and the triangles around each point. Removed items keep their indices until
+/// Compact.
 class EditableSurface
 {
 public:
@@ -20,8 +21,11 @@ public:
 
   explicit EditableSurface(const Mesh& mesh);
 
-  int PointCount() const { return static_cast<int>(this->Points.size()); }       ///< with removed
-  int TriangleCount() const { return static_cast<int>(this->Triangles.size()); } ///< with removed
+  ///@{
+  /// The number of points and of triangles, including removed ones.
+  int PointCount() const { return static_cast<int>(this->Points.size()); }
+  int TriangleCount() const { return static_cast<int>(this->Triangles.size()); }
+  ///@}
   const Triangle& Corners(int triangle) const { return this->Triangles[triangle]; }
 
   /// The triangles around a point; none if it is removed.
@@ -31,14 +35,14 @@ public:
   const Eigen::Vector3d& Position(int point) const { return this->Points[point]; }
   void Move(int point, const Eigen::Vector3d& position) { this->Points[point] = position; }
 
-  /// The squared distance of two points.
+  /// Returns the squared distance between two points.
   double SquaredLength(int a, int b) const
   {
     return (this->Points[a] - this->Points[b]).squaredNorm();
   }
   double Length(int a, int b) const { return (this->Points[a] - this->Points[b]).norm(); }
 
-  /// Normal to three points, of twice the area of their triangle.
+  /// Returns a normal vector of three points whose length is twice the area of their triangle.
   Eigen::Vector3d AreaVector(const Triangle& corners) const
   {
     const Eigen::Vector3d& p = this->Points[corners[0]];
@@ -50,30 +54,30 @@ public:
     return corners[0] == point || corners[1] == point || corners[2] == point;
   }
 
-  /// Which corner a point of the triangle is.
+  /// Returns the index (0 to 2) of a point among the corners of a triangle.
   static int CornerOf(const Triangle& corners, int point)
   {
     return corners[0] == point ? 0 : corners[1] == point ? 1 : 2;
   }
 
-  /// The corner opposite an edge of a triangle.
+  /// Returns the corner opposite an edge of a triangle.
   int Opposite(int triangle, int a, int b) const
   {
     const Triangle& corners = this->Triangles[triangle];
     return corners[0] + corners[1] + corners[2] - a - b;
   }
 
-  /// The neighbours of a point, ascending; on the boundary there is one more than triangles.
+  /// Finds the neighbours of a point, ascending; a boundary point has one more than triangles.
   void FindNeighbours(int point, std::vector<int>& found) const;
 
-  /// The triangles beside an edge.
+  /// Returns the triangles that share an edge.
   std::vector<int> TrianglesOf(int a, int b) const;
 
   /// Merges a point into a neighbour (half-edge collapse). Returns the triangles of `point` that
-  /// stay, which are then around `into`. The caller has checked the link condition.
+  /// remain; they are then around `into`. The caller must have checked the link condition.
   std::vector<int> Collapse(int point, int into);
 
-  /// Splits an edge at its midpoint, which is returned, and the triangles beside it.
+  /// Splits an edge and its triangles at the edge's midpoint. Returns the new point.
   int Split(int a, int b);
 
   /// Replaces edge a-b of the triangles t = (a, b, c) and s = (b, a, d) by edge c-d.
@@ -82,10 +86,10 @@ public:
   struct Compacted
   {
     Mesh Surface;
-    std::vector<int> Points; ///< of each point of it: the number here, ascending
-    std::vector<int> Rows;   ///< of each triangle here: its number there; -1 if it is removed
+    std::vector<int> Points; ///< for each point of Surface, its index here, ascending
+    std::vector<int> Rows;   ///< for each triangle here, its index in Surface; -1 if removed
   };
-  /// What is left, in the same order.
+  /// Returns the remaining points and triangles in the same order.
   Compacted Compact() const;
 
 private:

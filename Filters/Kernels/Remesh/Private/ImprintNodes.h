@@ -11,15 +11,15 @@
 namespace shape
 {
 
-/// An edge's points, the lower one first; -1 and -1 for none.
+/// The points of an edge, the lower one first; -1 and -1 for no edge.
 using PointPair = std::pair<int, int>;
 
-/// A point of a loop: one of the surface's, or a new one on an edge or inside a triangle.
+/// A point of a loop: a point of the surface, or a new one on an edge or inside a triangle.
 struct ImprintNode
 {
   int Id = -1;
-  int Low = -1, High = -1; ///< the edge that it lies on; the same at a point; -1 inside
-  std::int64_t Along = 0;  ///< how far from Low to High, in ImprintNodes::Parts
+  int Low = -1, High = -1; ///< the ends of its edge; equal at a surface point; -1 in a triangle
+  std::int64_t Along = 0;  ///< the distance from Low to High, in units of 1 / ImprintNodes::Parts
 
   bool IsOn(const PointPair& edge) const
   {
@@ -28,15 +28,15 @@ struct ImprintNode
   }
 };
 
-/// The edge that two nodes lie on.
+/// Returns the edge that two nodes lie on.
 PointPair FindCommonEdge(const ImprintNode& a, const ImprintNode& b);
 
-/// Numbers the positions that loops over a surface run through: each once.
+/// Assigns a unique index to each position that loops on a surface pass through.
 class ImprintNodes
 {
 public:
-  /// Edges, and barycentric coordinates, are counted in this many parts: their sums and differences
-  /// are exact.
+  /// Positions on edges and barycentric coordinates are integers in units of 1 / Parts, so that
+  /// their sums and differences are exact.
   static constexpr double Parts = 1099511627776.0; // 2^40
 
   /// snapShare: see CurveImprintingOptions.
@@ -46,20 +46,20 @@ public:
   {
   }
 
-  /// The node at a position, which may be moved to an edge or a point that it is near to.
+  /// Returns the node at a position, which is snapped to an edge or a point close to it.
   ImprintNode At(const SurfacePoint& position);
 
-  /// The number of a further new point.
+  /// Adds another new point and returns its index.
   int Add(const SurfacePoint& position);
 
-  /// The new points on an edge, by how far along it they are; empty where there are none.
+  /// Returns the new points on an edge, keyed by their position along it; may be empty.
   const std::map<std::int64_t, int>& OnEdge(int a, int b) const;
   const std::map<PointPair, std::map<std::int64_t, int>>& OnEdges() const
   {
     return this->EdgeNodes;
   }
 
-  /// The new points, whose numbers follow those of the surface's.
+  /// The new points; their indices follow those of the surface's points.
   const std::vector<SurfacePoint>& NewPoints() const { return this->Positions; }
 
 private:
@@ -68,7 +68,7 @@ private:
   const Mesh& Surface;
   double SnapShare;
   std::vector<SurfacePoint> Positions;
-  std::map<std::array<std::int64_t, 4>, int> Numbers; ///< of new points, by their position
+  std::map<std::array<std::int64_t, 4>, int> Numbers; ///< indices of new points, by position
   std::map<PointPair, std::map<std::int64_t, int>> EdgeNodes;
 };
 

@@ -25,7 +25,7 @@ Eigen::MatrixXd CornersOf(const Cells& cells, int number)
   return cells.Points(cells.Corners.segment(first, count), Eigen::all);
 }
 
-/// VTK ends Newton's method a thousandth of a cell from the place: two more steps.
+/// VTK ends Newton's method a thousandth of a cell from the position: takes two more steps.
 void Refine(const Eigen::MatrixXd& corners, const Eigen::RowVector3d& position,
   vtkGenericCell* cell, Eigen::RowVector3d parametric, Eigen::VectorXd& weights)
 {
@@ -88,13 +88,13 @@ Eigen::VectorXd ComputeCellWeights(
   {
     return {};
   }
-  if (weights.isZero(0.0)) // a voxel that does not contain the place, perhaps by rounding
+  if (weights.isZero(0.0)) // a voxel that does not contain the position, perhaps by rounding
   {
     cell->InterpolateFunctions(parametric.data(), weights.data());
   }
   Refine(corners, position, cell, parametric, weights);
-  // VTK takes places beyond the slanted side of a wedge for inside, and places on a side for
-  // outside, by rounding: believe the weights, once they are known to be those of the place.
+  // VTK treats positions beyond the slanted face of a wedge as inside and, by rounding, positions
+  // on a face as outside. The weights decide once they are known to reproduce the position.
   const double size = (corners.colwise().maxCoeff() - corners.colwise().minCoeff()).norm();
   const bool isPosition = std::abs(weights.sum() - 1.0) <= CellRounding &&
     (position - weights.transpose() * corners).norm() <= 100.0 * CellRounding * size;

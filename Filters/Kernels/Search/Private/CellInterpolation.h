@@ -9,29 +9,28 @@ class vtkGenericCell;
 namespace shape
 {
 
-/// How far beyond a cell a place still lies in it: a share of its size, and of its weights.
+/// The tolerance for a position outside a cell to be inside: relative to its size and its weights.
 constexpr double CellRounding = 1e-6;
 
-/// Makes `cell` the cell of that number, with the point ids of `cells`.
+/// Makes `cell` the cell with the given index, with the point ids of `cells`.
 void LoadCell(const Cells& cells, int number, vtkGenericCell* cell);
 
 /**
- * The values of a solid cell's shape functions at `place`, one for each of its corners, which they
- * interpolate to the place itself. Empty where the place lies outside, or the shape functions
- * cannot be inverted. cell: a cell to work with.
+ * Returns the values of a solid cell's shape functions at `position`, one for each of its corners.
+ * Empty if the position lies outside or the shape functions cannot be inverted. cell: a buffer.
  */
 Eigen::VectorXd ComputeCellWeights(
   const Cells& cells, int number, const Eigen::RowVector3d& position, vtkGenericCell* cell);
 
-/// A place on the sides of a cell, cut into triangles.
+/// A point on the faces of a cell, which are split into triangles.
 struct PointOnEdges
 {
-  double Distance2;                ///< squared; infinite where the cell has no sides
-  Eigen::RowVector3i Points;       ///< the corners of a triangle
-  Eigen::RowVector3d Barycentrics; ///< the place in it
+  double Distance2;                ///< squared distance; infinite if the cell has no faces
+  Eigen::RowVector3i Points;       ///< the corners of the triangle
+  Eigen::RowVector3d Barycentrics; ///< barycentric coordinates in the triangle
 };
 
-/// The one closest to `place`. cell: a cell to work with.
+/// Returns the point on the faces of a cell closest to `position`. cell: a buffer.
 PointOnEdges FindClosestPointOnEdges(
   const Cells& cells, int number, const Eigen::RowVector3d& position, vtkGenericCell* cell);
 

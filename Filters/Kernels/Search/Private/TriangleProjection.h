@@ -6,10 +6,10 @@
 namespace shape
 {
 
-/// The place of a triangle nearest to a point, in any number of dimensions, by products alone: a, b
-/// and c those of its edges e and f from the first corner (e e, e f, f f), u and v of these with
-/// the point as seen from there. Returns the coordinates along e and f, each >= 0 and their sum
-/// <= 1.
+/// Returns the point of a triangle nearest to a point, in any dimension, from scalar products
+/// alone. With the edges e and f from the first corner: a = e e, b = e f, c = f f. u and v are the
+/// products of e and f with the vector from that corner to the point. The result has the
+/// coordinates along e and f, each >= 0, with a sum <= 1.
 inline std::array<double, 2> ProjectOntoTriangle(double a, double b, double c, double u, double v)
 {
   const double determinant = a * c - b * b;
@@ -21,7 +21,7 @@ inline std::array<double, 2> ProjectOntoTriangle(double a, double b, double c, d
       return { s, t };
     }
   }
-  // Else on one of the edges: the nearest of the three places.
+  // Otherwise the result lies on one of the edges: the nearest of three candidates.
   const auto share = [](double along, double length)
   { return length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0; };
   const double across = share(v - u + a - b, a - 2.0 * b + c);

@@ -17,7 +17,7 @@ TetGenOutput RunTetGen(const TetGenInput&, const Progress&)
 
 #else
 
-// The header defines terminatetetgen, which frees twice: ours, below, takes its place.
+// The header defines terminatetetgen, which frees twice; the definition below replaces it.
 #define TETLIBRARY
 #define terminatetetgen terminatetetgenOfTheHeader
 #include <tetgen.h>
@@ -36,11 +36,11 @@ TetGenOutput RunTetGen(const TetGenInput&, const Progress&)
 namespace
 {
 
-/// In the child, where its messages go; else -1.
+/// In the child, the file descriptor for its messages; else -1.
 int childPipe = -1;
 
-/// The first thing that a child sends: TetGen's exit code, 0 where it succeeded, and then how much
-/// follows.
+/// The first message from the child: TetGen's exit code, 0 for success, and the size of the data
+/// that follow.
 struct Header
 {
   int Code;
@@ -51,8 +51,8 @@ struct Header
 
 } // namespace
 
-/// What TetGen calls when it gives up; the library's own is a weak symbol. In a process that uses
-/// TetGen beside ShapeMap it does what TetGen's does, without freeing anything.
+/// TetGen calls this when it gives up; the library's own definition is a weak symbol. In a process
+/// that also uses TetGen otherwise, it behaves like TetGen's, but frees nothing.
 // NOLINTNEXTLINE(readability-identifier-naming)
 __attribute__((visibility("default"))) void terminatetetgen(tetgenmesh*, int code)
 {
@@ -152,7 +152,7 @@ void RunInChild(const TetGenInput& input, int pipe)
       throw SolveFailure("TetGen ran out of memory; use a coarser input, a larger MaximumVolume or "
                          "a larger MaximumRadiusEdgeRatio");
     case 3:
-      throw SolveFailure("TetGen takes parts of the surface for crossing, although they only come "
+      throw SolveFailure("TetGen treats parts of the surface as crossing, although they are only "
                          "close; move them apart, or remesh where triangles are thin");
     case 4:
       throw SolveFailure("TetGen found a feature too small for it; merge close points with Clean "
@@ -161,7 +161,7 @@ void RunInChild(const TetGenInput& input, int pipe)
       throw SolveFailure("TetGen found two facets too close to each other to put points on them; "
                          "switch PreserveBoundary on");
     case 10:
-      throw InvalidInput("TetGen refuses the surface as an input error; look for thin triangles "
+      throw InvalidInput("TetGen rejects the surface as an input error; look for thin triangles "
                          "and points that nearly coincide");
     default:
       throw SolveFailure("TetGen met an internal error (code " + std::to_string(code) +
@@ -173,14 +173,13 @@ void RunInChild(const TetGenInput& input, int pipe)
 {
   if (number == SIGKILL)
   {
-    throw SolveFailure("TetGen's process was killed, as the system does where memory runs out; use "
+    throw SolveFailure("TetGen's process was killed, probably because memory ran out; use "
                        "a coarser input or a larger MaximumVolume");
   }
   if (number == SIGABRT)
   {
-    throw SolveFailure(
-      "TetGen stopped at an assertion of its own; remesh where triangles are thin, "
-      "or change PreserveBoundary");
+    throw SolveFailure("TetGen stopped at an internal assertion; remesh where triangles are thin, "
+                       "or change PreserveBoundary");
   }
   throw SolveFailure("TetGen crashed (" +
     (number > 0 ? std::string(strsignal(number)) : std::string("it ended without a result")) +

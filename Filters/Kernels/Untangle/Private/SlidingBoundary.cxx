@@ -47,7 +47,7 @@ SlidingBoundary::SlidingBoundary(
 
 void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangles)
 {
-  // Without their signs: a fold in a smooth part is no crease.
+  // Absolute values: a fold in a smooth part is no crease.
   const double flattest = std::cos(40.0 * M_PI / 180.0);
   const Eigen::MatrixXd areas = ComputeAreaVectors(this->Locator.GetSurface());
   std::map<std::array<int, 2>, std::vector<int>> edges;
@@ -74,7 +74,7 @@ void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangl
   const Eigen::MatrixXd& points = this->Locator.GetSurface().Points();
   for (const auto& [point, others] : along)
   {
-    // A crease goes on where it has two edges that do not turn sharply.
+    // A crease continues at a point with two crease edges that do not turn sharply.
     bool straight = others.size() == 2;
     if (straight)
     {

@@ -13,13 +13,14 @@ namespace shape
 {
 
 /**
- * Lets points slide along a surface: those inside its smooth parts in two directions, those on its
- * creases (edges whose triangles meet at more than 40 degrees) along these, and corners not at all.
+ * Lets points slide along a surface: points in its smooth parts in two directions, points on its
+ * creases (edges whose triangles' normals differ by more than 40 degrees) along the crease, and
+ * corners not at all.
  */
 class SlidingBoundary : public PointConstraint
 {
 public:
-  /// The surface is that of the triangles, whose points are the ones that slide.
+  /// triangles: the surface; its points are the ones that slide.
   SlidingBoundary(const Eigen::MatrixXd& points, const std::vector<std::array<int, 3>>& triangles);
 
   int Freedom(int point) const override;
@@ -28,15 +29,15 @@ public:
 
 private:
   void FindCreases(const std::vector<std::array<int, 3>>& triangles);
-  /// The nearest position on the crease and the crease's direction there.
+  /// Returns the nearest position on the point's crease, and the direction of the crease there.
   std::pair<Eigen::RowVector3d, Eigen::RowVector3d> OnCrease(
     int point, const Eigen::RowVector3d& position) const;
 
   SurfaceLocator Locator;
-  Eigen::MatrixXd Normals;                              ///< n x 3, at the surface's points
-  std::vector<int> Freedoms;                            ///< of the surface's points, 3 of others
-  std::vector<int> CreaseOf;                            ///< -1: none
-  std::vector<std::vector<std::array<int, 2>>> Creases; ///< their edges
+  Eigen::MatrixXd Normals;                              ///< n x 3: normals at the surface's points
+  std::vector<int> Freedoms;                            ///< for each point; 3 off the surface
+  std::vector<int> CreaseOf;                            ///< the crease of each point, or -1
+  std::vector<std::vector<std::array<int, 2>>> Creases; ///< the edges of each crease
 };
 
 } // namespace shape

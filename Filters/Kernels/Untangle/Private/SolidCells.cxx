@@ -70,9 +70,10 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
     const std::string where = name + "'s cell " + std::to_string(cell);
     if (GetFaces(cells.Kinds(cell)).empty() || GetCornerCount(cells.Kinds(cell)) != count)
     {
-      throw InvalidInput(where + " is no tetrahedron, pyramid, wedge or hexahedron (VTK's type " +
+      throw InvalidInput(where +
+        " is no tetrahedron, pyramid, wedge or hexahedron (VTK cell type " +
         std::to_string(cells.Kinds(cell)) +
-        "); take others out with Extract Cells By Type, or cut them with Tetrahedralize");
+        "); remove such cells with Extract Cells By Type, or split them with Tetrahedralize");
     }
     std::vector<int> corners(cells.Corners.begin() + first, cells.Corners.begin() + first + count);
     std::vector<int> sorted = corners;
@@ -80,7 +81,7 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
     if (sorted.front() < 0 || sorted.back() >= this->OriginalPointCount ||
       std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
     {
-      throw InvalidInput(where + " has a point twice or one that is not there; repair it");
+      throw InvalidInput(where + " repeats a point or uses one that does not exist; repair it");
     }
     for (const int point : corners)
     {
@@ -127,7 +128,7 @@ void SolidCells::MarkBoundary()
 
 void SolidCells::TurnWedges()
 {
-  // VTK's own sources number wedges both ways round: what most of them do is right.
+  // VTK's own sources number wedges in both orientations: the majority decides.
   const Eigen::MatrixXd& positions = this->Rest.rows() > 0 ? this->Rest : this->Points;
   int sum = 0;
   for (int cell = 0; cell < this->CellCount(); ++cell)
@@ -243,7 +244,7 @@ int SolidCells::Split(const std::vector<int>& simplex)
   const int middle = this->PointCount();
   const auto append = [&](Eigen::MatrixXd& positions)
   {
-    // Room for more, so that many splits do not copy all points each time.
+    // Reserves more, so that many splits do not copy all points each time.
     if (positions.rows() <= middle)
     {
       positions.conservativeResize(middle + 1 + middle / 8, 3);

@@ -13,16 +13,17 @@ namespace shape
 {
 
 /**
- * A solid of tetrahedra, pyramids, wedges and hexahedra in two states: as it is, and at
- * rest. A cell is looked at in its corner tetrahedra (CellSimplices), which are positive in a
- * cell that is not inverted; the points of its boundary are those of faces that one cell has alone.
+ * A solid of tetrahedra, pyramids, wedges and hexahedra in two states: the current one, and at
+ * rest. A cell is represented by its corner tetrahedra (CellSimplices), all of which are positive
+ * if the cell is not inverted. Boundary points are the points of faces that belong to a single
+ * cell.
  */
 class SolidCells
 {
 public:
-  /// rest: n x 3, or empty: then each cell should look like the regular one of its kind. `name` is
-  /// what errors call the cells. Throws InvalidInput where a cell is of another kind, repeats a
-  /// point or has one that is not there, or there is none.
+  /// rest: n x 3, or empty, in which case each cell should become similar to the regular one of its
+  /// kind. `name` is used for the cells in messages. Throws InvalidInput if there is no cell, or if
+  /// a cell is of another kind, repeats a point or has an index out of range.
   SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const std::string& name);
 
   Eigen::MatrixXd Points; ///< n x 3
@@ -35,29 +36,30 @@ public:
   bool OnBoundary(int point) const { return this->Boundary[point]; }
   const std::vector<std::array<int, 3>>& BoundaryTriangles() const { return this->Surface; }
 
-  /// The corner tetrahedra of a cell.
+  /// Returns the corner tetrahedra of a cell.
   const std::vector<std::array<int, 4>>& SimplicesOf(int cell);
 
   /// Whether a corner tetrahedron of a cell is not positive, by exact predicates.
   bool Inverted(int cell);
 
-  /// What simplex k of a cell should look like where lengths are `size` times those at rest. A rest
-  /// shape that is flatter than 1 in 20 of a regular one, or turned inside out, is mended.
+  /// Returns the reference shape of simplex k of a cell, with lengths `size` times those at rest. A
+  /// rest shape that is inverted, or flatter than 1/20 of a regular one, is repaired.
   Eigen::Matrix3d Reference(int cell, int k, double size);
 
-  /// Whether an edge or face (two or three points) is there, has only tetrahedra around it and is
-  /// not of the boundary: then it can be split.
+  /// Whether an edge or face (two or three points) can be split: it exists, is surrounded by
+  /// tetrahedra only, and does not lie on the boundary.
   bool CanSplit(const std::vector<int>& simplex) const;
 
-  /// Puts a point into the middle of an edge, a face or a tetrahedron, at rest, too: every
-  /// tetrahedron that has it becomes as many as it has points. Returns the new point.
+  /// Inserts the centroid of an edge, a face or a tetrahedron, at rest as well. Every tetrahedron
+  /// that contains the simplex is split into as many parts as the simplex has points. Returns the
+  /// new point.
   int Split(const std::vector<int>& simplex);
 
-  /// The cells as they are; those that were split come where they were and at the end.
+  /// Returns the current cells. One part of a split cell has its index, the others are appended.
   Cells Result() const;
 
-  std::vector<int> OriginalCells;          ///< for each cell
-  std::vector<std::array<int, 4>> Parents; ///< of each new point; -1 where fewer
+  std::vector<int> OriginalCells;          ///< for each cell, the original one that contains it
+  std::vector<std::array<int, 4>> Parents; ///< of each new point, padded with -1
   int OriginalPointCount = 0;
 
 private:

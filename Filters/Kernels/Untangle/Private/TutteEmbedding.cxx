@@ -114,7 +114,7 @@ Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid)
       continue;
     }
     const std::vector<int> neighbours = FindNeighbours(solid, point);
-    // Points without cells or boundary in reach stay at the mean.
+    // Points not connected to a boundary stay at the mean.
     const double pull = 1e-9;
     right(row) = pull * mean;
     entries.emplace_back(row, row, static_cast<double>(neighbours.size()) + pull);
@@ -135,7 +135,7 @@ Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid)
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>,
     Eigen::Lower | Eigen::Upper>
     solver(laplacian);
-  // A few digits of a size will do: much faster than a factorisation.
+  // Sizes need only a few digits, which is much faster than a factorisation.
   solver.setTolerance(1e-4);
   solver.setMaxIterations(1000);
   const Eigen::VectorXd solved =

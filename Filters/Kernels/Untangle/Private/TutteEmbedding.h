@@ -7,17 +7,17 @@
 namespace shape
 {
 
-/// Positions (n x 3) of a solid's points where each point inside is the mean of those it shares a
-/// cell with (W. T. Tutte, "How to draw a graph", 1963), and those of the boundary are where they
-/// are. Points of no cell stay.
+/// Returns positions (n x 3) of a solid's points at which each inner point is the mean of the
+/// points it shares a cell with (W. T. Tutte, "How to draw a graph", 1963). Boundary points and
+/// points without a cell keep their positions.
 Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid);
 
 /**
- * How large cells should be around each point, as the logarithm of a length over the same length at
- * rest (or over 1 without one): at the boundary the mean over its edges, and inside as smooth as
- * can be (the mean of the neighbours), so that inverted cells have no say in it.
+ * Returns the wanted size of cells around each point: the logarithm of a length over the same
+ * length at rest (over 1 without a rest shape). At the boundary it is the mean over the point's
+ * edges. Inside it is harmonic (the mean of the neighbours), so inverted cells do not affect it.
  *
- * Returns one value for each point of `solid`; points without a boundary in reach get the mean.
+ * Returns one value for each point of `solid`; points not connected to a boundary get the mean.
  */
 Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid);
 

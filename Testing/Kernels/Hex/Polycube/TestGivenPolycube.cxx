@@ -125,7 +125,8 @@ TEST(GivenPolycube, NamesWhatIsWrong)
   shape::GivenPolycube bad = good;
   bad.Surface.Triangles.conservativeResize(bad.Surface.Triangles.rows() - 1, 3);
   EXPECT_NE(Refusal(bad, sphere).find("open"), std::string::npos);
-  EXPECT_NE(Refusal({ sphere, sphere.Points }, sphere).find("across an axis"), std::string::npos);
+  EXPECT_NE(
+    Refusal({ sphere, sphere.Points }, sphere).find("perpendicular to an axis"), std::string::npos);
   bad = good;
   bad.Sources.array() += 1.0;
   EXPECT_NE(Refusal(bad, sphere).find("away from the Surface"), std::string::npos);

@@ -33,13 +33,13 @@ struct FlowArc
   FlowTraits::edge_descriptor Reverse;
 };
 
-/// Paths of minimum total cost from one node to each of several others; no other node is on two of
-/// them. A minimum-cost flow (Boost.Graph: successive shortest paths) in the graph whose nodes are
-/// split into an entry (2 i) and an exit (2 i + 1).
+/// Finds paths of minimum total cost from one node to each of several others; no other node is on
+/// two paths. A minimum-cost flow (Boost.Graph: successive shortest paths) in the graph whose nodes
+/// are split into an entry (2 i) and an exit (2 i + 1).
 class DisjointPaths
 {
 public:
-  /// nodes: how many there are. largest: no cost is greater.
+  /// nodes: their number. largest: an upper bound of the costs.
   DisjointPaths(int nodes, double largest)
     : Graph(2 * static_cast<std::size_t>(nodes) + 1)
     , Unit(std::ldexp(largest, -32))
@@ -54,7 +54,7 @@ public:
   }
   void AddEnd(int node) { this->AddArc(2 * node + 1, this->Sink(), 0.0); }
 
-  /// The successors on the paths of the nodes on them; nothing if an end is not reached.
+  /// Returns the successor of each node on the paths; nothing if an end is not reached.
   std::optional<std::vector<std::pair<int, int>>> Find(int from)
   {
     boost::successive_shortest_path_nonnegative_weights(this->Graph, 2 * from + 1, this->Sink(),
@@ -85,7 +85,7 @@ private:
 
   void AddArc(int from, int to, double cost)
   {
-    // Whole numbers: rounding must not make the reduced cost of an arc negative.
+    // Integers: rounding must not make the reduced cost of an arc negative.
     const double whole = this->Unit > 0.0 ? std::round(cost / this->Unit) : 0.0;
     const auto ahead = add_edge(from, to, this->Graph).first;
     const auto back = add_edge(to, from, this->Graph).first;
@@ -94,7 +94,7 @@ private:
   }
 
   FlowGraph Graph;
-  const double Unit; ///< of costs
+  const double Unit; ///< the unit of integer costs
 };
 
 class Gathering
@@ -143,7 +143,7 @@ private:
     return this->Surface.Points.row(this->Features.Corners[corner]);
   }
 
-  /// The points of the quads, those closest to a corner first.
+  /// Returns the points of the quads, those closest to a corner first.
   std::vector<int> Nearest(int corner) const
   {
     std::vector<std::pair<double, int>> order;
@@ -225,8 +225,8 @@ private:
     }
   }
 
-  /// The boundary loop of a disc, counter-clockwise; empty where it is not one simple closed chain,
-  /// or where a point inside is a corner's.
+  /// Returns the boundary loop of a disk, counter-clockwise; empty if it is not one simple closed
+  /// chain, or if a point inside belongs to a corner.
   std::vector<int> LoopOf(const std::set<int>& disc) const
   {
     std::map<int, int> next;
@@ -259,8 +259,8 @@ private:
     return loop.size() == edges ? loop : std::vector<int>();
   }
 
-  /// The patches on both sides of each point of the loop outside the disc differ at these; nothing
-  /// where the patches beyond the loop are not those of the ring.
+  /// Returns the points of the loop at which the patches outside the disk change; nothing if the
+  /// patches outside are not those of the ring.
   std::optional<std::vector<int>> Ends(const std::vector<int>& loop, const PatchRing& ring) const
   {
     std::vector<int> ends, labels;
@@ -289,7 +289,7 @@ private:
     return BuildPatchRing(labels) == ring ? std::optional(ends) : std::nullopt;
   }
 
-  /// Leads chains from the point to the loop and fills the quads between them.
+  /// Routes chains from the point to the loop and assigns the quads between them.
   bool Gather(int point, const std::set<int>& disc, const PatchRing& ring)
   {
     const std::vector<int> loop = this->LoopOf(disc);
@@ -439,7 +439,7 @@ private:
   const SurfaceFeatures& Features;
   std::vector<std::vector<int>> QuadsAt;
   Eigen::VectorXi& PatchOf;
-  std::vector<char> Taken; ///< points that are corners
+  std::vector<char> Taken; ///< marks points that belong to corners
 };
 
 } // namespace

@@ -10,18 +10,19 @@ namespace shape
 {
 
 /**
- * Gives each corner of a surface one point of a closed quad mesh near it, around which the corner's
- * patches meet in the corner's order. Labels by distance seldom do so where four or more patches
- * meet: two points with three of them each are more likely, with a short chain between them of two
- * patches that have no curve in common.
+ * Gives each corner of a surface one point of a nearby closed quad mesh, around which the corner's
+ * patches meet in the same order. Labels by distance rarely do so at a corner of four or more
+ * patches. They usually give two points of three patches each, joined by a short chain of edges
+ * between two patches that have no curve in common.
  *
- * Around a point near the corner with as many edges as the corner has patches, a disc of quads is
- * grown until its boundary loop has the patches of the corner in their order; from where patches
- * meet on the boundary loop as many chains of edges are led to the point, with no point in common
- * and as short and near the curves as can be (a minimum-cost flow), and the quads between two of
- * them get the boundary loop's patch. Corners for which no such disc is found stay as they are.
+ * First a point near the corner is chosen that has as many edges as the corner has patches. A disk
+ * of quads around it is grown until its boundary loop has the corner's patches in their order. From
+ * each change of patch on the loop a chain of edges leads to the point. The chains share no other
+ * point and are as short and as close to the curves as possible (a minimum-cost flow). The quads
+ * between two chains get the patch of the loop there. A corner without such a disk is left
+ * unchanged.
  *
- * points: n x 3. patchOf: of each quad.
+ * points: n x 3. patchOf: the patch of each quad.
  */
 void MatchCornerValences(const Eigen::MatrixXd& points, const QuadSurface& quads,
   const Mesh& surface, const SurfaceFeatures& features, Eigen::VectorXi& patchOf);

@@ -11,7 +11,7 @@ namespace shape
 namespace
 {
 
-/// A polyline by the length along it.
+/// A polyline parameterised by arc length.
 class ArcLength
 {
 public:
@@ -30,7 +30,7 @@ public:
 
   double Length() const { return this->Lengths.back(); }
 
-  /// The lengths to where it turns by more than an angle, the sharpest turns first.
+  /// Returns the arc lengths at bends of more than an angle, the sharpest first.
   std::vector<double> Turns(double degrees) const
   {
     const Eigen::Index count = this->Points.rows();
@@ -55,7 +55,7 @@ public:
     return lengths;
   }
 
-  /// The part between two lengths; of a closed one they may lie before 0 or beyond its length.
+  /// Returns the part between two arc lengths; on a closed line these may exceed its range.
   Eigen::MatrixXd Part(double begin, double end) const
   {
     std::vector<double> lengths = { begin };
@@ -82,7 +82,7 @@ public:
     return part;
   }
 
-  /// The length to its point closest to a position.
+  /// Returns the arc length at the point closest to a position.
   double Nearest(const Eigen::RowVector3d& position) const
   {
     Eigen::Index nearest = 0;
@@ -106,14 +106,14 @@ public:
 private:
   Eigen::MatrixXd Points;
   bool Closed;
-  std::vector<double> Lengths; ///< to each point; of a closed one, to the first again, too
+  std::vector<double> Lengths; ///< arc length at each point; if closed, also back at the first
 };
 
-/// Points of a chain by the length along a curve, some of which are fixed where it turns.
+/// Points of a chain by arc length on a curve; some are fixed at bends.
 class Spread
 {
 public:
-  /// own: to each point along the chain. first: where the curve's part of the chain begins.
+  /// own: arc length of each point on the chain. first: where the chain begins on the curve.
   Spread(const ArcLength& along, std::vector<double> own, double whole, double first,
     double direction, bool isClosed)
     : Along(along)
@@ -166,7 +166,7 @@ private:
     return this->Along.Length() / static_cast<double>(this->Own.size() - (this->Closed ? 0 : 1));
   }
 
-  /// Of a closed curve, the length to the same position that is closest to another length.
+  /// On a closed curve, returns the arc length of the same position closest to another arc length.
   double NextTo(double length, double other) const
   {
     return this->Closed
@@ -174,8 +174,8 @@ private:
       : length;
   }
 
-  /// The closest free point goes to a turn of the curve, unless the steps between it and other
-  /// fixed points would become less than half of what they are, or more than twice.
+  /// Moves the closest free point to a bend of the curve, unless the steps between it and other
+  /// fixed points would then be less than half or more than twice as long.
   void FixAt(double turn)
   {
     std::size_t nearest = 0;
@@ -208,7 +208,7 @@ private:
     this->Lengths[nearest] = position;
   }
 
-  /// Points between fixed ones keep their shares of the way between these.
+  /// Points between fixed ones keep their relative positions between these.
   void Share()
   {
     const std::size_t count = this->Lengths.size();
@@ -222,7 +222,7 @@ private:
       const auto [high, highShift] = this->FixedBeside(i, 1);
       if (low < 0 || high < 0)
       {
-        continue; // a closed curve without a sharp turn
+        continue; // a closed curve without a sharp bend
       }
       const double begin = this->Unmoved[low] + lowShift, end = this->Unmoved[high] + highShift;
       const double share = (this->Unmoved[i] - begin) / (end - begin);
@@ -231,8 +231,8 @@ private:
     }
   }
 
-  /// The next fixed point in a direction, or -1; and what is to be added to its length, where the
-  /// chain is closed and it lies beyond its beginning.
+  /// Returns the next fixed point in a direction, or -1, and the offset to its arc length if the
+  /// chain is closed and the search passed its beginning.
   std::pair<int, double> FixedBeside(std::size_t i, int step) const
   {
     const auto count = static_cast<int>(this->Lengths.size());
@@ -260,8 +260,8 @@ private:
   const std::vector<double> Own;
   const double Scale;
   const bool Closed;
-  std::vector<double> Lengths; ///< along the curve
-  std::vector<double> Unmoved; ///< these, before any was fixed
+  std::vector<double> Lengths; ///< arc lengths on the curve
+  std::vector<double> Unmoved; ///< arc lengths before any point was fixed
   std::vector<char> Fixed;
 };
 

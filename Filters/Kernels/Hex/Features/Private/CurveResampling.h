@@ -10,19 +10,19 @@
 namespace shape
 {
 
-/// Where the points of a chain are put on a curve, and where each may go.
+/// The positions of a chain's points on a curve, and the part of it along which each may move.
 struct CurvePositions
 {
   Eigen::MatrixXd Positions; ///< n x 3
-  /// n: a part of the curve as a polyline (k x 3), some way before and behind the position: a point
-  /// that could go anywhere on the curve would leave bends out. One row where the point is fixed.
+  /// n: the part of the curve around the position, as a polyline (k x 3). A point that could move
+  /// along the whole curve would cut off its bends. One row if the point is fixed.
   std::vector<Eigen::MatrixXd> Spans;
 };
 
 /**
- * Puts the points of a chain (n x 3, n >= 2) along a curve, at its share of the length where they
- * are at theirs of the chain's. Where the curve turns sharply a point of the chain is fixed, as far
- * as there are enough of them. A chain of a closed curve may begin anywhere.
+ * Distributes the points of a chain (n x 3, n >= 2) along a curve, at the same fractions of its
+ * length. One point of the chain is fixed at each sharp bend of the curve, if there are enough
+ * points. On a closed curve the chain may begin anywhere.
  */
 CurvePositions DistributeAlongCurve(
   const Eigen::MatrixXd& chain, const Mesh& surface, const FeatureCurve& curve);

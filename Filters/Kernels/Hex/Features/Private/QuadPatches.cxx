@@ -31,7 +31,7 @@ Eigen::MatrixXi NeighboursOf(const QuadSurface& surface)
   return neighbours;
 }
 
-/// Of each patch's quads keeps the largest piece; the other quads get -1.
+/// Keeps the largest connected piece of each patch's quads; the other quads get -1.
 void KeepLargestPieces(const Eigen::MatrixXi& neighbours, int patches, Eigen::VectorXi& patchOf)
 {
   std::vector<std::vector<int>> largest(patches);
@@ -90,7 +90,7 @@ Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSu
   const Eigen::MatrixXi neighbours = NeighboursOf(boundary);
   Eigen::VectorXi patchOf = features.PatchOf(SurfaceLocator(surface).Find(midpoints).Triangles);
   KeepLargestPieces(neighbours, features.Patches, patchOf);
-  // Distances to single patches, for the quads that are reached from them.
+  // Distances to single patches, for the quads that are reached from the pieces.
   const std::vector<SurfaceLocator> locators(patches.begin(), patches.end());
   using Candidate = std::tuple<double, int, int>; // distance, quad, patch
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
@@ -125,9 +125,9 @@ Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSu
   }
   if (patchOf.minCoeff() < 0)
   {
-    return {}; // a component of the boundary is reached from no patch
+    return {}; // no patch reaches a component of the boundary
   }
-  // A quad with three edges in a row on a curve could never be good.
+  // A quad with three consecutive edges on a curve could never be good.
   for (bool changed = true; changed;)
   {
     changed = false;

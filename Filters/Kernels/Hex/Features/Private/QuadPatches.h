@@ -12,11 +12,11 @@ namespace shape
 {
 
 /**
- * The patch of a surface for each quad (q) of a closed quad mesh near it: the closest
- * one to its centroid in the largest connected piece of each patch; the other quads are reached
- * from these, closest first. Then quads that stick out into another patch with three edges join it,
- * corners are gathered (MatchCornerValences) and pinches opened (SplitPinches). Empty where a patch
- * has no quad, or a component of the quads no patch.
+ * Assigns one of a surface's patches to each quad (q) of a nearby closed quad mesh. Each quad first
+ * gets the patch closest to its centroid, and the largest connected piece of each patch keeps it.
+ * The other quads are reached from these pieces, closest first. Then quads of which three edges
+ * border another patch join it, corners are matched (MatchCornerValences) and pinches removed
+ * (SplitPinches). Empty if a patch gets no quad, or if a component of the quads gets no patch.
  */
 Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSurface& quads,
   const Surface& surface, const SurfaceFeatures& features, const std::vector<Surface>& patches);

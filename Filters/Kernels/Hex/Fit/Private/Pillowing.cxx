@@ -78,7 +78,7 @@ void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBounda
   const Eigen::MatrixXi quads = boundary.Quads(own, Eigen::all);
   const std::vector<int> copyOf = PadQuads(mesh, quads);
   RememberCopies(copyOf, boundary);
-  // Beyond these patches the copies replace the points that they were made of.
+  // Beyond these patches the copies replace the original points.
   for (Eigen::Index q = 0; q < boundary.Quads.rows(); ++q)
   {
     if (!isPadded(boundary.PatchOf(q)))

@@ -22,7 +22,7 @@ namespace
 
 using PatchSet = std::set<int>;
 
-/// A crease or an angle of a patch that is wider, in degrees, has two hexahedra.
+/// A crease, or an angle of a patch, that is wider than this has two hexahedra; degrees.
 constexpr double Wide = 145.0;
 
 /// The angles of the patches at each corner, in degrees.
@@ -53,7 +53,7 @@ std::vector<std::map<int, double>> CornerAngles(
   return angles;
 }
 
-/// Whether a layer under the set leaves all patches at a corner.
+/// Whether a layer under the set keeps all patches at a corner.
 bool IsAdmissible(const PatchSet& set, const PatchRing& ring)
 {
   std::size_t inside = 0, begins = 0;
@@ -166,7 +166,7 @@ private:
     }
   }
 
-  /// The inner angle of the sharpest crease between two patches.
+  /// Returns the interior dihedral angle of the sharpest crease between two patches.
   double Angle(int one, int other) const
   {
     constexpr double round = 360.0;
@@ -181,8 +181,8 @@ private:
     return minimum;
   }
 
-  /// Unites two groups next to each other at a corner where one is not admissible, rather two such,
-  /// across the flattest crease. False where there is none.
+  /// Unites two adjacent groups at a corner where one or, preferably, both are not admissible,
+  /// across the flattest crease. Returns false if there are none.
   bool UniteAtACorner()
   {
     for (const PatchRing& ring : this->Rings)
@@ -214,9 +214,9 @@ private:
     return false;
   }
 
-  /// The patches on both sides of those edges of a quad that come in a row on a curve inside a
-  /// group: its own, and the one beyond. The quad's corner between such two cannot be good: it is
-  /// a straight angle on the surface.
+  /// Finds quads with two consecutive edges on a curve inside a group. Returns pairs of the quad's
+  /// patch and the patch across these edges. The quad's corner between them cannot be good, because
+  /// it is a straight angle on the surface.
   std::set<std::pair<int, int>> StraightCorners(const PatchedBoundary& boundary) const
   {
     const QuadSurface quads(boundary.Quads);
@@ -242,7 +242,7 @@ private:
     return pairs;
   }
 
-  /// The patches have this many quads at the corners.
+  /// Returns the number of quads that each patch has at each corner.
   std::vector<std::map<int, int>> QuadsAtCorners(const PatchedBoundary& boundary) const
   {
     std::vector<std::map<int, int>> quads(this->Rings.size());
@@ -259,7 +259,8 @@ private:
     return quads;
   }
 
-  /// Patches that a layer leaves out at a corner have one quad there, or two if it is one patch.
+  /// After a layer, the patches outside its set have one quad at a corner, or two if only one patch
+  /// is outside.
   void Pad(const PatchSet& set, std::vector<std::map<int, int>>& quads) const
   {
     for (std::size_t corner = 0; corner < this->Rings.size(); ++corner)
@@ -276,8 +277,8 @@ private:
     }
   }
 
-  /// Adds layers under the others where a patch of too wide an angle for it has one quad at a
-  /// corner, and is in a group with the others there.
+  /// Adds layers below the others for a patch with a wide angle that has only one quad at a corner
+  /// and is in a group with the others there.
   void WidenCorners(const PatchedBoundary& boundary, std::vector<PatchSet>& sets) const
   {
     std::vector<std::map<int, int>> quads = this->QuadsAtCorners(boundary);
@@ -301,7 +302,7 @@ private:
     }
   }
 
-  /// The fewest patches with some, without another, that are admissible at all corners.
+  /// Returns the smallest set with some patches, without another, that is admissible everywhere.
   PatchSet MinimumAround(const PatchSet& with, int without) const
   {
     const auto isLarger = [](const PatchSet& a, const PatchSet& b)
@@ -337,7 +338,7 @@ private:
     return all;
   }
 
-  /// The set with all, all but one or all but two in a row of a ring.
+  /// Adds to the set all patches of a ring, all but one, or all but two consecutive ones.
   static std::vector<PatchSet> Completions(const PatchSet& set, const PatchRing& ring)
   {
     std::vector<PatchSet> larger;

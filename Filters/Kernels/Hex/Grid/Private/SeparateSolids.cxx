@@ -23,7 +23,7 @@ void Append(Mesh& mesh, const Mesh& other)
     other.Triangles.array() + static_cast<int>(points);
 }
 
-/// Appends rows of numbers, each greater by an offset.
+/// Appends rows of indices, each increased by an offset.
 void Append(Eigen::MatrixXi& numbers, const Eigen::MatrixXi& others, Eigen::Index offset)
 {
   const Eigen::Index rows = numbers.rows();
@@ -142,7 +142,7 @@ SurfaceFeatures JoinFeatures(
 
 std::vector<double> ComputeVolumeShares(const std::vector<Mesh>& solids)
 {
-  // So many for all that are small.
+  // The total for all solids that are small.
   constexpr double small = 0.25;
   std::vector<double> shares;
   double sum = 0.0;

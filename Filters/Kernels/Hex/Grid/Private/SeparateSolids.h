@@ -11,23 +11,24 @@ namespace shape
 {
 
 /**
- * The solids that a closed surface bounds, each with the voids in it, where they are apart from one
- * another; empty where there is only one, where the surface crosses itself, or where a component
- * does not face the way of OrientByNesting.
+ * Splits the interior of a closed surface into disjoint solids and returns the surface of each,
+ * together with its voids. Returns nothing if there is only one solid, if the surface crosses
+ * itself, or if a component is not oriented as OrientByNesting would orient it.
  *
- * surface: as for RequireClosedSurface. Throws InvalidInput where it is not closed, Aborted.
+ * surface: as for RequireClosedSurface. Throws InvalidInput if it is not closed; Aborted.
  */
 std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress = {});
 
-/// The hexahedra of several solids, one after the other: PatchOf counts on. Without interfaces.
+/// Concatenates the hexahedra of several solids. PatchOf is offset accordingly; there are no
+/// interfaces.
 HexFit JoinFits(const std::vector<HexFit>& fits);
 
-/// The features of several surfaces (the points and triangles of all), one after the other.
-/// solids: one for each of the features.
+/// Concatenates the features of several surfaces; indices refer to their concatenated points and
+/// triangles. solids: the surface that belongs to each of the features.
 SurfaceFeatures JoinFeatures(
   const std::vector<SurfaceFeatures>& features, const std::vector<Mesh>& solids);
 
-/// The share of the hexahedra that each solid may have: by its volume, and at least some.
+/// Returns the fraction of the hexahedra that each solid may have: by its volume, with a minimum.
 std::vector<double> ComputeVolumeShares(const std::vector<Mesh>& solids);
 
 } // namespace shape

@@ -17,7 +17,7 @@ namespace
 
 using Eigen::Vector3d;
 
-/// For each corner of a hexahedron and each two of its neighbours, the corner beside both.
+/// For each corner of a hexahedron and each two of its neighbours, the corner adjacent to both.
 constexpr std::array<std::array<int, 3>, 8> CornersAcross()
 {
   std::array<std::array<int, 3>, 8> across{};
@@ -41,7 +41,7 @@ constexpr std::array<std::array<int, 3>, 8> CornersAcross()
 
 constexpr auto Across = CornersAcross();
 
-/// The edges of a corner and what they come to.
+/// The edges of a corner and the quantities derived from them.
 struct CornerEdges
 {
   CornerEdges(const Vector3d& a, const Vector3d& b, const Vector3d& c, double minimum)
@@ -57,9 +57,9 @@ struct CornerEdges
 
   double Square(const Vector3d& edge) const { return edge.squaredNorm() + this->Minimum; }
 
-  /// The derivative of the scaled determinant by the first edge.
+  /// The derivative of the scaled determinant with respect to the first edge.
   Vector3d Slope() const { return this->Normal / this->Lengths - this->Along(this->A); }
-  /// Minus that by all three: by the position of the corner itself.
+  /// Minus the sum of the derivatives for all edges: the derivative for the corner's position.
   Vector3d SlopeAtCorner() const
   {
     return this->Along(this->A) + this->Along(this->B) + this->Along(this->C) -
@@ -78,7 +78,7 @@ void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares,
   sum.Value += term;
   sum.Gradient -= sharpness * term * slope;
   sum.Curvature.noalias() += sharpness * sharpness * term * slope * slope.transpose();
-  // Of the second derivative of s: near a right corner it is -1 / length^2 across the edge.
+  // For the second derivative of s: near a right angle it is -1 / length^2 across the edge.
   constexpr double share = 0.7, minimum = 0.1;
   sum.Curvature.diagonal().array() +=
     sharpness * term * share * std::max(minimum, edges.Scaled) * inverseSquares;
@@ -167,10 +167,10 @@ double StarEnergy::Reach(const Vector3d& x) const
 namespace
 {
 
-/// Of a point's reach: shorter steps are not made, and by less nothing has moved.
+/// Relative to a point's reach: shorter steps are not made, and smaller moves are ignored.
 constexpr double Negligible = 1e-4;
 
-/// Moves a point along some directions where that lowers the energy, and tells whether it did.
+/// Moves a point along some directions if that lowers the energy; returns whether it moved.
 bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double sharpness,
   const StarEnergy::Expansion& here, const PointDirections& directions,
   const PointConstraint& constraint, int id)
@@ -185,7 +185,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
   {
     return false;
   }
-  // The expansion says nothing about positions beyond the neighbours.
+  // The expansion is not valid for positions beyond the neighbours.
   const double longest = 0.5 * star.Reach(x), length = step.norm();
   if (length < Negligible * longest)
   {
@@ -265,7 +265,7 @@ void HexSweeps::Project()
     });
 }
 
-/// Points without a common hexahedron, greedily.
+/// Finds sets of points that share no hexahedron, greedily.
 void HexSweeps::FindIndependentSets()
 {
   std::vector<int> setOf(this->Around.size(), -1);
@@ -353,8 +353,8 @@ void HexSweeps::MoveTowardsMean(int point)
   }
 }
 
-/// A Newton step along the directions that the constraint allows; where these lead nowhere, as at a
-/// ridge of the surface, one in any direction and back to where the point may be.
+/// Takes a Newton step along the directions that the constraint allows. If that fails, as at a
+/// ridge of the surface, takes one in any direction and projects the point back.
 void HexSweeps::Move(int point, double sharpness)
 {
   const Eigen::Vector3d x = this->Points.col(point);

@@ -14,31 +14,33 @@ namespace shape
 {
 
 /**
- * The hexahedra around a point, as a function of where it is:
+ * The energy of the hexahedra around a point, as a function of its position:
  *
- *   E(x) = sum over the corners that x belongs to of exp(sharpness (1 - s)),
+ *   E(x) = sum over the corners that x belongs to of exp(sharpness (1 - s)).
  *
- * s being the determinant of a corner's three edges divided by their lengths, where it is positive
- * by sqrt(length^2 + minimum^2): the scaled Jacobian alone would let edges shrink to nothing.
- * minimum is 0.05 of an edge of the hexahedron, and stays so while points move: else the stars
- * would not be parts of one energy, and lowering them by turns would lead nowhere. (Where it is
- * negative, shrinking must not help.) Any position has a value, also where hexahedra are inverted.
- * The greater the sharpness, the more it is the worst corner that counts: log(E) / sharpness tends
- * to 1
- * - min s.
+ * s is the determinant of a corner's three edges divided by the product of their lengths. If the
+ * determinant is positive, each length is replaced by sqrt(length^2 + minimum^2), because the
+ * scaled Jacobian alone would let edges shrink to nothing. If it is negative, shrinking must not
+ * help.
+ *
+ * minimum is 0.05 of an edge of the hexahedron and is fixed while points move. Otherwise the stars
+ * would not be parts of one energy, and lowering them in turn would not converge.
+ *
+ * The energy is defined for any position, even if hexahedra are inverted. The greater the
+ * sharpness, the more the worst corner dominates: log(E) / sharpness tends to 1 - min s.
  */
 class StarEnergy
 {
 public:
-  /// Hexahedra whose corners are beside each other in memory.
+  /// Hexahedra whose corners are contiguous in memory.
   using Corners = Eigen::Matrix<int, Eigen::Dynamic, 8, Eigen::RowMajor>;
 
-  /// around: the hexahedra of a point, each with the corner that it is; leastSquares: minimum^2 of
-  /// each hexahedron.
+  /// around: the hexahedra of a point, each with the index of the point among its corners;
+  /// leastSquares: minimum^2 of each hexahedron.
   StarEnergy(const Eigen::Matrix3Xd& points, const Corners& hexahedra,
     const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around);
 
-  /// minimum^2 of each hexahedron.
+  /// Returns minimum^2 of each hexahedron.
   static Eigen::VectorXd MinimumSquares(const HexMesh& mesh);
 
   double Value(const Eigen::Vector3d& x, double sharpness) const;
@@ -47,44 +49,44 @@ public:
   {
     double Value = 0.0;
     Eigen::Vector3d Gradient = Eigen::Vector3d::Zero();
-    /// A positive definite stand-in for the second derivative: exact in the first derivatives of s.
+    /// A positive definite approximation of the Hessian, exact in the first derivatives of s.
     Eigen::Matrix3d Curvature = Eigen::Matrix3d::Zero();
   };
   Expansion Expand(const Eigen::Vector3d& x, double sharpness) const;
 
-  /// The length of the longest edge from x to a neighbour.
+  /// Returns the length of the longest edge from x to a neighbour.
   double Reach(const Eigen::Vector3d& x) const;
 
 private:
-  /// A hexahedron seen from one of its corners: the ends of the three edges from there, and the
-  /// corners across the faces between the second and third of them, and so on around.
+  /// A hexahedron seen from one of its corners: the ends of the three edges from the corner, and
+  /// the opposite corner of each face at it, in cyclic order from the face of edges 2 and 3.
   struct View
   {
     std::array<Eigen::Vector3d, 3> Ends, Across;
     double MinimumSquare;
   };
-  boost::container::small_vector<View, 12> Views; // 8 at most points
+  boost::container::small_vector<View, 12> Views; // most points have 8
 };
 
 /**
- * Moves the points of hexahedra one by one, each by what the hexahedra around it want. Points are
- * moved in sets without a common hexahedron, so any number of threads gives the same bits.
+ * Moves the points of hexahedra one by one to lower the energy around each. Points are moved in
+ * sets that share no hexahedron, so any number of threads gives the same bits.
  */
 class HexSweeps
 {
 public:
-  /// All indices must be in range. The constraint must outlive this; the mesh is copied.
+  /// All indices must be in range. The constraint must outlive this object; the mesh is copied.
   HexSweeps(const HexMesh& mesh, const PointConstraint& constraint);
 
-  /// Lowers the energy around all points, or those that are marked (StarEnergy). Points around
-  /// which nothing has moved since the last time are left out.
+  /// Lowers the energy (StarEnergy) around all points, or around the marked ones. Points whose
+  /// neighbourhood has not moved since their last update are skipped.
   void Lower(double sharpness, const std::vector<char>& marked = {}, const Progress& progress = {});
 
-  /// Moves all points, or those that are marked, half way to the middle of those neighbours that
-  /// are as little free as they are: a point of a surface stays amidst those of the surface.
+  /// Moves all points, or the marked ones, half way to the mean of their neighbours of the same or
+  /// less freedom: a point on the surface thus follows its neighbours on the surface only.
   void Smooth(const std::vector<char>& marked = {}, const Progress& progress = {});
 
-  /// Puts every point where it may be.
+  /// Projects every point to where the constraint allows it.
   void Project();
 
   Eigen::MatrixXd Positions() const { return this->Points.transpose(); }
@@ -96,18 +98,18 @@ private:
   void MoveTowardsMean(int point);
   void Move(int point, double sharpness);
 
-  /// Whether nothing in the star of a point has moved since it was moved with this sharpness.
+  /// Whether nothing in the star of a point has moved since its last update at this sharpness.
   bool IsAtRest(int point) const;
 
   const StarEnergy::Corners Hexahedra;
-  const Eigen::VectorXd MinimumSquares; ///< of each hexahedron, see StarEnergy
+  const Eigen::VectorXd MinimumSquares; ///< minimum^2 of each hexahedron, see StarEnergy
   Eigen::Matrix3Xd Points;
   const PointConstraint& Constraint;
   std::vector<std::vector<std::array<int, 2>>> Around;
   std::vector<std::vector<int>> IndependentSets;
-  double Sharpness = 0.0;             ///< of the last sweep
-  int Now = 0;                        ///< counts the sets that were gone over
-  std::vector<int> MovedAt, LookedAt; ///< when each point has last changed, and been tried
+  double Sharpness = 0.0;             ///< the sharpness of the last sweep
+  int Now = 0;                        ///< the number of independent sets processed so far
+  std::vector<int> MovedAt, LookedAt; ///< when each point last moved, and was last updated
 };
 
 } // namespace shape

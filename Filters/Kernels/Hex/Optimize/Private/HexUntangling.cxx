@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr int Rings[] = { 1, 2, 3, 4, 6 };
-/// After this many rounds that turned few, the rest is left.
+/// After this many rounds with little progress the rest is left inverted.
 constexpr int MaximumIdleSteps = 2;
 
 /// The hexahedra around each point.
@@ -31,7 +31,7 @@ std::vector<std::vector<int>> HexahedraAround(const HexMesh& mesh)
   return around;
 }
 
-/// Hexahedra with a marked point, each set of them that is connected by marked points.
+/// Splits the hexahedra with a marked point into sets connected by marked points.
 std::vector<std::vector<int>> Pieces(
   const HexMesh& mesh, const std::vector<std::vector<int>>& around, const std::vector<char>& marked)
 {
@@ -65,7 +65,7 @@ std::vector<std::vector<int>> Pieces(
   return pieces;
 }
 
-/// The corners of hexahedra, each beside that of a cube of about its size.
+/// The corners of hexahedra, each with the corner of a cube of similar size as its reference.
 SimplexPatch PatchOf(const HexMesh& mesh, const std::vector<int>& hexahedra,
   const PointConstraint& constraint, const std::vector<char>& marked)
 {
@@ -99,12 +99,12 @@ int CountInverted(const HexMesh& mesh, const std::vector<int>& hexahedra)
   return static_cast<int>((values.array() <= 0.0).count());
 }
 
-/// Lowers the energy of a piece, unless it then has more inverted hexahedra.
+/// Lowers the energy of a patch; undone if more hexahedra are inverted afterwards.
 void Untangle(HexMesh& mesh, const std::vector<int>& hexahedra, const PointConstraint& constraint,
   const std::vector<char>& marked, const Progress& progress)
 {
   const SimplexPatch patch = PatchOf(mesh, hexahedra, constraint, marked);
-  // What does not turn in a few steps needs more points around it, not more steps.
+  // What is not repaired in a few steps needs more points around it, not more steps.
   constexpr std::size_t maximum = 20000;
   constexpr int steps = 40;
   if (patch.FreePoints.empty() || patch.FreePoints.size() > maximum)
@@ -129,7 +129,7 @@ int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Pr
   const std::vector<std::vector<int>> around = HexahedraAround(mesh);
   Eigen::VectorXd values = ComputeScaledJacobians(mesh);
   const auto inverted = [&] { return static_cast<int>((values.array() <= 0.0).count()); };
-  int idle = 0; // rounds that turned few
+  int idle = 0; // rounds with little progress
   for (const int& rings : Rings)
   {
     const int before = inverted();

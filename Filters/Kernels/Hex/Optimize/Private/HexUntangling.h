@@ -8,14 +8,14 @@ namespace shape
 {
 
 /**
- * Turns inverted hexahedra, those with a scaled Jacobian of 0 or less, by moving all points around
- * them at once: the regularised elliptic energy of their corners is lowered by Newton's method
- * (MinimizeEnergy), in patches that grow while some stay inverted, each connected piece of
- * hexahedra by itself; one of more than 20,000 points is left as it is. It gets out of
- * positions where no point alone can be moved for the better.
+ * Repairs inverted hexahedra, those with a scaled Jacobian <= 0, by moving all points around them
+ * simultaneously. Newton's method lowers the regularised elliptic energy of their corners
+ * (MinimizeEnergy), in patches that grow while some stay inverted. Each connected patch is solved
+ * separately; a patch of more than 20,000 points is left unchanged. This escapes from positions
+ * that no motion of a single point improves.
  *
- * mesh: its points are moved, as the constraint allows; it never has more inverted hexahedra after
- * than before. Returns how many there are. Throws Aborted.
+ * mesh: its points are moved within the constraint; the number of inverted hexahedra never grows.
+ * Returns that number. Throws Aborted.
  */
 int UntangleHexahedra(
   HexMesh& mesh, const PointConstraint& constraint, const Progress& progress = {});

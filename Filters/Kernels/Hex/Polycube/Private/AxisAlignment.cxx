@@ -23,10 +23,10 @@ constexpr int RotationTrials = 400;
 constexpr double MinimumRotationGain = 0.01;
 constexpr int AlignmentRounds = 16;
 constexpr int FlatteningRounds = 6;
-/// How far the wish of a triangle reaches along the surface, in edges: from the first round to the
-/// last.
+/// The distance along the surface, in edges, over which the rotations that triangles ask for are
+/// smoothed: from the first round to the last.
 constexpr double MaximumReach = 8.0, NearestReach = 1.0;
-/// The weight of flatness against rigidity, in units of the one over an edge.
+/// The weight of flatness relative to rigidity, as a multiple of the edge length.
 constexpr double MinimumFlatness = 0.2, MaximumFlatness = 100.0;
 constexpr int AlignmentGrain = 512;
 
@@ -37,7 +37,7 @@ Eigen::Matrix3d FromVector(const Eigen::Vector3d& vector)
                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
-/// The smallest rotation of a unit vector to the closest axis, as axis times angle.
+/// Returns the smallest rotation of a unit vector to the closest axis, as axis times angle.
 Eigen::Vector3d ToAxis(const Eigen::Vector3d& normal)
 {
   Eigen::Index k;
@@ -49,7 +49,7 @@ Eigen::Vector3d ToAxis(const Eigen::Vector3d& normal)
                     : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// The shape of tetrahedra that are turned: linear finite elements.
+/// Finds the shape whose tetrahedra are rotated as given, by linear finite elements.
 class Shape
 {
 public:
@@ -137,7 +137,7 @@ private:
   }
 };
 
-/// The sum of area-weighted wishes of the triangles at the points.
+/// Sums the rotations that the triangles ask for, weighted by area, at the points.
 Eigen::MatrixXd Wishes(
   const WorkingSolid& solid, const Eigen::MatrixXd& positions, const Eigen::VectorXd& areas)
 {
@@ -189,8 +189,8 @@ Eigen::Matrix3d FindAxisRotation(const Mesh& surface)
   Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
   const double before = Misalignment(vectors, best);
   double minimum = before;
-  // Rotations spread evenly (a Halton sequence through Shoemake's uniform quaternions), then ever
-  // smaller ones around the best.
+  // Rotations are sampled uniformly (a Halton sequence through Shoemake's uniform quaternions),
+  // then in ever smaller neighbourhoods of the best.
   const auto halton = [](int i, int base)
   {
     double fraction = 1.0, value = 0.0;
@@ -276,7 +276,7 @@ Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorX
   std::array<std::vector<Eigen::Triplet<double>>, 3> flat;
   for (Eigen::Index f = 0; f < solid.Triangles.rows(); ++f)
   {
-    // The square of a triangle's gradient along its axis, for an equilateral one.
+    // The squared gradient along its axis, for an equilateral triangle.
     for (int k = 0; k < 3; ++k)
     {
       const int a = solid.Triangles(f, k), b = solid.Triangles(f, (k + 1) % 3);

@@ -17,7 +17,7 @@ namespace
 constexpr double Forbidden = 1e6;
 constexpr int MaximumRounds = 20;
 
-/// What it costs that neighbours have these labels, in weights of their edge.
+/// Returns the cost of two labels on neighbours, relative to the weight of their edge.
 double PairCost(int first, int second, double weight)
 {
   if (first == second)
@@ -59,7 +59,7 @@ struct Arc
 
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, Node, Arc>;
 
-/// A minimum cut: sites on the source's side keep their label.
+/// A minimum cut; sites on the source's side keep their label.
 class Cut
 {
 public:
@@ -76,13 +76,13 @@ public:
     this->Change(site) += change;
   }
 
-  /// The cost where `first` keeps and `second` changes.
+  /// Adds the cost for the case that `first` keeps its label and `second` changes.
   void AddPair(int first, int second, double cost, double reverse)
   {
     this->AddArcs(first, second, cost, reverse);
   }
 
-  /// Whether each site changes.
+  /// Returns whether each site changes.
   std::vector<char> Solve()
   {
     const int sites = static_cast<int>(this->Keep.size());
@@ -177,7 +177,7 @@ namespace
 {
 
 constexpr double Fidelity = 0.2, Sharpness = 0.25;
-/// Of an edge with a sharp crease: a border is not for nothing.
+/// The cost of a border edge at a sharp crease, where it is lowest: a border must not be free.
 constexpr double MinimumBoundaryCost = 1e-3;
 
 double Bell(double x, double width)

@@ -27,7 +27,7 @@ std::string LabelName(int label)
   return names[label];
 }
 
-/// The borders' edges from point to point, each with its left chart on the left.
+/// Chains the edges between charts into borders, each with its left chart on the left.
 std::vector<Charts::Border> TraceBoundaries(
   const Charts& charts, const std::vector<HalfEdge>& edges, const std::vector<int>& right)
 {
@@ -214,17 +214,17 @@ std::string DescribeFaults(const std::vector<ChartFault>& faults, const Charts& 
     switch (fault.What)
     {
       case ChartFault::Kind::FewNeighbours:
-        text << " has " << charts.Neighbours[fault.Chart].size() << " charts around it, not 4";
+        text << " has " << charts.Neighbours[fault.Chart].size() << " neighbours; 4 are needed";
         break;
       case ChartFault::Kind::Opposite:
-        text << " lies beside " << DescribeChart(charts, fault.Other);
+        text << " shares an edge with " << DescribeChart(charts, fault.Other);
         break;
       case ChartFault::Kind::Corner:
         text << " has a corner of " << charts.AtPoint[fault.Point].size() << " charts at point "
              << fault.Point;
         break;
       case ChartFault::Kind::Turn:
-        text << " has a border that turns back at point " << fault.Point << " to "
+        text << " has a border that reverses at point " << fault.Point << " with "
              << DescribeChart(charts, fault.Other);
         break;
     }

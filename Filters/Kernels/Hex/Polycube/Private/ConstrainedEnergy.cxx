@@ -17,10 +17,10 @@ namespace
 {
 
 constexpr int EnergyGrain = 1024;
-/// Tetrahedra weigh as if they had at least this share of the mean volume.
+/// Tetrahedra are weighted as if they had at least this fraction of the mean volume.
 constexpr double MinimumWeight = 0.1;
 
-/// The energy of a solid as a function of its unknown coordinates: each is a block of NewtonSystem.
+/// The energy of a solid as a function of its unknown coordinates; each is a block of NewtonSystem.
 class ConstrainedEnergy : public EnergyProblem
 {
 public:
@@ -158,7 +158,7 @@ private:
     return all;
   }
 
-  /// The second derivative and the gradient by the twelve coordinates of a tetrahedron.
+  /// The second derivative and gradient with respect to the twelve coordinates of a tetrahedron.
   void Expand(int t, const Eigen::Matrix3Xd& x, double epsilon,
     Eigen::Matrix<double, 12, 12>& block, Eigen::Matrix<double, 12, 1>& slope) const
   {

@@ -9,8 +9,8 @@
 namespace shape
 {
 
-/// Coordinates of points that are the same number: entry 3 p + k is the unknown that coordinate k
-/// of point p is, or -1 where it stays as it is.
+/// Coordinates that are tied to be equal. Entry 3 p + k is the unknown of coordinate k of point p,
+/// or -1 if that coordinate is fixed. Count: the number of unknowns.
 struct ConstrainedCoordinates
 {
   Eigen::VectorXi Unknowns;
@@ -18,11 +18,12 @@ struct ConstrainedCoordinates
 };
 
 /**
- * Makes the tetrahedra of a solid positive, and as little distorted as can be, where some
- * coordinates of its points are tied together or fixed: the regularised elliptic energy
- * (EllipticEnergy, weighted by volume) by Newton's method, as MinimizeEnergy.
+ * Makes the tetrahedra of a solid positive and minimises their distortion while some coordinates
+ * are tied together or fixed. Newton's method lowers the regularised elliptic energy
+ * (EllipticEnergy, weighted by volume), as in MinimizeEnergy.
  *
- * positions (n x 3): tied coordinates start equal, and stay so to the bit. Throws Aborted.
+ * positions (n x 3): tied coordinates must be equal at the start and stay exactly equal. Throws
+ * Aborted.
  */
 PatchResult MinimizeConstrainedEnergy(Eigen::MatrixXd& positions, const WorkingSolid& solid,
   const ConstrainedCoordinates& tied, const PatchOptions& options, const Progress& progress = {});

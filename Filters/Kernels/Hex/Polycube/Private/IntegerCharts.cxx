@@ -25,7 +25,7 @@ std::array<int, 3> Sorted(std::array<int, 3> corners)
   return corners;
 }
 
-/// Charts of one axis with a polycube edge between them.
+/// Finds pairs of charts with the same axis that are connected by a polycube edge.
 void AddEnds(const Charts& charts, std::set<Pair>& pairs)
 {
   for (const Charts::Border& boundary : charts.Borders)
@@ -45,7 +45,7 @@ void AddEnds(const Charts& charts, std::set<Pair>& pairs)
   }
 }
 
-/// Charts that are met first from a triangle, straight through the solid.
+/// Finds the charts that a ray from a triangle, straight through the solid, meets first.
 void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::MatrixXd& positions,
   std::set<Pair>& pairs)
 {
@@ -97,7 +97,7 @@ Eigen::VectorXi RoundCharts(const WorkingSolid& solid, const Charts& charts,
   std::set<Pair> pairs;
   AddEnds(charts, pairs);
   AddFacing(solid, charts, positions, pairs);
-  // Charts that are tied together have one number.
+  // Charts that are tied together share one integer.
   std::vector<int> unknown(charts.Count(), -1);
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(charts.Count());
   for (std::size_t v = 0; v < charts.AtPoint.size(); ++v)
@@ -109,7 +109,7 @@ Eigen::VectorXi RoundCharts(const WorkingSolid& solid, const Charts& charts,
       wanted(chart) = positions(v, axis);
     }
   }
-  std::map<int, std::vector<int>> below; // of each unknown: those that are less
+  std::map<int, std::vector<int>> below; // for each unknown, the unknowns that must be smaller
   for (const auto& [a, b] : pairs)
   {
     if (unknown[a] != unknown[b])

@@ -9,12 +9,12 @@ namespace shape
 {
 
 /**
- * Whole numbers for the coordinates of a polycube's charts, close to where they are: charts at the
- * two ends of a polycube edge, and charts that face each other across the solid, stay at least one
- * apart and in order.
+ * Rounds the coordinates of a polycube's charts to integers close to them. Charts at the two ends
+ * of a polycube edge, and charts that face each other across the solid, keep their order and a
+ * distance of at least 1.
  *
- * positions (n x 3): the points of the solid on the polycube, positive on its tetrahedra, in units
- * of the cells. Returns one number for each chart, along its axis.
+ * positions (n x 3): the points of the solid on the polycube, in units of cells; every tetrahedron
+ * is positive. Returns one integer for each chart: its coordinate along its axis.
  */
 Eigen::VectorXi RoundCharts(const WorkingSolid& solid, const Charts& charts,
   const ConstrainedCoordinates& tied, const Eigen::MatrixXd& positions);

@@ -15,7 +15,7 @@ namespace shape
 namespace
 {
 
-/// How far outside of a tetrahedron a position still counts as in it, for rounding.
+/// The tolerance for a position outside a tetrahedron to be inside, for rounding.
 constexpr double Rounding = 1e-9;
 
 } // namespace
@@ -68,7 +68,7 @@ Eigen::Vector4d TetrahedralWalk::Weights(int tetrahedron, const Eigen::Vector3d&
 TetrahedralWalk::Position TetrahedralWalk::Go(
   int tetrahedron, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const
 {
-  int entered = -2; // nowhere, which is not the outside
+  int entered = -2; // no face yet; -1 would be the outside
   // A straight line meets each tetrahedron of its sheet once; rounding may add a few.
   for (Eigen::Index step = 0; step <= this->Tetrahedra.rows(); ++step)
   {
@@ -106,7 +106,7 @@ TetrahedralWalk::Position TetrahedralWalk::Go(
 namespace
 {
 
-/// Off the middles of cells, so that hardly one lies on the face of a tetrahedron.
+/// An offset from the centres of cells, so that hardly any lies on the face of a tetrahedron.
 const Eigen::Vector3d Offset(1.1e-4, 1.7e-4, 2.3e-4);
 
 /// The corners of a cell in the order of HexMesh.
@@ -115,7 +115,7 @@ constexpr int CornerPositions[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, {
 
 using Cell = std::array<int, 3>;
 
-/// A cell of the grid as it is met in one tetrahedron.
+/// A cell of the grid as it is found in one tetrahedron.
 struct Visit
 {
   Cell Where;
@@ -166,7 +166,7 @@ std::vector<Visit> FindCells(
   return visits;
 }
 
-/// The cell beside `visit` along an axis, or -1 where the boundary is in between.
+/// Returns the cell next to `visit` along an axis, or -1 if the boundary is in between.
 int CellBeside(
   const std::vector<Visit>& visits, const Visit& visit, int axis, const TetrahedralWalk& walk)
 {
@@ -185,7 +185,9 @@ int CellBeside(
   {
     return static_cast<int>(found - visits.begin());
   }
-  throw SolveFailure("a walk through the polycube ends in no cell: its map is not good enough");
+  throw SolveFailure(
+    "a walk through the polycube ends in no cell, because its map is not good enough; try "
+    "another Compactness");
 }
 
 } // namespace
@@ -197,7 +199,7 @@ IntegerMapHexesResult ExtractIntegerMapHexahedra(
   const std::vector<Visit> visits = FindCells(images, tetrahedra, walk);
   if (visits.empty())
   {
-    throw SolveFailure("the polycube has no cell");
+    throw SolveFailure("the polycube has no cell; use a smaller TargetEdgeLength");
   }
   const int cells = static_cast<int>(visits.size());
   DisjointSets joined(8 * cells);

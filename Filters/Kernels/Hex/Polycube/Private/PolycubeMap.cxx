@@ -22,8 +22,8 @@ namespace shape
 namespace
 {
 
-/// What is tried: a factor of the compactness, and whether with the axes turned to nowhere special,
-/// which breaks ties of symmetric shapes.
+/// The trials: a factor of the compactness, and whether the axes are rotated to a generic
+/// direction, which breaks ties of symmetric shapes.
 struct Trial
 {
   double Factor;
@@ -34,20 +34,20 @@ constexpr Trial Trials[] = { { 1.0, false }, { 0.5, false }, { 0.25, false }, { 
 const Eigen::Vector3d Turn(0.5, 0.3, 0.2); ///< axis times angle
 constexpr int Flattenings = 3;
 constexpr int Repairs = 2;
-/// Newton steps after which a deformation with as many negative tetrahedra is given up.
+/// A deformation is given up after this many Newton steps without fewer negative tetrahedra.
 constexpr int FirstSteps = 8, Hopeless = 60;
-/// No more trials are begun after this many deformed tetrahedra.
+/// No further trial starts after this many tetrahedra were deformed.
 constexpr int MaximumWork = 150000;
-/// What a label costs more where it did not work, for a triangle of the mean area.
+/// The added cost of a label that did not work, for a triangle of the mean area.
 constexpr double Dearer = 1.0, Forbidden = 50.0;
-/// Charts of a greater share of the area are not given up.
+/// Charts with a greater fraction of the area are never given up.
 constexpr double MaximumGivenUp = 0.03;
-/// A chart of which a greater share is inverted is folded.
+/// A chart is folded if more than this fraction of it is inverted.
 constexpr double Folded = 0.1;
 constexpr int QuantisationAttempts = 4;
 constexpr double QuantisationShrinkage = 0.75;
 
-/// A try: the solid with its labels, and how it was deformed.
+/// A trial: the solid with its labels, and the result of its deformation.
 struct Attempt
 {
   WorkingSolid Solid;
@@ -57,7 +57,7 @@ struct Attempt
   ConstrainedCoordinates Tied;
   std::vector<ChartFault> Faults;
   PatchResult Result;
-  Eigen::Matrix3d Rotation; ///< of the solid from the surface's position
+  Eigen::Matrix3d Rotation; ///< rotation of the solid relative to the surface
 };
 
 double ComputeMeanEdgeLength(const WorkingSolid& solid)
@@ -90,7 +90,7 @@ void Tie(const ConstrainedCoordinates& tied, Eigen::MatrixXd& positions)
   }
 }
 
-/// The triangles of charts that are folded over: of others, a few may be turned still.
+/// Returns the triangles of folded charts; a few inverted triangles of other charts are tolerated.
 std::vector<char> FoldedOver(const Attempt& attempt)
 {
   std::vector<char> turned =
@@ -151,9 +151,9 @@ bool IsPositive(const WorkingSolid& solid, const Eigen::MatrixXd& positions, Eig
   return edges.determinant() > 0.0;
 }
 
-/// Adds to the costs of labels that did not work: of charts with too few neighbours, and around
-/// tetrahedra that stayed negative, and inverted triangles where they have to face their labels.
-/// `before`: labels of the triangles that costs are for.
+/// Raises the costs of labels that did not work: on charts with too few neighbours, around
+/// tetrahedra that stayed negative, and on inverted triangles if charts must face their labels.
+/// `before`: the labels of the triangles that the costs refer to.
 void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const Attempt& attempt,
   bool isFacing, Eigen::MatrixXd& costs)
 {
@@ -204,7 +204,7 @@ void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const 
   }
 }
 
-/// The best of several tries with one compactness. work: counts the tetrahedra deformed.
+/// Returns the best of several trials with one compactness. work: counts the deformed tetrahedra.
 Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned,
   double compactness, bool isFacing, int& work, const Progress& progress)
 {
@@ -242,7 +242,7 @@ Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned
   return best;
 }
 
-/// Moves the charts to whole numbers. Returns whether every tetrahedron is positive then.
+/// Moves the charts to integer coordinates. Returns whether every tetrahedron is positive there.
 bool MoveToIntegers(Attempt& attempt, const Progress& progress)
 {
   const Eigen::VectorXi numbers =
@@ -295,7 +295,7 @@ PolycubeMap FindPolycubeMap(
   }
   if (!(options.CellSize >= 0.0) || !std::isfinite(options.CellSize))
   {
-    throw InvalidInput("the cell size must be positive, or 0 for an automatic one");
+    throw InvalidInput("the cell size must be positive, or 0 for an automatic size");
   }
   RequireClosedSurface(surface, "the surface");
   WorkingSolid solid = BuildWorkingSolid(surface, options.Triangles, progress.Part(0.0, 0.1));
@@ -330,7 +330,7 @@ PolycubeMap FindPolycubeMap(
   {
     throw SolveFailure("no valid polycube was found: of " + std::to_string(best.Charts.Count()) +
       " charts, " +
-      (best.Faults.empty() ? "none is at fault by itself"
+      (best.Faults.empty() ? "none of which is at fault alone"
                            : DescribeFaults(best.Faults, best.Charts)) +
       "; " + std::to_string(best.Result.Negative) + " of " +
       std::to_string(best.Solid.Tetrahedra.rows()) + " tetrahedra stay inverted" +
@@ -358,7 +358,7 @@ PolycubeMap FindPolycubeMap(
       return map;
     }
   }
-  throw SolveFailure("the charts of the polycube cannot be moved to whole cells of " +
+  throw SolveFailure("the charts of the polycube cannot be rounded to cells of size " +
     std::to_string(size / QuantisationShrinkage) + "; use a smaller TargetEdgeLength");
 }
 

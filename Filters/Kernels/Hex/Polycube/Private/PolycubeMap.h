@@ -13,46 +13,47 @@
 namespace shape
 {
 
-/// How many cells a polycube has if no size is asked for.
+/// The approximate number of cells of a polycube if no size is given.
 constexpr double AutomaticCells = 12000.0;
 
 struct PolycubeMapOptions
 {
-  double Compactness = 3.0; ///< more: fewer charts, less: normals closer to the axes; > 0
+  double Compactness = 3.0; ///< greater: fewer charts; smaller: normals closer to the axes; > 0
   double CellSize = 0.0;    ///< the polycube's unit, in the surface's units; 0: about 12,000 cells
-  int Triangles = 3000;     ///< of the coarse surface that is worked with, about
-  /// Whether a polycube with a chart of which more than a tenth does not face its label's way is
-  /// none. A chart may fold over itself without any negative tetrahedron, as around a thin hole;
-  /// that is good enough for hexahedra, but it is not the boundary of a polycube.
+  int Triangles = 3000;     ///< approximate number of triangles of the coarse surface
+  /// Whether to reject a polycube if more than a tenth of one of its charts faces away from the
+  /// chart's label. A chart may fold over itself without any negative tetrahedron, for example
+  /// around a thin hole. Hexahedra tolerate that, but it is not the boundary of a polycube.
   bool Facing = false;
 };
 
-/// Marks the triangles of a polycube that do not face the way of their label.
+/// Marks the triangles of a polycube that face away from their label.
 std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::VectorXi& labels);
 
 /// A solid and the polycube it is mapped to.
 struct PolycubeMap
 {
-  WorkingSolid Solid;        ///< close to the solid of the surface; its own positions
-  Eigen::MatrixXd Positions; ///< n x 3: on the polycube, in cells; charts are at whole numbers
+  WorkingSolid Solid;        ///< a coarse solid close to that of the surface, undeformed
+  Eigen::MatrixXd Positions; ///< n x 3: on the polycube, in cells; charts have integer coordinates
   Eigen::VectorXi Labels;    ///< of the solid's triangles: 0..5 = +x, -x, +y, -y, +z, -z
   shape::Charts Charts;
   double CellSize = 0.0;
-  double Distortion = 0.0; ///< the mean elliptic energy; 1 is the minimum
+  double Distortion = 0.0; ///< the mean elliptic energy; its minimum is 1
 };
 
 /**
- * A polycube of the solid inside a closed surface, and a map onto it that is positive on every
- * tetrahedron of a coarse solid close to it.
+ * Finds a polycube of the solid inside a closed surface, and a map onto it that is positive on
+ * every tetrahedron of a coarse solid close to it.
  *
- * The solid is bent until its normals come close to the axes (AlignWithAxes), labelled
+ * The solid is deformed until its normals are close to the axes (AlignWithAxes), labelled
  * (FindAxisLabels), and deformed with one coordinate for each chart (MinimizeConstrainedEnergy).
  * Charts that no polycube can have (FindChartFaults), and labels around tetrahedra that stay
- * negative, are made dearer and cut again; then other compactnesses are tried. At last the charts
- * go to whole numbers (RoundCharts), in smaller cells where that leaves no room.
+ * negative, get higher costs, and the labels are computed again. If that fails, other values of
+ * the compactness are tried. Finally the coordinates of the charts are rounded to integers
+ * (RoundCharts), with smaller cells if they leave no room.
  *
- * Throws as Tetrahedralize; InvalidInput where options are out of range; SolveFailure where no
- * polycube is found, with the faults of the best try; Aborted.
+ * Throws what Tetrahedralize throws; InvalidInput if an option is out of range; SolveFailure with
+ * the faults of the best attempt if no polycube is found; Aborted.
  */
 PolycubeMap FindPolycubeMap(
   const Surface& surface, const PolycubeMapOptions& options = {}, const Progress& progress = {});

@@ -30,11 +30,11 @@ constexpr int VoxelFlattenings = 3;
 constexpr double Reaches[] = { 0.1, 0.0, 0.25, -0.1 };
 constexpr double CellShrinkage = 0.85;
 constexpr int OffsetTrials = 16;
-/// The share of the volume that may be turned inside out: it is mended when all is back.
+/// The fraction of the volume that may be inverted: it is repaired after the cells are mapped back.
 constexpr double MaximumFolded = 0.02;
 
-/// Where the lines of a grid should be, in cells: as far from the surface's flat parts as can be
-/// in the middle of cells, so that these are not cut into steps.
+/// Finds the offsets, in cells, at which the grid's lines are closest to the surface's flat parts,
+/// so that these are not cut into steps.
 Eigen::RowVector3d BestOffset(const Surface& surface, const Eigen::VectorXi& labels, double size)
 {
   const Eigen::VectorXd areas = surface.AreaVectors().rowwise().norm();
@@ -76,7 +76,7 @@ SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVecto
     (points.colwise().maxCoeff() / size - offset).array().ceil().matrix();
   SampledGrid grid;
   grid.Spacing = size;
-  constexpr double margin = 1.5; // cells: on the grid's sides there are none of the solid
+  constexpr double margin = 1.5; // cells: the outermost cells lie outside the solid
   grid.Counts = (high - low).cast<int>().array() + 4;
   grid.Origin = size * (low + offset - Eigen::RowVector3d::Constant(margin));
   Eigen::MatrixXd centres(grid.Counts.prod(), 3);
@@ -115,7 +115,7 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wan
   return std::nullopt;
 }
 
-/// The volume of tetrahedra that are turned inside out, as a share of what they have at rest.
+/// Returns the volume of inverted tetrahedra, as a fraction of the undeformed volume.
 double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
 {
   double folded = 0.0, all = 0.0;
@@ -135,7 +135,8 @@ double FoldedShare(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
   return folded / all;
 }
 
-/// The positions of a solid bent towards the axes: flattened, or only aligned where that folds.
+/// Returns the points of a solid deformed towards the axes: flattened, or only aligned if that
+/// folds.
 Eigen::MatrixXd Bent(
   const WorkingSolid& solid, double compactness, Eigen::VectorXi& labels, const Progress& progress)
 {
@@ -153,8 +154,8 @@ Eigen::MatrixXd Bent(
   const double folded = FoldedShare(solid, aligned);
   if (folded > MaximumFolded)
   {
-    throw SolveFailure("the solid cannot be bent towards the axes: " +
-      std::to_string(100.0 * folded) + " % of it would be turned inside out");
+    throw SolveFailure("the solid cannot be deformed towards the axes: " +
+      std::to_string(100.0 * folded) + " % of its volume would be inverted");
   }
   labels = FindAxisLabels(solid, aligned, compactness);
   return aligned;
@@ -195,8 +196,8 @@ VoxelPolycube FindVoxelPolycube(
   {
     if (size < minimum)
     {
-      throw SolveFailure("no grid of " + std::to_string(maximum) +
-        " cells in the solid bent towards the axes has the surface's topology (Euler number " +
+      throw SolveFailure("no grid of at most " + std::to_string(maximum) +
+        " cells in the solid deformed towards the axes has the surface's topology (Euler number " +
         std::to_string(topology.EulerNumber) + ")");
     }
     grid = SampleDistance(distance, BestOffset(bent, labels, size), size, progress.Part(0.7, 0.9));
@@ -207,7 +208,7 @@ VoxelPolycube FindVoxelPolycube(
   result.Solid = std::move(*cubes);
   const CellPoints found =
     CellLocator(TetrahedraAt(solid, positions)).Find(result.Solid.Points, progress.Part(0.9, 1.0));
-  // Corners are half a cell off the samples.
+  // Corners are half a cell away from the samples.
   result.Positions = ((result.Solid.Points.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
   result.Positions = result.Positions.array().round().matrix().eval();
   result.Solid.Points = found.Weights * original.Points;

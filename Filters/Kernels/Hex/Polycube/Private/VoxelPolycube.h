@@ -10,23 +10,23 @@
 namespace shape
 {
 
-/// Hexahedra inside a surface, and where their points are as corners of cells of a grid.
+/// Hexahedra inside a surface, and the positions of their points in the grid that they come from.
 struct VoxelPolycube
 {
   HexMesh Solid;
-  Eigen::MatrixXd Positions; ///< n x 3: whole numbers
+  Eigen::MatrixXd Positions; ///< n x 3: integers
   double CellSize = 0.0;
 };
 
 /**
- * The cells of a grid inside a solid that was bent towards the axes (AlignWithAxes,
- * FlattenAlongAxes), brought back: their union is a polycube by construction, of the surface's
- * topology, but with a step wherever the bent solid is not quite flat (Yu, Zhang, Li and Zhao,
- * "Optimizing polycube domain construction for hexahedral remeshing", 2014).
+ * Takes the cells of a grid inside a solid that was deformed towards the axes (AlignWithAxes,
+ * FlattenAlongAxes) and maps them back. Their union is a polycube by construction and has the
+ * surface's topology. It has a step wherever the deformed solid is not quite flat (Yu, Zhang, Li
+ * and Zhao, "Optimizing polycube domain construction for hexahedral remeshing", 2014).
  *
- * surface: closed, facing outwards. compactness: see FindAxisLabels. cells: about how many; more
- * are tried, up to `most`, until the topology agrees. Throws as Tetrahedralize; SolveFailure where
- * no such grid has the topology, Aborted.
+ * surface: closed, facing outwards. compactness: see FindAxisLabels. cells: their approximate
+ * number; more are tried, up to `maximum`, until the topology agrees. Throws what Tetrahedralize
+ * throws; SolveFailure if no such grid has the topology; Aborted.
  */
 VoxelPolycube FindVoxelPolycube(const Surface& surface, double compactness, int cells, int maximum,
   const Progress& progress = {});

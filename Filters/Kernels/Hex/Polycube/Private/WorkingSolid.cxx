@@ -18,7 +18,7 @@ namespace
 constexpr int Attempts = 4;
 constexpr double LengthShrinkage = 0.7;
 
-/// A tetrahedron of these edges has this volume.
+/// Returns the volume of a regular tetrahedron.
 double RegularVolume(double edge)
 {
   return edge * edge * edge / (6.0 * std::sqrt(2.0));
@@ -41,7 +41,7 @@ Mesh CoarseSurface(const Surface& surface, double length, const Progress& progre
 
 using Simplices = std::vector<std::vector<int>>;
 
-/// Simplices of a mesh, found by a point of them, and split at edges.
+/// The simplices of a mesh, indexed by their points, which can be split at edges.
 class EdgeSplits
 {
 public:
@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// Each simplex with both ends becomes two, with `middle` instead of the one or the other.
+  /// Splits each simplex that contains both ends into two, with `middle` in place of one end each.
   void Split(int a, int b, int middle)
   {
     this->Around.resize(std::max<std::size_t>(this->Around.size(), middle + 1));
@@ -80,7 +80,7 @@ public:
     }
   }
 
-  /// Puts a point into simplex i.
+  /// Inserts a point into simplex i.
   void Fill(int i, int middle)
   {
     this->Around.resize(std::max<std::size_t>(this->Around.size(), middle + 1));
@@ -109,7 +109,7 @@ public:
   }
 
   Simplices All;
-  std::vector<int> Marks; ///< of the simplices, or empty: parts have the mark of the whole
+  std::vector<int> Marks; ///< of the simplices, or empty; parts inherit the mark
 
 private:
   void Add(std::vector<int> simplex)
@@ -135,7 +135,7 @@ void AppendMean(Eigen::MatrixXd& points, const std::vector<int>& of)
   points.bottomRows<1>() = mean;
 }
 
-/// The edges of triangles or tetrahedra, each once, in order.
+/// Returns the edges of triangles or tetrahedra without repeats, in ascending order.
 std::vector<std::pair<int, int>> EdgesOf(const Eigen::MatrixXi& simplices)
 {
   std::vector<std::pair<int, int>> edges;
@@ -157,7 +157,8 @@ std::vector<std::pair<int, int>> EdgesOf(const Eigen::MatrixXi& simplices)
   return edges;
 }
 
-/// Puts a point into every inner edge and every tetrahedron that has points of the boundary only.
+/// Inserts a point into every inner edge and every tetrahedron whose points are all on the
+/// boundary.
 void AddInnerPoints(WorkingSolid& solid)
 {
   const std::vector<std::pair<int, int>> outer = EdgesOf(solid.Triangles);
@@ -218,7 +219,7 @@ void SplitSurfaceEdges(WorkingSolid& solid, const std::vector<std::pair<int, int
   Eigen::MatrixXd& positions, Eigen::VectorXi& labels)
 {
   const int before = solid.SurfacePointCount, more = static_cast<int>(edges.size());
-  // The new points follow those of the surface.
+  // The new points follow the surface's points.
   const auto moved = [&](int point) { return point < before ? point : point + more; };
   for (Eigen::MatrixXd* all : { &solid.Points, &positions })
   {

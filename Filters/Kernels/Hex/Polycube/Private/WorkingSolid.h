@@ -12,7 +12,7 @@
 namespace shape
 {
 
-/// Tetrahedra in a solid, and its surface over the same points.
+/// The tetrahedra of a solid, and its surface over the same points.
 struct WorkingSolid
 {
   Eigen::MatrixXd Points;     ///< n x 3; those of the surface come first
@@ -21,21 +21,21 @@ struct WorkingSolid
   int SurfacePointCount = 0;
 
   Mesh Surface() const;
-  Mesh Surface(const Eigen::MatrixXd& points) const; ///< with the points elsewhere
+  Mesh Surface(const Eigen::MatrixXd& points) const; ///< the surface with other positions
 };
 
 /**
- * A coarse tetrahedralisation of the solid inside a closed surface: of a surface of about this many
- * triangles of even size near it, which keeps its creases. Every tetrahedron has an inner point,
- * and so has every inner edge, so that the boundary may be flattened.
+ * Builds a coarse tetrahedralisation of the solid inside a closed surface. Its surface has about
+ * the given number of triangles, of even size, close to the original, and keeps its creases. Every
+ * tetrahedron has an inner point, and every inner edge has one, so the boundary can be flattened.
  *
- * Where the coarse surface would cross itself, it becomes finer. Throws as Tetrahedralize.
+ * If the coarse surface would cross itself, it is made finer. Throws what Tetrahedralize throws.
  */
 WorkingSolid BuildWorkingSolid(
   const Surface& surface, int triangles, const Progress& progress = {});
 
-/// Puts a point into each of these edges of the surface (each once), in `positions`, too; the parts
-/// of a triangle have its label.
+/// Inserts a point into each of the given surface edges (no repeats), in `positions` as well; the
+/// parts of a triangle inherit its label.
 void SplitSurfaceEdges(WorkingSolid& solid, const std::vector<std::pair<int, int>>& edges,
   Eigen::MatrixXd& positions, Eigen::VectorXi& labels);
 
