@@ -110,6 +110,7 @@ SampledGrid GridIn(const Mesh& polycube, double cell)
   const Eigen::RowVector3d sides = polycube.Points.colwise().maxCoeff() - low;
   SampledGrid grid;
   grid.Spacing = cell;
+  // Samples are the cells' centres.
   grid.Origin = low.array() - 0.5 * cell;
   grid.Counts = (sides / cell).array().round().cast<int>() + 2;
   return grid;
@@ -162,6 +163,10 @@ void RequireSourcesOn(const Eigen::MatrixXd& sources, const Surface& surface)
 
 } // namespace
 
+// 1. The unit of the polycube's coordinates is found and divided into cells (UnitOf).
+// 2. The cells inside, by winding numbers, must have the surface's topology.
+// 3. The harmonic map that extends the boundary map carries their inner points.
+// 4. Their boundary points follow the boundary map itself.
 GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surface& surface,
   double cellSize, int maximum, const Progress& progress)
 {
@@ -196,6 +201,7 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   const HarmonicVolumeMapResult map =
     ComputeHarmonicVolumeMap(outer, polycube.Sources, {}, options, progress.Part(0.0, 0.9));
   Eigen::MatrixXd carried = Evaluate(map.Map, cells.Solid.Points);
+  // The harmonic map only approximates the boundary map, which puts these points on the surface.
   const Eigen::MatrixXi quads = FindBoundaryQuads(cells.Solid);
   std::vector<int> onBoundary(quads.data(), quads.data() + quads.size());
   std::sort(onBoundary.begin(), onBoundary.end());

@@ -203,6 +203,7 @@ WorkingSolid BuildWorkingSolid(const Surface& surface, int triangles, const Prog
   const double length = std::sqrt(area / triangles * 4.0 / std::sqrt(3.0));
   const Mesh coarse = CoarseSurface(surface, length, progress.Part(0.0, 0.5));
   TetrahedralizeOptions options;
+  // Inner tetrahedra may be larger than those at the surface: only the surface is labelled.
   options.MaximumVolume = 10.0 * RegularVolume(length);
   const TetrahedralizeResult tetrahedra =
     Tetrahedralize(coarse, {}, options, progress.Part(0.5, 0.9));
