@@ -72,6 +72,7 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
   {
     return coarse;
   }
+  // Aims below the wanted distance, because the proportionality is only approximate.
   constexpr double safety = 0.8;
   const double needed = std::sqrt(safety * wanted / fit.Creases.Distance),
                minimum = std::cbrt(static_cast<double>(fit.Solid.Hexahedra.rows()) /
@@ -155,6 +156,7 @@ bool IsBetter(const HexFit& one, const HexFit& other)
   {
     return one.CreasesKept;
   }
+  // Quality divided by distance: twice the scaled Jacobian makes up for twice the distance.
   return one.MinimumScaledJacobian / std::max(one.Distance, 1e-300) >
     other.MinimumScaledJacobian / std::max(other.Distance, 1e-300);
 }

@@ -193,6 +193,10 @@ void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
 }
 
 /// Fits hexahedra with these features; nothing if the features are not found on the hexahedra.
+/// 1. MatchFeatures: each quad of the boundary gets a patch, each curve a chain of edges.
+/// 2. Layers: of interfaces, of the whole boundary, and those that creases need (AddLayers).
+/// 3. Boundary points are put on the surface, and all points are smoothed.
+/// 4. OptimizeHexahedra: repairs inverted hexahedra and raises the worst.
 std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
   const Progress& progress)

@@ -71,6 +71,7 @@ public:
     GrowRings(this->Solid.Hexahedra, rings, marked);
     HexOptimizationOptions optimization;
     optimization.Marked = std::move(marked);
+    // Worse hexahedra could not be raised to the minimum, and the round will be undone.
     optimization.RaiseFrom = minimum - MaximumRaised;
     const HexOptimizationResult result =
       OptimizeHexahedra(this->Solid, this->Constraint, optimization, progress.Part(0.0, 0.8));
@@ -177,6 +178,8 @@ private:
       const int point = nearest[i];
       const Eigen::RowVector3d& there = this->Far[i].OnSurface;
       if (taken[point] || this->Given.Freedom(point) != 2 || this->Share[point] < minimumShare ||
+        // The last condition: the position must lie on the part of the surface that the point is
+        // kept on. Otherwise the projection would bring the point back.
         (this->Constraint.Nearest(point, there) - there).norm() > 0.5 * this->Far[i].Distance)
       {
         continue;

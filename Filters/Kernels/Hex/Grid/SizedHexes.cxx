@@ -83,6 +83,7 @@ public:
   /// Makes one Gauss-Newton step for all strengths and the size of the grid.
   void Step()
   {
+    // The ridge keeps the strengths small where seeds overlap and their sum alone is determined.
     constexpr double ridge = 1e-3;
     const auto count = static_cast<Eigen::Index>(this->Seeds.size());
     const Eigen::MatrixXd moved = GridDensity(this->Seeds).Forward(this->Positions);
@@ -280,6 +281,7 @@ SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::Vector
     SizedGrid grid = BuildSizedGrid(surface, asked, part.Part(0.0, 0.2));
     options.CellSize = grid.CellSize;
     options.Seeds = std::move(grid.Seeds);
+    // The first grid only measures the sizes, so it needs no further rounds.
     options.Rounds = last ? rounds : 1;
     result.Hexes = BuildGridHexahedra(surface, options, part.Part(0.2, 1.0), innerSurfaces);
     const HexFit& fit = result.Hexes.Fit;

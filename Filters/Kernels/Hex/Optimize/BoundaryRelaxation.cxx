@@ -45,6 +45,7 @@ void RelaxBoundaryOfInverted(
     }
     const Progress part =
       progress.Part(rings / (MaximumRings + 1.0), (rings + 1.0) / (MaximumRings + 1.0));
+    // Points that keep to the surface move with the released ones.
     constexpr int around = 2;
     GrowRings(mesh.Hexahedra, around, marked);
     HexOptimizationOptions options;
@@ -74,6 +75,7 @@ void RelaxBoundaryOfWorst(HexMesh& mesh, OverridableConstraint& freedoms, double
     GrowRings(mesh.Hexahedra, rings, marked);
     for (std::size_t point = 0; point < marked.size(); ++point)
     {
+      // Points on creases and corners keep their lower freedom.
       const bool isOnSurface = freedoms.Freedoms[point] == 2;
       freedoms.Freedoms[point] = marked[point] && isOnSurface ? 3 : freedoms.Freedoms[point];
     }

@@ -14,6 +14,8 @@ namespace shape
 namespace
 {
 
+/// The continuation from l_p to l_infinity (Livesu et al. 2015): each sharpness starts from the
+/// positions of the last. Gentle ones precede untangling, the last ones raise the worst only.
 const std::vector<double> GentleSharpnesses = { 2, 4, 6 };
 const std::vector<double> Sharpnesses = { 2, 4, 6, 8, 10, 12, 16, 20 };
 const std::vector<double> WorstSharpnesses = { 25, 30, 40, 60, 90 };
@@ -119,6 +121,7 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, Best& best, const Progress& progress)
 {
   LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
+  // Longer sweeps continue only while each attempt gains enough and few points are concerned.
   constexpr double minimumGain = 0.01, share = 0.2;
   constexpr double maximum = 0.1; // fraction of the points: for more it helps too little
   constexpr int attempts = 3, rings = 3;
@@ -200,6 +203,10 @@ void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
   }
 }
 
+// 1. Turn: gentle sweeps and untangling, if some hexahedra are inverted.
+// 2. LowerAll: sweeps of growing sharpness over all points.
+// 3. Raise: sharper sweeps near the worst hexahedra.
+// The best state (Best) is kept throughout.
 HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, const Progress& progress)
 {

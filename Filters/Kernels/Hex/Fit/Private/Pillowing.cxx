@@ -55,6 +55,8 @@ std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads)
   {
     for (int k = 0; k < 4; ++k)
     {
+      // Copies below, original points above: seen from outside the quad is counter-clockwise, so
+      // the hexahedron is positive.
       mesh.Hexahedra(cells + q, k) = copyOf[quads(q, k)];
       mesh.Hexahedra(cells + q, k + 4) = quads(q, k);
     }
@@ -62,6 +64,8 @@ std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads)
   return copyOf;
 }
 
+/// Inserts a sheet (Ledoux and Shepherd 2010): the layer is added under the patches, the other
+/// quads take the copies, and the sides of the layer become quads of the adjacent patches.
 void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary& boundary)
 {
   const QuadSurface before(boundary.Quads);
