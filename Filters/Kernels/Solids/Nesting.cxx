@@ -132,6 +132,7 @@ KeptOrientation Orient(const Surface& surface, const std::string& name, const Pr
           std::to_string(mesh.Triangles(components[j].Triangles[0], 0)) +
           "); move them apart, or unite them");
       }
+      // The magnitude, because the other component may face either way.
       depth += components[j].Box.contains(components[i].Box) &&
         std::abs(ComputeWindingNumber(
           mesh.Points, mesh.Triangles(components[j].Triangles, Eigen::all), position)) > 0.5;
