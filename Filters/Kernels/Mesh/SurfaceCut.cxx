@@ -55,6 +55,7 @@ EdgePath FindPath(
     }
     for (const int point : leg)
     {
+      // Later legs must not meet this one.
       blocked[point] = 1;
     }
     path.Points.insert(path.Points.end(), leg.begin() + 1, leg.end());
