@@ -105,6 +105,7 @@ void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress)
   }
 }
 
+/// Cells of a polycube, made smaller if creases are too far, then snapped.
 HexRemeshResult ByPolycube(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
@@ -161,6 +162,8 @@ bool IsBetter(const HexFit& one, const HexFit& other)
     other.MinimumScaledJacobian / std::max(other.Distance, 1e-300);
 }
 
+/// A polycube is tried first: its hexahedra have few singular edges. A grid is built only if there
+/// is no polycube or it is not good enough.
 HexRemeshResult ByTheBetter(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
@@ -250,6 +253,7 @@ void RequireAgreement(
   }
 }
 
+/// Chooses the method by the guides, the option, and whether the surface crosses itself.
 HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
   const HexRemeshGuides& guides, const Progress& progress)
 {

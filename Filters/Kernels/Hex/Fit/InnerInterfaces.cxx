@@ -13,6 +13,7 @@ namespace shape
 namespace
 {
 
+/// A face's corners in ascending order: both hexahedra of the face give the same key.
 std::array<int, 4> Sorted(const Eigen::RowVector4i& quad)
 {
   std::array<int, 4> corners{ quad(0), quad(1), quad(2), quad(3) };

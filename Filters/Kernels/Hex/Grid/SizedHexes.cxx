@@ -53,6 +53,7 @@ public:
   }
 
   /// Adds seeds where cells do not have the wanted size; false if there are no such positions.
+  // The positions with the greatest error first, at least one radius apart.
   bool Add(double radius)
   {
     const Eigen::VectorXd excess = this->Excess().cwiseAbs();
@@ -146,6 +147,7 @@ private:
     {
       minimum = std::min(minimum, seed.Radius);
     }
+    // Central differences of the flow, with a step far below the smallest seed.
     const double step = 1e-3 * minimum;
     Eigen::MatrixXd slopes[3];
     for (int axis = 0; axis < 3; ++axis)
@@ -192,6 +194,8 @@ void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes)
   }
 }
 
+// From coarse to fine: in each level seeds of one radius are added where sizes are wrong, and a few
+// Gauss-Newton steps fit the strengths of all seeds.
 SizedGrid BuildSizedGrid(
   const Surface& surface, const Eigen::VectorXd& sizes, const Progress& progress)
 {

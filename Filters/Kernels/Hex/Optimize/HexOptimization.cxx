@@ -34,6 +34,7 @@ public:
   {
     positions.swap(this->Mesh.Points);
     Eigen::VectorXd values = ComputeScaledJacobians(this->Mesh);
+    // An inverted hexahedron outweighs any quality of the others.
     const int inverted = Count(values), before = this->Inverted();
     if (inverted < before || (inverted == before && values.minCoeff() >= this->Values.minCoeff()))
     {
@@ -126,6 +127,9 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   constexpr double maximum = 0.1; // fraction of the points: for more it helps too little
   constexpr int attempts = 3, rings = 3;
   HexOptimizationOptions longer = options;
+  // Sixty sweeps at each sharpness stop too early: with more the worst scaled Jacobian of a femur
+  // rises from 0.16 to 0.28. Near the worst hexahedra only: over a whole mesh of narrow corners
+  // they take minutes.
   longer.WorstSweeps *= 3;
   double before = options.RaiseAgainFrom - minimumGain;
   for (int attempt = 0; attempt < attempts && best.Minimum() < options.RaiseTo &&
@@ -228,6 +232,7 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   constexpr int attempts = 2;
   for (int attempt = 0; attempt < attempts && (attempt == 0 || best.Inverted() > 0); ++attempt)
   {
+    // An attempt starts from the best state of the last one.
     const Progress part =
       progress.Part(worstFrom * attempt / attempts, worstFrom * (attempt + 1.0) / attempts);
     if (best.Inverted() > 0)

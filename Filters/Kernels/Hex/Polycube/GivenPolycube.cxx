@@ -52,6 +52,7 @@ std::vector<double> FaceCoordinates(const Mesh& polycube, double size, int axis)
   return coordinates;
 }
 
+/// A face perpendicular to an axis has no extent along it.
 void RequireAcrossAxes(const Mesh& polycube, double size)
 {
   int count = 0;
@@ -116,6 +117,7 @@ SampledGrid GridIn(const Mesh& polycube, double cell)
   return grid;
 }
 
+/// Marks the cells with a positive winding number at their centres.
 std::vector<char> CellsInside(const Mesh& polycube, const SampledGrid& grid)
 {
   const Eigen::VectorXi windings = ComputeGridWindingNumbers(polycube, grid);
@@ -186,6 +188,7 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   // The polycube may have another scale than the surface.
   const double scale = std::cbrt(volume / std::abs(ComputeEnclosedVolume(surface)));
   const double wanted = cellSize > 0.0 ? cellSize * scale : std::cbrt(volume / AutomaticCells);
+  // A whole number of cells in each unit: faces of the polycube are faces of cells.
   const double cell = unit / std::max(1.0, std::round(unit / wanted));
   if (volume / (cell * cell * cell) > maximum)
   {

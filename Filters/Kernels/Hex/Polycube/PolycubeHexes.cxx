@@ -114,6 +114,7 @@ std::optional<Cubes> CubesOfCharts(const Surface& surface, const PolycubeHexesOp
   return std::nullopt;
 }
 
+/// The cells of a grid in the deformed solid, if there is no good polycube with charts.
 Cubes CubesOfVoxels(
   const Surface& surface, const PolycubeHexesOptions& options, const Progress& progress)
 {
@@ -145,6 +146,7 @@ Mesh Compacted(const Eigen::MatrixXd& points, Eigen::MatrixXi triangles, Eigen::
   return { points(used, Eigen::all), std::move(triangles) };
 }
 
+/// Adds the layers, optimises, and describes the polycube's charts.
 PolycubeHexesResult FitCubes(const Cubes& cubes, const Surface& surface,
   const PolycubeHexesOptions& options, const Progress& progress)
 {

@@ -68,6 +68,8 @@ SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size)
 void SampleDistances(
   const Mesh& surface, const SurfaceLocator& boundary, SampledGrid& grid, const Progress& progress)
 {
+  // The signs come from winding numbers, which are right for surfaces that cross themselves, too.
+  // Distances are only computed in the band.
   const double far = LevelBand * grid.Spacing;
   const Eigen::VectorXi windings = ComputeGridWindingNumbers(surface, grid);
   grid.Values =
@@ -208,6 +210,7 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
     const double tried = static_cast<double>(&reach - Reaches) / std::size(Reaches);
     const Progress part = progress.Part(0.6 + 0.4 * tried, 1.0);
     part(0.0);
+    // A cell is inside if its distance is below the reach.
     levels.Values = distances.array() - reach * size;
     WellComposedVoxels solid = FindVoxelSolid(levels);
     if (solid.Pinched > 0)

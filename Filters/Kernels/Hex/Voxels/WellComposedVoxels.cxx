@@ -53,6 +53,7 @@ std::array<int, 8> CellsAround(const SampledGrid& grid, int x, int y, int z)
   return cells;
 }
 
+/// The eight cells around a corner as bits: bit k is 1 if cell k is inside.
 unsigned int PatternOf(const std::array<int, 8>& cells, const std::vector<char>& inside)
 {
   unsigned int pattern = 0;
@@ -213,6 +214,7 @@ WellComposedVoxels FindVoxelSolid(const SampledGrid& grid)
   solid.Inside.resize(grid.Values.size());
   std::transform(grid.Values.begin(), grid.Values.end(), changed.begin(), solid.Inside.begin(),
     [](double level, char side) { return static_cast<char>(level < 0.0 && !side); });
+  // A change may pinch a corner that was well-composed before: sweeps until nothing changes.
   for (int before = -1; before < solid.Changed;)
   {
     before = solid.Changed;

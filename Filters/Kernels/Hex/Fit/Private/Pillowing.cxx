@@ -12,6 +12,7 @@ namespace shape
 namespace
 {
 
+/// The stacks of points under the boundary, for SmoothPillows.
 void RememberCopies(const std::vector<int>& copyOf, PatchedBoundary& boundary)
 {
   for (int point = 0; point < static_cast<int>(copyOf.size()); ++point)
@@ -45,6 +46,7 @@ std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads)
       mesh.Points.row(copyOf[point]) = mesh.Points.row(static_cast<Eigen::Index>(point));
     }
   }
+  // All hexahedra withdraw from the boundary to the copies; the new layer fills the gap.
   for (int& point : mesh.Hexahedra.reshaped())
   {
     point = copyOf[point] >= 0 ? copyOf[point] : point;

@@ -318,6 +318,7 @@ void HexSweeps::ForAll(const std::vector<char>& marked, const Progress& progress
   }
 }
 
+/// A step from the same star would fail again. Many points do not move in late sweeps.
 bool HexSweeps::IsAtRest(int point) const
 {
   const int looked = this->LookedAt[point];

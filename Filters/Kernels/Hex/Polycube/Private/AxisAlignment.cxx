@@ -33,6 +33,7 @@ constexpr double MinimumFlatness = 0.2, MaximumFlatness = 100.0;
 /// Tetrahedra for each task of a parallel loop.
 constexpr int AlignmentGrain = 512;
 
+/// The rotation around a vector by its length.
 Eigen::Matrix3d FromVector(const Eigen::Vector3d& vector)
 {
   const double angle = vector.norm();
@@ -176,6 +177,8 @@ Eigen::SparseMatrix<double> Diagonal(const Eigen::VectorXd& values)
   return matrix;
 }
 
+/// The integral of |nx| + |ny| + |nz| over the area, twice; it is least if all normals are along
+/// axes.
 double Misalignment(const Eigen::MatrixXd& vectors, const Eigen::Matrix3d& rotation)
 {
   return (vectors * rotation.transpose()).cwiseAbs().sum();

@@ -191,6 +191,7 @@ constexpr double Fidelity = 0.2, Sharpness = 0.25;
 /// The cost of a border edge at a sharp crease, where it is lowest: a border must not be free.
 constexpr double MinimumBoundaryCost = 1e-3;
 
+/// Close to 1 within the width of 0, close to 0 beyond.
 double Bell(double x, double width)
 {
   return std::exp(-0.5 * (x / width) * (x / width));

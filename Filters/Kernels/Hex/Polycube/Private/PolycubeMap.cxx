@@ -69,6 +69,8 @@ double ComputeMeanEdgeLength(const WorkingSolid& solid)
     4.0 / std::sqrt(3.0) * 0.5 * ComputeAreaVectors(solid.Surface()).rowwise().norm().mean());
 }
 
+/// The options of each deformation. Tied coordinates have no fixed points, so the minimiser of
+/// |J|^2 would collapse.
 PatchOptions TiedOptions()
 {
   PatchOptions options;
@@ -112,6 +114,7 @@ std::vector<char> FoldedOver(const Attempt& attempt)
   return turned;
 }
 
+/// The number of inverted triangles of folded charts.
 int CountFolded(const Attempt& attempt)
 {
   const std::vector<char> folded = FoldedOver(attempt);
@@ -123,6 +126,9 @@ Attempt Deform(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress)
 {
   Attempt attempt{ solid, start, labels, FindCharts(solid.Surface(), labels), {}, {}, {}, {} };
+  // 1. One coordinate for each chart.
+  // 2. Surface edges that would become degenerate are split.
+  // 3. Newton's method makes the tetrahedra positive.
   attempt.Tied = ConstrainCharts(attempt.Charts, solid.Points.rows());
   // A border of triangles zigzags by up to half an edge: that is no reversal.
   attempt.Faults = FindChartFaults(attempt.Charts, start, 0.5 * ComputeMeanEdgeLength(solid));
@@ -319,6 +325,7 @@ PolycubeMap FindPolycubeMap(
   Attempt best;
   best.Result.Negative = std::numeric_limits<int>::max();
   int work = 0;
+  // All trials with the same direction of the axes share the alignment.
   for (const bool turned : { false, true })
   {
     const Eigen::Matrix3d rotation = turned

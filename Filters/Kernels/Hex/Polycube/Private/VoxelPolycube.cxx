@@ -69,6 +69,7 @@ Eigen::RowVector3d BestOffset(const Surface& surface, const Eigen::VectorXi& lab
   return best;
 }
 
+/// Samples the signed distance at the centres of cells, on a grid shifted by the offset.
 SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVector3d& offset,
   double size, const Progress& progress)
 {
@@ -97,6 +98,7 @@ SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVecto
   return grid;
 }
 
+/// Returns the cells inside the first level set that has the wanted topology.
 std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wanted)
 {
   for (const double reach : Reaches)
@@ -165,6 +167,7 @@ Eigen::MatrixXd Bent(
   return aligned;
 }
 
+/// The deformed tetrahedra, in which the grid's points are located.
 Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
 {
   const Eigen::Index count = solid.Tetrahedra.rows();
