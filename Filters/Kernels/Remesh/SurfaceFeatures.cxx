@@ -39,6 +39,7 @@ constexpr double NoiseArea = 1e-3, MinimumCurves = 2.0 / 3.0;
 /// A path that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
 constexpr double MinimumTip = 50.0;
 
+/// Edges at the boundary of the surface are no hinges.
 std::vector<Hinge> FindHinges(const Surface& surface, double angle)
 {
   const Mesh& mesh = surface;
@@ -280,6 +281,8 @@ void UniteSmall(DisjointSets& sets, const std::vector<Hinge>& hinges, const Eige
   }
 }
 
+/// Scattered sharp edges, as in scans, are lost on every grid after a second fit each: they are
+/// dropped at once.
 bool IsNoise(DisjointSets sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas)
 {
   UniteSmall(sets, hinges, areas, NoiseArea * areas.sum());
