@@ -50,6 +50,7 @@ Eigen::MatrixXi NodesOf(const Eigen::MatrixXi& elements, const Eigen::VectorXi& 
   return elements.unaryExpr([&](int point) { return nodeOf(point); });
 }
 
+/// Links every two nodes of an element.
 void AddLinks(const Eigen::MatrixXi& elements, std::vector<std::pair<int, int>>& links)
 {
   for (const auto& element : elements.rowwise())

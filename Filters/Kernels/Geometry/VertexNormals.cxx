@@ -143,6 +143,8 @@ Eigen::RowVector2d SlopesOfParaboloid(
   return fit.solve(weights.cwiseProduct(positions.col(2)) / size).head<2>().transpose();
 }
 
+/// A normal on the boundary: that of a paraboloid fitted to the points around (Cazals and Pouget
+/// 2005).
 RowVector3d LoopNormal(const Mesh& surface, Neighbourhoods& around, int point)
 {
   const RowVector3d mean = around.AreaVector(point).stableNormalized();
