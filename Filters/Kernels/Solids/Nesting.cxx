@@ -28,6 +28,7 @@ struct Component
   Eigen::KdBVH<double, 3, int> Tree; ///< of triangles
 };
 
+/// The components, each with a tree of its triangles' boxes.
 std::vector<Component> Split(const Mesh& mesh, const Topology& topology)
 {
   std::vector<Component> components(topology.Components);
@@ -104,6 +105,7 @@ struct KeptOrientation
   std::optional<Surface> Inverted;
 };
 
+/// The depth of a component is the number of others around it: at an even depth it faces outwards.
 KeptOrientation Orient(const Surface& surface, const std::string& name, const Progress& progress)
 {
   const Mesh& mesh = surface;
