@@ -17,6 +17,8 @@ struct ComparedPositions
   Eigen::MatrixXd OfSurface; ///< k x 3
 };
 
+/// The points of the surface, where a distance often has its maximum, and random positions between
+/// them.
 ComparedPositions ChoosePositions(const Surface& surface)
 {
   // A fixed seed: the same surfaces have the same distance in every run.
