@@ -93,6 +93,7 @@ PointDirections FeatureConstraint::Directions(int point, const Eigen::RowVector3
   }
   const Eigen::Vector3d normal =
     this->Normals[id].row(this->FindOnPatch(point, position).Triangle).transpose();
+  // Any two orthonormal tangents.
   const Eigen::Vector3d one = normal.unitOrthogonal();
   Eigen::Matrix<double, 3, 2> directions;
   directions << one, normal.cross(one);

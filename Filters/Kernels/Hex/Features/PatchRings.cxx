@@ -55,6 +55,7 @@ private:
   bool IsPinch(const std::vector<int>& labels) const
   {
     const PatchRing ring = BuildPatchRing(labels);
+    // A patch occurs twice around the point, and no corner of the surface has this ring.
     return std::set<int>(ring.begin(), ring.end()).size() < ring.size() &&
       this->Corners.count(ring) == 0;
   }
@@ -77,6 +78,7 @@ private:
       {
         ++length;
       }
+      // The arc joins the patch before it or the one after it.
       for (const int patch : { before, labels[(begin + length) % count] })
       {
         std::vector<int> changed = labels;
@@ -87,6 +89,8 @@ private:
           sum += distance(fan[i % count], patch);
         }
         const PatchRing ring = BuildPatchRing(changed);
+        // What remains must be an inner point of a patch, a point of one curve, or a corner of the
+        // surface.
         if ((ring.size() <= 2 || this->Corners.count(ring) > 0) && sum < minimum)
         {
           minimum = sum;

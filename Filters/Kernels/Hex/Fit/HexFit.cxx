@@ -312,6 +312,7 @@ void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress)
   if (fit.MinimumScaledJacobian < RaisedTo)
   {
     HexOptimizationOptions optimization;
+    // FitHexahedra has done the sweeps over all points.
     optimization.Sweeps = 0;
     optimization.RaiseTo = RaisedTo;
     OptimizeHexahedra(fit.Solid, *fit.Constraint, optimization, progress.Part(0.0, 0.9));

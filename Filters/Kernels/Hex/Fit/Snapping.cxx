@@ -56,10 +56,10 @@ public:
 
   /// Moves points to positions that are far. If this makes hexahedra too bad, it is undone, and the
   /// points responsible move less far the next time. Returns false if another round is useless.
-  // 1. Snap moves boundary points to far positions and holds them.
-  // 2. OptimizeHexahedra moves the points around them.
-  // 3. Points next to hexahedra that became too bad move half as far the next time.
-  // 4. The round is undone if hexahedra are too bad or the distance did not fall.
+  /// 1. Snap moves boundary points to far positions and holds them.
+  /// 2. OptimizeHexahedra moves the points around them.
+  /// 3. Points next to hexahedra that became too bad move half as far the next time.
+  /// 4. The round is undone if hexahedra are too bad or the distance did not fall.
   bool Round(const SnappingOptions& options, const Progress& progress)
   {
     const Eigen::MatrixXd before = this->Solid.Points;

@@ -53,7 +53,7 @@ public:
   }
 
   /// Adds seeds where cells do not have the wanted size; false if there are no such positions.
-  // The positions with the greatest error first, at least one radius apart.
+  /// The positions with the largest error first, at least one radius apart.
   bool Add(double radius)
   {
     const Eigen::VectorXd excess = this->Excess().cwiseAbs();

@@ -306,6 +306,7 @@ PolycubeResult BuildPolycube(
   const PolycubeMap map = FindPolycubeMap(surface, mapOptions, progress.Part(0.0, 0.8));
   const SurfaceLocator coarse(map.Solid.Surface());
   Mesh scaled = surface;
+  // In cells, as the positions are: triangles are compared with those of the undeformed surface.
   scaled.Points /= map.CellSize;
   PolycubeResult result;
   result.EdgeLength = map.CellSize;

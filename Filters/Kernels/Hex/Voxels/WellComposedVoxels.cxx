@@ -313,6 +313,7 @@ void KeepLargestParts(const SampledGrid& grid, int count, std::vector<char>& ins
     {
       for (const int stride : strides)
       {
+        // The outermost cells are outside, so a cell inside has all its neighbours.
         for (const int next : { cells[i] - stride, cells[i] + stride })
         {
           if (inside[next] && part[next] < 0)
@@ -360,6 +361,7 @@ HexMesh BuildVoxelHexahedra(const SampledGrid& grid, const std::vector<char>& in
         for (int k = 0; k < 8; ++k)
         {
           const int i = x + corners[k][0], j = y + corners[k][1], l = z + corners[k][2];
+          // Corners of cells are numbered as they are met.
           int& point = pointOf[i + static_cast<std::size_t>(counts(0)) * (j + counts(1) * l)];
           if (point < 0)
           {

@@ -94,6 +94,7 @@ HexFit JoinFits(const std::vector<HexFit>& fits)
     Append(joined.RegionOf, fit.RegionOf, 0);
     joined.MinimumScaledJacobian =
       std::min(joined.MinimumScaledJacobian, fit.MinimumScaledJacobian);
+    // The mean is weighted by the number of hexahedra.
     sum += fit.MeanScaledJacobian * static_cast<double>(count(fit));
     joined.Inverted += fit.Inverted;
     joined.Released += fit.Released;

@@ -110,6 +110,7 @@ Eigen::VectorXd StarEnergy::MinimumSquares(const HexMesh& mesh)
   for (Eigen::Index hex = 0; hex < squares.size(); ++hex)
   {
     const double minimum = share * ComputeMeanEdgeLength(mesh, hex);
+    // Positive even for a hexahedron without extent, because lengths are denominators.
     squares(hex) = std::max(minimum * minimum, std::numeric_limits<double>::min());
   }
   return squares;
@@ -121,6 +122,8 @@ double StarEnergy::Value(const Vector3d& x, double sharpness) const
   for (const View& view : this->Views)
   {
     const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.MinimumSquare);
+    // Four corners of each hexahedron depend on x: its own, and those at the ends of its three
+    // edges.
     sum += std::exp(sharpness * (1.0 - own.Scaled));
     for (int k = 0; k < 3; ++k)
     {
@@ -235,6 +238,7 @@ void HexSweeps::Lower(double sharpness, const std::vector<char>& marked, const P
 {
   if (sharpness != this->Sharpness)
   {
+    // Another sharpness is another energy, in which no point is at rest.
     std::fill(this->LookedAt.begin(), this->LookedAt.end(), 0);
     this->Sharpness = sharpness;
   }
@@ -284,6 +288,7 @@ void HexSweeps::FindIndependentSets()
         }
       }
     }
+    // The first set without a point of the same hexahedra.
     const auto set = std::find(taken.begin(), taken.end(), 0) - taken.begin();
     if (set == static_cast<std::ptrdiff_t>(this->IndependentSets.size()))
     {

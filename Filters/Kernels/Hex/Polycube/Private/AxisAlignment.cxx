@@ -75,6 +75,7 @@ public:
       {
         for (int b = 0; b < 4; ++b)
         {
+          // The stiffness matrix of linear finite elements.
           entries.emplace_back(solid.Tetrahedra(t, a), solid.Tetrahedra(t, b),
             this->Volumes(t) * this->Hats[t].row(a).dot(this->Hats[t].row(b)));
         }
@@ -177,7 +178,7 @@ Eigen::SparseMatrix<double> Diagonal(const Eigen::VectorXd& values)
   return matrix;
 }
 
-/// The integral of |nx| + |ny| + |nz| over the area, twice; it is least if all normals are along
+/// The integral of |nx| + |ny| + |nz| over the area, twice; it is minimal if all normals are along
 /// axes.
 double Misalignment(const Eigen::MatrixXd& vectors, const Eigen::Matrix3d& rotation)
 {

@@ -91,6 +91,7 @@ public:
     const int source = sites, sink = sites + 1;
     for (int i = 0; i < sites; ++i)
     {
+      // Capacities must not be negative; only the difference of the two costs matters.
       const double minimum = std::min(this->Keep(i), this->Change(i));
       this->AddArcs(source, i, this->Change(i) - minimum, 0.0);
       this->AddArcs(i, sink, this->Keep(i) - minimum, 0.0);
@@ -109,6 +110,7 @@ public:
   }
 
 private:
+  /// Boost.Graph requires the reverse of each arc.
   void AddArcs(int from, int to, double capacity, double reverse)
   {
     const auto there = add_edge(from, to, this->Network).first;

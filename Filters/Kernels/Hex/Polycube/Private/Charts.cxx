@@ -127,6 +127,7 @@ Charts FindCharts(const Mesh& surface, const Eigen::VectorXi& labels)
     {
       charts.Neighbours[a].push_back(b);
       charts.Neighbours[b].push_back(a);
+      // The half-edge of the chart with the lower index: this chart is on the left.
       edges.push_back(a < b ? sides[i] : sides[i + 1]);
       right.push_back(std::max(a, b));
     }
@@ -253,6 +254,7 @@ ConstrainedCoordinates ConstrainCharts(const Charts& charts, Eigen::Index points
     {
       for (const int b : around)
       {
+        // The common point has one coordinate along their axis, so both charts have.
         if (a < b && charts.Labels[a] / 2 == charts.Labels[b] / 2)
         {
           joined.Merge(b, a);
@@ -266,6 +268,8 @@ ConstrainedCoordinates ConstrainCharts(const Charts& charts, Eigen::Index points
   {
     for (const int chart : charts.AtPoint[v])
     {
+      // First by the representative of the joined charts. Below, these are numbered, and every
+      // other coordinate gets an unknown of its own.
       tied.Unknowns(3 * v + charts.Labels[chart] / 2) = joined.Find(chart);
     }
   }
@@ -301,6 +305,7 @@ std::vector<std::pair<int, int>> FindConstrainedEdges(
     }
     for (int axis = 0; axis < 3; ++axis)
     {
+      // Both ends lie in one plane of another axis, although the edge lies inside the chart.
       if (axis != charts.Labels[chart] / 2 &&
         tied.Unknowns(3 * sides[i].Begin + axis) == tied.Unknowns(3 * sides[i].End + axis))
       {

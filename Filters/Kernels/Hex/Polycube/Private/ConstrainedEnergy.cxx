@@ -40,6 +40,7 @@ public:
       this->Weights(t) = edges.determinant();
     }
     this->Weights = (this->Weights / this->Weights.mean()).cwiseMax(MinimumWeight);
+    // Weights sum to 1, so the energy of a rotation is 1.
     this->Weights /= this->Weights.sum();
   }
 

@@ -221,6 +221,7 @@ IntegerMapHexesResult ExtractIntegerMapHexahedra(
       {
         if (CornerPositions[corner][axis] == 1)
         {
+          // The next cell has the same point at the corner with 0 instead of 1 along the axis.
           Cell opposite = { CornerPositions[corner][0], CornerPositions[corner][1],
             CornerPositions[corner][2] };
           opposite[axis] = 0;
@@ -273,6 +274,7 @@ IntegerMapHexesResult ExtractIntegerMapHexahedra(
   }
   for (int i = 1; i < cells; ++i)
   {
+    // Visits are sorted by cell: repeats of a cell are adjacent.
     result.Overlaps = result.Overlaps || visits[i].Where == visits[i - 1].Where;
   }
   return result;

@@ -363,6 +363,7 @@ PolycubeMap FindPolycubeMap(
     : std::cbrt(ComputeEnclosedVolume(best.Solid.Surface()) / AutomaticCells);
   for (int attempt = 0; attempt < QuantisationAttempts; ++attempt, size *= QuantisationShrinkage)
   {
+    // Each attempt starts from the polycube before rounding.
     Attempt whole = best;
     whole.Solid.Points /= size;
     whole.Positions /= size;
@@ -371,6 +372,7 @@ PolycubeMap FindPolycubeMap(
     {
       PolycubeMap map;
       map.Solid = std::move(whole.Solid);
+      // Back to the surface's units and axes.
       map.Solid.Points = size * map.Solid.Points * whole.Rotation;
       map.Positions = std::move(whole.Positions);
       map.Labels = std::move(whole.Labels);

@@ -60,6 +60,7 @@ public:
   void Split(int a, int b, int middle)
   {
     this->Around.resize(std::max<std::size_t>(this->Around.size(), middle + 1));
+    // A copy: Add changes the list.
     const std::vector<int> around = this->Around[a];
     for (const int i : around)
     {
