@@ -92,6 +92,7 @@ void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangl
       continue;
     }
     std::vector<int> front = { start };
+    // A crease consists of connected points and the edges at them, those to its ends included.
     std::vector<std::array<int, 2>> crease;
     this->CreaseOf[start] = static_cast<int>(this->Creases.size());
     for (std::size_t i = 0; i < front.size(); ++i)

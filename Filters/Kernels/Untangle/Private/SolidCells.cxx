@@ -119,6 +119,7 @@ void SolidCells::MarkBoundary()
       this->Boundary[face[k]] = 1;
       this->BoundaryEdges.insert(KeyOf(face[k], face[(k + 1) % face.size()]));
     }
+    // The face as a fan of triangles.
     for (std::size_t k = 2; k < face.size(); ++k)
     {
       this->Surface.push_back({ face[0], face[k - 1], face[k] });
@@ -271,6 +272,8 @@ int SolidCells::Split(const std::vector<int>& simplex)
   this->Boundary.push_back(0);
   for (const int cell : around)
   {
+    // Part k has the new point in place of corner k of the simplex. Part 0 takes the place of the
+    // cell.
     for (std::size_t k = 0; k < simplex.size(); ++k)
     {
       const int part = k == 0 ? cell : this->CellCount();
