@@ -173,6 +173,7 @@ private:
           longest = std::max(longest, this->Surface.SquaredLength(into, other));
         }
       }
+      // The longest edge that the merge would create, and the distance from the planes.
       choices.emplace_back(longest + Steepness * this->Steep(point, into), into);
     }
     std::sort(choices.begin(), choices.end());
@@ -347,6 +348,7 @@ SurfacePoints LocateOnFinerSurface(const CoarseSurface& coarse, const Mesh& fine
     }
   }
   const Eigen::MatrixXd towards = PullBack(positions, triangles, coarse.Surface.Points());
+  // The start of each walk: the nearest of the finer points that lie on the same coarse triangle.
   const auto nearest = [&](int i)
   {
     const auto distance = [&](int point)

@@ -207,6 +207,7 @@ private:
       progress(done++ / static_cast<double>(this->Split.size()));
       std::vector<int> ids;
       std::vector<RowVector3d> positions;
+      // The triangle as a polygon, with the new points on its edges; then the points inside.
       const int outline = this->PointsOf(triangle, parted, ids, positions);
       Eigen::MatrixXd points(positions.size(), 3);
       for (std::size_t i = 0; i < positions.size(); ++i)
@@ -252,6 +253,7 @@ private:
     auto next = this->Split.begin();
     for (int t = 0; t < static_cast<int>(this->Surface.Triangles.rows()); ++t)
     {
+      // The map is ordered by triangle, so one pass suffices.
       if (next == this->Split.end() || next->first != t)
       {
         result.OriginalTriangles(row) = t;
@@ -272,6 +274,7 @@ private:
   {
     const auto along = [&](const ImprintNode& node)
     {
+      // A point of the surface lies at an end of the edge: at 0 or at Parts.
       return node.Low != node.High ? node.Along
         : node.Low == edge.first   ? std::int64_t(0)
                                    : static_cast<std::int64_t>(ImprintNodes::Parts);
@@ -314,6 +317,7 @@ private:
         }
         else if (a.Id != b.Id)
         {
+          // AddLoop added the chords in this order.
           stretch = this->Split.at(loop.Triangles[i]).Chains[nextChord[loop.Triangles[i]]++];
           stretch.pop_back();
         }

@@ -50,7 +50,7 @@ public:
     this->FindCreases(surface.HalfEdges(), std::cos(options.CreaseAngle * M_PI / 180.0));
   }
 
-  // Step 1: splits edges that are too long, the longest first.
+  /// Step 1: splits edges that are too long, the longest first.
   void Split()
   {
     // The halves may still be too long.
@@ -63,7 +63,7 @@ public:
     }
   }
 
-  // Step 2: collapses edges that are too short, the shortest first. Both ends are tried.
+  /// Step 2: collapses edges that are too short, the shortest first. Both ends are tried.
   void Collapse()
   {
     for (const auto& [a, b] : this->Edges(Short, false))
@@ -76,7 +76,7 @@ public:
     }
   }
 
-  // Step 3: flips edges to bring valences closer to 6.
+  /// Step 3: flips edges to bring valences closer to 6.
   void Flip()
   {
     for (const auto& [a, b] : this->Edges(0.0, true))
@@ -85,8 +85,8 @@ public:
     }
   }
 
-  // Step 4: tangential relaxation. Points move to the centroid of the triangles around them in the
-  // tangent plane, then to the closest point of the original surface.
+  /// Step 4: tangential relaxation. Points move to the centroid of the triangles around them in the
+  /// tangent plane, then to the closest point of the original surface.
   void Slide()
   {
     std::vector<int> moved;

@@ -186,7 +186,7 @@ private:
     return this->Positions.row(node) - begin;
   }
 
-  // The path and the crease are compared over the same length, not by their first edges.
+  /// The path and the crease are compared over the same length, not by their first edges.
   bool IsTip(int node, int end) const
   {
     const Eigen::RowVector3d way = this->Positions.row(end) - this->Positions.row(node);
@@ -258,6 +258,7 @@ void UniteSmall(DisjointSets& sets, const std::vector<Hinge>& hinges, const Eige
     {
       continue; // a patch without neighbours
     }
+    // The patch that takes it in gets its boundaries with the other neighbours.
     const auto around = boundaries[gone];
     const int into = std::max_element(around.begin(), around.end(), bySecond)->first;
     sets.Merge(gone, into);
@@ -329,6 +330,7 @@ public:
         }
       }
     }
+    // The edges that no corner reaches form closed curves.
     for (std::size_t edge = 0; edge < this->Edges.size(); ++edge)
     {
       this->Follow(this->Edges[edge].Ends[0], static_cast<int>(edge), features.Curves);
@@ -346,6 +348,7 @@ private:
   bool IsCorner(int point) const
   {
     const std::vector<int>& edges = this->At.at(point);
+    // A point where curves end or fork, or where the patches at a curve change.
     return edges.size() != 2 || this->Edges[edges[0]].Patches != this->Edges[edges[1]].Patches;
   }
 
@@ -366,6 +369,7 @@ private:
       curve.Angle += this->Edges[edge].Length * this->Edges[edge].Angle;
       const std::array<int, 2>& ends = this->Edges[edge].Ends;
       point = ends[0] == point ? ends[1] : ends[0];
+      // Back at the start of a closed curve without a corner.
       if (point == first && !this->IsCorner(point))
       {
         curve.Closed = true;
