@@ -14,7 +14,7 @@ using FullSvd = Eigen::JacobiSVD<Eigen::Matrix3d>;
 Eigen::Matrix3d GetRotation(const FullSvd& svd)
 {
   // Kabsch 1976: U V^T, with the direction of the smallest singular value reversed for a
-  // reflection, where it costs least.
+  // reflection, which changes the result the least.
   Eigen::Matrix3d u = svd.matrixU();
   if (u.determinant() * svd.matrixV().determinant() < 0.0)
   {

@@ -178,6 +178,7 @@ bool DoTrianglesIntersect(const Mesh& mesh, int first, int second)
     (inU ? sharedOfT : ownOfT) = i;
     (inT ? sharedOfU : ownOfU) = i;
   }
+  // The triangles coincide.
   if (shared == 3)
   {
     return true;

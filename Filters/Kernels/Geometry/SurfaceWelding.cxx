@@ -63,6 +63,7 @@ std::vector<int> FirstOfEach(const Mesh& surface, const std::vector<int>& placeO
   std::sort(alone.begin(), alone.end());
   for (std::size_t i = 1; i < alone.size(); ++i)
   {
+    // Two boundary edges between the same positions: their ends are welded in pairs.
     if (alone[i].first == alone[i - 1].first)
     {
       same.Merge(alone[i].second[0], alone[i - 1].second[0]);

@@ -137,7 +137,7 @@ Eigen::RowVector2d SlopesOfParaboloid(
   Eigen::MatrixXd terms(positions.rows(), 6);
   terms << x, y, 0.5 * x * x, x * y, 0.5 * y * y, Eigen::ArrayXd::Ones(positions.rows());
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> fit;
-  // If the points lie nearly on a line, the solution of least norm is taken: no slope across it.
+  // If the points lie nearly on a line, the solution of minimum norm is taken: no slope across it.
   fit.setThreshold(1e-3);
   fit.compute(weights.asDiagonal() * terms);
   return fit.solve(weights.cwiseProduct(positions.col(2)) / size).head<2>().transpose();
