@@ -30,6 +30,7 @@ double RayLength(
   const double length = slope == 0.0 ? -1.0 : normal.dot(a - from) / slope;
   const RowVector3d hit = from + length * direction - a;
   const double area2 = normal.squaredNorm();
+  // The barycentric coordinates of the point where the ray meets the plane.
   const double first = hit.cross(v).dot(normal) / area2, second = u.cross(hit).dot(normal) / area2;
   return length > 0.0 && first >= 0.0 && second >= 0.0 && first + second <= 1.0
     ? length
