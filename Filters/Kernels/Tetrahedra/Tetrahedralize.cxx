@@ -133,6 +133,9 @@ Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
   int missing = 0, open = 0;
   for (std::size_t i = 0; i < faces.size();)
   {
+    // A face of two tetrahedra connects them unless it lies on a surface. One that lies on a
+    // surface without a tetrahedron is missing; one of a single tetrahedron that lies on no surface
+    // is open.
     const bool onSurface = faces[i].Tetrahedron == -1;
     const std::size_t first = i + onSurface;
     std::size_t next = first;
