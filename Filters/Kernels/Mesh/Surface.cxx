@@ -195,6 +195,8 @@ Surface Surface::WithPoints(Eigen::MatrixXd points) const
       "; give a row for each point");
   }
   Surface moved(std::move(points), this->Triangles());
+  // These follow from the triangles alone. An entry that is not made yet is shared, too, and made
+  // once.
   for (const std::type_index type : { std::type_index(typeid(KeptHalfEdges)),
          std::type_index(typeid(KeptTwins)), std::type_index(typeid(shape::Topology)) })
   {

@@ -36,6 +36,7 @@ Eigen::MatrixXd PushForward(const SurfacePoints& map, const Eigen::MatrixXi& tri
 SurfacePoints MakeSurfacePointsAtVertices(const Eigen::VectorXi& targets, const Mesh& other)
 {
   Eigen::VectorXi corner = Eigen::VectorXi::Constant(other.Points.rows(), -1);
+  // Backwards, so that each vertex gets its first triangle.
   for (int t = static_cast<int>(other.Triangles.rows()) - 1; t >= 0; --t)
   {
     for (int k = 0; k < 3; ++k)

@@ -57,6 +57,7 @@ void CountPinchedPoints(const Mesh& mesh, const std::vector<HalfEdge>& sides, To
       {
         fanOfPoint[point] = fan;
       }
+      // A second fan at the same point.
       pinched[point] = pinched[point] || fanOfPoint[point] != fan;
     }
   }
