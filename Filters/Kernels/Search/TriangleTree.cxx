@@ -231,6 +231,7 @@ void TriangleTree::MoveBlocks()
       this->Blocks.FirstEdges[at] = static_cast<float>(e);
       this->Blocks.SecondEdges[at] = static_cast<float>(f);
     }
+    // The products e.e, e.f and f.f of the edges e and f from the first corner.
     this->Products.row(t) << a, b, c;
     float* products = this->Blocks.Products.data() + block * 3 * Block + lane;
     products[0] = static_cast<float>(a);
@@ -263,6 +264,7 @@ void TriangleTree::MoveBalls()
       const std::size_t at = (block * d + k) * Block;
       const Numbers p(this->Blocks.Corners.data() + at), e(this->Blocks.FirstEdges.data() + at),
         f(this->Blocks.SecondEdges.data() + at);
+      // The mean of the centroids; the radius reaches the farthest corner.
       centre[k] = (p + (e + f) / 3.0F).mean();
       const Lanes way = p - centre[k];
       first += way.square();
@@ -279,6 +281,7 @@ void TriangleTree::MoveBalls()
     for (std::size_t item = 0; item < count; ++item)
     {
       const Numbers radii(inner.Radii.data() + item * Block);
+      // A ball around balls: its radius is the largest sum of a centre's distance and its radius.
       const Lanes there = (radii >= 0.0F).cast<float>();
       Lanes squares = Lanes::Zero();
       for (int k = 0; k < d; ++k)
@@ -314,6 +317,7 @@ void TriangleTree::Test(const double* point, int triangle, NearestTriangle& best
   const double a = this->Products(triangle, 0), b = this->Products(triangle, 1),
                c = this->Products(triangle, 2);
   const auto [s, t] = ProjectOntoTriangle(a, b, c, u, v);
+  // |w - s e - t f|^2, expanded by the products.
   const double distance =
     std::max(0.0, square + s * (s * a + 2.0 * t * b - 2.0 * u) + t * (t * c - 2.0 * v));
   if (distance < best.SquaredDistance)
