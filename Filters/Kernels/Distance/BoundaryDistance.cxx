@@ -10,6 +10,7 @@ namespace shape
 namespace
 {
 
+/// A sign needs a solid; the message names the option that does without.
 Surface Oriented(const Surface& surface, const Progress& progress)
 {
   try
