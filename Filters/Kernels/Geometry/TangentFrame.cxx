@@ -10,6 +10,7 @@ using Eigen::RowVector3d;
 RowVector3d RotateBetweenNormals(
   const RowVector3d& vector, const RowVector3d& from, const RowVector3d& to)
 {
+  // Below this, 1 + cosine is rounding error, and the formula below would divide by it.
   constexpr double opposite = 1e-12;
   const double cosine = from.dot(to);
   if (1.0 + cosine < opposite)

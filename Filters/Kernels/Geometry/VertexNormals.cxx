@@ -70,6 +70,7 @@ public:
   std::vector<int> Around(int point)
   {
     constexpr int maximum = 5; // rings
+    // Edge lengths: the points must reach the first, and those beyond the second are left out.
     constexpr double reach = 2.0, limit = 2.5;
     std::vector<int> found = this->Widened(this->Widened({ point }));
     double areas = 0.0, weighted = 0.0;

@@ -17,6 +17,7 @@ namespace shape
 namespace
 {
 
+/// The length of an edge that is closed to a path.
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Finds the path through the stops, or the path up to a leg that does not exist. toll: the cost of

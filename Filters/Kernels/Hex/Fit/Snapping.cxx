@@ -71,6 +71,7 @@ public:
     {
       return false;
     }
+    // The neighbourhood that may follow the points that were moved.
     constexpr int rings = 3;
     GrowRings(this->Solid.Hexahedra, rings, marked);
     HexOptimizationOptions optimization;
@@ -174,6 +175,7 @@ private:
   /// moved, or nothing if there are none.
   std::vector<char> Snap()
   {
+    // A point whose share was halved three times is given up.
     constexpr double minimumShare = 0.2;
     const std::vector<int> nearest = this->NearestPoints();
     std::vector<char> marked, taken(this->Solid.Points.rows(), 0);

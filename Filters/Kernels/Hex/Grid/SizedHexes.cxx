@@ -21,6 +21,7 @@ namespace
 const double Tolerated = std::log(1.1), Accepted = std::log(1.2);
 /// The minimum radius of a seed, in cells of the wanted size at its centre.
 constexpr double MinimumRadius = 3.0;
+/// The normal equations of the fit are dense: this bounds their cost.
 constexpr int MaximumSeeds = 400;
 
 class SizeFit
@@ -200,6 +201,7 @@ SizedGrid BuildSizedGrid(
   const Surface& surface, const Eigen::VectorXd& sizes, const Progress& progress)
 {
   SizeFit fit(surface, sizes);
+  // Radii from 1/2 to 1/128 of the longest edge of the box.
   constexpr int levels = 7, steps = 3;
   double radius = 0.5 * ComputeLongestBoxEdge(surface.Points());
   for (int level = 0; level < levels; ++level, radius *= 0.5)

@@ -69,6 +69,7 @@ std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress)
     const auto around = std::find_if(outer.begin(), outer.end(),
       [&](const Mesh& solid)
       {
+        // The winding number is 1 inside and 0 outside, up to rounding.
         constexpr double half = 0.5;
         return ComputeWindingNumber(solid.Points, solid.Triangles, hole.Points.row(0)) > half;
       });

@@ -181,6 +181,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
 {
   const Eigen::Vector3d x = point;
   Eigen::MatrixXd curvature = directions.transpose() * here.Curvature * directions;
+  // Relative to the trace: keeps the matrix positive definite where a direction has no curvature.
   constexpr double ridge = 1e-6;
   curvature.diagonal().array() += ridge * curvature.trace();
   Eigen::Vector3d step =

@@ -21,9 +21,11 @@ namespace
 
 /// Samples of the search for the best rotation; the best one is refined.
 constexpr int RotationTrials = 400;
+/// A rotation that gains less is not worth new axes: the given ones stay.
 constexpr double MinimumRotationGain = 0.01;
 /// After 13 rounds the reach is at its minimum.
 constexpr int AlignmentRounds = 16;
+/// Rounds in which the flatness grows from its minimum to its maximum.
 constexpr int FlatteningRounds = 6;
 /// The distance along the surface, in edges, over which the rotations that triangles ask for are
 /// smoothed: from the first round to the last.

@@ -26,11 +26,14 @@ namespace
 {
 
 constexpr int WorkingTriangles = 3000;
+/// Rounds of labelling and flattening.
 constexpr int VoxelFlattenings = 3;
 /// The levels of the distance, in cells, that bound the solid. They are tried in turn until one has
 /// the topology.
 constexpr double Reaches[] = { 0.1, 0.0, 0.25, -0.1 };
+/// The factor by which cells become smaller until their topology agrees.
 constexpr double CellShrinkage = 0.85;
+/// Offsets of the grid that are compared along each axis.
 constexpr int OffsetTrials = 16;
 /// The fraction of the volume that may be inverted: it is repaired after the cells are mapped back.
 constexpr double MaximumFolded = 0.02;

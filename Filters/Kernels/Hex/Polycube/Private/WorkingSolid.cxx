@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr int Attempts = 4;
+/// The factor by which edges become shorter if the remeshed surface crosses itself.
 constexpr double LengthShrinkage = 0.7;
 
 /// Returns the volume of a regular tetrahedron.
