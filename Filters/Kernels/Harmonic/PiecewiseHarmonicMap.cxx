@@ -55,12 +55,14 @@ void RequireValidCharges(const PiecewiseCharges& charges)
         "; number regions from 0 without gaps");
     }
   }
-  if (charges.Regions.size() > 0 &&
-    (charges.Regions.maxCoeff() >= count || charges.Regions.minCoeff() < PiecewiseCharges::Void))
+  for (const int region : charges.Regions)
   {
-    throw InvalidInput("a triangle of the map's surface bounds region " +
-      std::to_string(charges.Regions.maxCoeff()) + ", but there are " + std::to_string(count) +
-      " regions; number them from 0, and the walls of voids -1");
+    if (region < PiecewiseCharges::Void || region >= count)
+    {
+      throw InvalidInput("a triangle of the map's surface bounds region " + std::to_string(region) +
+        ", but there are " + std::to_string(count) +
+        " regions; number them from 0, and the walls of voids -1");
+    }
   }
 }
 
