@@ -111,9 +111,11 @@ InverseMap::InverseMap(const ChargeSet& map, const Surface& domain, double farth
     throw InvalidInput("an option of the inverse map is out of range; Tolerance must be greater "
                        "than 0, MaximumIterations and SeedsAcross at least 1");
   }
+  // Starts of Newton's method inside the domain, and their images.
   this->Seeds = SeedsIn(this->Domain, options.SeedsAcross, progress.Part(0.2, 0.4));
   this->SeedImages = Evaluate(map, this->Seeds, progress.Part(0.4, 0.6));
-  // Maps fold first at the boundary, also in the middle of long triangles.
+  // Whether the determinant of the derivative changes sign, at seeds and boundary positions. Maps
+  // fold first at the boundary, also in the middle of long triangles.
   constexpr Eigen::Index wanted = 5000;
   const Eigen::MatrixXd onBoundary = SampleRandomly(
     domain, static_cast<int>(std::max(wanted - domain.Points().rows(), Eigen::Index(0))), 1);
@@ -140,6 +142,8 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
   {
     return {};
   }
+  // The nearer of two starts: the boundary position whose image is closest to the point, and the
+  // seed whose image is nearest.
   const Eigen::RowVector3d onBoundary =
     PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   if (this->Seeds.rows() == 0)
@@ -158,7 +162,16 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
 
 InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progress& progress) const
 {
+  // Outline:
+  // 1. A point outside the boundary's image is left out if the map has no folds.
+  // 2. Starts: the boundary position whose image is closest to the point, and the seeds whose
+  //    images are nearest.
+  // 3. Newton's method and continuation are tried from one start after the other, for all open
+  //    points at once.
+  // 4. A solution counts if it lies in the domain.
+  // 5. Points that remain open are Missed if they lie inside the image, and Outside otherwise.
   const Surface& image = this->Image.GetSurface();
+  // Step 1.
   const SignedDistance::Result at = this->Image.Evaluate(points, progress.Part(0.0, 0.15));
   const Eigen::VectorXd tolerances =
     ComputeDomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity());
@@ -188,12 +201,14 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     return onIt ? onBoundary.row(i) : this->Seeds.row(nearest(i, std::max(0, attempt - 2)));
   };
 
+  // Near a fold the derivative is almost singular and Newton's step almost unbounded: it is cut to
+  // a quarter of the domain's longest side.
   const Limits limits{ this->Options.Tolerance * ComputeLongestBoxEdge(image.Points()),
     0.25 * ComputeLongestBoxEdge(this->Domain.GetSurface().Points()),
     this->Options.MaximumIterations };
   Steps steps(progress.Part(0.2, 1.0));
-  // Attempt 0 starts at the nearest start. Attempts 1 and 2 walk from the boundary and from the
-  // nearest seed. The others start at further seeds, which may lie on the right side of a fold.
+  // Step 3. Attempt 0 starts at the nearest start. Attempts 1 and 2 walk from the boundary and from
+  // the nearest seed. The others start at further seeds, which may lie on the right side of a fold.
   const int attempts = 2 + static_cast<int>(nearest.cols());
   // outside the boundary's image: only folds map there, so walking on a straight line fails
   Indices beyond;
@@ -231,6 +246,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
       search = StartSearch(this->Map, starts, targets, steps.Next());
       IterateNewton(this->Map, search, limits, steps);
     }
+    // Step 4.
     const Eigen::VectorXi outside =
       FindPointsOutsideDomain(this->Domain, search.Positions, this->Farthest, steps.Next());
     Indices left;
@@ -252,6 +268,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     }
     open = std::move(left);
   }
+  // Step 5.
   for (const int i : open)
   {
     if (at.Distances(i) < -tolerances(i))

@@ -91,6 +91,7 @@ Solid Untangled(
   }
   Solid solid{ std::move(result.Solid), Eigen::MatrixXd(0, 3) };
   const Eigen::Index given = tetrahedra.Points.rows();
+  // Points that untangling added lie at the mean of their parents, in the rest position too.
   solid.Rest.resize(solid.Moved.Points.rows(), 3);
   solid.Rest.topRows(given) = tetrahedra.Points;
   for (std::size_t i = 0; i < result.Parents.size(); ++i)
@@ -137,6 +138,8 @@ SimplexPatch WholePatch(const Solid& solid, double size)
     std::array<int, 4> c;
     std::copy_n(solid.Moved.Corners.data() + solid.Moved.Offsets(t), 4, c.begin());
     Eigen::Matrix3d edges;
+    // The rest shape, scaled to the volume of the image: the energy then measures shape and local
+    // size alike.
     for (int k = 0; k < 3; ++k)
     {
       edges.col(k) = size * (solid.Rest.row(c[k + 1]) - solid.Rest.row(c[0])).transpose();
@@ -163,6 +166,12 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   const Surface& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
   const HarmonicVolumeMapResult& map, const Progress& progress)
 {
+  // Outline:
+  // 1. The solid is tetrahedralized; the given map moves the tetrahedra.
+  // 2. Inverted tetrahedra are untangled.
+  // 3. The elliptic energy is minimized; boundary points slide on the target.
+  // 4. The harmonic map with the new boundary values is solved.
+  // 5. It is kept if its distortion is lower.
   const TetrahedralizeResult tetrahedra = Tetrahedralize(boundary, {}, {}, progress.Part(0.0, 0.1));
   // Maps the tetrahedra's points; boundary points get exactly the given values.
   const auto carry = [&](const ChargeSet& charges, const Eigen::MatrixXd& values)
@@ -177,6 +186,7 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
     }
     return images;
   };
+  // Images divided by this have the volume of the solid: an isometry up to scale has distortion 6.
   const double size = std::cbrt(std::abs(
     ComputeEnclosedVolume({ targets, boundary.Triangles() }) / ComputeEnclosedVolume(boundary)));
   FreeBoundaryResult result{ targets, map, 0.0, 0.0, false };
@@ -184,18 +194,21 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   result.DistortionBefore = Distortion(tetrahedra, images / size);
   result.DistortionAfter = result.DistortionBefore;
 
+  // Step 2.
   Solid solid = Untangled(tetrahedra, images, progress.Part(0.15, 0.3));
   std::vector<char> held(solid.Rest.rows(), 0);
   for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
   {
     held[i] = tetrahedra.OriginalPoint(i) >= 0;
   }
+  // Step 3.
   const OnSurface constraint(target, held);
   PatchOptions steps;
   steps.MaximumSteps = steps.FurtherSteps = MaximumSteps;
   MinimizeEnergy(
     solid.Moved.Points, WholePatch(solid, size), &constraint, steps, progress.Part(0.3, 0.6));
 
+  // Step 4.
   Eigen::MatrixXd freed = targets;
   for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
   {
@@ -207,6 +220,7 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   HarmonicVolumeMapResult again =
     ComputeHarmonicVolumeMap(boundary, freed, features, options, progress.Part(0.6, 0.95));
   const double after = Distortion(tetrahedra, carry(again.Map, freed) / size);
+  // Step 5.
   if (after < result.DistortionBefore)
   {
     result = { std::move(freed), std::move(again), result.DistortionBefore, after, true };

@@ -51,6 +51,8 @@ SourceShells::SourceShells(const Surface& boundary, double offset, const Progres
   {
     const SignedDistance field(components[c]);
     const Progress part = progress.Part(share * c, share * (c + 1));
+    // Li et al. 2010, section 3.2: sources lie on an offset surface. A void has a shell of its own,
+    // which must fit into it.
     double distance = offset;
     if (ComputeEnclosedVolume(components[c]) < 0.0) // a void
     {
@@ -75,6 +77,7 @@ double SourceShells::Area() const
 std::vector<Eigen::MatrixXd> SourceShells::Sample(
   int count, SamplingMode mode, unsigned int seed, const Progress& progress) const
 {
+  // Li et al. 2010, section 4.1.2: geometry-adaptive or uniform samples.
   return SampleSurfaces(this->Shells, count, Fewest, mode, seed, progress);
 }
 
