@@ -97,6 +97,7 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
   }
   const Grade& grade = GradeFor(options.Tolerance);
   const double m = static_cast<double>(sources.rows()), n = static_cast<double>(points.rows());
+  // The costs of both methods, in pairs of the direct sum.
   const bool worth = m * n > grade.SetUp + grade.PerPoint * (m + n);
   if (sources.rows() == 0 || points.rows() == 0 || options.Method == MethodType::Direct ||
     (options.Method == MethodType::Automatic && !worth))
@@ -104,6 +105,7 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
     this->Self->Method = Parts::Positions{ sources, points };
     return;
   }
+  // In single precision box expansions take half the memory, and a vector holds twice as many.
   if (options.Tolerance >= MinimumSingle)
   {
     this->Self->Method.emplace<1>(sources, points, grade.Effort, progress);
@@ -135,6 +137,7 @@ Eigen::MatrixXd FmmSummation::Parts::Sum(
   }
   const Eigen::Index values = gradients ? 3 : 1;
   Eigen::MatrixXd sums(this->Points, values * charges.cols());
+  // The innermost loops take up to three columns of charges.
   for (Eigen::Index first = 0; first < charges.cols(); first += 3)
   {
     const Eigen::Index count = std::min<Eigen::Index>(3, charges.cols() - first);
