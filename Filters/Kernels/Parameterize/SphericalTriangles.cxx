@@ -16,6 +16,7 @@ bool FacesOutwardsFrom(
   const Eigen::RowVector3d ab = b - a;
   const Eigen::RowVector3d ac = c - a;
   const double determinant = a.dot(ab.cross(ac));
+  // The determinant with absolute values of all products bounds its rounding error.
   const double permanent = std::abs(a(0)) * (std::abs(ab(1) * ac(2)) + std::abs(ab(2) * ac(1))) +
     std::abs(a(1)) * (std::abs(ab(2) * ac(0)) + std::abs(ab(0) * ac(2))) +
     std::abs(a(2)) * (std::abs(ab(0) * ac(1)) + std::abs(ab(1) * ac(0)));

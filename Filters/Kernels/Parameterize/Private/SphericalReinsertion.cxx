@@ -35,6 +35,7 @@ struct Merges
 std::vector<StarTriangle> WantedStar(const VertexRings& rings, const std::vector<double>& loads,
   const Eigen::MatrixXd& points, int point, double areaWeight)
 {
+  // The cotangent of 60 degrees.
   const double cotangent = 1.0 / std::sqrt(3.0);
   const std::vector<int>& ring = rings.Around(point);
   const auto loadOf = [&](int i) { return loads[i] / rings.Around(i).size(); };
@@ -102,6 +103,8 @@ bool MergeWhereSeen(VertexRings& rings, const Eigen::MatrixXd& points, int point
 bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, int maximum, Merges& merges, const Progress& progress)
 {
+  // Points whose ring they do not see are merged into a neighbour that sees it. If none can be
+  // merged, rings of further points around them are, which gives room.
   std::vector<int> suspects;
   for (const int t : FindFlippedTriangles(triangles, points))
   {
@@ -152,6 +155,7 @@ bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
 /// neighbours, which keeps the levels few and the rings short.
 void MergeAll(VertexRings& rings, Merges& merges, const Progress& progress)
 {
+  // The mean number of neighbours is 6, so most points qualify. It doubles when no point does.
   std::size_t maximum = 7;
   while (rings.Remaining() > 4)
   {
@@ -177,6 +181,7 @@ void MergeAll(VertexRings& rings, Merges& merges, const Progress& progress)
       if (best >= 0)
       {
         merges.Add(rings, point, best);
+        // Merges of one level share no ring.
         for (const int near : merges.Kept.back())
         {
           touched[near] = 1;
@@ -210,6 +215,8 @@ void PlaceTetrahedron(const VertexRings& rings, Eigen::MatrixXd& points)
 int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen::MatrixXd& points,
   const Progress& progress)
 {
+  // The number of points that a point stands for: itself and those merged into it, so far not
+  // reinserted.
   std::vector<double> loads(rings.Size(), 1.0);
   for (std::size_t i = 0; i < merges.Order.size(); ++i)
   {
@@ -234,6 +241,7 @@ int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen:
       return point;
     }
     movable[point] = 1;
+    // The new point makes room for the next ones around it.
     for (int round = 0; round < 3; ++round)
     {
       relax(point);
@@ -242,6 +250,7 @@ int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen:
         relax(near);
       }
     }
+    // At the end of a level all points are relaxed, which spreads its areas over the sphere.
     const bool levelEnds = level > 0 && merges.Levels[level - 1] == i;
     level -= levelEnds ? 1 : 0;
     for (int sweep = 0; sweep < (levelEnds ? 5 : 0); ++sweep)
@@ -276,6 +285,8 @@ SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
 {
   SphericalReinsertionResult result;
   result.Points = points;
+  // Praun and Hoppe 2003, where it is needed: merge until nothing is flipped, then reinsert in the
+  // reverse order.
   VertexRings rings(triangles, static_cast<int>(points.rows()));
   Merges merges;
   if (ComputeCoveringDegree(triangles, points) == 1 &&
@@ -297,6 +308,7 @@ SphericalReinsertionResult ReinsertAll(
 {
   SphericalReinsertionResult result;
   result.Points = Eigen::MatrixXd::Zero(n, 3);
+  // Praun and Hoppe 2003: merge down to a tetrahedron, then reinsert in the reverse order.
   VertexRings rings(triangles, n);
   Merges merges;
   MergeAll(rings, merges, progress.Part(0.0, 0.1));
