@@ -22,7 +22,8 @@ PlanarLocator::PlanarLocator(
     this->Lower = points.colwise().minCoeff();
     this->Upper = points.colwise().maxCoeff();
   }
-  // About as many square cells as triangles.
+  // About as many square cells as triangles. The bound on the shape limits their number if all
+  // points lie nearly on a line.
   const RowVector2d size = this->Upper - this->Lower;
   const double longest = size.maxCoeff();
   if (longest > 0.0)
@@ -67,6 +68,7 @@ PlanarLocator::PlanarLocator(
   {
     counts[t] = counts[t] && EvaluateOrientation(corner(t, 0), corner(t, 1), corner(t, 2)) > 0;
   }
+  // Triangles are counted for each cell, then listed, cell by cell and ascending.
   this->First.assign(this->Cells[0] * this->Cells[1] + 1, 0);
   forEachCell([&](int cell, int) { ++this->First[cell + 1]; });
   for (std::size_t i = 1; i < this->First.size(); ++i)
@@ -111,6 +113,7 @@ PlanarPoint PlanarLocator::Find(const RowVector2d& position) const
       { return std::max(0.0, u(0) * v(1) - u(1) * v(0)); };
       const Eigen::RowVector3d areas(area(b - position, c - position),
         area(c - position, a - position), area(a - position, b - position));
+      // Which triangle is exact; its coordinates are rounded and not negative.
       found.Triangle = triangle;
       found.Barycentric = areas / areas.sum();
       return found;

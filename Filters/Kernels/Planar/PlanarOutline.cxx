@@ -35,6 +35,7 @@ int PlanarOutline::Bin(double y) const
 
 int PlanarOutline::Side(const Eigen::RowVector2d& position) const
 {
+  // The parity of the number of edges that the ray to the right crosses.
   bool inside = false, on = false;
   this->ForEachNear(position, { this->High.x(), position.y() },
     [&](int side)
@@ -66,6 +67,8 @@ bool PlanarOutline::Crosses(const Eigen::Matrix<double, 3, 2>& triangle) const
 
 bool PlanarOutline::Covers(const Eigen::Matrix<double, 3, 2>& triangle) const
 {
+  // If no edge intersects the triangle, it lies on one side as a whole, and any of its positions
+  // decides.
   return this->Crosses(triangle) || this->Side(triangle.colwise().mean()) > 0;
 }
 
