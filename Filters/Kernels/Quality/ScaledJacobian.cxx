@@ -29,6 +29,7 @@ double ComputeScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners)
     { return corners.row(ends[k]) - corners.row(corner); };
     minimum = std::min(minimum, Scaled(edge(0), edge(1), edge(2)));
   }
+  // At the centre the edges are replaced by the axes between opposite faces.
   const auto between = [&](const int* low, const int* high)
   {
     Eigen::RowVector3d axis = Eigen::RowVector3d::Zero();
