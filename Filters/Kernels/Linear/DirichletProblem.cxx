@@ -44,6 +44,7 @@ void DirichletProblem::Solve(Eigen::MatrixXd& values, const Eigen::MatrixXd& rig
 {
   if (!this->Inner.empty())
   {
+    // Values at inner points are 0, so the product has only the contribution of the fixed points.
     const Eigen::MatrixXd rest = right - this->Stiffness * values;
     values(this->Inner, Eigen::all) = this->Solver.Solve(rest(this->Inner, Eigen::all));
   }
