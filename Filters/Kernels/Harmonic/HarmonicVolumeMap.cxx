@@ -98,11 +98,11 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   // 4. Accelerated has no rows for features: further levels of MultiLevel fit them.
   // 5. The sum is converted to the coordinates of the input.
   RequireValidInput(features, given);
-  // Step 1.
+  // Step 1: unit size.
   const ScaledBoundary scaled = ScaleBoundary(boundary, targets);
   HarmonicVolumeMapOptions options = given;
   options.OffsetDistance = NearestOffset(scaled.Surface, options);
-  // Step 2.
+  // Step 2: the affine part.
   FundamentalSolutionFit problem(scaled, features, options, progress.Part(0.0, 0.05));
   HarmonicVolumeMapResult result;
   result.OffsetDistance = options.OffsetDistance;
@@ -114,17 +114,17 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   }
   else if (options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot)
   {
-    // Step 3.
+    // Step 3: all charges at once.
     SolveSingleShot(problem, options, result, progress.Part(0.05, 1.0));
   }
   else if (options.Method == HarmonicVolumeMapOptions::MethodType::MultiLevel)
   {
-    // Step 3.
+    // Step 3: a sum of maps.
     SolveMultiLevel(problem, options, result, progress.Part(0.05, 1.0));
   }
   else
   {
-    // Step 3.
+    // Step 3: charges close to the boundary.
     AcceleratedSetup own;
     SolveAccelerated(problem, options, setup ? *setup : own, result, progress.Part(0.05, 0.7));
     if (problem.HasFeatures())
@@ -141,7 +141,7 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
       result.OffsetDistance = std::min(near, result.OffsetDistance);
     }
   }
-  // Step 5.
+  // Step 5: the map in the coordinates of the input.
   result.Map = problem.Map();
   result.RMSEFeatures = problem.FeatureError();
   progress(1.0);

@@ -171,7 +171,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
   // 4. A solution counts if it lies in the domain.
   // 5. Points that remain open are Missed if they lie inside the image, and Outside otherwise.
   const Surface& image = this->Image.GetSurface();
-  // Step 1.
+  // Step 1: which points can have a preimage.
   const SignedDistance::Result at = this->Image.Evaluate(points, progress.Part(0.0, 0.15));
   const Eigen::VectorXd tolerances =
     ComputeDomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity());
@@ -246,7 +246,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
       search = StartSearch(this->Map, starts, targets, steps.Next());
       IterateNewton(this->Map, search, limits, steps);
     }
-    // Step 4.
+    // Step 4: solutions in the domain.
     const Eigen::VectorXi outside =
       FindPointsOutsideDomain(this->Domain, search.Positions, this->Farthest, steps.Next());
     Indices left;
@@ -268,7 +268,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     }
     open = std::move(left);
   }
-  // Step 5.
+  // Step 5: points without a preimage.
   for (const int i : open)
   {
     if (at.Distances(i) < -tolerances(i))

@@ -189,7 +189,7 @@ NearSourceSystem::NearSourceSystem(
   // 4. The preconditioner and the fast sums are set up.
   const Eigen::MatrixXd normals = ComputeVertexNormals(surface, NormalWeight::Area);
   const Eigen::VectorXd areas = ComputePointAreas(surface);
-  // Step 1.
+  // Step 1: charges.
   const NearSources near = InsertNearSources(boundary, surface.Points(), normals,
     NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(), progress.Part(0.0, 0.3));
   if (near.Sites.size() == 0)
@@ -204,12 +204,12 @@ NearSourceSystem::NearSourceSystem(
   const auto hundredth = offsets.begin() + offsets.size() / 100;
   std::nth_element(offsets.begin(), hundredth, offsets.end());
   this->NearOffset = *hundredth;
-  // Step 2.
+  // Step 2: coarse charges.
   const CoarseLevel coarse = PositionCoarse(boundary, surface.Points()(near.Sites, Eigen::all),
     normals(near.Sites, Eigen::all), areas(near.Sites), effort == Effort::Little ? 128 : 32,
     progress.Part(0.3, 0.4));
   const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
-  // Step 3.
+  // Step 3: rows and averages.
   this->System.Sites = surface.Points()(near.Sites, Eigen::all);
   this->System.Sources = near.Points;
   this->System.Rows.resize(n + m, 3);

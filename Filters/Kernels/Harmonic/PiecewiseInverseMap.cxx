@@ -47,7 +47,7 @@ InverseMap::Result PiecewiseInverseMap::Find(
   {
     const double share = 1.0 / static_cast<double>(this->Inverses.size());
     const Progress part = progress.Part(share * r, share * (r + 1));
-    // Step 1.
+    // Step 1: the region's own map.
     const InverseMap::Result own =
       this->Inverses[r].Find(points(open, Eigen::all), part.Part(0.0, 0.8));
     std::vector<int> candidates, left;
@@ -68,11 +68,11 @@ InverseMap::Result PiecewiseInverseMap::Find(
     {
       ids.push_back(open[k]);
     }
-    // Step 2.
+    // Step 2: the complete map.
     Search search = StartSearch(
       *this->Map, own.Points(candidates, Eigen::all), points(ids, Eigen::all), steps.Next());
     IterateNewton(*this->Map, search, { this->Goal, this->MaxStep, this->Iterations }, steps);
-    // Step 3.
+    // Step 3: solutions in the domain.
     const Eigen::VectorXi outside = FindPointsOutsideDomain(
       this->Map->Domain(), search.Positions, this->Map->Farthest(), steps.Next());
     for (std::size_t k = 0; k < ids.size(); ++k)

@@ -263,7 +263,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   // 5. The jump between both maps at the border determines the thickness of the skin.
   std::vector<ExactSurface> all{ { boundary, targets, "the Boundary" } };
   all.insert(all.end(), surfaces.begin(), surfaces.end());
-  // Step 1.
+  // Step 1: layers.
   const std::vector<Layer> layers = FindLayers(all, progress.Part(0.0, 0.05));
   const auto count = static_cast<int>(layers.size());
 
@@ -273,7 +273,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   result.Borders.resize(count);
   result.OffsetDistance = 1.0;
   const PiecewiseHarmonicMap positions(result.Charges, progress.Part(0.05, 0.1));
-  // Step 2.
+  // Step 2: features.
   const Eigen::VectorXi featureRegions = positions.RegionsAt(features.Points);
   const double size = ComputeLongestBoxEdge(boundary.Points()),
                targetSize = ComputeLongestBoxEdge(targets);
@@ -284,7 +284,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   {
     const Progress part = progress.Part(0.1 + 0.9 * i / count, 0.1 + 0.9 * (i + 1) / count);
     const Layer& layer = layers[i];
-    // Step 3.
+    // Step 3: boundary values.
     LayerProblem problem{ layer.Around, Select(features, featureRegions, layer.Region), {}, {} };
     const ChargeSet* around =
       layer.Parent < 0 ? nullptr : &result.Charges.Maps[layers[layer.Parent].Region];
@@ -302,7 +302,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
       problem.Wanted = Evaluate(*around, problem.Positions);
     }
     Append(problem.Boundary, layer.Within);
-    // Step 4.
+    // Step 4: the fit.
     HarmonicVolumeMapResult& own = result.Layers[layer.Region];
     own = ComputeHarmonicVolumeMap(
       problem.Boundary.Surface, problem.Boundary.Targets, problem.Features, options, part);
@@ -315,7 +315,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
     border = ErrorsAt(surface, around ? *around : own.Map, targetSize);
     if (around)
     {
-      // Step 5.
+      // Step 5: the skin.
       const Eigen::VectorXd jumps =
         (problem.Wanted - Evaluate(own.Map, problem.Positions)).rowwise().norm() / targetSize;
       border.JumpRMS = std::sqrt(jumps.squaredNorm() / jumps.size());

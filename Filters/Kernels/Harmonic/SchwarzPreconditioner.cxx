@@ -146,11 +146,11 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
   // 3. The positions where the blocks read the residual are collected.
   // 4. The coarse system is inverted (SetUpCoarse).
   const BlasThreads single(false); // the blocks are distributed over the threads
-  // Step 1.
+  // Step 1: blocks.
   const std::vector<std::vector<int>> parts = SplitAtMedians(system.Sites, options.Own);
   const PointRows sites = system.Sites;
   const Tree tree(3, std::cref(sites), 16);
-  // Step 2.
+  // Step 2: local inverses.
   this->Blocks.resize(parts.size());
   ParallelFor(
     static_cast<int>(parts.size()), 1,
@@ -282,11 +282,11 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
   // 2. The coarse charges, from the mean residual of each cluster.
   // 3. What the coarse charges leave is reduced by all blocks at once.
   const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
-  // Step 1.
+  // Step 1: the residual.
   Eigen::MatrixXd left(this->Positions.rows(), residual.cols());
   left.topRows(n) = this->Tests * residual;
   left.bottomRows(left.rows() - n) = residual(this->Rows, Eigen::all);
-  // Step 2.
+  // Step 2: coarse charges.
   Eigen::MatrixXd charges(n + c, residual.cols());
   charges.bottomRows(c) = this->CoarseInverse * (this->ClusterMeans * left.topRows(n));
   // The potential of a coarse charge hardly varies over one average, so it is evaluated at its

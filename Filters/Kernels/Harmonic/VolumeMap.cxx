@@ -46,7 +46,7 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
     result.TargetDistance = ComputeTargetDistance(
       boundary, conditions.Targets, *conditions.Target, progress.Part(0.0, 0.02));
   }
-  // Step 2.
+  // Step 2: one map of the whole solid.
   HarmonicVolumeMapResult one;
   if (options.FreeBoundary || !options.Exact)
   {
@@ -55,7 +55,7 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
   }
   if (options.FreeBoundary)
   {
-    // Step 3.
+    // Step 3: the boundary slides.
     FreeBoundaryResult slid = SlideBoundary(boundary, result.Targets, *conditions.Target,
       conditions.Features, options.Harmonic, one, progress.Part(0.3, options.Exact ? 0.6 : 1.0));
     result.DistortionBefore = slid.DistortionBefore;
@@ -64,7 +64,7 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
     result.Targets = std::move(slid.Targets);
     one = std::move(slid.Map);
   }
-  // Step 4.
+  // Step 4: one map for each layer.
   result.Map = options.Exact
     ? ComputePiecewiseVolumeMap(boundary, result.Targets, conditions.Surfaces, conditions.Features,
         options.Harmonic, {}, progress.Part(options.FreeBoundary ? 0.6 : 0.02, 1.0))

@@ -52,12 +52,12 @@ public:
       for (bool isFull = false; !isFull;)
       {
         progress(0.99 * std::min(1.0, static_cast<double>(this->Size) / this->Most));
-        // Step 2.
+        // Step 2: the next block.
         this->Extend();
         isFull = this->Size + Block > this->Most;
         if (this->Size >= this->Kept && (isFull || this->Size / Block % Patience == 0))
         {
-          // Step 3.
+          // Step 3: convergence test.
           this->Diagonalise();
           if (this->IsFound())
           {
@@ -66,7 +66,7 @@ public:
           }
         }
       }
-      // Step 4.
+      // Step 4: thick restart.
       this->Restart();
     }
     throw SolveFailure("the eigenvalues were not found in " + std::to_string(Restarts) +

@@ -55,10 +55,10 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
   {
     const int k = result.Iterations;
     progress(static_cast<double>(k) / maximum);
-    // Step 1.
+    // Step 1: the operator.
     Eigen::MatrixXd next = a(b(basis[k]));
     const Eigen::RowVectorXd before = inner(next, next).cwiseSqrt();
-    // Step 2.
+    // Step 2: orthogonalisation.
     for (int i = 0; i <= k; ++i)
     {
       const Eigen::RowVectorXd product = inner(basis[i], next);
@@ -106,7 +106,7 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
     }
     return sum;
   };
-  // Step 4.
+  // Step 4: the solution.
   result.Solution = b(combined(factors));
   result.Left = combined(rests);
   return result;

@@ -71,7 +71,7 @@ Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progr
   // 6. The harmonic map with this boundary.
   progress(0.0);
   RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne);
-  // Step 1.
+  // Step 1: the Laplacian.
   const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   const std::vector<int>& loop = loops.front();
   const Surface filled = FillWithFans(surface, { loops.begin() + 1, loops.end() });
@@ -82,14 +82,14 @@ Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progr
   const DirichletProblem problem(stiffness, loop);
   progress(0.8);
 
-  // Step 2.
+  // Step 2: curvatures.
   const Eigen::MatrixXd curvatures = Curvatures(*laplacian, points, loop);
-  // Step 3.
+  // Step 3: the Yamabe equation.
   Eigen::MatrixXd scale = Eigen::MatrixXd::Zero(points, 1);
   problem.Solve(scale, -curvatures);
-  // Step 4.
+  // Step 4: curvatures of the image's boundary.
   const Eigen::VectorXd turns = (curvatures + stiffness * scale)(loop, 0);
-  // Step 5.
+  // Step 5: the boundary polygon.
   Eigen::VectorXd lengths(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
@@ -99,7 +99,7 @@ Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progr
   }
   Eigen::MatrixXd image = Eigen::MatrixXd::Zero(points, 2);
   image(loop, Eigen::all) = ClosedPolygon(lengths, turns);
-  // Step 6.
+  // Step 6: the harmonic map.
   problem.Solve(image, Eigen::MatrixXd::Zero(points, 2));
   progress(1.0);
   return image.topRows(surface.Points().rows());

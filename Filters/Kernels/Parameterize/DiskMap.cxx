@@ -211,7 +211,7 @@ DiskMapResult MapToDisk(
   RequireSurfaceWithBoundary(surface, LoopCount::One);
   progress(0.1);
   DiskMapResult result;
-  // Step 1.
+  // Step 1: the loop.
   result.Loop = FindManifoldBoundaryLoops(surface).front();
   StartAtGreatest(result.Loop, surface.Points());
   const double size = ComputeLongestBoxEdge(surface.Points());
@@ -221,7 +221,7 @@ DiskMapResult MapToDisk(
   const Eigen::VectorXd lengths = ArcLengths(result.Loop, scaled.Points);
   result.LoopLength = size * lengths(result.Loop.size());
 
-  // Step 2.
+  // Step 2: the outline.
   Eigen::MatrixXd positions;
   if (options.Outline == DiskOutline::Circle)
   {
@@ -234,10 +234,10 @@ DiskMapResult MapToDisk(
     positions = OnSquare(lengths, corners);
   }
   progress(0.2);
-  // Step 3.
+  // Step 3: convex combinations.
   const Eigen::MatrixXd image = SolveConvexCombination(
     scaled, options.Weights, result.Loop, positions, progress.Part(0.2, 0.9));
-  // Step 4.
+  // Step 4: no flip.
   RequireNoFlip(surface, image, options.Weights);
   result.Points = Eigen::MatrixXd::Zero(surface.Points().rows(), 3);
   result.Points.leftCols(2) = image;

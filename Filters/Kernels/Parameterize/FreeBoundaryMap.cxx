@@ -98,13 +98,13 @@ FreeBoundaryMapResult MapWithFreeBoundary(
     RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne);
     throw InvalidInput("the surface has no area; check its points");
   }
-  // Step 1.
+  // Step 1: area 1.
   Mesh unit = surface;
   unit.Points.rowwise() -= surface.Points().row(0);
   unit.Points /= std::sqrt(area);
 
   FreeBoundaryMapResult result;
-  // Step 2.
+  // Step 2: the conformal map.
   Eigen::MatrixXd image = FlattenConformally(unit, progress.Part(0.0, 0.2));
   const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   for (std::size_t i = 0; i < loops.front().size(); ++i)
@@ -121,7 +121,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   }
   if (!flipped.empty())
   {
-    // Step 3.
+    // Step 3: Tutte's map.
     result.IsConformal = false;
     image = CircularMap(unit, loops, progress.Part(0.2, 0.3));
     flipped = FindInvertedTriangles(surface.Triangles(), image);
@@ -134,7 +134,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
         "Feature");
     }
   }
-  // Step 4.
+  // Step 4: refinement.
   image /= std::sqrt(ComputePlanarArea(surface.Triangles(), image));
   if (options.Refine)
   {

@@ -234,7 +234,7 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
   OrbifoldImage image;
   image.Cones = cones;
   image.Tile = BuildOrbifoldTile(type);
-  // Step 1.
+  // Step 1: the cut.
   const EdgePath path = FindEdgePathThrough(surface, cones, progress.Part(0.1, 0.2));
   std::vector<std::array<int, 2>> edges;
   for (std::size_t i = 1; i < path.Points.size(); ++i)
@@ -244,9 +244,9 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
   image.Cut = CutAlongEdges(surface, edges);
   progress(0.3);
 
-  // Step 2.
+  // Step 2: the unknowns.
   const auto [positions, unknowns] = GetLoopPositions(image.Cut, path, image.Tile);
-  // Step 3.
+  // Step 3: the equations.
   const Eigen::MatrixXi& triangles = surface.Triangles();
   const Eigen::SparseMatrix<double> weights =
     BuildPositiveStiffness(BuildCotangentStiffness(triangles,
@@ -265,7 +265,7 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
     }
   }
   progress(0.4);
-  // Step 4.
+  // Step 4: the solution.
   const std::vector<Complex> solution = equations.Solve();
   progress(0.9);
   image.Points.resize(static_cast<Eigen::Index>(positions.size()), 2);

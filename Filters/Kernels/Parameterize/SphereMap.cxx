@@ -243,7 +243,7 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
   // The number of points that may be reinserted. A conformal map with many flipped triangles is
   // not repaired: the next method is tried.
   int maximum = n;
-  // Step 1.
+  // Step 1: the first image.
   if (method == SphereMapMethod::GlobalReinsertion)
   {
     result.Points =
@@ -263,7 +263,7 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
     }
     result.Points =
       FlowToSphere(mesh, angles, stiffness, options, result.Iterations, progress.Part(0.0, 0.8));
-    // Step 2.
+    // Step 2: orientation.
     if (ComputeSolidAngles(mesh.Triangles, result.Points).sum() < 0.0)
     {
       result.Points = -result.Points;

@@ -249,13 +249,13 @@ PlanarTriangulation TriangulateInPlane(const Eigen::MatrixXd& points,
   {
     RequireClosed(segments.topRows(outlines), result.SamePoint, options.Keep);
   }
-  // Step 2.
+  // Step 2: points.
   PlanarTriangles plane(points, options.Metric);
   if (points.rows() < 3 || !InsertAll(plane, InsertionOrder(points, result.SamePoint)))
   {
     return result;
   }
-  // Step 3.
+  // Step 3: segments.
   SegmentRecovery recovery(plane, options.AddCrossings, segments.rows());
   for (int i = 0; i < static_cast<int>(segments.rows()); ++i)
   {
@@ -267,9 +267,9 @@ PlanarTriangulation TriangulateInPlane(const Eigen::MatrixXd& points,
   {
     result.Points.row(i) = plane.Position(i);
   }
-  // Step 4.
+  // Step 4: triangles that are kept.
   result.Triangles = KeptTriangles(plane, options.Keep);
-  // Step 5.
+  // Step 5: edges of the segments.
   AddEdges(plane, segments, recovery, result);
   return result;
 }

@@ -221,7 +221,7 @@ LaplaceSpectrum SolveLaplaceEigenproblem(
       "; it must be at least 1 and at most the number of points that triangles use, " +
       std::to_string(used));
   }
-  // Step 1.
+  // Step 1: the pairs of each component.
   const std::vector<ComponentSpectrum> parts =
     FindEnough(SplitIntoComponents(surface, used), pairs, tolerance, progress.Part(0.0, 0.95));
   const std::vector<std::vector<int>> pointsOf = PointsOfComponents(topology);
@@ -235,13 +235,13 @@ LaplaceSpectrum SolveLaplaceEigenproblem(
     spectrum.Masses(pointsOf[c]) = parts[c].Masses();
     functions.push_back(parts[c].Eigenfunctions());
   }
-  // Step 2.
+  // Step 2: the smallest pairs.
   const std::vector<Position> positions = InOrder(parts);
   for (int k = 0; k < pairs; ++k)
   {
     const Position& position = positions[k];
     const auto function = functions[position.Component].col(position.Column);
-    // Step 3.
+    // Step 3: the sign.
     Eigen::Index largest = 0;
     function.cwiseAbs().maxCoeff(&largest);
     spectrum.Eigenvalues(k) = position.Value;

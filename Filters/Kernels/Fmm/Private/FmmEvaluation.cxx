@@ -101,7 +101,7 @@ Eigen::MatrixXd FmmEvaluation<Real>::Sum(
   this->Translate(work, progress.Part(0.15, 0.35));
   this->Evaluate(work, progress.Part(0.35, 1.0));
 
-  // Step 5.
+  // Step 5: back to the given order.
   Eigen::MatrixXd result(this->Points.rows(), values);
   for (Eigen::Index c = 0; c < values; ++c)
   {

@@ -273,9 +273,9 @@ FmmOperators<Real>::FmmOperators(const FmmAccuracy& accuracy, const Progress& pr
   const CubePoints inner(accuracy.InnerNodes, InnerCube), outer(accuracy.OuterNodes, OuterCube);
   this->InnerPoints = inner.Positions;
   this->OuterPoints = outer.Positions;
-  // Step 1.
+  // Step 1: the decomposition.
   const Spectrum modes = Decompose(inner, outer, accuracy.MinimumSingularValue);
-  // Step 2.
+  // Step 2: the coefficients of a box.
   const auto count = static_cast<int>(modes.Values.size());
   this->Modes = count;
   this->Stride = RoundedUp(count);

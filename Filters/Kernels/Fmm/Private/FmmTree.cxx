@@ -94,7 +94,7 @@ FmmTree::FmmTree(
   this->Shift = largest > distant * extent ? middle : Eigen::RowVector3d::Zero().eval();
   this->Origin = (middle - this->Shift).array() - 0.5 * this->Side;
 
-  // Step 2.
+  // Step 2: boxes of sources.
   const Lattice lattice{ this->Origin, this->Side };
   const auto scaled = [&](const Eigen::MatrixXd& positions)
   { return ((this->Scale * positions).rowwise() - this->Shift).eval(); };
@@ -102,7 +102,7 @@ FmmTree::FmmTree(
   this->SourceOrder = std::move(order.Ids);
   this->SplitSources(order.Keys, leaf);
   progress(0.4);
-  // Step 3.
+  // Step 3: boxes of points.
   order = OrderOnLattice(scaled(points), lattice);
   this->PointOrder = std::move(order.Ids);
   progress(0.7);
@@ -201,13 +201,13 @@ void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vec
       {
         (this->SourceBoxes[box].ChildCount > 0 ? split : here.Larger).push_back(box);
       }
-      // Step 1.
+      // Step 1: a leaf.
       if (split.empty())
       {
         this->AddLeaf(at, std::move(here.Larger));
         continue;
       }
-      // Step 2.
+      // Step 2: children.
       AppendChildren(this->PointBoxes, at, keys);
       const Box parent = this->PointBoxes[at];
       for (int child = parent.FirstChild; child < parent.FirstChild + parent.ChildCount; ++child)

@@ -123,7 +123,7 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     // The number of levels is unknown: level k takes the share 1 / k - 1 / (k + 1).
     const double done = 0.3 + 0.7 * (1.0 - 1.0 / number);
     const Progress part = progress.Part(done, 0.3 + 0.7 * (1.0 - 1.0 / (number + 1)));
-    // Step 1.
+    // Step 1: the system.
     std::unique_ptr<NearSourceSystem> finer;
     if (number > 1)
     {
@@ -137,7 +137,7 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     Eigen::MatrixXd targets(system.Rows().rows(), 3);
     targets << refined.Targets, AverageAtCorners(refined.Surface.Triangles, refined.Targets);
     const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.3, 0.4));
-    // Step 3.
+    // Step 3: GMRES.
     GmresOptions gmres;
     gmres.Tolerance = ShareOfTolerance * options.Tolerance;
     gmres.LeastGain = options.LeastGain;
@@ -145,12 +145,12 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     result.Iterations += fit.Iterations;
     result.RefinedPoints =
       static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
-    // Step 4.
+    // Step 4: the sum.
     const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
 
     AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);
     const HarmonicVolumeMapResult::Level& level = result.Levels.back();
-    // Step 5.
+    // Step 5: stop or refine.
     if (level.RMSEInside <= options.Tolerance)
     {
       result.Reason = HarmonicVolumeMapResult::Stop::Tolerance;

@@ -194,21 +194,21 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   result.DistortionBefore = Distortion(tetrahedra, images / size);
   result.DistortionAfter = result.DistortionBefore;
 
-  // Step 2.
+  // Step 2: untangling.
   Solid solid = Untangled(tetrahedra, images, progress.Part(0.15, 0.3));
   std::vector<char> held(solid.Rest.rows(), 0);
   for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
   {
     held[i] = tetrahedra.OriginalPoint(i) >= 0;
   }
-  // Step 3.
+  // Step 3: sliding.
   const OnSurface constraint(target, held);
   PatchOptions steps;
   steps.MaximumSteps = steps.FurtherSteps = MaximumSteps;
   MinimizeEnergy(
     solid.Moved.Points, WholePatch(solid, size), &constraint, steps, progress.Part(0.3, 0.6));
 
-  // Step 4.
+  // Step 4: the new harmonic map.
   Eigen::MatrixXd freed = targets;
   for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
   {
@@ -220,7 +220,7 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   HarmonicVolumeMapResult again =
     ComputeHarmonicVolumeMap(boundary, freed, features, options, progress.Part(0.6, 0.95));
   const double after = Distortion(tetrahedra, carry(again.Map, freed) / size);
-  // Step 5.
+  // Step 5: comparison.
   if (after < result.DistortionBefore)
   {
     result = { std::move(freed), std::move(again), result.DistortionBefore, after, true };

@@ -23,6 +23,7 @@ constexpr double InsertedShare = 0.1;
 /// Returns `ratio` times the number of boundary points, rounded, at least 16.
 int ComputeSampleCount(const Surface& boundary, double ratio)
 {
+  // The upper bound keeps the count in the range of int.
   constexpr double minimum = 16.0, maximum = 1e8;
   return static_cast<int>(
     std::clamp(std::round(ratio * boundary.Points().rows()), minimum, maximum));
@@ -50,6 +51,7 @@ Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts)
 Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
   const HarmonicVolumeMapOptions& options, const Progress& progress)
 {
+  // Two for each of the fewest sources of a shell, SourceShells::Fewest.
   constexpr int minimum = 48;
   return Concatenate(SampleSurfaces(SplitComponents(problem.Boundary()),
     ComputeSampleCount(problem.Boundary(), options.CollocationRatio), minimum,
@@ -216,7 +218,7 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
   const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
-  // Step 1.
+  // Step 1: sources.
   std::vector<Eigen::MatrixXd> sources = DivideIntoSubsets(
     shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)),
     subsets);

@@ -184,6 +184,7 @@ void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits,
 Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
   const Eigen::MatrixXd& targets, const Limits& limits, Steps& progress)
 {
+  // A walk that fails even with this step has run into a fold.
   constexpr double shortest = 1.0 / 1024.0;
   constexpr int maximumRounds = 256;
   Search search = StartSearch(map, starts, targets, progress.Next());

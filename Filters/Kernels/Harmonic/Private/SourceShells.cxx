@@ -16,6 +16,7 @@ namespace
 /// Returns the maximum distance from the wall inside a void, over a lattice of points in its box.
 double Depth(const Mesh& component, const SignedDistance& field, const Progress& progress)
 {
+  // A coarse lattice: the depth only limits the offset, to half of it.
   constexpr int side = 16;
   const Eigen::MatrixXd corners = component.Points(component.Triangles.reshaped(), Eigen::all);
   const Eigen::RowVector3d low = corners.colwise().minCoeff();

@@ -139,7 +139,7 @@ bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<i
     const Eigen::RowVector3d b = points.row(ring[(k + 1) % ring.size()]);
     return Eigen::RowVector3d(a.cross(b - a).normalized());
   };
-  // Step 1.
+  // Step 1: the lune.
   const Eigen::RowVector3d corner = points.row(ring[0]);
   const Eigen::RowVector3d after = normalOf(0);
   const Eigen::RowVector3d before = normalOf(ring.size() - 1);
@@ -149,7 +149,7 @@ bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<i
   left *= left.dot(after) < 0.0 ? -1.0 : 1.0;
   std::vector<Eigen::RowVector3d> kernel = { corner, right.normalized(), -corner,
     left.normalized() };
-  // Step 2.
+  // Step 2: clipping.
   for (std::size_t k = 1; k + 1 < ring.size(); ++k)
   {
     const Eigen::RowVector3d normal = normalOf(k);
@@ -172,7 +172,7 @@ bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<i
     }
     kernel = std::move(clipped);
   }
-  // Step 3.
+  // Step 3: a position in the kernel.
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   for (const Eigen::RowVector3d& p : kernel)
   {

@@ -61,10 +61,10 @@ Eigen::MatrixXd EmbedByClassicalMds(
   Eigen::MatrixXd between = squares(points, Eigen::all);
   between = 0.5 * (between + between.transpose()).eval();
   const Eigen::RowVectorXd means = between.colwise().mean();
-  // Step 3.
+  // Step 3: positions of all points.
   Eigen::MatrixXd result =
     -0.5 * ((squares.rowwise() - means) * ComputeScalingAxes(between, dimensions));
-  // Step 4.
+  // Step 4: signs and unused points.
   for (Eigen::Index k = 0; k < result.cols(); ++k)
   {
     Eigen::Index largest = 0;
