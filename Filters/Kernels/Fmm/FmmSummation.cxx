@@ -47,6 +47,7 @@ const Grade Grades[] = {
 /// Returns the first grade that meets the tolerance.
 const Grade& GradeFor(double tolerance)
 {
+  // Grades are sorted by descending tolerance.
   const Grade* grade = std::begin(Grades);
   while (grade + 1 < std::end(Grades) && grade->Tolerance > tolerance)
   {

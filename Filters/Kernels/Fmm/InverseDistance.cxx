@@ -130,6 +130,7 @@ HWY_INLINE void SumBlock(const InverseDistanceSum& sum, const double* points,
       }
     }
   }
+  // The factor of InverseRoot is in each 1 / r, so a gradient has its cube.
   constexpr double factor = RootFactor<Error>;
   const Vector scale = hn::Set(d, Gradient ? -1.0 / (factor * factor * factor) : 1.0 / factor);
   for (int v = 0; v < Vectors; ++v)

@@ -79,6 +79,8 @@ double NearestOffset(const Surface& boundary, const HarmonicVolumeMapOptions& op
     const double spacing = std::sqrt(area / (options.CollocationRatio * boundary.Points().rows()));
     return std::clamp(1.25 * spacing, 0.01, 0.15);
   }
+  // The option is the distance of the farthest charges; those of MultiLevel's last subset are
+  // nearest.
   return options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot
     ? options.OffsetDistance
     : options.OffsetDistance / ComputeCoarseness(ComputeSubsetCount(boundary, options));

@@ -66,6 +66,7 @@ Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress
   {
     const Eigen::RowVector3d position(
       i % counts(0), i / counts(0) % counts(1), i / (counts(0) * counts(1)));
+    // The centres of the cells.
     lattice.row(i) =
       low.array() + (position.array() + 0.5) * (high - low).array() / counts.cast<double>().array();
   }
@@ -193,6 +194,8 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   const Eigen::MatrixXi nearest =
     Nearest(this->SeedImages, points, MaximumStarts, progress.Part(0.15, 0.2));
+  // Attempt 0 takes the nearer of both kinds of start, 1 the boundary position, 2 the nearest seed,
+  // and k > 2 the seed number k - 2, counted from 0.
   const auto startOf = [&](int i, int attempt) -> Eigen::RowVector3d
   {
     const bool onIt = attempt == 0 &&

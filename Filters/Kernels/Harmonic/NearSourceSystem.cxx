@@ -57,6 +57,7 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
     offsets(p) = CoarseOffset * SpacingOfRootArea * std::sqrt(areas(parts[p]).sum());
     level.Clusters(parts[p]).setConstant(static_cast<int>(p));
   }
+  // The offset is half the spacing of the clusters, from the area of each.
   const NearSources placed = InsertNearSources(boundary, centres, directions, offsets, progress);
   level.Sources = placed.Points;
   // A cluster without room for a charge joins the nearest cluster that has one.
@@ -125,6 +126,8 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
   constexpr double room = 0.6, nearer = 0.7;
   constexpr int steps = 4;
   const Eigen::Index n = sites.rows();
+  // All charges start at their full offset. In each round those that are too close to any part of
+  // the surface move nearer to their site.
   Eigen::VectorXd reached = offsets;
   std::vector<int> open;
   for (int i = 0; i < n; ++i)

@@ -150,6 +150,8 @@ void PiecewiseHarmonicMap::FindParents()
 
 Mesh PiecewiseHarmonicMap::BoundaryOf(int region) const
 {
+  // The surface around the region, the walls of its voids, and the borders of the regions inside
+  // it.
   Mesh boundary = this->Walls[region];
   if (region == 0)
   {
@@ -196,6 +198,7 @@ PiecewiseHarmonicMap::Positions PiecewiseHarmonicMap::Locate(
     const double next = done + 1.0 / static_cast<double>(this->Order.size());
     const SignedDistance& border = *this->Borders[region];
     const Eigen::MatrixXd& onBorder = border.GetSurface().Points();
+    // Distances are evaluated only in the border's box.
     const RowVector3d low = onBorder.colwise().minCoeff();
     const RowVector3d high = onBorder.colwise().maxCoeff();
     std::vector<int> near;

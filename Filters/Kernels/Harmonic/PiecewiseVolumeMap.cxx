@@ -47,6 +47,7 @@ Mesh Refined(const Mesh& mesh)
   const auto n = static_cast<int>(mesh.Points.rows());
   const auto midpoint = [&](int a, int b)
   {
+    // An edge is met once from each of its triangles; both get the same midpoint.
     const auto [found, isNew] =
       midpoints.try_emplace(std::minmax(a, b), n + static_cast<int>(edges.size()));
     if (isNew)
@@ -301,6 +302,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
         std::max(fewest, static_cast<int>(layer.Around.Surface.Triangles.rows())), options.Seed);
       problem.Wanted = Evaluate(*around, problem.Positions);
     }
+    // Inner borders and walls of voids have given images.
     Append(problem.Boundary, layer.Within);
     // Step 4: the fit.
     HarmonicVolumeMapResult& own = result.Layers[layer.Region];

@@ -92,7 +92,8 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
     return result;
   }
   // Newton's method as in InverseSearch, but it stops as soon as a full step does not come closer.
-  // The complete search follows.
+  // The complete search follows. It starts once for each region whose image may contain the point,
+  // the outermost first.
   const double goal = this->Inverse->GoalOfMisses();
   bool searched = false;
   for (int region = 0; region < this->Map->RegionCount(); ++region)

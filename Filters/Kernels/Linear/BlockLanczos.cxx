@@ -32,6 +32,7 @@ public:
     , Known(known)
     , Tolerance(tolerance)
     , Wanted(wanted)
+    // More Ritz vectors than wanted are kept, so that the last wanted ones converge faster.
     , Kept(wanted + Block)
     , Most(std::max(2 * this->Kept, this->Kept + 8 * Block))
     , Basis(known.rows(), this->Most + Block)

@@ -90,6 +90,7 @@ Eigen::MatrixXd SingularValues::RightVectors(int first) const
   {
     return this->Vt.bottomRows(count).transpose();
   }
+  // The right singular vectors of a wide matrix are the columns of Q U.
   Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(this->Reflectors.rows(), count);
   vectors.topRows(this->S.size()) = this->U.rightCols(count);
   if (count > 0)

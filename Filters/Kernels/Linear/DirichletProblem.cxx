@@ -7,6 +7,7 @@ DirichletProblem::DirichletProblem(
   const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& fixed)
   : Stiffness(stiffness)
 {
+  // The matrix of the inner points; -1 marks fixed ones.
   std::vector<int> row(stiffness.rows(), 0);
   for (const int point : fixed)
   {

@@ -172,6 +172,7 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corners = surface.Triangles.row(t);
+    // Triangles without area count as flipped.
     if (EvaluateOrientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <=
       0)
     {

@@ -35,6 +35,7 @@ Eigen::MatrixXd CircularMap(
   const Mesh& surface, const std::vector<std::vector<int>>& loops, const Progress& progress)
 {
   const std::vector<int>& loop = loops.front();
+  // Points of the loop at equal angles: the loop's own lengths do not matter for uniform weights.
   Eigen::MatrixXd positions(loop.size(), 2);
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {

@@ -61,6 +61,7 @@ Eigen::VectorXd ComputeSolidAngles(const Eigen::MatrixXi& triangles, const Eigen
     const Eigen::RowVector3d a = points.row(triangles(t, 0));
     const Eigen::RowVector3d b = points.row(triangles(t, 1));
     const Eigen::RowVector3d c = points.row(triangles(t, 2));
+    // Van Oosterom and Strackee 1983, for unit vectors.
     angles(t) =
       2.0 * std::atan2(ComputeSphericalDeterminant(a, b, c), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
   }

@@ -106,6 +106,7 @@ PlanarPoint PlanarLocator::Find(const RowVector2d& position) const
     const RowVector2d a = this->Points.row(this->Triangles(triangle, 0)),
                       b = this->Points.row(this->Triangles(triangle, 1)),
                       c = this->Points.row(this->Triangles(triangle, 2));
+    // Triangles of a cell ascend, so the first that contains the position has the lowest number.
     if (EvaluateOrientation(a, b, position) >= 0 && EvaluateOrientation(b, c, position) >= 0 &&
       EvaluateOrientation(c, a, position) >= 0)
     {

@@ -13,6 +13,7 @@ namespace
 
 double Scaled(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c)
 {
+  // The determinant of the edges at unit length. An edge without length is the worst case.
   const double lengths = a.norm() * b.norm() * c.norm();
   return lengths > 0.0 ? std::clamp(a.dot(b.cross(c)) / lengths, -1.0, 1.0) : -1.0;
 }

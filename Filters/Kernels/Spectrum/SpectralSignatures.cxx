@@ -104,6 +104,7 @@ Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceSpectrum& spectrum, int point
 Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, dimensions);
+  // Rustamov 2007, section 4.
   return spectrum.Eigenfunctions.middleCols(zeros, dimensions) *
     spectrum.Eigenvalues.segment(zeros, dimensions).cwiseSqrt().cwiseInverse().asDiagonal();
 }

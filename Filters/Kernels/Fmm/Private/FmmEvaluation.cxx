@@ -195,6 +195,7 @@ void FmmEvaluation<Real>::Collect(Workspace& work, const Progress& progress) con
           const FmmTree::Box& parent = this->Tree.SourceBoxes[box];
           for (int i = parent.FirstChild; i < parent.FirstChild + parent.ChildCount; ++i)
           {
+            // FromChild belongs to the child at (-, -, -); the others mirror it.
             pairs.push_back({ box, i, this->Tree.SourceBoxes[i].Octant() });
           }
         }

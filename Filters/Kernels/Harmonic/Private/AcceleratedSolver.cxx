@@ -77,6 +77,8 @@ void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
     sum += squares(triangle);
     marked[triangle] = 1;
   }
+  // A new point is the midpoint of an edge, on which the boundary map is linear: its image is the
+  // mean of the ends' images.
   const Eigen::MatrixXi ends = BisectLongestEdges(boundary.Surface, marked);
   const Eigen::Index before = boundary.Targets.rows();
   boundary.Targets.conservativeResize(before + ends.rows(), 3);

@@ -40,6 +40,8 @@ public:
 
   PointDirections Directions(int, const Eigen::RowVector3d& position) const override
   {
+    // Two orthonormal tangents at the closest point of the target. Its normal is interpolated, so
+    // creases do not stop a point.
     const ClosestPoints closest = this->Locator.Find(position);
     const Eigen::Vector3d normal =
       PullBack(closest, this->Locator.GetSurface().Triangles(), this->Normals)

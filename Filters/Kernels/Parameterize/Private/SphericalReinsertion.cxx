@@ -38,6 +38,7 @@ std::vector<StarTriangle> WantedStar(const VertexRings& rings, const std::vector
   // The cotangent of 60 degrees.
   const double cotangent = 1.0 / std::sqrt(3.0);
   const std::vector<int>& ring = rings.Around(point);
+  // A point's load is shared by the triangles around it.
   const auto loadOf = [&](int i) { return loads[i] / rings.Around(i).size(); };
   std::vector<StarTriangle> star;
   double area = 0.0, load = 0.0;
@@ -199,6 +200,7 @@ void PlaceTetrahedron(const VertexRings& rings, Eigen::MatrixXd& points)
   {
     ++first;
   }
+  // The ring of the first point is counter-clockwise, so the tetrahedron faces outwards.
   const std::vector<int>& others = rings.Around(first);
   points.row(first) << 1.0, 1.0, 1.0;
   points.row(others[0]) << -1.0, 1.0, -1.0;
