@@ -45,7 +45,7 @@ int Detach(pid_t parent, int pipeEnd)
   setrlimit(RLIMIT_CORE, &noCore);
   // Buffered output stays the parent's to print, because the child ends with _exit.
   const int nowhere = open("/dev/null", O_RDWR);
-  // A copy with a number above the standard streams, which are replaced below.
+  // The pipe gets a number above those of the standard streams, which are replaced below.
   const int kept = fcntl(pipeEnd, F_DUPFD, 3);
   for (const int standard : { 0, 1, 2 })
   {

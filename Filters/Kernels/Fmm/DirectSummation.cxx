@@ -64,7 +64,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
       n, Grain,
       [&](int begin, int end)
       {
-        // The sums at a point are added in the order of the sources, whatever the chunk.
+        // Every point adds its terms in the order of the sources.
         for (int first = 0; first < m; first += Pass)
         {
           const SourceSpan span{ first, std::min(first + Pass, m) };

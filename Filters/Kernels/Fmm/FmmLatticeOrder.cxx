@@ -71,7 +71,7 @@ FmmLatticeOrder OrderOnLattice(const Eigen::MatrixXd& positions, const Lattice& 
           // key.
           const double at = (positions(i, c) - lattice.Origin[c]) / lattice.Side;
           const double cell = std::abs(at - 0.5) < 0.5 + 1e-9 ? 0.0 : std::floor(at);
-          // The last of the cells that a key can tell apart.
+          // The number of the last cell that a key can store.
           constexpr double maximum = (1 << FmmLatticeOrder::Halvings) - 1;
           // Only the root and the cubes that touch it have a number.
           root = std::abs(cell) <= 1.0 && root >= 0 ? 3 * root + 1 + static_cast<int>(cell) : -1;

@@ -98,7 +98,7 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
   }
   const Grade& grade = GradeFor(options.Tolerance);
   const double m = static_cast<double>(sources.rows()), n = static_cast<double>(points.rows());
-  // The costs of both methods, in pairs of the direct sum.
+  // Compares the costs of both methods, in pairs of the direct sum.
   const bool worth = m * n > grade.SetUp + grade.PerPoint * (m + n);
   if (sources.rows() == 0 || points.rows() == 0 || options.Method == MethodType::Direct ||
     (options.Method == MethodType::Automatic && !worth))
@@ -106,7 +106,8 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
     this->Self->Method = Parts::Positions{ sources, points };
     return;
   }
-  // In single precision box expansions take half the memory, and a vector holds twice as many.
+  // In single precision the box expansions take half the memory, and a vector register holds twice
+  // as many coefficients.
   if (options.Tolerance >= MinimumSingle)
   {
     this->Self->Method.emplace<1>(sources, points, grade.Effort, progress);

@@ -115,8 +115,8 @@ InverseMap::InverseMap(const ChargeSet& map, const Surface& domain, double farth
   // Starts of Newton's method inside the domain, and their images.
   this->Seeds = SeedsIn(this->Domain, options.SeedsAcross, progress.Part(0.2, 0.4));
   this->SeedImages = Evaluate(map, this->Seeds, progress.Part(0.4, 0.6));
-  // Whether the determinant of the derivative changes sign, at seeds and boundary positions. Maps
-  // fold first at the boundary, also in the middle of long triangles.
+  // The sign of the derivative's determinant is compared at seeds and boundary positions. Maps fold
+  // first at the boundary, also in the middle of long triangles.
   constexpr Eigen::Index wanted = 5000;
   const Eigen::MatrixXd onBoundary = SampleRandomly(
     domain, static_cast<int>(std::max(wanted - domain.Points().rows(), Eigen::Index(0))), 1);
@@ -143,8 +143,7 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
   {
     return {};
   }
-  // The nearer of two starts: the boundary position whose image is closest to the point, and the
-  // seed whose image is nearest.
+  // The start is the boundary position or the seed whose image is nearest to the point.
   const Eigen::RowVector3d onBoundary =
     PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   if (this->Seeds.rows() == 0)
@@ -167,8 +166,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
   // 1. A point outside the boundary's image is left out if the map has no folds.
   // 2. Starts: the boundary position whose image is closest to the point, and the seeds whose
   //    images are nearest.
-  // 3. Newton's method and continuation are tried from one start after the other, for all open
-  //    points at once.
+  // 3. In each attempt Newton's method or continuation runs from the next start of all open points.
   // 4. A solution counts if it lies in the domain.
   // 5. Points that remain open are Missed if they lie inside the image, and Outside otherwise.
   const Surface& image = this->Image.GetSurface();
@@ -194,8 +192,8 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   const Eigen::MatrixXi nearest =
     Nearest(this->SeedImages, points, MaximumStarts, progress.Part(0.15, 0.2));
-  // Attempt 0 takes the nearer of both kinds of start, 1 the boundary position, 2 the nearest seed,
-  // and k > 2 the seed number k - 2, counted from 0.
+  // Attempt 0 takes the boundary position or the nearest seed, the one with the nearer image.
+  // Attempts 2, 3, ... take the seeds in the order of their images' distances.
   const auto startOf = [&](int i, int attempt) -> Eigen::RowVector3d
   {
     const bool onIt = attempt == 0 &&

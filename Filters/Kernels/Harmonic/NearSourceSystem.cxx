@@ -158,7 +158,7 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
       double& offset = reached(open[k]);
       if (!(distances(k) >= room * offset))
       {
-        // After the last step there is no room: 0 means no charge.
+        // 0 means that there is no room for a charge.
         offset *= step < steps ? nearer : 0.0;
         crowded.push_back(open[k]);
       }

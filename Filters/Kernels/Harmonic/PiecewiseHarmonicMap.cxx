@@ -227,8 +227,8 @@ PiecewiseHarmonicMap::Positions PiecewiseHarmonicMap::Locate(
       const double depth = -at.Distances(k), skin = this->Skins(region), u = depth / skin;
       if (depth < skin)
       {
-        // s(u) of the header, and its gradient s'(u) / skin times the gradient of the depth, which
-        // is the unit vector away from the closest position.
+        // s(u) of the header and its gradient. The gradient is s'(u) / skin times that of the
+        // depth, a unit vector away from the closest position.
         positions.Shares(i) = (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u);
         positions.Slopes.row(i) =
           -6.0 * u * (1.0 - u) / (skin * depth) * (points.row(i) - at.Closest.Positions.row(k));

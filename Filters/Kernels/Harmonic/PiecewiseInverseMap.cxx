@@ -29,7 +29,7 @@ InverseMap::Result PiecewiseInverseMap::Find(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
   // Outline, for each region from the outermost inwards:
-  // 1. The preimages of all open points under the region's own map.
+  // 1. The preimages of all open points under the region's harmonic map are searched.
   // 2. Newton's method with the complete map continues from them: in a skin, or beyond the border,
   //    the complete map differs.
   // 3. A solution counts if its image meets the goal and it lies in the domain. The others stay
@@ -59,7 +59,7 @@ InverseMap::Result PiecewiseInverseMap::Find(
         continue;
       }
       left.push_back(open[k]);
-      // Missed in one region is more than Outside of the others.
+      // A point that one region missed is Missed, even if it is Outside for the others.
       result.States(open[k]) = std::max(result.States(open[k]), own.States(k));
     }
     Steps steps(part.Part(0.8, 1.0));

@@ -47,7 +47,7 @@ Mesh Refined(const Mesh& mesh)
   const auto n = static_cast<int>(mesh.Points.rows());
   const auto midpoint = [&](int a, int b)
   {
-    // An edge is met once from each of its triangles; both get the same midpoint.
+    // The two triangles of an edge share its midpoint.
     const auto [found, isNew] =
       midpoints.try_emplace(std::minmax(a, b), n + static_cast<int>(edges.size()));
     if (isNew)

@@ -235,8 +235,8 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
   // The columns of `own` in the transposed inverse are its rows in the inverse.
   if (maximumAmplification > 0.0)
   {
-    // First choice: as many averages as charges, solved directly. In single precision, which is
-    // enough for a preconditioner.
+    // First choice: as many averages as charges, solved directly. Single precision suffices for a
+    // preconditioner.
     const Eigen::MatrixXf potentials = LocalPotentials<float>(sources, positions);
     Eigen::MatrixXf tested = Eigen::MatrixXf::Zero(all, all); // transposed
     for (Eigen::Index i = 0; i < all; ++i)
@@ -249,7 +249,7 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
     }
     const Eigen::MatrixXf inverse =
       tested.partialPivLu().solve(Eigen::MatrixXf::Identity(all, count));
-    // The largest charge that the block could answer to the potentials of a unit charge.
+    // A bound of the charges that the block computes from the potentials of a unit charge.
     if (inverse.colwise().norm().maxCoeff() * tested.rowwise().norm().maxCoeff() <
       maximumAmplification)
     {
@@ -280,7 +280,7 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
   // Outline:
   // 1. The residual at the positions that blocks read: averages around the sites, then single rows.
   // 2. The coarse charges, from the mean residual of each cluster.
-  // 3. What the coarse charges leave is reduced by all blocks at once.
+  // 3. The blocks reduce the remaining residual, independently of each other.
   const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
   // Step 1: the residual.
   Eigen::MatrixXd left(this->Positions.rows(), residual.cols());

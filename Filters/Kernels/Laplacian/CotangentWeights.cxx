@@ -15,7 +15,7 @@ constexpr double Slack = 1e-6;
 
 std::array<double, 3> Mollified(std::array<double, 3> sides)
 {
-  // Sharp and Crane 2020, section 4.5, with the smallest raise of this triangle's three edges.
+  // Sharp and Crane 2020, section 4.5, applied to one triangle.
   const double longest = *std::max_element(sides.begin(), sides.end());
   const double excess = sides[0] + sides[1] + sides[2] - 2.0 * longest;
   const double raise = std::max(0.0, Slack * longest - excess);
@@ -67,7 +67,7 @@ TriangleAngles ComputeAnglesFromLengths(const Eigen::MatrixXd& lengths)
       const double b = sides[(corner + 1) % 3];
       const double c = sides[(corner + 2) % 3];
       // cot = (b^2 + c^2 - a^2) / (4 area), with c^2 - a^2 as a product, which does not cancel. A
-      // triangle without extent counts as equilateral.
+      // triangle without extent is treated as equilateral.
       angles.Cotangents(t, corner) =
         area > 0.0 ? (b * b + (c - a) * (c + a)) / (4.0 * area) : 1.0 / std::sqrt(3.0);
     }

@@ -45,7 +45,7 @@ public:
     // Outline (thick-restart Lanczos, Wu and Simon 2000):
     // 1. A random block, improved by one application of the operator.
     // 2. The basis is extended by blocks.
-    // 3. From time to time the Ritz pairs of the projected operator are tested.
+    // 3. Every few blocks the Ritz pairs of the projected operator are tested for convergence.
     // 4. A full basis is replaced by its best Ritz vectors and the next block; then step 2.
     this->Basis.leftCols(Block) = this->Completed(this->Apply(this->Random(Block)), 0);
     for (int restart = 0; restart < Restarts; ++restart)

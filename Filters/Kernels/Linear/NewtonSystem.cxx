@@ -22,7 +22,8 @@ NewtonSystem::NewtonSystem(const std::vector<int>& widths, std::vector<int> elem
 
 void NewtonSystem::MakePattern()
 {
-  // The blocks that share an element with each block; then the rows of each column; then the slots.
+  // First the blocks that share an element with each block are found, then the rows of each column,
+  // then the slots.
   const std::size_t blocks = this->First.size() - 1, step = this->Corners;
   std::vector<std::vector<int>> neighbours(blocks);
   for (std::size_t first = 0; first < this->Elements.size(); first += step)

@@ -172,7 +172,7 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corners = surface.Triangles.row(t);
-    // Triangles without area count as flipped.
+    // Triangles without area are treated as flipped.
     if (EvaluateOrientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <=
       0)
     {

@@ -161,8 +161,8 @@ private:
     {
       return;
     }
-    // Free points become mean value combinations of their neighbours; all others of the part are
-    // fixed.
+    // Free points become mean value combinations of their neighbours. The other points of the part
+    // are fixed.
     const Mesh part{ this->Surface.Points(used, Eigen::all),
       this->Triangles(around, Eigen::all).unaryExpr([&](int point) { return own[point]; }) };
     std::vector<int> ownFixed;
@@ -174,8 +174,7 @@ private:
       part, CombinationWeights::MeanValue, ownFixed, this->Positions(fixed, Eigen::all));
     Eigen::MatrixXd moved = this->Positions;
     moved(used, Eigen::all) = solved;
-    // Groups of connected free points move separately: one that fails does not hold back the
-    // others.
+    // Groups of connected free points move independently: if one fails, the others still move.
     std::vector<char> fails(isFree.size(), 0);
     for (const int t : around)
     {

@@ -35,7 +35,7 @@ Eigen::MatrixXd CircularMap(
   const Mesh& surface, const std::vector<std::vector<int>>& loops, const Progress& progress)
 {
   const std::vector<int>& loop = loops.front();
-  // Points of the loop at equal angles: the loop's own lengths do not matter for uniform weights.
+  // The loop's points are mapped to equal angles. Like uniform weights, this ignores lengths.
   Eigen::MatrixXd positions(loop.size(), 2);
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
@@ -144,7 +144,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
     image = refined.Points;
     result.Iterations = refined.Iterations;
   }
-  // Step 5. Rounding in the rotation can flip a tiny triangle, so it is checked last.
+  // Step 5. Rounding in the rotation can flip a tiny triangle, so the check comes last.
   Settle(surface.Triangles(), image);
   flipped = FindInvertedTriangles(surface.Triangles(), image);
   if (!flipped.empty())

@@ -284,7 +284,7 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
     progress(done);
     const double before = result.Energy;
     ++result.Iterations;
-    // Line search. The slope is that of the mean, as the energy is.
+    // Line search. Energy and slope are divided by the area.
     if (!Search(result.Points, result.Energy, system.Spread(direction),
           gradient.dot(direction) / area, elements, options))
     {

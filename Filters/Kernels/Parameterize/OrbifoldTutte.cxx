@@ -224,8 +224,8 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
   progress(0.0);
   // Outline (Aigerman and Lipman 2015):
   // 1. The surface is cut along a path through the cones, which makes it a disk.
-  // 2. Cones have given positions. Two copies of a point on the cut are one unknown and its image
-  //    under the leg's isometry.
+  // 2. Cones have given positions. A point on the cut has two copies: one is an unknown, the other
+  //    is its image under the leg's isometry.
   // 3. The Dirichlet energy of all edges, with positive cotangent weights, gives the equations of
   //    the weighted means.
   // 4. The solution, checked with exact predicates.

@@ -53,8 +53,8 @@ DistortionTerms ConformalTerms(const Vector2d& s)
   for (int i = 0; i < 2; ++i)
   {
     const double other = s(1 - i);
-    // The gradient is (s - o) (s + o) / (o s^2), and (s - o) / (s - c) = (sqrt s + sqrt o) / sqrt
-    // s.
+    // With the other value o and c = sqrt(s o): the gradient is (s - o) (s + o) / (o s^2), and (s -
+    // o) / (s - c) = (sqrt s + sqrt o) / sqrt s.
     terms.Gradient(i) = 1.0 / other - other / (s(i) * s(i));
     terms.Weights(i) = roots.sum() * s.sum() / (2.0 * roots(i) * other * s(i) * s(i));
   }

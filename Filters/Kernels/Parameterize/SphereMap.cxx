@@ -232,7 +232,7 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
 {
   // Outline:
   // 1. A first image on the sphere, by the flow or by global reinsertion.
-  // 2. It is turned outwards.
+  // 2. It is mirrored if it faces inwards.
   // 3. It is centred. If triangles are flipped, their points are reinserted and relaxed, and it is
   //    centred again.
   const int n = static_cast<int>(mesh.Points.rows());

@@ -141,7 +141,7 @@ void RequireClosed(const Eigen::MatrixXi& segments, const Eigen::VectorXi& first
 /// Returns the winding number of the segments around each triangle.
 std::vector<int> Windings(const PlanarTriangles& plane)
 {
-  // From the triangles at infinity, which no outline encloses, over all edges.
+  // The search starts at the triangles at infinity, which no outline encloses.
   std::vector<int> windings(plane.Sides() / 3, 0);
   std::vector<char> isReached(windings.size(), 0);
   std::vector<int> reached;

@@ -114,7 +114,7 @@ PlanarPoint PlanarLocator::Find(const RowVector2d& position) const
       { return std::max(0.0, u(0) * v(1) - u(1) * v(0)); };
       const Eigen::RowVector3d areas(area(b - position, c - position),
         area(c - position, a - position), area(a - position, b - position));
-      // Which triangle is exact; its coordinates are rounded and not negative.
+      // The choice of the triangle is exact; the barycentric coordinates are rounded.
       found.Triangle = triangle;
       found.Barycentric = areas / areas.sum();
       return found;

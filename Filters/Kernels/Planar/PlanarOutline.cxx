@@ -67,8 +67,7 @@ bool PlanarOutline::Crosses(const Eigen::Matrix<double, 3, 2>& triangle) const
 
 bool PlanarOutline::Covers(const Eigen::Matrix<double, 3, 2>& triangle) const
 {
-  // If no edge intersects the triangle, it lies on one side as a whole, and any of its positions
-  // decides.
+  // If no edge intersects the triangle, all its positions are on one side of the outline.
   return this->Crosses(triangle) || this->Side(triangle.colwise().mean()) > 0;
 }
 

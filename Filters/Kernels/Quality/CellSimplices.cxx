@@ -17,10 +17,9 @@ struct CornerTable
 
 const CornerTable& TableOf(CellShape shape)
 {
-  // Shares, for affine images of the regular cells: at each corner of a pyramid's base the
-  // determinant is the base's area times the height, three times the volume; at each corner of a
-  // wedge it is twice the volume; at each corner of a hexahedron it is the volume. The share
-  // divides by the number of corners as well.
+  // For affine images of the regular cells, the determinant at a corner is three times the volume
+  // of a pyramid, twice the volume of a wedge, and the volume of a hexahedron. The share divides by
+  // this factor and by the number of corners.
   static const CornerTable triangle{ { { 0, 1, 2, -1 } }, 1.0 / 2.0 };
   static const CornerTable tetrahedron{ { { 0, 1, 2, 3 } }, 1.0 / 6.0 };
   static const CornerTable pyramid{

@@ -94,7 +94,7 @@ public:
     {
       const Eigen::MatrixXd& from = this->OnSphere ? this->Points : this->Around;
       reference = from.row(triangle[0]) + from.row(triangle[1]) + from.row(triangle[2]);
-      // Without the triangle's own contribution at its three corners.
+      // The triangle itself has contributed at its three corners.
       reference -= this->OnSphere ? Eigen::RowVector3d::Zero().eval() : (3.0 * area).eval();
     }
     return area.dot(reference) < 0.0 ? -1.0 : 1.0;

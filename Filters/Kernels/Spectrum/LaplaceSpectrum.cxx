@@ -147,8 +147,8 @@ std::vector<ComponentSpectrum> FindEnough(
     wanted.push_back(1 + static_cast<int>(std::ceil(pairs * part.Masses().sum() / area)));
   }
   double begin = 0.0;
-  // Until the largest pair found of every component exceeds all those that are needed, or it has no
-  // more. Otherwise the number is doubled.
+  // A component has enough pairs if its largest eigenvalue is at least the largest one needed.
+  // Otherwise the number of its pairs is doubled.
   while (found != wanted)
   {
     const double step = 0.5 * (1.0 - begin) / static_cast<double>(parts.size());
@@ -212,7 +212,7 @@ LaplaceSpectrum SolveLaplaceEigenproblem(
   // Outline:
   // 1. Each component is solved separately, with enough pairs.
   // 2. The pairs of all components are sorted; the smallest are kept.
-  // 3. Each eigenfunction gets a sign that does not depend on the solver.
+  // 3. The sign of each eigenfunction is made independent of the solver.
   const Topology topology = RequireManifold(surface, "the surface");
   const auto used = static_cast<int>((topology.ComponentId.array() >= 0).count());
   if (pairs < 1 || pairs > used)

@@ -123,8 +123,8 @@ Eigen::MatrixXd FmmEvaluation<Real>::Around(
 template <typename Real>
 void FmmEvaluation<Real>::Collect(Workspace& work, const Progress& progress) const
 {
-  // First the leaves: the potentials of their charges on the outer cube give the coefficients c =
-  // Expansion^T potentials. Leaves are grouped, so that one product serves several.
+  // Leaves: the potentials of their charges on the outer cube give the outgoing coefficients, c =
+  // Expansion^T potentials. Each product serves a group of leaves.
   const int columns = work.Columns;
   const int points = static_cast<int>(this->Operators.OuterPoints.rows());
   const int pointStride = static_cast<int>(this->Operators.Expansion.rows());
@@ -175,8 +175,8 @@ void FmmEvaluation<Real>::Collect(Workspace& work, const Progress& progress) con
     },
     progress);
 
-  // Then the levels, the deepest first: a parent adds the coefficients of its children. One
-  // operator serves all eight, mirrored.
+  // Levels, the deepest first: a parent adds the translated coefficients of its children. One
+  // mirrored operator serves all eight children.
   FmmTranslation<Real> up;
   Set(up, this->Operators.FromChild);
   up.Signs = this->Operators.Signs.data();
@@ -281,8 +281,8 @@ void FmmEvaluation<Real>::EvaluateCharges(Workspace& work, const Eigen::MatrixXd
 template <typename Real>
 void FmmEvaluation<Real>::Evaluate(Workspace& work, const Progress& progress) const
 {
-  // Points beyond the lattice's cubes, which fill the root's outer cube, see the root alone: the
-  // equivalent charges on its inner cube.
+  // The lattice's cubes fill the root's outer cube. Points beyond them receive the field of the
+  // equivalent charges on the root's inner cube.
   const int columns = work.Columns;
   const int stride = this->Operators.Stride;
   const auto pointStride = static_cast<int>(this->Operators.Expansion.rows());
@@ -344,7 +344,7 @@ void FmmEvaluation<Real>::Evaluate(Workspace& work, const Progress& progress) co
             charges.data() + (leaf - begin) * columns * pointStride, pointStride, box.Begin,
             box.End);
         }
-        // Near sources.
+        // The near sources are summed directly.
         InverseDistanceSum sum;
         sum.Sources = work.Packed.data();
         sum.Columns = columns;

@@ -117,9 +117,10 @@ struct Spectrum
 
 Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double threshold)
 {
-  // The integral operator, discretized by quadrature: each entry times the roots of both weights
-  // (Fong and Darve 2009, section 3.3). A is invariant under mirroring, so its singular vectors are
-  // even or odd along each axis: eight decompositions of an eighth of the size instead of one.
+  // The integral operator is discretized by quadrature: each entry is multiplied by the square
+  // roots of both weights (Fong and Darve 2009, section 3.3). A is invariant under mirroring, so
+  // its singular vectors are even or odd along each axis: eight decompositions of an eighth of the
+  // size replace one.
   const int rows = outer.Octant, columns = inner.Octant, octant = std::min(rows, columns);
   const Eigen::MatrixXd full = outer.RootWeights.head(rows).asDiagonal() *
     InverseDistances(outer.Positions.topRows(rows), inner.Positions) *
@@ -164,7 +165,7 @@ Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double thre
     kept.Parities.push_back(parity);
     for (int axes = 0; axes < 8; ++axes)
     {
-      // Continued to all octants; the root makes the vector's length 1 again.
+      // The vector is continued to all octants by mirroring, and normalised.
       const double sign = Sign(axes, parity) / std::sqrt(8.0);
       kept.Left.col(mode).segment(axes * rows, rows) = sign * left[parity].col(column);
       kept.Right.col(mode).segment(axes * columns, columns) =

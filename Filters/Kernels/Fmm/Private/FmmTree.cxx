@@ -83,7 +83,7 @@ FmmTree::FmmTree(
   const Eigen::RowVector3d low = sources.colwise().minCoeff();
   const Eigen::RowVector3d high = sources.colwise().maxCoeff();
   const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  // Sources at one position need a root with some extent, too.
+  // The root needs an extent even if all sources coincide.
   const double extent = std::max({ (high - low).maxCoeff(), 1e-9 * largest, 1e-280 });
   this->Scale = std::ldexp(1.0, -1 - std::ilogb(extent));
   this->Side = this->Scale * extent;

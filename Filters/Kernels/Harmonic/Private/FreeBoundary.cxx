@@ -40,8 +40,8 @@ public:
 
   PointDirections Directions(int, const Eigen::RowVector3d& position) const override
   {
-    // Two orthonormal tangents at the closest point of the target. Its normal is interpolated, so
-    // creases do not stop a point.
+    // The directions are orthonormal tangents at the closest point of the target. The normal is
+    // interpolated, so points can cross creases.
     const ClosestPoints closest = this->Locator.Find(position);
     const Eigen::Vector3d normal =
       PullBack(closest, this->Locator.GetSurface().Triangles(), this->Normals)
@@ -93,7 +93,7 @@ Solid Untangled(
   }
   Solid solid{ std::move(result.Solid), Eigen::MatrixXd(0, 3) };
   const Eigen::Index given = tetrahedra.Points.rows();
-  // Points that untangling added lie at the mean of their parents, in the rest position too.
+  // Points added by untangling have the mean of their parents' rest positions.
   solid.Rest.resize(solid.Moved.Points.rows(), 3);
   solid.Rest.topRows(given) = tetrahedra.Points;
   for (std::size_t i = 0; i < result.Parents.size(); ++i)
@@ -140,8 +140,7 @@ SimplexPatch WholePatch(const Solid& solid, double size)
     std::array<int, 4> c;
     std::copy_n(solid.Moved.Corners.data() + solid.Moved.Offsets(t), 4, c.begin());
     Eigen::Matrix3d edges;
-    // The rest shape, scaled to the volume of the image: the energy then measures shape and local
-    // size alike.
+    // The rest shape is scaled to the volume of the image.
     for (int k = 0; k < 3; ++k)
     {
       edges.col(k) = size * (solid.Rest.row(c[k + 1]) - solid.Rest.row(c[0])).transpose();

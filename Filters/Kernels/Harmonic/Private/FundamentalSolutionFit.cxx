@@ -195,7 +195,7 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
   points << this->Positions.topRows(boundaryRows), this->Probes.bottomRows(featureRows);
   rightSide << this->CollocationResidual.topRows(boundaryRows),
     this->Residual.bottomRows(featureRows);
-  // Step 2. A row times the root of w counts as w equal rows (section 4.4).
+  // Step 2. A row multiplied by the square root of w has the weight of w equal rows (section 4.4).
   Eigen::MatrixXd matrix = BuildPotentialMatrix(points, sources, progress.Part(0.0, 0.1));
   Eigen::VectorXd roots(rows);
   roots << this->GetCollocationAreas(boundaryRows).cwiseSqrt(), this->RootWeights;
@@ -207,7 +207,8 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
   Fit fit;
   fit.Rows = static_cast<int>(rows);
   fit.Charges = decomposition.Solve(roots.asDiagonal() * rightSide, this->Threshold);
-  // Section 4.2. A singular vector combines all sources; its largest entry is the one to blame.
+  // Section 4.2. A singular vector combines all sources; the source of its largest entry is
+  // redundant.
   std::set<int> redundant;
   const Eigen::MatrixXd vectors = decomposition.RightVectors(decomposition.Rank(this->Threshold));
   for (const auto& vector : vectors.colwise())

@@ -51,7 +51,7 @@ Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts)
 Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
   const HarmonicVolumeMapOptions& options, const Progress& progress)
 {
-  // Two for each of the fewest sources of a shell, SourceShells::Fewest.
+  // Twice the minimum number of sources of a shell (SourceShells::Fewest).
   constexpr int minimum = 48;
   return Concatenate(SampleSurfaces(SplitComponents(problem.Boundary()),
     ComputeSampleCount(problem.Boundary(), options.CollocationRatio), minimum,
@@ -257,8 +257,8 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
       return;
     }
     idle = gain < options.LeastGain ? idle + 1 : 0;
-    // Consecutive levels use different subsets, so one level without gain says little; with one
-    // subset it says all.
+    // Consecutive levels use different subsets. So the sum may still gain after one level without
+    // gain, unless there is only one subset.
     if (idle == std::min(2, subsets))
     {
       result.Reason = HarmonicVolumeMapResult::Stop::NoImprovement;
@@ -277,8 +277,8 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
     {
       const int inserted = static_cast<int>(InsertedShare * sourceCount / subsets);
       const Eigen::MatrixXd worst = problem.WorstPoints(inserted, spacing);
-      // Into the subset of the next level, which fits them at once: the worst points projected onto
-      // the shells.
+      // The worst points are projected onto the shells and become sources of the next level's
+      // subset.
       AppendRows(sources[number % subsets], outer.Find(worst).Positions);
       problem.Collocate(worst, Progress());
       result.InsertedSources += static_cast<int>(worst.rows());

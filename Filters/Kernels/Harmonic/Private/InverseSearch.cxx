@@ -123,8 +123,8 @@ Search StartSearch(const SearchedMap& map, const Eigen::MatrixXd& positions,
 
 void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress)
 {
-  // Outline of one iteration: the Newton steps of all active positions; each is halved until the
-  // miss decreases; positions that met the goal and gain little more are done.
+  // In one iteration the Newton steps of all active positions are computed. Each step is halved
+  // until the miss decreases. Positions that meet the goal and gain little more are done.
   Indices active;
   for (int i = 0; i < search.Misses.size(); ++i)
   {
@@ -206,7 +206,7 @@ Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
     const Eigen::MatrixXd to = targets(active, Eigen::all);
     Search part = StartSearch(map, search.Positions(active, Eigen::all),
       from + tried.asDiagonal() * (to - from), progress.Next());
-    // A step of the walk is short enough for a few iterations; if not, it is halved.
+    // A few iterations suffice for a short step of the walk. If they do not, the step is halved.
     IterateNewton(map, part, { limits.Goal, limits.MaxStep, 8 }, progress);
     Indices next;
     for (std::size_t i = 0; i < active.size(); ++i)

@@ -30,8 +30,8 @@ std::vector<int> UsedPointsByPosition(const Mesh& boundary)
     return std::array<double, 3>{ boundary.Points(i, 0), boundary.Points(i, 1),
       boundary.Points(i, 2) };
   };
-  // OrderOnLattice keeps the order of equal keys, so their order must not depend on the numbering
-  // either.
+  // OrderOnLattice keeps the order of equal keys. Sorting first makes that order independent of the
+  // input's numbering.
   std::stable_sort(
     used.begin(), used.end(), [&](int a, int b) { return position(a) < position(b); });
   const Eigen::MatrixXd positions = boundary.Points(used, Eigen::all);
@@ -95,8 +95,8 @@ ScaledBoundary ScaleBoundary(const Surface& boundary, const Eigen::MatrixXd& tar
   }
   RequireFinite(targets, "the boundary map");
 
-  // Orientation and numbering first, so that all further sums have the same order for any input
-  // numbering.
+  // Orientation and numbering come first. Then all further sums have the same order for any
+  // numbering of the input.
   const Mesh outward = OrientByNesting(boundary, "the boundary");
   const std::vector<int> used = UsedPointsByPosition(outward);
   ScaledBoundary scaled;

@@ -16,7 +16,7 @@ namespace
 /// Returns the maximum distance from the wall inside a void, over a lattice of points in its box.
 double Depth(const Mesh& component, const SignedDistance& field, const Progress& progress)
 {
-  // A coarse lattice: the depth only limits the offset, to half of it.
+  // A coarse lattice suffices, because the offset is at most half the depth.
   constexpr int side = 16;
   const Eigen::MatrixXd corners = component.Points(component.Triangles.reshaped(), Eigen::all);
   const Eigen::RowVector3d low = corners.colwise().minCoeff();
@@ -52,8 +52,8 @@ SourceShells::SourceShells(const Surface& boundary, double offset, const Progres
   {
     const SignedDistance field(components[c]);
     const Progress part = progress.Part(share * c, share * (c + 1));
-    // Li et al. 2010, section 3.2: sources lie on an offset surface. A void has a shell of its own,
-    // which must fit into it.
+    // Li et al. 2010, section 3.2: sources lie on an offset surface. The shell of a void must fit
+    // into the void.
     double distance = offset;
     if (ComputeEnclosedVolume(components[c]) < 0.0) // a void
     {

@@ -73,7 +73,7 @@ MoebiusCenteringResult CenterOnSphere(const Eigen::MatrixXd& points, const Eigen
       (Eigen::Matrix3d::Identity() -
         result.Points.transpose() * shares.asDiagonal() * result.Points);
     Eigen::RowVector3d center = -change.ldlt().solve(mean.transpose()).transpose();
-    // If Newton's step is not a direction of descent, a step along -mean is.
+    // If Newton's step is not a direction of descent, it is replaced by -mean.
     if (!center.allFinite() || center.dot(mean) >= 0.0)
     {
       center = -mean;

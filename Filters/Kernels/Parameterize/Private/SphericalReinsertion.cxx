@@ -104,8 +104,8 @@ bool MergeWhereSeen(VertexRings& rings, const Eigen::MatrixXd& points, int point
 bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, int maximum, Merges& merges, const Progress& progress)
 {
-  // Points whose ring they do not see are merged into a neighbour that sees it. If none can be
-  // merged, rings of further points around them are, which gives room.
+  // A point that does not see its whole ring is merged into a neighbour that does. If no point can
+  // be merged, the points around them are merged as well.
   std::vector<int> suspects;
   for (const int t : FindFlippedTriangles(triangles, points))
   {
@@ -217,8 +217,7 @@ void PlaceTetrahedron(const VertexRings& rings, Eigen::MatrixXd& points)
 int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen::MatrixXd& points,
   const Progress& progress)
 {
-  // The number of points that a point stands for: itself and those merged into it, so far not
-  // reinserted.
+  // A point's load is 1 plus the loads of the points that are merged into it.
   std::vector<double> loads(rings.Size(), 1.0);
   for (std::size_t i = 0; i < merges.Order.size(); ++i)
   {
@@ -243,7 +242,7 @@ int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen:
       return point;
     }
     movable[point] = 1;
-    // The new point makes room for the next ones around it.
+    // Relaxation makes room for the next points.
     for (int round = 0; round < 3; ++round)
     {
       relax(point);

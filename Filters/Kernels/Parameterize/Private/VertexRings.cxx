@@ -129,8 +129,8 @@ bool IsInStarKernel(
 bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<int>& ring)
 {
   // Outline:
-  // 1. ring[0] sees all edges but its own two, so near ring[0] only those two bound the kernel: the
-  //    lune between their planes.
+  // 1. ring[0] sees all edges except the two that begin or end there. So near ring[0] the kernel is
+  //    the lune between the planes of these two.
   // 2. The lune is clipped by the planes of the other edges.
   // 3. The mean of the kernel's corners, moved towards ring[0] if rounding puts it outside.
   const auto normalOf = [&](std::size_t k)

@@ -40,7 +40,7 @@ bool SegmentRecovery::IsAhead(int a, int b, int c) const
   const Eigen::RowVector2d& from = this->Plane.Position(a);
   const Eigen::RowVector2d& to = this->Plane.Position(b);
   const Eigen::RowVector2d& position = this->Plane.Position(c);
-  // Of collinear points, those ahead are on the same side of `from` in any coordinate that differs.
+  // A collinear point is ahead if its coordinate is on the same side of a's as that of b.
   const int axis = from(0) != to(0) ? 0 : 1;
   return (from(axis) < to(axis)) == (from(axis) < position(axis)) && this->Plane.Turn(a, b, c) == 0;
 }
@@ -75,9 +75,9 @@ int SegmentRecovery::Advance(int from, const Piece& piece)
 /// The same if edges are crossed. ahead: the half-edge of the first one, on its far side.
 int SegmentRecovery::Cross(int from, const Piece& piece, int ahead)
 {
-  // The edges that the segment crosses are visited up to the next point on it. A marked one stops
-  // the segment; the others are flipped away (OpenWay), and the flipped triangles are made Delaunay
-  // again.
+  // The edges that the segment crosses are visited up to the next point on it. At a marked edge a
+  // crossing is added. Otherwise OpenWay flips the edges, and the changed triangles are made
+  // Delaunay again.
   const int first = ahead;
   while (true)
   {

@@ -52,8 +52,8 @@ Eigen::MatrixXd EmbedByClassicalMds(
   // Outline (de Silva and Tenenbaum 2004, section 2):
   // 1. Distances of all points from the samples.
   // 2. Classical scaling of the samples.
-  // 3. Every point from its squared distances to the samples; the samples get their own positions.
-  // 4. Each column gets a sign that does not depend on the solver; unused points are set to 0.
+  // 3. The positions of all points follow from their squared distances to the samples.
+  // 4. The sign of each column is made independent of the solver; unused points are set to 0.
   Eigen::MatrixXd squares =
     ComputeHeatDistances(surface, points, progress.Part(0.2, 0.9)).array().square();
   squares = squares.array().isFinite().select(squares, 0.0);
