@@ -33,8 +33,8 @@ using Options = CorrespondenceOptions;
 struct Compact
 {
   shape::Surface Surface;
-  std::vector<int> Points;    ///< of the surface given
-  Eigen::VectorXi PositionOf; ///< n: in Points; -1
+  std::vector<int> Points;    ///< their indices in the given surface
+  Eigen::VectorXi PositionOf; ///< n: the index of each point in Points, or -1
 };
 
 Compact Compacted(const Surface& surface, const std::string& name)
@@ -63,7 +63,7 @@ bool HasFewer(const Compact& one, const Compact& other)
   return one.Surface.Points().rows() < other.Surface.Points().rows();
 }
 
-/// The map of all points of the surface given: the others go with the closest of the surface.
+/// The map of all points of the given surface. An unused point is mapped like the closest used one.
 SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Surface& given)
 {
   if (from.Surface.Points().rows() == given.Points().rows())
@@ -89,7 +89,7 @@ SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Surf
   return all;
 }
 
-/// Landmarks that were found are more than the four that an orbifold can have.
+/// Of the landmarks that were found, only the first four are used: an orbifold has no more cones.
 SurfaceMaps ThroughOrbifold(
   const Surface& a, const Surface& b, Landmarks landmarks, bool found, const Progress& progress)
 {
@@ -105,7 +105,7 @@ SurfaceMaps ThroughOrbifold(
   return { std::move(map.AToB), std::move(map.BToA) };
 }
 
-/// Finds landmarks if none are given, and which surface is a part of the other one.
+/// Finds landmarks if none are given, and decides which surface is a part of the other one.
 void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, Options::PartType part,
   CorrespondenceResult& result, const Progress& progress)
 {
@@ -132,7 +132,7 @@ void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, Options::Pa
     std::sqrt(result.Start.Part == Which::SurfaceB ? ratio / share : ratio * share), share };
 }
 
-/// Of surfaces of which one may be a part of the other one.
+/// The functional map of two surfaces, one of which may be a part of the other one.
 SurfaceMaps Functional(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const Options& options, const SurfacePart& part, const Progress& progress)
 {
@@ -161,17 +161,17 @@ SurfaceMaps Functional(const Surface& a, const Surface& b, const Landmarks& land
   return ComputeFunctionalMap(a, b, landmarks, whole, progress);
 }
 
-/// How many points of a surface the method needs; 0: all.
+/// Returns how many points of a surface the method needs; 0: all.
 int EnoughPoints(const Surface& surface, const Options& options)
 {
   switch (options.Method)
   {
     case Options::MethodType::CommonSphere:
     case Options::MethodType::CommonOrbifold:
-      return 0; // one to one, which only maps of the whole surfaces are
+      return 0; // only maps of the given surfaces are one to one
     case Options::MethodType::ReversibleHarmonic:
     {
-      // Coarse maps are refined: two fifths of the points are as good and half the time.
+      // Coarse maps are refined: two fifths of the points give equal quality in half the time.
       constexpr int minimum = 2000;
       const auto points = static_cast<int>(surface.Points().rows());
       return std::min(options.CoarsePoints, std::max(minimum, points / 5 * 2));
@@ -181,7 +181,7 @@ int EnoughPoints(const Surface& surface, const Options& options)
   }
 }
 
-/// Maps of the fine surfaces. landmarks: of the coarse ones, those used at the end.
+/// Computes the maps of the fine surfaces. landmarks: of the coarse ones; on return, those used.
 SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& options,
   CorrespondenceResult& result, const Progress& whole)
 {
@@ -234,7 +234,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   if (options.Start == Options::StartType::FunctionalMap &&
     result.Part.Which != SurfacePart::WhichType::None)
   {
-    return pair.OnFine(start, lift); // iterations would spread the part over the whole
+    return pair.OnFine(start, lift); // iterations would spread the part over the other surface
   }
   ReversibleHarmonicOptions own;
   own.MaximumIterations = options.MaximumIterations;

@@ -31,11 +31,11 @@ namespace
 struct RoundSurface
 {
   Mesh Sphere;               ///< with fans in the holes
-  SphereMapMethod Method;    ///< that gave it
+  SphereMapMethod Method;    ///< the method that computed the map
   ComplexPoints Points;      ///< of the sphere
-  Eigen::VectorXd LogScales; ///< logarithms of the surface's area over the sphere's, around each
-  Eigen::MatrixXd Embedding; ///< n x d: straight distances are those along it, of area 1
-  Eigen::VectorXd Areas;     ///< of all points but the fans': the sum is 1
+  Eigen::VectorXd LogScales; ///< log(area on the surface / area on the sphere) around each
+  Eigen::MatrixXd Embedding; ///< n x d: straight distances are geodesic ones, for area 1
+  Eigen::VectorXd Areas;     ///< of all points except those of the fans; the sum is 1
 };
 
 /// Returns whether the surface has a boundary.
@@ -52,7 +52,7 @@ bool RequireGenusZero(const Surface& surface, const std::string& name)
   return topology.BoundaryLoops > 0;
 }
 
-/// first: the method that is tried first.
+/// first: the method to try first.
 RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Progress& progress)
 {
   RoundSurface round;
@@ -92,7 +92,7 @@ RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Prog
   return round;
 }
 
-/// Where a conformal map takes points, and how much it is trusted there.
+/// The images of points under a conformal map, and the trust in the map there.
 struct Images
 {
   Eigen::MatrixXd Positions; ///< in the target's embedding
@@ -110,7 +110,7 @@ Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const 
     scales.array().cosh().inverse() };
 }
 
-/// Every three of `count` landmarks, or some that are evenly spread over them.
+/// All triples of `count` landmarks, or evenly spread ones if there are too many.
 std::vector<std::vector<int>> Triples(int count)
 {
   constexpr std::size_t maximum = 300;
@@ -133,7 +133,7 @@ std::vector<std::vector<int>> Triples(int count)
   return some;
 }
 
-/// The Moebius maps of triples of landmarks that are three points on both spheres.
+/// The Moebius maps of the triples of landmarks that are distinct on both spheres.
 std::vector<Eigen::Matrix2cd> MapsOfTriples(
   const RoundSurface& a, const RoundSurface& b, const Landmarks& landmarks)
 {
@@ -152,7 +152,7 @@ std::vector<Eigen::Matrix2cd> MapsOfTriples(
   return maps;
 }
 
-/// The leading eigenvector, which is not negative, of how well maps agree.
+/// The leading eigenvector of the agreements between maps, which has no negative entries.
 Eigen::VectorXd WeightsOf(
   const std::vector<Images>& images, const Eigen::VectorXd& areas, double agreement)
 {
@@ -174,7 +174,7 @@ Eigen::VectorXd WeightsOf(
   return pairs.eigenvectors().rightCols(1).cwiseAbs();
 }
 
-/// The best of the maps by how they agree at samples, with their weights.
+/// The maps that agree best at samples, with their weights.
 struct Blend
 {
   std::vector<Eigen::Matrix2cd> Maps;
@@ -241,12 +241,13 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   if (!landmarks.empty() && landmarks.size() < 3)
   {
     throw InvalidInput("there are " + std::to_string(landmarks.size()) +
-      " landmarks, and three make a map; give three or more, or none to have them found");
+      " landmarks, but a map needs three; give three or more, or none to have them found");
   }
   const Landmarks used =
     landmarks.empty() ? FindLandmarks(a, b, {}, progress.Part(0.0, 0.2)).Pairs : landmarks;
-  // One method for both: the more conformal one fails on one of them by rounding alone where a fan
-  // lies close to what it closes, as on a sheet, and then the two would not agree.
+  // Both surfaces use one method, or their maps would not agree. The more conformal method can fail
+  // on one of them by rounding alone if a fan is close to the surface that it closes, as on a
+  // sheet.
   const SphereMapMethod first =
     isOpenA || isOpenB ? SphereMapMethod::PositiveFlow : SphereMapMethod::ConformalFlow;
   RoundSurface onA = MakeRound(a, first, progress.Part(0.2, 0.4)),
@@ -264,7 +265,7 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   if (maps.empty())
   {
     throw InvalidInput("of the " + std::to_string(used.size()) +
-      " landmarks no three are at three points on both surfaces; give some that are apart");
+      " landmarks no three are distinct points on both surfaces; give three that are apart");
   }
   Blend blend = Choose(onA, onB, locatorB, maps, SampleFarthestPoints(a, options.Samples), options,
     progress.Part(0.7, 0.8));

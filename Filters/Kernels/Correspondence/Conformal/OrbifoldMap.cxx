@@ -25,7 +25,7 @@ Mesh FlatMesh(const OrbifoldImage& image)
   return flat;
 }
 
-/// How far the image reaches from its tile's first cone.
+/// Returns the maximum distance of the image from its tile's first cone.
 double ReachOf(const OrbifoldImage& image)
 {
   const Complex first = image.Tile.There.front();
@@ -35,7 +35,7 @@ double ReachOf(const OrbifoldImage& image)
     .maxCoeff();
 }
 
-/// Weights of corners but for rounding are none.
+/// Sets weights that differ from 0 by rounding only to 0.
 Eigen::RowVector3d Snapped(Eigen::RowVector3d barycentric)
 {
   constexpr double minimum = 1e-9;
@@ -123,7 +123,7 @@ SurfacePoints OrbifoldLocator::Find(
 
 Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index points)
 {
-  // Copies come after all points.
+  // Copies of points follow all original points.
   return image.Points.topRows(points);
 }
 

@@ -36,13 +36,14 @@ void RequireLandmarks(
     if (point < 0 || point >= surface.Points.rows())
     {
       throw InvalidInput("a landmark of surface " + name + " is point " + std::to_string(point) +
-        ", which it has not; it has " + std::to_string(surface.Points.rows()));
+        ", but the surface has " + std::to_string(surface.Points.rows()) +
+        " points; number points from 0");
     }
   }
   if (std::set<int>(landmarks.begin(), landmarks.end()).size() < landmarks.size())
   {
     throw InvalidInput(
-      "two landmarks of surface " + name + " are the same point; give each a point of its own");
+      "two landmarks of surface " + name + " are the same point; give distinct points");
   }
 }
 
@@ -102,7 +103,7 @@ bool AllFaceOutwards(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& po
   return FindFlippedTriangles(triangles, points).empty();
 }
 
-/// Takes the landmarks to their goals, all other points with them, and flips no triangle.
+/// Moves the landmarks to their targets, and all other points with them, without a flip.
 void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::MatrixXd& goals,
   const SphereCommonDomainOptions& options, Eigen::MatrixXd& points, const Progress& progress)
 {
@@ -147,9 +148,10 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
     step *= 0.5;
     if (step < minimumStep)
     {
-      throw SolveFailure("the landmarks of surface A come no nearer to those of surface B than " +
+      throw SolveFailure("landmarks of surface A remain up to " +
         std::to_string((goals - at).rowwise().norm().maxCoeff()) +
-        " on the sphere without a flip; check their order, or leave out those closest together");
+        " away from those of surface B on the sphere, since moving them further would flip a "
+        "triangle; check their order, or leave out those closest together");
     }
     RelaxOnSphere(points, surface.Triangles, cotangents, movable, 2,
       progress.Part(0.7 * (1.0 - rest), 0.7 * (1.0 - rest)));
@@ -158,7 +160,8 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
     progress.Part(0.7, 1.0));
 }
 
-/// Where a direction passes through a triangle, as weights of its corners; negative beside it.
+/// The barycentric coordinates of the position where a direction meets a triangle; one is negative
+/// if the position is outside.
 Eigen::RowVector3d WeightsOf(const Eigen::Matrix3d& corners, const Eigen::RowVector3d& direction)
 {
   Eigen::RowVector3d weights;
@@ -186,8 +189,8 @@ SurfacePoints LocateDirections(
       for (int i = begin; i < end; ++i)
       {
         const Eigen::RowVector3d direction = directions.row(i).normalized();
-        // From the closest triangle across the edge that the direction is farthest beyond; walks
-        // that would run in circles end in the triangle that comes closest.
+        // A walk from the closest triangle, across the edge that the direction is farthest beyond.
+        // If it is cyclic, the best triangle met is the result.
         int triangle = locator.FindOne(direction).Triangle;
         double best = -std::numeric_limits<double>::infinity();
         for (int moves = 0; moves < 200; ++moves)
@@ -225,11 +228,11 @@ SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<in
   {
     throw InvalidInput("surface A has " + std::to_string(landmarksA.size()) +
       " landmarks, surface B " + std::to_string(landmarksB.size()) +
-      "; give as many of the one as of the other, at least one");
+      "; give the same number for both, at least one");
   }
   if ((ComputeEnclosedVolume(a) < 0.0) != (ComputeEnclosedVolume(b) < 0.0))
   {
-    throw InvalidInput("one of the surfaces faces inwards, the other outwards; turn one with "
+    throw InvalidInput("one of the surfaces faces inwards, the other outwards; reverse one with "
                        "Reverse Sense");
   }
   RequireLandmarks(a, landmarksA, "A");

@@ -21,10 +21,10 @@ namespace shape
 namespace
 {
 
-/// Of the largest singular value: the root of the share of areas that counts.
+/// Relative to the largest singular value: the root of the minimum share of area on the image.
 constexpr double MinimumSingularValueRatio = 0.03;
 
-/// Points that triangles use.
+/// Returns the number of points that triangles use.
 int UsedPoints(const Topology& topology)
 {
   return static_cast<int>((topology.ComponentId.array() >= 0).count());
@@ -35,13 +35,13 @@ void RequirePoints(int asked, int points, const std::string& name)
   if (asked > points)
   {
     throw InvalidInput("NumberOfEigenpairs is " + std::to_string(asked) + " and " + name +
-      " has only " + std::to_string(points) + " points; ask for fewer, or subdivide it");
+      " has only " + std::to_string(points) + " points; lower it, or subdivide the surface");
   }
 }
 
-/// The midpoints of a surface's edges, their images by a map of its points, and a third of the
-/// areas beside each: integrals over the surface are sums over these. Functions that are linear in
-/// triangles lose as much there on either surface, which they would not at vertices.
+/// The midpoints of a surface's edges, their images by a map of its points, and a third of the area
+/// of the triangles beside each edge. Integrals over the surface are sums over these. At midpoints,
+/// unlike at vertices, the error for piecewise linear functions is the same on both surfaces.
 struct EdgeSamples
 {
   std::vector<int> Low, High; ///< points
@@ -69,15 +69,15 @@ struct EdgeSamples
     this->Images = SurfaceLocator(second).Find(this->Midpoints(images), progress);
   }
 
-  /// Means of the values (n x d) at the ends of edges.
+  /// Returns the means of the values (n x d) at the ends of edges.
   Eigen::MatrixXd Midpoints(const Eigen::MatrixXd& values) const
   {
     return 0.5 * (values(this->Low, Eigen::all) + values(this->High, Eigen::all));
   }
 };
 
-/// The eigenvalues of a symmetric matrix with those farthest from 1 in front, and its eigenvectors;
-/// an eigenvalue that is no number above 0 is the farthest.
+/// Computes the eigenvalues of a symmetric matrix, those farthest from 1 first, and its
+/// eigenvectors. An eigenvalue that is not positive is the farthest.
 void Order(const Eigen::MatrixXd& matrix, DifferenceOperator& result, Eigen::MatrixXd& vectors)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
@@ -91,7 +91,8 @@ void Order(const Eigen::MatrixXd& matrix, DifferenceOperator& result, Eigen::Mat
   vectors = solver.eigenvectors()(Eigen::all, order);
 }
 
-/// <d, matrix d> / <d, weights d> with the row d of `functions` at each point; 1 if that is 0.
+/// Returns <d, matrix d> / <d, weights d> for the row d of `functions` at each point; 1 if the
+/// denominator is 0.
 Eigen::VectorXd Around(
   const Eigen::MatrixXd& functions, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& weights)
 {

@@ -30,7 +30,7 @@ void RequireMap(const Mesh& mesh, const Eigen::MatrixXd& map, const std::string&
   if (map.rows() != mesh.Points.rows() || map.cols() != 3)
   {
     throw InvalidInput("the map of " + name + " has " + std::to_string(map.rows()) +
-      " places for its " + std::to_string(mesh.Points.rows()) + " points; give one for each");
+      " positions for its " + std::to_string(mesh.Points.rows()) + " points; give one for each");
   }
   RequireFinite(map, "the map of " + name);
 }
@@ -39,7 +39,7 @@ void RequireTruth(const GroundTruth& truth)
 {
   if (truth.Positions.rows() == 0)
   {
-    throw InvalidInput("the Truth has no points; give at least one place whose image is known");
+    throw InvalidInput("the Truth has no points; give at least one position whose image is known");
   }
   RequireFinite(truth.Positions, "the Truth");
   RequireFinite(truth.Targets, "the map of the Truth");
@@ -60,7 +60,7 @@ double UnitOf(const Surface& target, NormalisationType normalisation, const Prog
   return 1.0;
 }
 
-/// The distances, in units, in order; those without a path left out.
+/// Returns the finite distances divided by the unit, ascending.
 Eigen::VectorXd Ascending(const Eigen::VectorXd& distances, double unit)
 {
   std::vector<double> finite;
@@ -129,7 +129,7 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
   if (result.Errors.size() == 0)
   {
     throw InvalidInput("none of the " + std::to_string(truth.Positions.rows()) +
-      " places of the Truth is mapped to the component of the Target where it should go; check "
+      " positions of the Truth is mapped to the same component as its true image; check "
       "that they belong to these surfaces");
   }
   result.Unreached = static_cast<int>(truth.Positions.rows() - result.Errors.size());

@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// The straight distance of each point of a surface (n) from where it comes back to by two maps.
+/// The straight distance (n) between each point of a surface and its image under two maps in turn.
 Eigen::VectorXd ReturnDistances(
   const Mesh& mesh, const SurfacePoints& there, const Mesh& other, const SurfacePoints& back)
 {
@@ -22,7 +22,7 @@ Eigen::VectorXd ReturnDistances(
     .norm();
 }
 
-/// The share of the masses of points whose distance is short.
+/// The share of the mass that belongs to points with a short distance.
 double ComputeCoverage(const Eigen::VectorXd& masses, const Eigen::VectorXd& distances)
 {
   constexpr double maximum = 0.02; // of the root of the area

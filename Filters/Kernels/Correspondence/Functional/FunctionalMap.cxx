@@ -23,15 +23,15 @@ namespace
 
 using Matrices = std::vector<Eigen::MatrixXd>;
 
-/// Of one surface, in its first eigenfunctions.
+/// The operators of one surface in the basis of its first eigenfunctions.
 struct Operators
 {
   Eigen::MatrixXd Coefficients; ///< k x q
   Matrices Products, Turns;     ///< q each, k x k
 };
 
-/// Each triangle in its own plane, the first edge along x: gradients of functions that are linear
-/// in it.
+/// Gradients of piecewise linear functions, in coordinates of each triangle's plane with the first
+/// edge along x.
 class Gradients
 {
 public:
@@ -47,7 +47,7 @@ public:
                                other = corners.row(2) - corners.row(0);
       const double length = side.norm(), twice = side.cross(other).norm();
       const bool isFlat = twice <= std::numeric_limits<double>::min();
-      // A triangle without area has no gradient and no share of any integral.
+      // A triangle without area has no gradient and contributes to no integral.
       this->Positions.row(t) << (isFlat ? 1.0 : length), (isFlat ? 0.0 : side.dot(other) / length),
         (isFlat ? 1.0 : twice / length);
       this->Areas(t) = isFlat ? 0.0 : 0.5 * twice;
@@ -230,7 +230,7 @@ Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescr
 namespace
 {
 
-/// One of the two surfaces with its area made 1.
+/// One of the two surfaces, scaled to area 1.
 struct Side
 {
   shape::Surface Surface;
@@ -254,10 +254,10 @@ Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int 
   Side side{ { surface.Points() / std::sqrt(ComputePointAreas(surface).sum()),
                surface.Triangles() },
     {}, {}, {} };
-  constexpr double tolerance = 1e-6; // as good for maps as smaller ones, and found sooner
+  constexpr double tolerance = 1e-6; // smaller ones give no better maps, but take longer
   side.Spectrum = SolveLaplaceEigenproblem(side.Surface, pairs, progress.Part(0.0, 0.7), tolerance);
   const int count = options.Descriptors;
-  // Curves are many landmarks: a few of them tell as much, by their order.
+  // Landmarks along curves are many: a few of them, in order, contain as much information.
   constexpr std::size_t maximum = 12;
   const std::size_t each = std::min(landmarks.size(), maximum);
   side.Descriptors.resize(surface.Points().rows(), count * (2 + each));

@@ -21,7 +21,7 @@ namespace shape
 namespace
 {
 
-/// The number of eigenvalues up to a bound, at least 1.
+/// Returns the number of eigenvalues up to a bound, at least 1.
 Eigen::Index UpTo(const Eigen::VectorXd& eigenvalues, double bound)
 {
   return std::max<Eigen::Index>(1, (eigenvalues.array() <= bound).count());
@@ -38,11 +38,12 @@ Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
 struct Refinement
 {
   const LaplaceSpectrum &OfPart, &OfWhole;
-  const Eigen::MatrixXi& Triangles; ///< of the whole
+  const Eigen::MatrixXi& Triangles; ///< of the full surface
   std::vector<int> Samples, PartLandmarks, WholeLandmarks;
-  double Weight; ///< of each landmark, that of a sample is 1
+  double Weight; ///< of each landmark; the weight of a sample is 1
 
-  /// From values (samples x size) of the whole's eigenfunctions where samples go.
+  /// Fits the map to the values (samples x size) of the full surface's eigenfunctions at the
+  /// images of the samples.
   Eigen::MatrixXd Map(const Eigen::MatrixXd& images) const
   {
     const Eigen::Index size = images.cols();
@@ -60,7 +61,7 @@ struct Refinement
     return UpTo(this->OfPart.Eigenvalues, this->OfWhole.Eigenvalues(size - 1));
   }
 
-  /// Where points of the part with these eigenfunctions (q x all) go.
+  /// The images of points of the part with these values of eigenfunctions (q x all).
   SurfacePoints Positions(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& map,
     const Progress& progress = {}) const
   {
@@ -82,7 +83,7 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
   if (landmarks.size() < fewest)
   {
     throw InvalidInput("there are " + std::to_string(landmarks.size()) +
-      " landmarks, too few to find a part in the whole; give at least three, or none");
+      " landmarks, too few to locate a part on the other surface; give at least three, or none");
   }
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
   RequireOption(options.Eigenpairs >= 10, "Eigenpairs", options.Eigenpairs, "at least 10");

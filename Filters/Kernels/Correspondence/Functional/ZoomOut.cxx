@@ -11,7 +11,7 @@ namespace shape
 namespace
 {
 
-/// Rows of both surfaces that belong together.
+/// Corresponding rows of both surfaces.
 struct Pairs
 {
   Eigen::MatrixXd OfA, OfB;

@@ -44,7 +44,7 @@ PointGradients GradientsAt(
       continue;
     }
     Eigen::Matrix3Xd gradients =
-      Eigen::Matrix3Xd::Zero(3, functions.cols()); // times twice the area
+      Eigen::Matrix3Xd::Zero(3, functions.cols()); // multiplied by twice the area
     for (int c = 0; c < 3; ++c)
     {
       const Eigen::Vector3d opposite = corners.col((c + 2) % 3) - corners.col((c + 1) % 3);
@@ -90,8 +90,7 @@ Eigen::MatrixXd ComputeGradientOrientations(
 Eigen::MatrixXd EmbedByDistances(const Eigen::MatrixXd& distances, const Eigen::MatrixXd& turns,
   const std::vector<int>& chosen, double turnSign)
 {
-  // A turn of a right angle counts as much as a seventh of the surface's size, the root of its
-  // area.
+  // A right angle has the weight of about a seventh of the surface's size, the root of its area.
   constexpr double weight = 0.15;
   const auto functions = static_cast<int>(std::lround(std::sqrt(turns.cols())));
   const auto count = static_cast<int>(chosen.size());
@@ -125,7 +124,7 @@ Eigen::MatrixXd EmbedByLandmarks(const Surface& surface, const std::vector<int>&
   std::vector<int> all(surface.Points().rows()), chosen(landmarks.size());
   std::iota(all.begin(), all.end(), 0);
   std::iota(chosen.begin(), chosen.end(), 0);
-  constexpr Eigen::Index maximum = 12; // of turns there are as many as the square
+  constexpr Eigen::Index maximum = 12; // the number of orientations grows with the square
   const Eigen::Index count = std::min(maximum, distances.cols());
   return EmbedByDistances(
     distances, ComputeGradientOrientations(surface, distances.leftCols(count), all), chosen, 1.0);

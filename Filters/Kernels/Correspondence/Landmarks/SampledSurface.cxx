@@ -13,7 +13,7 @@ namespace
 
 Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::VectorXd& areas)
 {
-  // A sample in a fold may be nearest to nothing, not even itself, for distances are not exact.
+  // A sample in a fold may be nearest to no point, not even itself, since distances are not exact.
   const double minimum = 1e-3 * areas.sum() / static_cast<double>(distances.cols());
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(distances.cols());
   for (Eigen::Index i = 0; i < areas.size(); ++i)

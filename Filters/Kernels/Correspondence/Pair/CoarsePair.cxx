@@ -26,7 +26,7 @@ std::optional<CoarseSurface> CoarsenIfLarge(const Surface& surface, const Landma
   return CoarsenSurface(surface, maximum, kept, progress);
 }
 
-/// Where fine points go on the coarse surface of the other one.
+/// The images of fine points on the coarse version of the other surface.
 SurfacePoints Interpolated(
   const SurfacePoints& map, const CoarseSurface& from, const Surface& to, const Progress& progress)
 {

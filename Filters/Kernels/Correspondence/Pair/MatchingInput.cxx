@@ -17,7 +17,8 @@ void RequireArea(const Surface& surface, const std::string& name)
   {
     std::ostringstream longest;
     longest << ComputeLongestBoxEdge(surface.Points());
-    throw InvalidInput(name + " has no area that double precision can hold (its longest side is " +
+    throw InvalidInput(name +
+      " has no area that double precision can represent (the longest edge of its box is " +
       longest.str() + "); scale it or check its coordinates");
   }
 }
@@ -44,7 +45,8 @@ Topology RequireConnected(const Surface& surface, const std::string& name)
   if (topology.Components > 1)
   {
     throw InvalidInput(name + " has " + std::to_string(topology.Components) +
-      " components, between which there are no distances; keep one with Connectivity / Extract "
+      " components, and distances between components are undefined; keep one with Connectivity / "
+      "Extract "
       "Largest");
   }
   return topology;

@@ -15,7 +15,7 @@ namespace shape
 namespace
 {
 
-/// Landmarks at even intervals, at most 12: more tell no more of the scale.
+/// At most 12 landmarks at even intervals: more do not improve the scale.
 Landmarks Some(const Landmarks& landmarks)
 {
   constexpr std::size_t maximum = 12;
@@ -35,7 +35,7 @@ double Median(std::vector<double> values)
   return *middle;
 }
 
-/// Logarithms of the distances on B over those on A of every two landmarks; at least one.
+/// Logarithms of the ratios of distances on B to those on A, of every two landmarks; at least one.
 std::vector<double> Ratios(
   const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress)
 {
@@ -51,7 +51,7 @@ std::vector<double> Ratios(
     for (Eigen::Index j = 0; j < i; ++j)
     {
       const double ratio = std::log((ofB(i, j) + ofB(j, i)) / (ofA(i, j) + ofA(j, i)));
-      if (std::isfinite(ratio)) // two landmarks may be one point
+      if (std::isfinite(ratio)) // two landmarks may be the same point
       {
         ratios.push_back(ratio);
       }
@@ -60,7 +60,7 @@ std::vector<double> Ratios(
   if (ratios.empty())
   {
     throw InvalidInput("no two of the " + std::to_string(landmarks.size()) +
-      " landmarks are different points of both surfaces, so that nothing tells the part's scale; "
+      " landmarks are distinct points on both surfaces, so the part's scale is unknown; "
       "give at least three");
   }
   return ratios;
@@ -80,8 +80,9 @@ SurfacePart MeasurePart(const Surface& a, const Surface& b, const Landmarks& lan
   {
     throw InvalidInput(std::string("surface ") +
       (which == SurfacePart::WhichType::SurfaceA ? "A" : "B") +
-      " is said to be a part, but at the scale of the landmarks it has " +
-      std::to_string(part.Share) + " times the other one's area; set Part to Automatic or None");
+      " is set as the part, but at the scale of the landmarks it has " +
+      std::to_string(part.Share) +
+      " times the area of the other surface; set Part to Automatic or None");
   }
   return part;
 }

@@ -29,7 +29,7 @@ struct Weights
   double Alpha, Beta;
 };
 
-/// One of the two surfaces, its map onto the other one and the variable that stands for its image.
+/// One of the two surfaces, its map onto the other one, and the variable X for its image.
 class Side
 {
 public:
@@ -52,7 +52,7 @@ public:
     this->Image = PullBack(this->Map, other.Triangles, other.Embedding);
   }
 
-  /// Keeps points where they are mapped now.
+  /// Pins points to their current images.
   void Pin(const std::vector<int>& points)
   {
     this->Pinned.assign(this->Masses.size(), 0);
@@ -62,7 +62,7 @@ public:
     }
   }
 
-  /// P: the positions on the other surface nearest to this one's points.
+  /// Updates P: the positions on the other surface nearest to this one's points.
   void Project(const Side& other, const Weights& weights, const Progress& progress)
   {
     const double reversibility = std::sqrt(1.0 - weights.Alpha), penalty = std::sqrt(weights.Beta);
@@ -97,7 +97,7 @@ public:
       progress);
   }
 
-  /// X: the minimum of the energy, which is quadratic in it.
+  /// Updates X: the minimum of the energy, which is quadratic in X.
   void Solve(const Side& other, const Weights& weights)
   {
     Eigen::SparseMatrix<double> matrix = weights.Alpha * this->Stiffness;
@@ -149,10 +149,10 @@ public:
   Eigen::SparseMatrix<double> Stiffness;
   Eigen::VectorXd Masses;
   SurfacePoints Map;     ///< onto the other surface
-  Eigen::MatrixXd Image; ///< n x d: near to where the map takes points in the other's embedding
+  Eigen::MatrixXd Image; ///< n x d: X, near the images of points in the other's embedding
 
 private:
-  /// P' M P of the other's map has entries between corners of triangles: the stiffness has them.
+  /// P' M P of the other's map only has entries between corners of triangles, as the stiffness has.
   void FindEntries()
   {
     this->Entries.resize(9, this->Triangles.rows());
@@ -174,13 +174,13 @@ private:
   }
 
   static constexpr double PinWeight = 1.0; ///< as much as the whole surface
-  Eigen::MatrixXi Entries; ///< 9 x m: between each triangle's corners, in the stiffness
+  Eigen::MatrixXi Entries; ///< 9 x m: indices in the stiffness of each triangle's pairs of corners
   std::vector<char> Pinned;
   SparseCholesky Factor;
   std::optional<TriangleTree> Tree; ///< of the other surface
 };
 
-/// Keeps the points of landmarks at their partners, which they are mapped to first.
+/// Maps the points of landmarks to their partners and pins them there.
 void Pin(Side& one, Side& two, const SurfaceMaps& partners, const Landmarks& landmarks)
 {
   std::vector<int> ofA, ofB;
@@ -308,7 +308,8 @@ ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   {
     point = pair.FinePointOfB(point);
   }
-  // The last quarter of the steps in which alpha falls: smooth first, then each other's inverse.
+  // The last quarter of the steps in which alpha decreases: the maps are already smooth, and become
+  // inverse to each other.
   ReversibleHarmonicOptions fine = options;
   const int quarter = std::max(1, options.AlphaSteps / 4);
   fine.FirstIteration = std::max(options.FirstIteration, options.AlphaSteps - quarter + 2);

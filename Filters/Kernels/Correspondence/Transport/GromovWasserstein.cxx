@@ -22,7 +22,7 @@ namespace shape
 namespace
 {
 
-/// The first of the landmarks that share a point.
+/// Returns the landmarks without those that share a point with an earlier one.
 Landmarks Distinct(const Landmarks& landmarks)
 {
   Landmarks distinct;
@@ -37,14 +37,14 @@ Landmarks Distinct(const Landmarks& landmarks)
   return distinct;
 }
 
-/// The longest distance of both.
+/// Returns the longest distance of both.
 double Longest(const SampledSurface& a, const SampledSurface& b)
 {
   return std::max(a.Between().maxCoeff(), b.Between().maxCoeff());
 }
 
-/// Distances in parts of that, and weights that are equal for what is fixed: the first
-/// `fixed` samples of both.
+/// Distances relative to the longest one, and weights. The first `fixed` samples of both are fixed
+/// pairs and have equal weights.
 MetricSpaces Spaces(const SampledSurface& a, const SampledSurface& b, int fixed)
 {
   MetricSpaces spaces{ a.Between(), b.Between(), a.Weights, b.Weights };
@@ -61,7 +61,7 @@ MetricSpaces Spaces(const SampledSurface& a, const SampledSurface& b, int fixed)
   return spaces;
 }
 
-/// How alike rows are, in logarithms: 0 at most.
+/// The logarithm of the similarity of rows, at most 0.
 Eigen::MatrixXd Likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   constexpr double deviation = 0.05; // of the root of the area
@@ -71,7 +71,7 @@ Eigen::MatrixXd Likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
   return -0.5 / (deviation * deviation) * squares;
 }
 
-/// Where each point of `from` goes, by the masses that go from its samples to those of `to`.
+/// The image of each point of `from`, given the masses from its samples to those of `to`.
 SurfacePoints Spread(const LaplaceSpectrum& from, const std::vector<int>& samples,
   const Surface& target, const LaplaceSpectrum& to, const std::vector<int>& targetSamples,
   const Eigen::MatrixXd& masses, const Progress& progress)
@@ -87,7 +87,7 @@ SurfacePoints Spread(const LaplaceSpectrum& from, const std::vector<int>& sample
     from.Eigenfunctions * map, target.Triangles(), to.Eigenfunctions, progress);
 }
 
-/// What couplings begin with.
+/// The starts of the couplings.
 std::vector<Landmarks> Starts(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const GromovWassersteinOptions& options, const Progress& progress)
 {
@@ -160,7 +160,7 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
     const MetricSpaces spaces = Spaces(onA, onB, fixed);
     const Eigen::MatrixXd gains = spaces.DistancesA.leftCols(coupling.Masses.rows()) *
       coupling.Masses * spaces.DistancesB.topRows(coupling.Masses.cols());
-    constexpr double more = 8.0; // times the last entropy
+    constexpr double more = 8.0; // factor of the last entropy
     constexpr int fewer = 3;
     EntropicCouplingOptions last = options.Coupling;
     last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);

@@ -46,12 +46,12 @@ void Check(
     start.rows() != spaces.WeightsA.size() || start.cols() != spaces.WeightsB.size() ||
     !(spaces.WeightsA.minCoeff() > 0.0 && spaces.WeightsB.minCoeff() > 0.0))
   {
-    throw InvalidInput("samples must have positive weights, and the start a row for each of A and "
-                       "a column for each of B");
+    throw InvalidInput("samples must have positive weights, and the start must have a row for each "
+                       "sample of A and a column for each sample of B");
   }
 }
 
-/// Lets the samples of fixed pairs go nowhere else.
+/// Couples the samples of fixed pairs to each other only.
 void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
 {
   for (const auto& [i, j] : fixed)
@@ -63,7 +63,7 @@ void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
   }
 }
 
-/// Masses and what they come of.
+/// Masses, and the values from which they were computed.
 struct State
 {
   Eigen::MatrixXd Likeness, Masses, Gains;
@@ -113,7 +113,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
       constexpr double enough = 1e-5, little = 1e-3; // of the objective
       if (objective > before)
       {
-        // A rise as little as what Sinkhorn's tolerance leaves open is the end.
+        // Converged: the rise is within Sinkhorn's tolerance.
         if (objective < before + little * std::abs(before) || power < 0.2)
         {
           break;
@@ -143,7 +143,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   {
     throw SolveFailure("the masses of " + std::to_string(rows.size()) + " samples are " +
       std::to_string(coupling.Error) +
-      " of the whole away from their weights; give more landmarks or fewer samples");
+      " of the total away from their weights; give more landmarks or fewer samples");
   }
   progress(1.0);
   return coupling;

@@ -9,7 +9,7 @@ namespace shape
 namespace
 {
 
-/// The matrix that takes (1 : 0), (0 : 1) and (1 : 1) to three points.
+/// Returns the matrix that takes (1 : 0), (0 : 1) and (1 : 1) to three points.
 Eigen::Matrix2cd Frame(const ComplexPoints& points)
 {
   Eigen::Matrix2cd frame = points.topRows(2).transpose();

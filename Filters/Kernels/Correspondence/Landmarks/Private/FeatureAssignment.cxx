@@ -13,7 +13,7 @@ namespace
 
 constexpr double LevelTolerance = 0.5; // of the logarithms of levels
 
-/// All pairs of features that may correspond, and how well every two agree.
+/// All pairs of features that may correspond, and the agreement of every two pairs.
 class Agreement
 {
 public:
@@ -50,7 +50,7 @@ public:
 
   int Count() const { return static_cast<int>(this->Pairs.size()); }
 
-  /// Adds pairs to `chosen` while one raises the score.
+  /// Adds pairs to `chosen` as long as one raises the score.
   void Extend(std::vector<int>& chosen) const
   {
     Eigen::VectorXd gains = Eigen::VectorXd::Zero(this->Count());
@@ -90,7 +90,7 @@ public:
   }
 
   std::vector<std::array<int, 2>> Pairs;
-  Eigen::MatrixXd Gain; ///< of two pairs together; -1 if they exclude each other
+  Eigen::MatrixXd Gain; ///< of two pairs; -1 if they exclude each other
 };
 
 } // namespace

@@ -14,7 +14,7 @@ namespace shape
 namespace
 {
 
-/// Adds the points farthest along edges from `points` until there are `count`, or all.
+/// Adds the points farthest from `points` along edges until there are `count`, or no more points.
 void AddFarthest(
   const Surface& surface, std::vector<int>& points, int count, const Progress& progress)
 {
@@ -32,7 +32,7 @@ void AddFarthest(
   }
 }
 
-/// Distances of the points from the boundary along edges (n), infinite without one.
+/// The distances of the points from the boundary along edges (n); infinite without a boundary.
 Eigen::VectorXd BoundaryDistances(const Surface& surface, const Progress& progress)
 {
   const Eigen::MatrixXi& triangles = surface.Triangles();
@@ -42,7 +42,8 @@ Eigen::VectorXd BoundaryDistances(const Surface& surface, const Progress& progre
   {
     if (twins[side] < 0)
     {
-      boundary.push_back(triangles(side / 3, side % 3)); // the other end begins the next side
+      boundary.push_back(
+        triangles(side / 3, side % 3)); // the other end is the start of the next edge
     }
   }
   const auto size = static_cast<Eigen::Index>(boundary.size());

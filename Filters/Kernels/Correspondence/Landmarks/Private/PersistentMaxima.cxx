@@ -41,7 +41,8 @@ std::vector<int> FindPersistentMaxima(
     rank[order[k]] = k;
   }
   const std::vector<std::vector<int>> neighbours = Neighbours(triangles, n);
-  // Highest first, the surface above a level grows; each part of it knows its highest point.
+  // As the level decreases, the part of the surface above it grows; each component stores its
+  // highest point.
   DisjointSets parts(n);
   std::vector<int> highest(n);
   std::iota(highest.begin(), highest.end(), 0);

@@ -46,7 +46,7 @@ Eigen::MatrixXd Sinkhorn::Begin(const Eigen::MatrixXd& likeness)
 
 Eigen::MatrixXd Sinkhorn::Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance)
 {
-  // Logarithms are shifted into the range of numbers now and then; between, factors do.
+  // Most steps update factors; some absorb these in the logarithms to stay within range.
   constexpr int span = 25;
   constexpr double tiny = 1e-100, near = 0.03, relaxation = 1.6;
   for (int done = 0;;)
