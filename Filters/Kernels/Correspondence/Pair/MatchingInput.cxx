@@ -46,8 +46,7 @@ Topology RequireConnected(const Surface& surface, const std::string& name)
   {
     throw InvalidInput(name + " has " + std::to_string(topology.Components) +
       " components, and distances between components are undefined; keep one with Connectivity / "
-      "Extract "
-      "Largest");
+      "Extract Largest");
   }
   return topology;
 }
