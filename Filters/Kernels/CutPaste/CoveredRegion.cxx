@@ -25,7 +25,7 @@ Triangle2 ImageOf(const ExponentialPatch& patch, int triangle)
   return image;
 }
 
-/// The loop with its points moved to points of the patch that are near, no two to the same one.
+/// Returns the loop with its points moved to nearby points of the patch, no two to the same one.
 Eigen::MatrixXd Snapped(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, double snap)
 {
   struct Pull
@@ -73,9 +73,9 @@ Eigen::MatrixXd Snapped(const ExponentialPatch& patch, const Eigen::MatrixXd& lo
   return snapped;
 }
 
-/// Finds what a loop covers of a patch. Find takes these steps:
+/// Finds the region that a loop covers on a patch. Find takes these steps:
 ///
-/// 1. Look: for each triangle, whether the loop covers it, and which points of the loop lie in it.
+/// 1. Look: finds the triangles that the loop covers, and the points of the loop in each.
 /// 2. ClearPointsOnSides: removes the triangles around points inside an edge of the loop.
 /// 3. MakeRing: removes triangles until the boundary of the removed ones passes no point twice, and
 ///    checks that it ends inside the patch; WalkRing checks that they are a disk.
@@ -205,7 +205,7 @@ private:
     this->ClearAround(split);
   }
 
-  /// Removes the triangles around these points; returns whether there was any.
+  /// Removes the triangles around these points; returns whether there were any.
   bool ClearAround(const std::vector<bool>& points)
   {
     bool some = false;

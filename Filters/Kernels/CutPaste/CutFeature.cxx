@@ -20,7 +20,7 @@ namespace shape
 namespace
 {
 
-/// Adds the fills to the rest; their points and triangles are on no triangle of the surface.
+/// Adds the fills to the rest; their points and triangles have no original triangle.
 void Append(const FilledSurface& filled, DividedPart& rest)
 {
   const Eigen::Index own = rest.Surface.Points.rows(), all = filled.Surface.Points.rows();
@@ -39,8 +39,8 @@ void Append(const FilledSurface& filled, DividedPart& rest)
   rest.Positions.Barycentrics.bottomRows(all - own).setZero();
 }
 
-/// For each point of a loop of the feature, the coincident one of the rest. On a seam, whose points
-/// are duplicates, `loop` keeps one.
+/// Returns, for each point of a loop of the feature, the coincident point of the rest. Of duplicate
+/// points on a seam, `loop` keeps one.
 std::vector<int> PointsAt(
   std::vector<int>& loop, const DividedPart& feature, const DividedPart& rest)
 {
@@ -63,7 +63,7 @@ std::vector<int> PointsAt(
   return points;
 }
 
-/// The feature's base at a loop, if there is a hole of the rest that was filled.
+/// The feature's base at a loop, if the hole in the rest was filled.
 void FindBase(
   const Surface& filled, std::vector<int> loop, CutFeatureResult& result, const Progress& progress)
 {
@@ -91,7 +91,7 @@ void FindBase(
 }
 
 /// Fills the holes that a feature leaves. Even if the loop has many short edges, the number of
-/// triangles is limited to about as many as would be of the surface's own size.
+/// triangles is limited to about that of triangles as large as the surface's.
 FilledSurface Filled(const Surface& rest, const std::vector<std::vector<int>>& loops,
   double meanArea, FillHolesOptions options, const Progress& progress)
 {
@@ -217,7 +217,7 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
     this->LoopsThrough(curves, options.LoopIndex, progress.Part(0.0, 0.2));
   ImprintedCurves split = ImprintCurves(
     this->Locator->GetSurface(), loops, { options.SnapShare }, progress.Part(0.2, 0.3));
-  // Of a curve that touches itself, the longest part.
+  // Only the longest part of a curve that touches itself is used.
   std::vector<std::vector<int>> chosen;
   std::vector<char> isTaken(loops.size(), 0);
   for (std::size_t i = 0; i < split.Loops.size(); ++i)

@@ -20,7 +20,7 @@ namespace shape
 namespace
 {
 
-/// The rows of points in a patch; empty if it does not have them all.
+/// Returns the rows of points in a patch; empty if one of them is not in it.
 std::vector<int> RowsOf(const std::vector<int>& points, const ExponentialPatch& patch)
 {
   std::unordered_map<int, int> rows;
@@ -41,7 +41,7 @@ std::vector<int> RowsOf(const std::vector<int>& points, const ExponentialPatch& 
   return found;
 }
 
-/// Whether the loop, pasted where it was cut, returns to its position.
+/// Returns whether the loop returns to its position if it is pasted where it was cut.
 bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::vector<int>& loop,
   const Eigen::RowVector3d& seed)
 {
@@ -60,7 +60,8 @@ bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::ve
   }
 }
 
-/// Flattens the loop conformally, with the smallest patch that suffices; else by the slow method.
+/// Flattens the loop conformally, with the smallest sufficient patch; if none is, by the slow
+/// method.
 void LayOutConformally(PasteTarget& home, const Eigen::RowVector3d& seed, double radius,
   const std::vector<int>& loop, FeatureFootprint& base, const Progress& progress)
 {

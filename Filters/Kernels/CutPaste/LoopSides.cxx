@@ -14,7 +14,7 @@ namespace shape
 namespace
 {
 
-/// The edges of loops, and which loop each is of.
+/// The edges of loops, and the loop that contains each.
 class LoopEdges
 {
 public:
@@ -37,13 +37,13 @@ public:
           this->Edges.insert({ std::minmax(a, b), { static_cast<int>(l), a < b } });
         if (!isNew)
         {
-          this->Edges.erase(edge); // two loops that share it change nothing there
+          this->Edges.erase(edge); // an edge of two loops separates nothing
         }
       }
     }
   }
 
-  /// nullptr for another edge.
+  /// Returns nullptr for an edge that is on no loop.
   const Edge* Find(const HalfEdge& side) const
   {
     if (this->IsOnLoop[side.Begin] == 0 || this->IsOnLoop[side.End] == 0)
@@ -59,8 +59,8 @@ private:
   std::map<std::pair<int, int>, Edge> Edges;
 };
 
-/// Twice as many items as triangles: those, and their opposites. What is on the same side is one
-/// set.
+/// Disjoint sets of the triangles and their opposites, two items for each triangle. Items on the
+/// same side are in one set.
 class Sides
 {
 public:
@@ -92,7 +92,8 @@ private:
   DisjointSets Same, Connected;
 };
 
-/// Of each component with loops: a triangle left of the first one, or the opposite of one right.
+/// For each component with loops, a triangle to the left of its first loop, or the opposite of one
+/// to the right.
 std::map<int, int> LeftTriangles(
   const std::vector<HalfEdge>& edges, const LoopEdges& loops, Sides& sides)
 {

@@ -51,7 +51,7 @@ BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
     throw InvalidInput("the feature's loop has " + std::to_string(size) + " points, " +
       std::to_string(base.LoopPositions.rows()) + " positions in the plane and " +
       std::to_string(base.Normals.rows()) +
-      " normals; it needs as many of each, and at least 3: "
+      " normals; the numbers must be equal and at least 3: "
       "cut it again");
   }
   Eigen::MatrixXd positions(size, 3);
@@ -73,7 +73,7 @@ double Spread(const std::vector<Eigen::Matrix3d>& rotations)
   return 2.0 * std::asin(std::min(farthest / std::sqrt(8.0), 1.0));
 }
 
-/// The arrival time of the last point of triangles at the loop.
+/// Returns the maximum arrival time of the points of triangles at the loop.
 double ReachOfRing(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
   const Eigen::VectorXd& times)
 {
@@ -106,7 +106,7 @@ Eigen::VectorXd AnglesAcross(
   return angles;
 }
 
-/// How far from the loop SeamNormals acts, in mean edges of the loop.
+/// The distance from the loop within which SeamNormals acts, in mean edges of the loop.
 constexpr double TurningWidth = 4.0;
 
 double MeanSide(const BoundaryHandle& curve)
@@ -148,7 +148,7 @@ FeatureToPaste::FeatureToPaste(const shape::Surface& feature, FeatureFootprint b
   RequireSimple(this->Stand.LoopPositions);
   this->Prepared =
     PrepareDeformation(BuildPointGraph(this->Feature), this->Handle, options, fields, progress);
-  // The midpoints are on chords of the loop, where the front begins.
+  // The midpoints are on chords of the loop, at which the front starts.
   Eigen::VectorXd arrivals = Eigen::VectorXd::Zero(this->Fans.First.size() - 1);
   arrivals.head(this->Feature.Points().rows()) = this->Prepared->Arrivals();
   const Mesh cut{ this->WithMidpoints(this->Feature.Points()), this->Cut.Triangles };
@@ -216,8 +216,8 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   Eigen::MatrixXd deformed = this->WithMidpoints(
     this->Prepared->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.7, 1.0))
       .Points);
-  // A point at a bend of the loop goes to the mean of several positions: further rounds rotate it
-  // by what this leaves.
+  // A point at a bend of the loop goes to the mean of several positions. Further rounds remove the
+  // angle that remains.
   const int rounds = options.Dragging ? 1 : 3;
   for (int round = 0; share > 0.0 && round < rounds; ++round)
   {
@@ -231,8 +231,8 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
 {
   LoopOnTarget landing =
     target.Land(this->Stand, placement, !options.Dragging, progress.Part(0.0, 0.3));
-  // The offsets within the feature grow with Scale: it is deformed at its own size, to a pose
-  // divided by Scale.
+  // Offsets within the feature grow with Scale, so the feature is deformed at its original size to
+  // a pose divided by Scale.
   HandlePose pose = PoseHandle(this->Handle, landing.Positions / placement.Scale, landing.Normals);
   const Eigen::VectorXd before = AnglesAcross(
     this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),

@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  /// Of each point of the target: its index in the result, or -1. points: those that are kept.
+  /// Returns, for each point of the target, its index in the result, or -1. points: the kept ones.
   std::vector<int> Number(std::vector<int>& points) const
   {
     std::vector<int> number(this->Target.Points().rows(), 0);
@@ -105,7 +105,7 @@ private:
     const auto loop = static_cast<int>(this->Base.Loop.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      // A point of the loop replaces those of the ring that lie on it.
+      // A point of the loop replaces coincident points of the ring.
       number[ring[i]] =
         this->Position.Join.RingPoints(static_cast<Eigen::Index>(i)) < loop ? -1 : 0;
     }

@@ -17,7 +17,7 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// A point of the loop with axes along it, into the feature, and upwards.
+/// A point of the loop with three axes: along the loop, into the feature, and upwards.
 struct Hinge
 {
   RowVector3d Position, Along, Inwards, Up;

@@ -104,8 +104,8 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
 {
   const auto given = static_cast<int>(this->Surface.Points().rows());
   DividedPart part;
-  std::vector<Eigen::RowVector3i> triangles; // of the given points, then of those added
-  // On a seam, whose points are duplicates, a new point is duplicated, too: each side has its own
+  std::vector<Eigen::RowVector3i> triangles; // indices of the given points, then of the added ones
+  // On a seam, a new point is duplicated as the given points are, since both sides have their own
   // data.
   std::map<std::array<int, 3>, int> numberOfAdded;
   std::vector<std::pair<int, SurfacePoint>> added;
@@ -201,7 +201,7 @@ std::vector<std::vector<int>> SurfaceDivision::CutLoops(
 void SurfaceDivision::PartPinches(DividedPart& part) const
 {
   Mesh& mesh = part.Surface;
-  // Corners at one point are connected across edges that their triangles share.
+  // Corners at one point are connected if their triangles share an edge.
   DisjointSets fans(static_cast<int>(mesh.Triangles.size()));
   const Eigen::MatrixXi whole = MergeSeam(part).Triangles;
   const std::vector<HalfEdge> edges = SortHalfEdges(whole, mesh.Points.rows());
