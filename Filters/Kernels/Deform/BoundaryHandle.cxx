@@ -85,7 +85,7 @@ Eigen::Matrix3d MinimumRotation(const Eigen::Vector3d& from, const Eigen::Vector
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
-/// The share of the handle that each sample stands for, so that dense samples count no more.
+/// The share of the handle that each sample represents, so that dense samples get no more weight.
 Eigen::VectorXd Shares(const BoundaryHandle& handle)
 {
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(handle.Positions.rows());
@@ -107,7 +107,7 @@ Eigen::VectorXd Shares(const BoundaryHandle& handle)
   return shares;
 }
 
-/// The rotation of the handle as a whole.
+/// The rotation that fits the complete handle best.
 Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& positions)
 {
   const Eigen::VectorXd shares = Shares(handle);
@@ -213,7 +213,7 @@ void RequireSize(const Eigen::MatrixXd& rows, Eigen::Index samples, const std::s
   {
     throw InvalidInput("the handle has " + std::to_string(samples) + " points, but its " + name +
       " are " + std::to_string(rows.rows()) + " x " + std::to_string(rows.cols()) +
-      "; give one of three numbers for each");
+      "; give three numbers for each point");
   }
   RequireFinite(rows, "the handle's " + name);
 }

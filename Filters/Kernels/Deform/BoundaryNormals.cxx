@@ -102,7 +102,7 @@ private:
 
   Eigen::VectorXd MissingAngles() const { return this->MissingAngles(this->Now); }
 
-  /// The angle by which each frame would have to rotate if it were alone.
+  /// The angle by which each frame would have to rotate if the others did not.
   Eigen::VectorXd MissingAngles(const State& state) const
   {
     Eigen::VectorXd missing = Eigen::VectorXd::Zero(this->Wanted.rows());
@@ -202,7 +202,7 @@ private:
   const BoundaryNormalsOptions& Options;
   Eigen::MatrixXd Tangents;
   State Now;
-  double Share = 1.0; ///< of the missing angles, that a step turned by last
+  double Share = 1.0; ///< of the missing angles that the last step corrected
 };
 
 } // namespace

@@ -114,7 +114,7 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
   this->Fresh = !hasShape || !this->Fits(problem);
   if (this->Fresh)
   {
-    // If this fails or is aborted, nothing fits afterwards.
+    // If this fails or is aborted, nothing can be reused afterwards.
     this->Deformation.reset();
     if (!hasShape)
     {

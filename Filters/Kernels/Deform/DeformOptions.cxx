@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-constexpr double LargestPower = 32.0; // beyond, the nearest point alone counts
+constexpr double LargestPower = 32.0; // above this, only the nearest point has an influence
 
 void RequireField(const Eigen::VectorXd& field, Eigen::Index points, const std::string& name)
 {
@@ -99,7 +99,7 @@ PointParameters FindParameters(const PointGraph& shape, const FrontSweep& sweep,
   for (int node = 0; node < all; ++node)
   {
     const double share = last > 0.0 ? sweep.Arrivals[sweep.Ranks[node]] / last : 0.0;
-    const bool own = node < shape.Size(); // else of the handle, which nothing is scaled at
+    const bool own = node < shape.Size(); // otherwise a node of the handle, which is not scaled
     double rigidity = options.Rigidity, scale = options.Scale;
     if (options.RigidityBy == DeformOptions::RigidityByType::Distance)
     {

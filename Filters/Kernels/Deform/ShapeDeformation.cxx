@@ -92,7 +92,7 @@ void RequireNear(const BoundaryHandle& handle, const PointGraph& graph)
   Eigen::MatrixXd all(handle.Positions.rows() + graph.Positions.rows(), 3);
   all << handle.Positions, graph.Positions;
   const double shape = ComputeLongestBoxEdge(graph.Positions), both = ComputeLongestBoxEdge(all);
-  // AttachHandle reports what is not finite.
+  // AttachHandle reports values that are not finite.
   if (std::isfinite(both) && shape < minimum * both && (shape > 0.0 || both > 1e50))
   {
     std::ostringstream words;
@@ -195,7 +195,7 @@ DeformedShape ShapeDeformation::Deform(
     const int node = own.Shape.NodeOf(i);
     result.Rotations[i] = motions.Rotations[node];
     result.Points.row(i) = own.Shape.Points.row(i) + motions.Shifts.col(node).transpose();
-    if (own.Shape.PointOf[node] != i) // welded to another one: it follows that
+    if (own.Shape.PointOf[node] != i) // welded to another node, which it follows
     {
       const Eigen::Matrix3d turn =
         own.Scales(node) * motions.Rotations[node] - Eigen::Matrix3d::Identity();

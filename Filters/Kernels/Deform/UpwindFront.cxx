@@ -81,7 +81,7 @@ FrontSweep SweepFront(
   {
     throw InvalidInput("the front does not reach " +
       std::to_string(n - static_cast<int>(sweep.Nodes.size())) +
-      " points; join them to the sources' piece");
+      " points; connect them to the sources");
   }
   sweep.Ranks.resize(n);
   for (int rank = 0; rank < n; ++rank)

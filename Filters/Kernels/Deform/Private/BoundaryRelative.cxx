@@ -33,7 +33,7 @@ BoundaryRelative::BoundaryRelative(NodeProblem problem, const Progress& progress
     {
       throw InvalidInput("geodesic distances between " + std::to_string(sources) +
         " points of the handle and " + std::to_string(count) +
-        " of the shape are too many; take Euclidean ones, or turn Multiresolution on");
+        " of the shape are too many; use Euclidean distances, or turn Multiresolution on");
     }
     this->Geodesics.resize(sources, sources + count);
     ParallelFor(

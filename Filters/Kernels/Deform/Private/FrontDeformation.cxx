@@ -78,7 +78,7 @@ NodeTransforms FrontDeformation::Move(
   const NodeTransforms& sources, double reach, const Progress& progress) const
 {
   const auto n = static_cast<int>(this->Sweep.Nodes.size());
-  // Relative to the centre of the shape, and of the moved sources: a translation costs no digits.
+  // Relative to the centre of the shape and of the moved sources, so a translation costs no digits.
   const Eigen::Vector3d shift = sources.Shifts.rowwise().mean();
   NodeTransforms motions{ Eigen::MatrixXd::Zero(3, n),
     std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Identity()) };

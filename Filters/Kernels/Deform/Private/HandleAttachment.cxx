@@ -24,7 +24,7 @@ void RequireHandle(const BoundaryHandle& handle)
 {
   if (handle.Positions.rows() == 0)
   {
-    throw InvalidInput("the handle has no points; give it some");
+    throw InvalidInput("the handle has no points; add points to it");
   }
   RequireFinite(handle.Positions, "the handle");
   for (const Eigen::MatrixXi* elements : { &handle.Segments, &handle.Triangles })
@@ -82,7 +82,7 @@ HandleAttachment::HandleAttachment(const PointGraph& shape, const BoundaryHandle
     this->Step = size > 0.0 ? size : 1.0;
   }
   this->Tolerance = std::min(this->Tolerance, 0.1 * this->Step);
-  // A handle that is much larger than the shape has no more gaps filled than this.
+  // The maximum number of gaps filled, for handles much larger than the shape.
   constexpr double maximum = 20000.0;
   double length = 0.0;
   for (const auto& segment : handle.Segments.rowwise())
@@ -112,7 +112,7 @@ void HandleAttachment::AddSamples(const Progress& progress)
   }
 }
 
-/// The shape's nodes near a segment, which is covered by spheres for that.
+/// Returns the shape's nodes near a segment, searched in spheres that cover it.
 std::vector<int> HandleAttachment::FindNodesNear(
   const RowVector3d& from, const RowVector3d& to) const
 {
@@ -302,7 +302,7 @@ double HandleAttachment::EdgeLength(const RowVector3i& corners, int k) const
     .norm();
 }
 
-/// Into how many parts a length is divided so that no gap is much too long.
+/// Returns the number of parts into which a length is divided to limit the gaps.
 int HandleAttachment::CountParts(double length) const
 {
   return static_cast<int>(std::ceil(length / this->Gap - 0.5));
@@ -340,7 +340,7 @@ int HandleAttachment::Add(int node, const RowVector3i& samples, const RowVector3
   return static_cast<int>(this->Nodes.size()) - 1;
 }
 
-/// Links a new node with its nearest node of the shape, and with others that are hardly farther.
+/// Links a new node with its nearest node of the shape, and with others at nearly that distance.
 void HandleAttachment::LinkToShape(
   int node, const RowVector3d& position, std::vector<std::pair<int, int>>& links) const
 {

@@ -40,7 +40,7 @@ LaplacianSmoothing::LaplacianSmoothing(const NodeProblem& problem)
 
 void LaplacianSmoothing::Apply(NodeTransforms& motions) const
 {
-  // The unknown is the change: none, to the last bit, if nothing moves.
+  // The unknown is the change, which is exactly 0 if nothing moves.
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(this->Positions.rows(), 3);
   for (const auto& [a, b] : this->Links)
   {

@@ -31,8 +31,8 @@ namespace
 /// The number of base nodes that a node is blended from, if none is one of the denser sources.
 constexpr double WantedNodes = 8.0;
 
-/// Changes weights so that the weighted mean of offsets (k x 3) is zero in the directions that they
-/// span, or as near to zero as weights that are not negative allow.
+/// Changes weights to make the weighted mean of offsets (k x 3) zero in the directions that they
+/// span, or as close to zero as non-negative weights allow.
 void Tilt(const Eigen::MatrixXd& ways, Eigen::VectorXd& weights)
 {
   const Eigen::Vector3d mean = ways.transpose() * weights / weights.sum();
@@ -71,7 +71,7 @@ MultiresolutionDeformation::MultiresolutionDeformation(
   PointGraph& graph = this->Coarse.Graph;
   const int n = graph.Size();
   this->Base = n;
-  // The strip beside the handle that its samples stand for is as wide as the links of the base.
+  // The samples represent a strip beside the handle, as wide as the links of the base.
   this->IsSource.assign(n, 0);
   for (const int node : this->Coarse.Sources)
   {
@@ -169,7 +169,7 @@ std::vector<MultiresolutionDeformation::Nearby> MultiresolutionDeformation::Find
     nearest.push_back({ (graph.Positions.row(other) - position).norm(), other });
   }
   std::sort(nearest.begin(), nearest.end());
-  // Samples of the handle may be denser than the base: take as many as stand for the same area.
+  // Samples of the handle may be denser than the base: use as many as represent the same area.
   double sum = 0.0;
   std::size_t count = 0;
   while (count < nearest.size() && sum < WantedNodes)
@@ -189,7 +189,7 @@ void MultiresolutionDeformation::AddRow(int node, double full)
   const auto count = static_cast<Eigen::Index>(nearest.size());
   Eigen::MatrixXd ways(count, 3);
   Eigen::VectorXd weights(count);
-  // Near the sources only these count, the nearer the more: there the shape is exact.
+  // Near the sources only these have weights, which grow towards them: there the shape is exact.
   const double arrival = this->Sweep.Arrivals[this->Sweep.Ranks[node]];
   const double beyond = 1.0 - EvaluateSmoothFalloff(arrival, graph.MeanLength);
   const double radius = std::max(1.001 * nearest.back().Distance, 1e-6 * graph.MeanLength);

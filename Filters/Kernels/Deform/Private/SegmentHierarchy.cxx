@@ -102,7 +102,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
     std::sort(part.Nodes.begin(), part.Nodes.end());
     if (this->Parts.size() == 1)
     {
-      part.Nodes = problem.Sources; // also those that only others of them are next to
+      part.Nodes = problem.Sources; // including those that are only adjacent to other sources
     }
     part.Sources = static_cast<int>(part.Nodes.size());
     part.Nodes.insert(part.Nodes.end(), members[p].begin(), members[p].end());
