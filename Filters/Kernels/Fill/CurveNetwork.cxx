@@ -31,7 +31,7 @@ struct SegmentGraph
   const Eigen::MatrixXd& Points;
   Eigen::MatrixXd Normals;            ///< n x 3: unit, or 0
   std::vector<std::vector<int>> Near; ///< of each point, those that a segment joins to it
-  std::set<CurveSegment> Forward;     ///< in the direction of the first polyline with them
+  std::set<CurveSegment> Forward;     ///< in the direction of the first polyline that contains them
 
   int Size() const { return static_cast<int>(this->Near.size()); }
   bool HasNormal(int point) const { return this->Normals.row(point).squaredNorm() > 0.0; }
@@ -137,7 +137,7 @@ RowVector3d FitPlaneNormal(const SegmentGraph& graph, const std::vector<int>& me
       members.begin(), members.end(), [&](int point) { return graph.IsBranch(point); });
     throw InvalidInput("three or more curves meet at " + std::to_string(branches) +
       " points (first at point " + std::to_string(first) +
-      "), and they have no normals to tell the patches between them; add point Normals");
+      "), but without normals the patches between them are ambiguous; add point Normals");
   }
   RowVector3d normal = axes.matrixV().col(2).transpose();
   const RowVector3d reversed(normal.z(), normal.y(), normal.x());
@@ -300,7 +300,7 @@ double ComputeSignedArea(const SegmentGraph& graph, const std::vector<int>& face
 }
 
 /// Whether a face is to be filled. Of the two faces of a closed curve, it is the one that its
-/// normals ask for, else that of its direction.
+/// normals determine, else that of its direction.
 bool IsPatch(const SegmentGraph& graph, const std::vector<int>& face)
 {
   const double area = ComputeSignedArea(graph, face);
@@ -324,8 +324,8 @@ CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
     {
       if (point < 0 || point >= points.rows())
       {
-        throw InvalidInput("a curve names point " + std::to_string(point) + " of " +
-          std::to_string(points.rows()) + "; give points that exist");
+        throw InvalidInput("a curve contains point " + std::to_string(point) + " of " +
+          std::to_string(points.rows()) + "; correct its connectivity");
       }
     }
   }

@@ -20,8 +20,8 @@ namespace
 using Sparse = Eigen::SparseMatrix<double>;
 using Eigen::RowVector3d;
 
-/// Voronoi areas of the points (n), at the loop those of the patch only; at least a tenth of a
-/// third of the triangles around.
+/// Voronoi areas of the points (n); at the loop, within the patch only. Each is at least a tenth of
+/// a third of the area of the triangles around.
 Eigen::VectorXd VoronoiAreas(const Mesh& patch, const TriangleAngles& angles)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(patch.Points.rows());
@@ -100,12 +100,12 @@ Sparse Inner(const Sparse& all, Eigen::Index loop)
   return all.bottomRightCorner(inner, inner);
 }
 
-/// Solves Newton's equation: how far points move along their normals.
+/// Solves Newton's equation for the movement of points along their normals.
 class NewtonStep
 {
 public:
-  /// cautious: shorter steps, of what is sure to be positive definite. again: with the derivative
-  /// of the last time.
+  /// cautious: take shorter steps, from a matrix that is certainly positive definite. again: reuse
+  /// the last derivative.
   Eigen::VectorXd Find(const Geometry& is, Eigen::Index loop, bool cautious, bool again)
   {
     const Eigen::Index inner = is.Areas.size() - loop;
@@ -120,7 +120,7 @@ public:
     const Sparse plain = Inner(bending, loop);
     const Sparse derivative = plain - 0.5 * Inner(squares + turned, loop);
     Eigen::VectorXd step;
-    // Where the surface bends much over its width the derivative may not be positive definite.
+    // If the surface bends strongly over its width, the derivative may not be positive definite.
     if ((cautious || !this->TrySolve(derivative, 2.0 * residual, step)) &&
       !this->TrySolve(plain, 2.0 * residual, step))
     {
@@ -193,7 +193,7 @@ Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loo
   const Sparse stiffness = BuildCotangentStiffness(disk.Triangles, angles.Cotangents, points);
   Eigen::VectorXd masses = ComputeLumpedMasses(disk.Triangles, angles.Areas, points);
   masses = masses.cwiseMax(1e-9 * masses.mean());
-  // What flows over the rim: its conormals, out of the patch, times the length that each point has.
+  // The flux over the boundary: its outward conormals times the length that belongs to each point.
   Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(points, 3);
   for (Eigen::Index i = 0; i < corners; ++i)
   {
@@ -221,7 +221,7 @@ FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loo
   double share = 1.0, taken = 1.0, lastLength = minimum;
   const double enough = options.Tolerance * MeanLoopEdge(start.Points, loop);
   NewtonStep newton;
-  bool isNear = false; // so near that the derivative changes hardly any more
+  bool isNear = false; // so near that the derivative hardly changes
   constexpr double minimumShare = 0.25;
   int stalls = 0;
   while (!result.Converged && stalls < 2 && result.Iterations < options.MaximumIterations)
@@ -238,8 +238,7 @@ FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loo
     }
     const Eigen::VectorXd step = newton.Find(is, loop, energy > last, isNear && energy <= last);
     last = energy;
-    // Steps that do not become shorter, as they should by what was taken of the last one, go to and
-    // fro.
+    // Steps that do not become shorter as expected oscillate.
     const double length = step.cwiseAbs().maxCoeff();
     const bool goesAstray = length > (1.0 - 0.3 * taken) * lastLength;
     stalls = share == minimumShare && goesAstray ? stalls + 1 : 0;

@@ -38,7 +38,7 @@ std::string NameOf(FillMethod method)
   }
 }
 
-/// Which hole a triangle fills.
+/// Returns the hole that a triangle fills.
 int OwnerOf(const FilledSurface& filled, int triangle)
 {
   const auto after = std::upper_bound(filled.Holes.begin(), filled.Holes.end(), triangle,
@@ -46,7 +46,7 @@ int OwnerOf(const FilledSurface& filled, int triangle)
   return static_cast<int>(after - filled.Holes.begin()) - 1;
 }
 
-/// For the i-th of `count` equal parts of some work.
+/// The progress of the i-th of `count` equal parts.
 Progress PartOf(const Progress& progress, std::size_t i, std::size_t count)
 {
   const auto all = static_cast<double>(count);
@@ -188,8 +188,8 @@ bool SurfaceFiller::Try(
   }
 }
 
-/// Replaces a fill whose first method failed by the best of all: one that did not converge only if
-/// the others have more intersections.
+/// Replaces a fill whose first method failed by the best of all methods. One that did not converge
+/// is used only if the others have more intersections.
 void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const Progress& progress)
 {
   std::string reason;

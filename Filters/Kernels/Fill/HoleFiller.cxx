@@ -58,7 +58,7 @@ HoleFill HoleFiller::Fill(FillMethod method, const DeformOptions& options,
   }
 }
 
-/// The membrane; its normals complete those that the loop lacks.
+/// The membrane; its normals replace those that the loop lacks.
 const HolePatch& HoleFiller::Span(const Progress& progress)
 {
   if (!this->Coarse)

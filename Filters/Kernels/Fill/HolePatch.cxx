@@ -54,7 +54,7 @@ RowVector3d EvaluateCurvedTriangle(
   return position + 6.0 * barycentric.prod() * middle;
 }
 
-/// Values at the points of a triangulated layout, asked for anywhere.
+/// Interpolates values at the points of a triangulated layout at any position.
 class FlatField
 {
 public:
@@ -65,7 +65,7 @@ public:
   {
   }
 
-  /// Linear in the triangle that the place is in; outside of all that of the nearest point.
+  /// Linear in the triangle that contains the position; outside, the value of the nearest point.
   double At(const RowVector2d& position, const Eigen::VectorXd& values) const
   {
     const PlanarPoint found = this->Locator.Find(position);
@@ -73,7 +73,7 @@ public:
                               : found.Barycentric.dot(values(this->Corners(found)));
   }
 
-  /// The same of the points of a surface, its triangles curved to normals.
+  /// The same for the points of a surface whose triangles are curved to normals.
   RowVector3d OnSurface(const RowVector2d& position, const Eigen::MatrixXd& points,
     const Eigen::MatrixXd& normals) const
   {
@@ -102,7 +102,8 @@ private:
   PointTree Tree;
 };
 
-/// By how much another surface of the same triangles is longer around each point (n).
+/// The factor by which edges around each point (n) are longer on another surface with the same
+/// triangles.
 Eigen::VectorXd Stretch(const Mesh& surface, const Mesh& other)
 {
   const Eigen::VectorXd areas = ComputePointAreas(surface), otherAreas = ComputePointAreas(other);
@@ -135,8 +136,8 @@ Eigen::VectorXd WantedSizes(const Mesh& surface, const PatchSizes& sizes)
   return wanted(growth);
 }
 
-/// Triangles over an outline, where the layout's field says how long in the layout; and where their
-/// points are on the surface.
+/// Triangles inside an outline, with the edge lengths of a field over the layout; and the positions
+/// of their points on the surface.
 HolePatch Triangulated(const Mesh& surface, const Eigen::MatrixXd& flat,
   const Eigen::VectorXd& wanted, const Eigen::MatrixXd& normals, const PatchSizes& sizes,
   const Progress& progress)
@@ -145,7 +146,7 @@ HolePatch Triangulated(const Mesh& surface, const Eigen::MatrixXd& flat,
   const FlatField field(flat, surface.Triangles);
   Eigen::VectorXd edges =
     wanted.cwiseProduct(Stretch(surface, { InSpace(flat), surface.Triangles }));
-  // The side that suits most points.
+  // The edge length that suits most points.
   const Eigen::ArrayXd counts =
     ComputePointAreas({ InSpace(flat), surface.Triangles }).array() / edges.array().square();
   FlatDiskOptions options;
@@ -181,7 +182,7 @@ Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop)
     sides(i) = (loop.row((i + 1) % count) - loop.row(i)).norm();
   }
   sides = sides.cwiseMax(1e-3 * sides.mean());
-  // Four sides before and after each point, the near ones counting more.
+  // Four edges before and after each point, the nearer ones with more weight.
   constexpr int reach = 4;
   Eigen::VectorXd sizes(count);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -209,7 +210,7 @@ HolePatch BuildMembranePatch(
   }
   const Eigen::MatrixXd outline = BuildCircleOutline(sides);
   const Eigen::VectorXd& sizes = patchSizes.Loop;
-  std::vector<double> angles; // of the corners, rising
+  std::vector<double> angles; // of the corners, ascending
   const auto angleOf = [](const RowVector2d& position)
   {
     const double angle = std::atan2(position.y(), position.x());

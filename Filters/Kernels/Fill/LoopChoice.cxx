@@ -82,7 +82,7 @@ void RequireLoops(const Eigen::MatrixXd& points, const std::vector<std::vector<i
     {
       if (point < 0 || point >= points.rows())
       {
-        throw InvalidInput("a loop names point " + std::to_string(point) + " of " +
+        throw InvalidInput("a loop contains point " + std::to_string(point) + " of " +
           std::to_string(points.rows()) + "; give points of the surface");
       }
     }

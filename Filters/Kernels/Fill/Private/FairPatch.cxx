@@ -97,7 +97,7 @@ public:
   }
 
 private:
-  static constexpr double BulgingGrowth = 0.25; ///< of edges, away from the loop
+  static constexpr double BulgingGrowth = 0.25; ///< growth of edges away from the loop
 
   void MakeFair(const Progress& progress)
   {
@@ -120,7 +120,7 @@ private:
   double Stretch = 1.0; ///< by which factor triangles changed when the patch was made fair
 };
 
-/// The direction that a loop runs around, counter-clockwise.
+/// The direction around which a loop runs counter-clockwise.
 RowVector3d AxisOf(const Eigen::MatrixXd& loop)
 {
   const RowVector3d centre = loop.colwise().mean();

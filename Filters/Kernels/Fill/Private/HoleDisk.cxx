@@ -42,7 +42,7 @@ public:
     this->Origin = 0.5 * (low + high) - this->Side * RowVector2d(0.5, std::sqrt(3.0) / 6.0);
   }
 
-  /// Within the box, each once.
+  /// Returns the points within the box, each once.
   std::vector<RowVector2d> Find(const Progress& progress)
   {
     this->Split({ 0, 0 }, Finest, 1, progress);
@@ -278,7 +278,7 @@ Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths)
   sides.maxCoeff(&longest);
   const double others = sides.sum() - sides(longest);
   sides(longest) = std::min(sides(longest), 0.999 * others);
-  // How far the sides' angles are from a full turn, with the centre outside or inside.
+  // The difference between the edges' angles and a full turn, with the centre outside or inside.
   const bool isOutside = HalfAngles(sides, 1.0 / sides(longest)).sum() < M_PI;
   const auto excess = [&](double bend)
   {
@@ -325,7 +325,7 @@ FlatDisk TriangulateDisk(
   }
   progress(0.6);
   FlatDisk disk = all.Triangles.rows() == 0 ? FlatDisk(all) : Triangulated(outline, kept);
-  constexpr int rounds = 10; // a new point may make another such edge
+  constexpr int rounds = 10; // a new point may create another such edge
   for (int round = 0; round < rounds; ++round)
   {
     const std::vector<RowVector2d> midpoints = MidpointsOfUnwanted(disk, corners, options);
