@@ -49,7 +49,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The charge set: a filter's output, which is brought up to date, or data.
+  /// The charge set: the output of a filter, which is updated, or data.
   virtual void SetChargeSetConnection(vtkAlgorithmOutput* charges);
   virtual void SetChargeSetData(vtkPolyData* charges);
   virtual vtkPolyData* GetChargeSet();
@@ -102,8 +102,8 @@ private:
   vtkSmartPointer<vtkAlgorithm> Producer; ///< of the charge set
   int Port = 0;
   std::shared_ptr<const shape::VolumeTransform> Map; ///< empty: every point keeps its position
-  vtkSmartPointer<vtkPolyData> MappedCharges;        ///< what Map was made from
-  vtkMTimeType MappedTime = 0;                       ///< when that was modified
+  vtkSmartPointer<vtkPolyData> MappedCharges;        ///< the data from which Map was built
+  vtkMTimeType MappedTime = 0;                       ///< modification time of these data
   bool MapHasInverse = false;
   std::atomic<vtkIdType> NotInverted{ 0 };
 };
