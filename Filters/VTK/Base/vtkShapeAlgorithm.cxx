@@ -228,7 +228,7 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
     std::string type = this->OutputTypes[port];
     if (type.empty())
     {
-      // Without an input the pipeline stops after this, and says so.
+      // Without an input the pipeline stops after this, with a message.
       const auto points = this->MovedOutputs.count(port) ? vtkShapeComposite::Points::Moved
                                                          : vtkShapeComposite::Points::Kept;
       type = input ? vtkShapeComposite::FindOutputType(input, points) : "vtkPolyData";
@@ -289,7 +289,7 @@ shape::Progress vtkShapeAlgorithm::MakeProgress()
   return shape::Progress(
     [this](double fraction)
     {
-      // Progress only rises: what is done is done, even where a part was estimated wrongly.
+      // Progress never decreases, even if a part was estimated wrongly.
       this->UpdateProgress(std::clamp(fraction, this->GetProgress(), 1.0));
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
       return !this->CheckAbort();
@@ -339,7 +339,7 @@ void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
 int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
 {
   bool stopped = true;
-  std::string message; // stays empty where the user stopped it
+  std::string message; // empty if the user stopped it
   try
   {
     this->UpdateProgress(0.0);

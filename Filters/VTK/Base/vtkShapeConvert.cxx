@@ -27,7 +27,7 @@
 namespace
 {
 
-/// A polygon or strip of n points makes n - 2 triangles.
+/// A polygon or strip of n points gives n - 2 triangles.
 vtkIdType CountTriangles(vtkPolyData* surface)
 {
   vtkIdType count = 0;
@@ -41,7 +41,8 @@ vtkIdType CountTriangles(vtkPolyData* surface)
   return count;
 }
 
-/// The shape whose corners a cell type has; a voxel has a hexahedron's, in another order.
+/// Returns the shape whose corners a cell type has; a voxel has those of a hexahedron, in another
+/// order.
 bool ShapeOf(int cellType, shape::CellShape& shape)
 {
   switch (cellType)
@@ -67,7 +68,7 @@ bool ShapeOf(int cellType, shape::CellShape& shape)
   }
 }
 
-/// Adds the triangles or tetrahedra that a cell is cut into.
+/// Adds the triangles or tetrahedra into which a cell is divided.
 void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
 {
   const int corners = cell->GetCellDimension() + 1;

@@ -36,7 +36,7 @@ bool IsParallel(vtkMultiProcessController* controller)
   return controller && controller->GetNumberOfProcesses() > 1;
 }
 
-/// The surface without ghost cells; its points stay as they are.
+/// Returns the surface without ghost cells; its points are unchanged.
 vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
 {
   auto kept = vtkSmartPointer<vtkPolyData>::New();
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
   return kept;
 }
 
-/// For each point the first one at its place, or itself.
+/// Returns, for each point, the first coincident one, which may be the point itself.
 std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
 {
   std::vector<vtkIdType> first(data->GetNumberOfPoints());
@@ -80,7 +80,8 @@ std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
   return first;
 }
 
-/// One surface of several. pointMap: for each point of the inputs, in order, its point in it.
+/// Merges several surfaces into one. pointMap: for each point of the inputs, in order, its index in
+/// the result.
 vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces,
   bool weld, std::vector<vtkIdType>& pointMap)
 {
@@ -128,14 +129,14 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
     merged->InsertNextCell(all->GetCellType(cell), corners);
   }
   merged->GetCellData()->ShallowCopy(all->GetCellData());
-  // Pieces of one thing say the same about it; processes without a part of it may say nothing.
+  // All pieces of one data set have the same field data; processes without a piece may have none.
   const auto first = std::find_if(pieces.begin(), pieces.end(),
     [](vtkPolyData* piece) { return piece->GetNumberOfPoints() > 0; });
   merged->GetFieldData()->ShallowCopy((first == pieces.end() ? pieces[0] : *first)->GetFieldData());
   return merged;
 }
 
-/// The blocks, which must be surfaces.
+/// Returns the blocks, which must be surfaces.
 std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const std::string& name)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
@@ -164,7 +165,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const st
   return surfaces;
 }
 
-/// One grid of several data sets, without those that have no point.
+/// Merges several data sets into one grid; those without points are left out.
 vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& pieces)
 {
   vtkNew<vtkAppendFilter> append;
@@ -185,8 +186,8 @@ vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& piece
   return merged;
 }
 
-/// One data set as a grid, with what is not changed shared: for filters that run while a handle is
-/// dragged.
+/// Returns one data set as a grid that shares all unchanged arrays, for filters that run while a
+/// handle is dragged.
 vtkSmartPointer<vtkUnstructuredGrid> ToGrid(vtkDataSet* data)
 {
   auto* surface = vtkPolyData::SafeDownCast(data);
@@ -221,7 +222,7 @@ void vtkShapeGather::RunOnAllOrFail(
   vtkMultiProcessController* controller, const std::function<void()>& work)
 {
   bool failed = true;
-  std::string message; // stays empty where the user stopped it
+  std::string message; // empty if the user stopped it
   try
   {
     work();
@@ -381,7 +382,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
         {
           pieces.push_back(vtkDataSet::SafeDownCast(piece));
         }
-        whole = Merge(pieces); // empty but on the first process
+        whole = Merge(pieces); // empty except on the first process
       });
     controller->Broadcast(whole.Get(), 0);
   }

@@ -57,10 +57,11 @@ const std::set<std::string> RealMeasures = {
   "Embedding"
 };
 
-/// Measures that are counts or yes and no.
+/// Measures that are counts or Booleans.
 const std::set<std::string> IntegerMeasures = { "Degenerate", "Flipped", "Inverted", "Torn" };
 
-/// What an array is a measure of; empty if it is none. Active normals may have any name.
+/// Returns the measure that an array contains; empty if it is none. Active normals may have any
+/// name.
 std::string MeasureOf(vtkFieldData* data, vtkAbstractArray* array)
 {
   auto* attributes = vtkDataSetAttributes::SafeDownCast(data);
@@ -74,8 +75,8 @@ std::string MeasureOf(vtkFieldData* data, vtkAbstractArray* array)
   return (isReal && RealMeasures.count(name)) || IntegerMeasures.count(name) ? name : "";
 }
 
-/// The filter whose fact this is, HexRemesh for HexRemesh.CellSize; empty if it is none of
-/// ShapeMap's.
+/// Returns the filter that wrote a fact, HexRemesh for HexRemesh.CellSize; empty if it is not one
+/// of ShapeMap.
 std::string FilterOf(const std::string& fact)
 {
   static const std::set<std::string> filters = []
@@ -92,7 +93,7 @@ std::string FilterOf(const std::string& fact)
   return prefix != fact && filters.count(prefix) ? prefix : "";
 }
 
-/// "Mesh Hexahedron Quality": what vtkMeshQuality sums up in the field data.
+/// "Mesh Hexahedron Quality": the summary that vtkMeshQuality writes to the field data.
 bool IsQualitySummary(const std::string& name)
 {
   const std::string begin = "Mesh ", end = " Quality";
@@ -134,7 +135,7 @@ Parts PartsOf(const std::vector<vtkDataObject*>& inputs)
   return parts;
 }
 
-/// Removes the measures that the filter did not make, and returns which they are.
+/// Removes the measures that the filter did not compute, and returns their names.
 std::vector<std::string> Remove(
   const vtkShapeMeasures::Filter& filter, const Parts& inherited, vtkFieldData* data)
 {
@@ -152,7 +153,7 @@ std::vector<std::string> Remove(
   return removed;
 }
 
-/// Removes the facts of other filters, and of this one's last use.
+/// Removes the facts of other filters, and those of an earlier run of this filter.
 void RemoveFacts(const vtkShapeMeasures::Filter& filter, const Parts& inherited, vtkFieldData* data)
 {
   Remove(filter, inherited, data);

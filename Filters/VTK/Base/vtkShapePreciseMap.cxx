@@ -46,7 +46,7 @@ shape::NumberedSurface vtkShapePreciseMap::ToSurface(
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(grid->GetPoints());
   surface->AllocateEstimate(grid->GetNumberOfCells(), 3);
-  // Blocks come one after the other, each with its vertices, lines, polygons and strips.
+  // Blocks follow each other, each with its vertices, lines, polygons and strips.
   std::vector<int> ofKind[4];
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)

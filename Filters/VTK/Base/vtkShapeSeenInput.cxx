@@ -64,7 +64,7 @@ bool AreSame(vtkFieldData* a, vtkFieldData* b)
   return areSame;
 }
 
-/// With the parts that arrays play.
+/// Includes the attribute types of the arrays.
 bool AreSame(vtkDataSetAttributes* a, vtkDataSetAttributes* b)
 {
   int rolesOfA[vtkDataSetAttributes::NUM_ATTRIBUTES];

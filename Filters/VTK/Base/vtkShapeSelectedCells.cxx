@@ -39,7 +39,7 @@ void SetMarks(vtkDataSet* data, const std::vector<char>& marks)
   data->GetCellData()->AddArray(array);
 }
 
-/// The parts of a selection that are meant for this process.
+/// Returns the parts of a selection that refer to this process.
 vtkSmartPointer<vtkSelection> Own(vtkSelection* selection, vtkMultiProcessController* controller)
 {
   const int process = controller ? controller->GetLocalProcessId() : 0;
@@ -58,8 +58,8 @@ vtkSmartPointer<vtkSelection> Own(vtkSelection* selection, vtkMultiProcessContro
   return own;
 }
 
-/// From what vtkExtractSelection says of a block: marks of its cells, or of its points. A block
-/// that the selection does not name is empty.
+/// Converts the result of vtkExtractSelection for a block: marks of its cells, or of its points. A
+/// block that the selection does not contain is empty.
 std::vector<char> MarksOf(vtkDataSet* data, vtkIdType count)
 {
   const char* name = "vtkInsidedness";
@@ -123,7 +123,8 @@ std::vector<char> MarksOfExtracted(vtkDataSet* extracted, vtkIdType cells)
   return marks;
 }
 
-/// The data sets of a tree at the places of those of another; nullptr where there is none.
+/// Returns the data sets of a tree at the positions of those of another tree; nullptr if there is
+/// none.
 std::vector<vtkDataSet*> LeavesLike(vtkDataObject* like, vtkDataObject* data)
 {
   auto* tree = vtkCompositeDataSet::SafeDownCast(like);

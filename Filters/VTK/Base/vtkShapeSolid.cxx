@@ -34,7 +34,8 @@
 namespace
 {
 
-/// For each new point, the weights of the input's points in it: parents may be new points, too.
+/// Computes the weights of the input's points in each new point; its parents may also be new
+/// points.
 std::vector<std::map<int, double>> WeightsOf(
   const std::vector<std::array<int, 4>>& parents, int originalPoints)
 {

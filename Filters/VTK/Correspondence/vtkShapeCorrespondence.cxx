@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkShapeCorrespondence);
 namespace
 {
 
-/// Positions that correspond, one a row.
+/// Corresponding positions, one in each row.
 struct Partners
 {
   std::vector<Eigen::RowVector3d> OnA, OnB;
@@ -41,7 +41,7 @@ double ComputeMeanEdgeLength(const shape::Mesh& mesh)
   return sum / 3.0;
 }
 
-/// The points of the landmarks, and places between them along lines.
+/// Returns the points of the landmarks, and positions between them along lines.
 Partners ReadPartners(vtkUnstructuredGrid* given, double step)
 {
   const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(given);
@@ -62,7 +62,7 @@ Partners ReadPartners(vtkUnstructuredGrid* given, double step)
     vtkIdList* points = given->GetCell(cell)->GetPointIds();
     for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
     {
-      constexpr double maximum = 10000.0; // of a segment, whatever the surface
+      constexpr double maximum = 10000.0; // points on a segment
       const vtkIdType p = points->GetId(i - 1), q = points->GetId(i);
       const int pieces = static_cast<int>(
         std::clamp(std::ceil((positions.row(q) - positions.row(p)).norm() / step), 1.0, maximum));

@@ -76,7 +76,7 @@ void vtkShapeMapDifference::Execute(const shape::Progress& progress)
     vtkShapeConvert::ToArray(result.Conformal.Eigenvalues, "MapDifference.ConformalEigenvalues"));
   vtkShapeConvert::AddFact(output, "MapDifference.UndeterminedFunctions", result.Undetermined);
   vtkShapeConvert::AddFact(output, "MapDifference.PreciseMap", precise ? 1.0 : 0.0);
-  // Every process has the same operators: one of them hands them on.
+  // Every process has the same operators: one of them outputs them.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
     auto* table = vtkTable::SafeDownCast(this->GetOutputDataObject(1));

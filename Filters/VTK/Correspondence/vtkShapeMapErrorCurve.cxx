@@ -63,7 +63,7 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
     add("RoundTripMean", trips.size() > 0 ? trips.mean() : 0.0);
     add("RoundTripMaximum", trips.size() > 0 ? trips.maxCoeff() : 0.0);
   }
-  // Every process has the same curve: one of them hands it on.
+  // Every process has the same curve: one of them outputs it.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
     output->AddColumn(vtkShapeConvert::ToArray(result.Errors, "Error"));

@@ -24,7 +24,7 @@
 
 vtkStandardNewMacro(vtkShapeCutFeature);
 
-/// What depends on the input alone, and the outputs before a refusal.
+/// The data that depend on the input only, and the last outputs before a refusal.
 struct vtkShapeCutFeature::Kept
 {
   vtkShapeSeenInput Input;
@@ -114,7 +114,7 @@ void vtkShapeCutFeature::Execute(const shape::Progress& progress)
     std::vector<int> ownPoints;
     marked = vtkShapeGather::Gather(own, "Input", true, this->GetController(), ownPoints);
   }
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

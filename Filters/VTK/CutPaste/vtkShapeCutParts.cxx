@@ -31,8 +31,8 @@ namespace
 using shape::DividedPart;
 using shape::FilledHole;
 
-/// What points of the surface, or places on it, have: on an edge the mean of values; of what is
-/// none, that of the nearest corner.
+/// Interpolates an array at points of the surface or positions on it. Data that cannot be averaged
+/// are those of the nearest corner.
 void InterpolateArray(
   const DividedPart& part, const shape::Mesh& mesh, vtkAbstractArray* from, vtkAbstractArray* to)
 {
@@ -66,7 +66,7 @@ void InterpolateArray(
   }
 }
 
-/// All arrays, with the parts that they play.
+/// Interpolates all arrays and keeps their attribute types.
 void InterpolatePoints(
   const DividedPart& part, const shape::Mesh& mesh, vtkPointData* from, vtkPointData* to)
 {
@@ -75,7 +75,7 @@ void InterpolatePoints(
     vtkAbstractArray* array = from->GetAbstractArray(i);
     if (array == from->GetGlobalIds())
     {
-      continue; // new points have none of their own
+      continue; // new points have no ids
     }
     auto own = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
     own->SetName(array->GetName());
@@ -106,7 +106,7 @@ void AddOriginals(const DividedPart& part, vtkPointData* data)
   data->AddArray(ids);
 }
 
-/// Writes a part and, where there are some, its fills.
+/// Writes a part and its fills, if it has any.
 void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
   const shape::NumberedSurface& numbered, vtkPolyData* surface, vtkPolyData* output)
 {

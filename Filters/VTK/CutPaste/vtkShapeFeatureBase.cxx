@@ -23,7 +23,7 @@ namespace
 
 const std::string Positions = "LoopCoordinates", Normals = "LoopNormal", Facts = "CutFeature.";
 
-/// Numbers of the field data, where they are there.
+/// Returns numbers of the field data, if they exist.
 std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& name, int count)
 {
   vtkDataArray* values = data->GetFieldData()->GetArray((Facts + name).c_str());
@@ -39,7 +39,7 @@ std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& nam
   return numbers;
 }
 
-/// The array at the feature's points; none where it is not there.
+/// Returns the array at the feature's points; empty if it does not exist.
 Eigen::MatrixXd LoopArray(
   vtkPolyData* data, const std::string& name, const std::vector<int>& points)
 {
@@ -48,7 +48,7 @@ Eigen::MatrixXd LoopArray(
     : Eigen::MatrixXd(0, 3);
 }
 
-/// Whether all of a loop was cut and filled.
+/// Returns whether all of a loop was cut and filled.
 bool WasCut(const std::vector<int>& loop, const Eigen::MatrixXd& normals)
 {
   return normals.rows() > 0 &&
@@ -83,7 +83,7 @@ void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData*
     return;
   }
   const shape::FeatureFootprint& base = *cut.Base;
-  std::map<int, Eigen::Index> rows; // of the loop, by the place on the surface
+  std::map<int, Eigen::Index> rows; // of the loop, by the position on the surface
   for (std::size_t i = 0; i < base.Loop.size(); ++i)
   {
     rows[cut.Feature.Ids[base.Loop[i]]] = static_cast<Eigen::Index>(i);

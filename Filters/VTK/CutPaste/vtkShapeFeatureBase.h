@@ -28,7 +28,7 @@ struct Feature
 /**
  * Returns the feature's base at one of its loops. surface: its triangles. points: for each point of
  * the surface, that of `data`. loopIndex: 0 for the longest loop, or the one that was cut. Throws
- * shape::InvalidInput if there is no such loop, what shape::BuildFootprintOnOwnFill throws,
+ * shape::InvalidInput if there is no such loop, the exceptions of shape::BuildFootprintOnOwnFill,
  * shape::Aborted.
  */
 Feature Read(vtkPolyData* data, const shape::Mesh& surface, const std::vector<int>& points,

@@ -51,7 +51,7 @@ vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progre
 
 void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

@@ -30,8 +30,8 @@
  * - .Overlaps: 1 if parts of the image overlap. .ReachesRim: 1 if the patch ends at a boundary of
  *   the surface.
  *
- * Everything that depends only on the surface, NormalSmoothing and UpwindAverage is kept. A new
- * seed or radius takes time for the patch alone.
+ * Everything that depends only on the surface, NormalSmoothing and UpwindAverage is reused. A new
+ * seed or radius takes time for the patch only.
  *
  * The mathematics: shape::ExponentialMap, shape::FlattenPatch.
  */

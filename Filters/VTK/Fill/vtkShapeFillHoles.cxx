@@ -22,13 +22,13 @@
 
 vtkStandardNewMacro(vtkShapeFillHoles);
 
-/// What depends on the input and the choice of loops, and what these were.
+/// The data that depend on the input and the choice of loops, and the last values of both.
 struct vtkShapeFillHoles::Kept
 {
   shape::NumberedSurface Surface;
-  shape::CurveNetwork Curves;  ///< where there are no polygons
-  shape::BoundaryLoops Border; ///< else
-  std::vector<int> Chosen;     ///< loops, or rims, by number
+  shape::CurveNetwork Curves;  ///< if there are no polygons
+  shape::BoundaryLoops Border; ///< otherwise
+  std::vector<int> Chosen;     ///< indices of loops or rims
   shape::HoleFillerOptions Options;
   std::unique_ptr<shape::SurfaceFiller> Filler;
 };
@@ -156,14 +156,14 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   }
   else
   {
-    kept.Surface = std::move(fresh.Surface); // its cells may have other numbers
+    kept.Surface = std::move(fresh.Surface); // its cells may be numbered differently
   }
   progress(1.0);
 }
 
 void vtkShapeFillHoles::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

@@ -14,7 +14,7 @@
 namespace
 {
 
-/// A component of an array.
+/// Returns a component of an array.
 using Column = std::pair<vtkDataArray*, int>;
 
 double ValueFor(const vtkDataArray* array, double value)
@@ -23,7 +23,7 @@ double ValueFor(const vtkDataArray* array, double value)
                                                    : value;
 }
 
-/// values: room for those of all points.
+/// values: has space for those of all points.
 void ContinueColumns(const shape::Mesh& surface, const shape::FilledHole& hole,
   const std::vector<Column>& columns, Eigen::MatrixXd& values)
 {

@@ -30,7 +30,7 @@ namespace
 using shape::FilledHole;
 using shape::FilledSurface;
 
-/// The input's points, to the bit, and those of the fills.
+/// Writes the input's points, bit for bit, and those of the fills.
 void WritePoints(const FilledSurface& filled, vtkPolyData* input, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -45,7 +45,8 @@ void WritePoints(const FilledSurface& filled, vtkPolyData* input, vtkPolyData* o
   output->SetPoints(points);
 }
 
-/// The input's cells, with the fills' triangles behind its polygons; returns where they begin.
+/// Writes the input's cells, with the fills' triangles after its polygons. Returns the index of the
+/// first of these.
 vtkIdType WriteCells(
   const FilledSurface& filled, Eigen::Index first, vtkPolyData* input, vtkPolyData* output)
 {
@@ -89,7 +90,7 @@ void WritePointData(const FilledSurface& filled, const std::vector<shape::FillSo
   const vtkIdType old = input->GetNumberOfPoints();
   vtkPointData* data = output->GetPointData();
   data->CopyAllOn();
-  data->CopyGlobalIdsOff(); // fills have none of their own
+  data->CopyGlobalIdsOff(); // fills have no global ids
   data->CopyAllocate(input->GetPointData(), filled.Surface.Points.rows());
   data->CopyData(input->GetPointData(), 0, old, 0);
   for (std::size_t i = 0; i < sources.size(); ++i)

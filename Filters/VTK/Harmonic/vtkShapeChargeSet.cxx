@@ -30,7 +30,8 @@ namespace
 
 using Affine = Eigen::Matrix<double, 3, 4>;
 
-/// [A b] of each region: 3 tuples of 4 where there is one, else a tuple of 12 for each.
+/// Reads [A b] of each region: 3 tuples of 4 if there is one region, otherwise a tuple of 12 for
+/// each.
 std::vector<Affine> ReadAffines(vtkPolyData* data, const std::string& name)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray("Affine");
@@ -55,7 +56,7 @@ std::vector<Affine> ReadAffines(vtkPolyData* data, const std::string& name)
   return affines;
 }
 
-/// RegionId at the points; 0 where there is no such array and one region.
+/// Returns RegionId at the points; 0 if there is no such array and one region.
 std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& name)
 {
   std::vector<int> ids(data->GetNumberOfPoints(), 0);
@@ -77,7 +78,8 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
   return ids;
 }
 
-/// Half the minimum distance of a charge to the surface; without charges the map holds everywhere.
+/// Returns half the minimum distance of a charge from the surface. Without charges the map is valid
+/// everywhere.
 double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Surface& surface)
 {
   return charges.rows() > 0
@@ -85,7 +87,7 @@ double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Surface& sur
     : shape::ComputeLongestBoxEdge(surface.Points());
 }
 
-/// The rows of a charge set that carry a charge.
+/// Returns the rows of a charge set that have a charge.
 std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
 {
   std::vector<int> rows;
@@ -185,7 +187,7 @@ void vtkShapeChargeSet::Share(
   {
     return;
   }
-  // All as real numbers, which hold indices exactly.
+  // All as doubles, which represent indices exactly.
   Eigen::MatrixXd sizes(1, 2);
   sizes << static_cast<double>(charges.Maps.size()), charges.Farthest;
   vtkShapeGather::Share(controller, sizes);
@@ -221,7 +223,7 @@ void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* o
     sources.push_back(ChargedRows(map.Charges));
     count += static_cast<int>(sources.back().size());
   }
-  // The charges come first, region by region, then the surface's points, which carry no charge.
+  // The charges come first, region by region, then the surface's points, which have no charge.
   shape::Mesh mesh{ Eigen::MatrixXd(count + set.Surface.Points().rows(), 3),
     set.Surface.Triangles().array() + count };
   mesh.Points.bottomRows(set.Surface.Points().rows()) = set.Surface.Points();

@@ -14,13 +14,13 @@
 namespace
 {
 
-/// The points of a curve, by their ids.
+/// The ids of the points of a curve.
 using Path = std::vector<int>;
 
 std::vector<Path> Paths(vtkPolyData* data)
 {
   std::vector<Path> paths;
-  bool open = false; // whether the last one is made of lines of two points
+  bool open = false; // whether the last curve consists of lines of two points
   for (const Path& path : vtkShapeConvert::ToLines(data))
   {
     if (open && path.size() == 2 && paths.back().back() == path.front())

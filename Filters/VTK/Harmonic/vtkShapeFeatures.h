@@ -41,7 +41,7 @@ struct Split
  * are `mapArray` or the points of their target in order. The other features must have `Weight`.
  *
  * Throws shape::InvalidInput if points or curves have no `Weight`, since they would then have to be
- * matched exactly. Throws what Read throws.
+ * matched exactly. Throws the exceptions of Read.
  */
 Split TakeSurfaces(const std::vector<vtkPolyData*>& features,
   const std::vector<vtkPolyData*>& targets, const std::string& mapArray);

@@ -27,17 +27,18 @@ vtkStandardNewMacro(vtkShapeHarmonicTransform);
 namespace
 {
 
-/// The inverse; the matrix itself where there is none.
+/// Returns the inverse, or the matrix itself if it is singular.
 Eigen::Matrix3d Inverted(const Eigen::Matrix3d& matrix)
 {
   const Eigen::Matrix3d inverse = matrix.inverse();
   return inverse.allFinite() ? inverse : matrix;
 }
 
-/// A normal at a point where the map has this derivative.
+/// Transforms a normal at a point at which the map has this derivative.
 Eigen::Vector3d TurnedNormal(const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& normal)
 {
-  // J^-T n = cof(J) n / det(J), which is finite before it is normalised, however flat the map is.
+  // J^-T n = cof(J) n / det(J), which is finite before it is normalised, even if the map is nearly
+  // singular.
   Eigen::Matrix3d cofactors;
   for (int r = 0; r < 3; ++r)
   {
@@ -239,7 +240,7 @@ void vtkShapeHarmonicTransform::InverseTransformDerivative(
   this->Transform<false, double>(in, out, derivative);
 }
 
-/// Points at their new places, and the derivative of the transformation there.
+/// Computes the new positions of points, and the derivative of the transformation there.
 struct vtkShapeHarmonicTransform::Many
 {
   std::vector<Eigen::Vector3d> Positions;

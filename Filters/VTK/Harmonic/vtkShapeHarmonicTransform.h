@@ -3,8 +3,8 @@
  * @brief   a harmonic volume map as a transformation of space, with its derivative and inverse
  *
  * Works with every user of vtkAbstractTransform. The transform filters of VTK rotate normals and
- * vectors with the map. The reslice filter vtkImageReslice moves images: it asks where the value
- * at a position comes from, so it takes the inverse.
+ * vectors with the map. The reslice filter vtkImageReslice moves images: it needs the position from
+ * which a value comes, so it takes the inverse.
  *
  *   carried = vtkImageReslice(); carried.SetInputData(image)
  *   transform = vtkShapeHarmonicTransform(); transform.SetChargeSetData(charges)

@@ -49,7 +49,7 @@ const char* Word(shape::HarmonicVolumeMapResult::Stop reason)
   return "Levels";
 }
 
-/// Errors at the borders, an entry for each region.
+/// Adds the errors at the boundaries of the regions, an entry for each region.
 void AddBorders(
   const std::vector<shape::PiecewiseVolumeMapResult::Border>& boundaries, vtkDataObject* output)
 {

@@ -46,8 +46,8 @@ void vtkShapeHexRemesh::RemoveAllInnerSurfaces()
 namespace
 {
 
-/// Polygons are cut into triangles at their places on the surface, as Shape Polycube cuts them: on
-/// the polycube one may lie around an edge.
+/// Polygons are triangulated by their positions on the surface, as by Shape Polycube: on the
+/// polycube a polygon may be bent around an edge.
 shape::GivenPolycube ToPolycube(vtkPolyData* data)
 {
   const Eigen::MatrixXd sources =
@@ -87,7 +87,7 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
 
 void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

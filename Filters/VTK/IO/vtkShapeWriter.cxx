@@ -127,7 +127,7 @@ void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progre
   }
   try
   {
-    file.imbue(std::locale::classic()); // else thousands may be grouped
+    file.imbue(std::locale::classic()); // otherwise digits may be grouped
     this->WriteText(file, sets, progress);
     file.close();
     if (!file)

@@ -17,10 +17,10 @@ public:
   vtkShapeCutImage(
     const shape::Mesh& surface, const shape::CutSurface& cut, const Eigen::MatrixXd& positions);
 
-  /// Writes the image of the block `from` to `to`, as triangles, with the block's arrays,
-  /// `SourcePosition` and `OriginalPointId`, which is the point of the block that each point is a
-  /// copy of. Points that keep their number in the complete surface come first, in order. whole:
-  /// for each point of the block, its number in the complete surface.
+  /// Writes the image of the block `from` to `to`, as triangles. It has the block's arrays,
+  /// `SourcePosition`, and `OriginalPointId`: the point of the block that each point is a copy of.
+  /// Points that keep their number in the complete surface come first, in order. whole: for each
+  /// point of the block, its number in the complete surface.
   void Fill(vtkDataSet* from, const std::vector<int>& whole, vtkDataSet* to) const;
 
 private:

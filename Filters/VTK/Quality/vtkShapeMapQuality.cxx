@@ -37,13 +37,13 @@ namespace
 const char* const MeasureNames[shape::MapMeasureCount] = { "JacobianDeterminant", "Dirichlet",
   "SymmetricDirichlet", "ConformalDistortion", "ARAP" };
 
-/// A block's map, ready to be measured.
+/// The map of a block, prepared for evaluation.
 struct Part
 {
   Eigen::MatrixXd Points;
   Eigen::MatrixXd Images;
   shape::CellSimplices Cells;
-  Eigen::VectorXi Own; ///< for each cell 1, or 0 where it is another process's, or hidden
+  Eigen::VectorXi Own; ///< for each cell 1, or 0 if it belongs to another process or is hidden
 };
 
 Eigen::VectorXi OwnCells(vtkDataSet* data)
@@ -73,7 +73,7 @@ Part Prepare(vtkDataSet* data, const std::string& mapArray, const shape::Progres
   return part;
 }
 
-/// The greatest of each over all parts and processes.
+/// Computes the maximum of each over all parts and processes.
 shape::MapExtent ComputeMapExtent(
   const std::vector<Part>& parts, vtkMultiProcessController* controller)
 {
@@ -215,7 +215,7 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
   }
   const Eigen::MatrixXd summary = Summary(sums);
   WriteFacts(sums, summary, measured);
-  // Every process has the same sums: one of them hands them on.
+  // Every process has the same sums: one of them outputs them.
   if (!controller || controller->GetLocalProcessId() == 0)
   {
     WriteTable(summary, vtkTable::SafeDownCast(this->GetOutputDataObject(1)));

@@ -60,7 +60,7 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(solid.RegionId, "RegionId"));
 }
 
-/// Passes the surface's point data on, and says which of its points each point is.
+/// Passes on the surface's point data, and adds the original point of each point.
 void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surface& mesh,
   vtkPolyData* surface, vtkUnstructuredGrid* output, const shape::Progress& progress)
 {
@@ -109,7 +109,7 @@ void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surfac
 
 void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

@@ -28,8 +28,8 @@ vtkShapeUntangle::vtkShapeUntangle()
 namespace
 {
 
-/// Cells of several pieces hang together where points have the same places in both shapes: each is
-/// replaced by the first of them, and the others are left without cells.
+/// Merges points that coincide in both shapes, which connects the cells of several pieces. Each is
+/// replaced by the first of them, and the others are then used by no cell.
 void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
 {
   std::map<std::array<double, 6>, int> firsts;
@@ -50,7 +50,7 @@ void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
   }
 }
 
-/// A point that was joined to another is where that one is.
+/// Moves a point that was merged into another to the position of that one.
 void Follow(const shape::Cells& before, const shape::Cells& joined, Eigen::MatrixXd& points)
 {
   for (Eigen::Index i = 0; i < before.Corners.size(); ++i)
@@ -64,7 +64,7 @@ void Follow(const shape::Cells& before, const shape::Cells& joined, Eigen::Matri
 void vtkShapeUntangle::Execute(const shape::Progress& progress)
 {
   vtkShapeSolid::RequireDataSets(this->GetInputDataObject(0, 0));
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   vtkMultiProcessController* controller = this->GetController();
   if (controller && controller->GetLocalProcessId() != 0)
   {
