@@ -75,8 +75,8 @@ public:
    * the last point is joined to the first. isSelected: m, one for each triangle.
    *
    * Throws InvalidInput if an option or a point is wrong, if a curve encloses nothing or does not
-   * divide the surface, or if the selection has no edge in common with the rest. Throws what
-   * SurfaceFiller throws; Aborted.
+   * divide the surface, or if the selection has no edge in common with the rest. Throws the
+   * exceptions of SurfaceFiller; Aborted.
    */
   CutFeatureResult Cut(const std::vector<Eigen::MatrixXd>& curves,
     const CutFeatureOptions& options = {}, const Progress& progress = {});

@@ -27,7 +27,8 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
 
 /**
  * Builds the footprint of a feature without the surface from which it was cut: on a smooth
- * continuation of the feature's surface that fills its loop. Throws what SurfaceFiller throws.
+ * continuation of the feature's surface that fills its loop. Throws the exceptions of
+ * SurfaceFiller.
  */
 FeatureFootprint BuildFootprintOnOwnFill(
   const Surface& feature, const std::vector<int>& loop, const Progress& progress = {});

@@ -35,7 +35,7 @@ public:
   /**
    * feature: any triangles; base: of its loop. Throws InvalidInput if the loop is not a closed
    * curve of at least 3 points of the feature, crosses itself in the plane or runs clockwise there.
-   * Throws what PrepareDeformation throws; Aborted.
+   * Throws the exceptions of PrepareDeformation; Aborted.
    */
   FeatureToPaste(const shape::Surface& feature, FeatureFootprint base,
     const DeformOptions& options = {}, const DeformFields& fields = {},
@@ -57,8 +57,8 @@ public:
    * the loop moves as a rigid body, the feature keeps its angle to the surface. The target's
    * normals take over as the difference between the frames increases to 5 degrees.
    *
-   * Throws what PasteTarget::Land throws; SolveFailure if the result is not the expected surface;
-   * Aborted.
+   * Throws the exceptions of PasteTarget::Land; SolveFailure if the result is not the expected
+   * surface; Aborted.
    */
   PastedFeature PasteOn(PasteTarget& target, const PastePlacement& placement,
     const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;

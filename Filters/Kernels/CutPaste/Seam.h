@@ -16,8 +16,8 @@ namespace shape
  * there. This removes the angles that equation 12 (OptimizeBoundaryNormals) leaves. They remain
  * because the frames of neighbouring samples are blended and the feature is rough at its boundary.
  *
- * A point next to the loop is rotated about the loop's tangents at its neighbours q_j on the loop,
- * each time by its angle above or below the tangent plane at q_j. Its new position is the mean of
+ * A point next to the loop is rotated about the loop's tangent at each of its neighbours q_j on the
+ * loop, by its angle above or below the tangent plane at q_j. Its new position is the mean of
  * the results (weights 1 / |p - q_j|^2). Other points within a width are rotated about the nearest
  * points of the loop in the same way. Their angle is the mean angle there times (1 - x^2)^3, where
  * x is the distance divided by the width.

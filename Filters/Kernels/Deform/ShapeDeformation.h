@@ -77,8 +77,8 @@ private:
  * Prepares a shape for a handle by the method and at the resolution of the options.
  *
  * graph: of the shape's points (BuildPointGraph). Throws InvalidInput if an option is out of range,
- * a field has another size, the handle has no samples or an invalid one, or the shape is smaller
- * than 1e-9 of the bounding box of shape and handle; Aborted.
+ * a field has another size, or the handle has no samples or an invalid one. Also if the shape is
+ * smaller than 1e-9 of the bounding box of shape and handle. Throws Aborted.
  */
 std::unique_ptr<ShapeDeformation> PrepareDeformation(const PointGraph& graph,
   const BoundaryHandle& handle, const DeformOptions& options = {}, const DeformFields& fields = {},

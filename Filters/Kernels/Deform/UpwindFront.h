@@ -76,8 +76,8 @@ public:
   int EmptyBands() const { return this->Empty; }
 
   /// Computes the weights of the band of a rank (End - Begin); the largest is 1. Returns false if
-  /// all would be 0: then the point from which the front arrived has the whole weight. Several
-  /// threads may call it.
+  /// all would be 0: then the point from which the front arrived has weight 1, the others 0.
+  /// Several threads may call it.
   bool Row(int rank, float* weights) const;
 
 private:

@@ -94,8 +94,8 @@ private:
   std::vector<Hole> Holes;
 };
 
-/// Fills all holes of a surface of any triangles (FindBoundaryLoops). Throws what SurfaceFiller
-/// throws.
+/// Fills all holes of a surface of any triangles (FindBoundaryLoops). Throws the exceptions of
+/// SurfaceFiller.
 FilledSurface FillHoles(
   const Surface& surface, const FillHolesOptions& options = {}, const Progress& progress = {});
 

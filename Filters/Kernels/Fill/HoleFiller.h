@@ -93,9 +93,9 @@ struct HoleFill
   double DeviationBefore = 0.0;
   double DeviationAfter = 0.0; ///< the same for the result
   bool Converged = true;       ///< Fair: whether its iterations converged
-  /// Fair: whether the result is usable. It is not if its area is more than ten times the
-  /// membrane's, or if it did not converge and its normals at the loop are more than 45 degrees
-  /// from the wanted ones.
+  /// Fair: whether the result is usable. It is unusable if its area is more than ten times the
+  /// membrane's. It is also unusable if it did not converge and its normals at the loop are more
+  /// than 45 degrees from the wanted ones.
   bool IsSound = true;
 };
 

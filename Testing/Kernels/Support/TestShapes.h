@@ -20,8 +20,8 @@ shape::Mesh Torus(double majorRadius, double minorRadius, int around, int across
 /// ring is last and starts at (1, 0).
 shape::Mesh FlatDisk(int rings);
 
-/// Returns [-1, 1] x [-1, 1] as cells x cells quads of two triangles each. No corner has a single
-/// triangle. Inner points are moved by up to `shake` cells.
+/// Returns [-1, 1] x [-1, 1] as cells x cells quads of two triangles each. Each corner of the
+/// square belongs to two triangles. Inner points are moved by up to `shake` cells.
 shape::Mesh FlatSquare(int cells, double shake);
 
 /// Returns a prism of height 1 over a polygon in the plane z = 0. Its polygons are fans around

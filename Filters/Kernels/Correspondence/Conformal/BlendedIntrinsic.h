@@ -11,8 +11,8 @@ struct BlendedIntrinsicOptions
 {
   int Candidates = 60; ///< maximum number of conformal maps to blend; >= 1
   int Samples = 200;   ///< points of A at which the maps are compared; >= 10
-  /// Two maps whose images of a point are this far apart agree there by 1 / e. Relative to the root
-  /// of the area; > 0.
+  /// The distance of two images of a point, relative to the root of the area, at which two maps
+  /// agree by 1 / e; > 0.
   double Agreement = 0.1;
 };
 
@@ -27,7 +27,7 @@ struct BlendedIntrinsicOptions
  * logarithm of its area scale there. The agreement of two maps is the integral of the trust in
  * both, over the points whose two images are near each other. The leading eigenvector of these
  * agreements gives the weights of the maps, so maps that agree with no others get no weight
- * (section 4 there). Each point is mapped to the position nearest to the mean of its images,
+ * (section 4 of the paper). Each point is mapped to the position nearest to the mean of its images,
  * weighted by both. The mean is taken in the EmbedBySmacof positions of the other surface, where
  * straight distances approximate geodesic ones (section 5).
  *

@@ -21,7 +21,7 @@ public:
   OrbifoldLocator(OrbifoldImage image, double reach);
 
   /// Returns the point of the surface at each position (n x 2). If a position coincides with a
-  /// corner or a cone up to rounding, that corner has the whole weight. Throws InvalidInput if a
+  /// corner or a cone up to rounding, that corner has weight 1. Throws InvalidInput if a
   /// position is out of reach, Aborted.
   SurfacePoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
@@ -47,9 +47,9 @@ struct OrbifoldMap
  * takes the cones of A to those of B in the given order. It does not depend on where the images are
  * cut. With three cones the map is unique; with four it depends on the shortest paths through the
  * cones of both surfaces. The images of two meshes of one shape agree in the limit. At a cone of
- * order k they differ by h^(2 / k), so Rhombus and Rectangle depend on the mesh the least.
+ * order k they differ by h^(2 / k), so Rhombus and Rectangle depend least on the mesh.
  *
- * Throws what MapToOrbifold throws, with the surface's letter in the message; Aborted.
+ * Throws the exceptions of MapToOrbifold, with the surface's letter in the message; Aborted.
  */
 OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress = {});

@@ -46,10 +46,10 @@ inline constexpr int DifferenceEigenfunctions = 10;
  *
  * F takes functions of `first` to `second`: F f is the combination of eigenfunctions of `second`
  * whose values at the images are nearest to f, by least squares weighted with the areas of `first`.
- * Then <f, V g> = <F f, F g> (equation 4 there) and, with the products of gradients, <f, R g> = <F
- * f, F g> (equation 6). In the eigenbases, with eigenvalues L1 and L2, V = F' F and R = L1^+ F' L2
- * F. V is the identity if the map keeps areas, R if it keeps angles. Constants have no gradient:
- * their rows and columns of R are 0.
+ * Then <f, V g> = <F f, F g> (equation 4 of the paper) and, with the products of gradients, <f, R
+ * g> = <F f, F g> (equation 6). In the eigenbases, with eigenvalues L1 and L2, V = F' F and R =
+ * L1^+ F' L2 F. V is the identity if the map keeps areas, R if it keeps angles. Constants have no
+ * gradient: their rows and columns of R are 0.
  *
  * Some combinations of eigenfunctions are concentrated where the map reaches nothing, such as on a
  * part of `second` without a partner. If the share of a combination on the image is less than a

@@ -32,8 +32,9 @@ struct SurfaceMapFacts
   double CoverageOfA = 0.0, CoverageOfB = 0.0;
 };
 
-/// a, b: face outwards. If the corners of a triangle of A are mapped to distant positions on B, its
-/// orientation is that of the triangle between the images, compared with B's at the first one.
+/// Evaluates a map between two surfaces that both face outwards. If the corners of a triangle of A
+/// are mapped to distant positions on B, the triangle between these positions determines the
+/// orientation. It is compared with B's orientation at the first position.
 SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMaps& maps);
 
 } // namespace shape

@@ -36,7 +36,7 @@ struct SurfaceDescriptors
  *
  *   |C A - B|^2 + w_L |C L1 - L2 C|^2 + w_D sum |C P1 - P2 C|^2 + w_O sum |C O1 - O2 C|^2
  *
- * by conjugate gradients, where
+ * by conjugate gradients. Here
  *
  * - A and B are the descriptors' coefficients (Ovsjanikov et al., "Functional maps: a flexible
  *   representation of maps between shapes", 2012);

@@ -23,8 +23,8 @@ struct PartialFunctionalMapOptions
  * to the part are therefore rectangular: each side has the number of eigenvalues below the same
  * bound (Rodola, Cosmo, Bronstein, Torsello and Cremers, "Partial functional correspondence", 2017,
  * section 3). The start is the map of samples by EmbedByLandmarks. It is refined as in
- * RefineByZoomOut (Melzi and others 2019, section on partial shapes), but from the points of the
- * part alone, since points of the full surface need not have a partner.
+ * RefineByZoomOut (Melzi and others 2019, section on partial shapes), but only the points of the
+ * part are used: points of the full surface need not have a partner.
  *
  * Each point of the full surface goes to the position on the part whose image is nearest. Distances
  * are those of the full surface's eigenfunctions divided by the roots of their eigenvalues

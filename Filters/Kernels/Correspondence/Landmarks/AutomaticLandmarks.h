@@ -52,7 +52,7 @@ struct AutomaticLandmarksResult
  *
  * Features are the tips of extremities (FindFeatures). Candidates are assignments of features that
  * agree on the distances between them (AssignFeatures). Each candidate gives a map of samples, by
- * which the candidates are compared. A sample is mapped to the one that has the same distances from
+ * which the candidates are compared. A sample is mapped to one that has the same distances from
  * the features and sees them in the same sense of rotation, or in the opposite one for a mirror
  * image. So the two sides of an animal, which distances cannot distinguish, are not exchanged.
  *

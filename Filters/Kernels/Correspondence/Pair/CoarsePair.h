@@ -37,9 +37,10 @@ public:
   /// Converts landmarks of the coarse surfaces to the fine ones.
   Landmarks OnFine(const Landmarks& landmarks) const;
 
-  /// Transfers maps of the coarse surfaces to the fine ones. The image of a fine point is the
-  /// position nearest to a mean, found by a walk from there. It is the mean of the images of the
-  /// corners around the point's position on the coarse surface.
+  /// Transfers maps of the coarse surfaces to the fine ones. Let x be the position of a fine point
+  /// in a triangle of its coarse surface. The images of the triangle's corners are averaged with
+  /// the barycentric coordinates of x. The image of the fine point is the position nearest to this
+  /// mean, found by a walk from the image of the corner nearest to x.
   SurfaceMaps OnFine(const SurfaceMaps& maps, const Progress& progress = {}) const;
 
 private:

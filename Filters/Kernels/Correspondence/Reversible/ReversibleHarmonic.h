@@ -53,9 +53,9 @@ struct ReversibleHarmonicResult
  *
  * in the norms of the mass matrices, with areas scaled to 1. X1 and X2 are the surfaces'
  * EmbedBySmacof positions. P21, X21, P12 and X12 are updated in turn (half-quadratic splitting,
- * section 5 there). Each map P is an exact projection on triangles in twice as many dimensions
- * (TriangleTree), each X the solution of one linear system. Negative cotangent weights are raised
- * to 0.
+ * section 5 of the paper). Each map P is an exact projection on triangles in twice as many
+ * dimensions (TriangleTree), each X the solution of one linear system. Negative cotangent weights
+ * are raised to 0.
  *
  * Alpha is larger at first because smoother maps move farther in an iteration. The smaller its
  * final value, the closer the maps are to inverses of each other. On the pairs of

@@ -28,7 +28,7 @@ private:
   /// Computes the distances of a rank from all sources.
   void FindDistances(int rank, double* distances) const;
   /// Computes the weights of a rank. Returns false if all would be 0: then the nearest source has
-  /// the whole weight.
+  /// weight 1, the others 0.
   bool FindRow(int rank, float* weights) const;
 
   NodeProblem Problem;

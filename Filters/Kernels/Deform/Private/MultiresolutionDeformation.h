@@ -27,8 +27,8 @@ using NodeSolver =
 class MultiresolutionDeformation : public NodeDeformation
 {
 public:
-  /// baseNodes: the wanted number of base nodes without the sources. Throws what `solve` throws,
-  /// Aborted.
+  /// baseNodes: the wanted number of base nodes without the sources. Throws the exceptions of
+  /// `solve`, Aborted.
   MultiresolutionDeformation(
     NodeProblem problem, int baseNodes, const NodeSolver& solve, const Progress& progress = {});
 

@@ -19,7 +19,8 @@ namespace shape
 class SegmentHierarchy : public NodeDeformation
 {
 public:
-  /// labels: one for each node; those of sources are ignored. Throws what `solve` throws, Aborted.
+  /// labels: one for each node; those of sources are ignored. Throws the exceptions of `solve`,
+  /// Aborted.
   SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& labels, const NodeSolver& solve,
     const Progress& progress = {});
 

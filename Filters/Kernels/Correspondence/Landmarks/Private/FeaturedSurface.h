@@ -29,11 +29,11 @@ struct FeaturedSurface
 };
 
 /**
- * Finds the features of a surface. Distances are along the surface, divided by the root of its
- * area. Features are the FindPersistentMaxima of the mean distance from all of the surface (Hilaga,
- * Shinagawa, Kohmura and Kunii, "Topology matching for fully automatic similarity estimation of 3D
- * shapes", 2001, section 3.1), at most `features`. If there are fewer than 6, the points farthest
- * from them are added.
+ * Finds at most `features` features of a surface: the FindPersistentMaxima of the mean distance
+ * from all of the surface (Hilaga, Shinagawa, Kohmura and Kunii, "Topology matching for fully
+ * automatic similarity estimation of 3D shapes", 2001, section 3.1). If there are fewer than 6, the
+ * points farthest from them are added. Distances are along the surface, divided by the root of its
+ * area.
  *
  * surface: RequireConnected. samples, features: >= 6. Throws SolveFailure, Aborted.
  */
