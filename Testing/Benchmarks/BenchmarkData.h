@@ -31,11 +31,12 @@ struct TrianglePositions
   Eigen::MatrixXd Points;
 };
 
-/// Samples `each` positions in each triangle, uniformly distributed. If they would exceed
-/// `maximum`, only randomly chosen triangles are sampled.
+/// Samples `each` uniformly distributed positions in each triangle. If that exceeds `maximum` in
+/// total, samples `maximum` positions in randomly chosen triangles instead.
 TrianglePositions SampleRandomly(const shape::Mesh& mesh, int each, int maximum, unsigned int seed);
 
-/// Interpolates values at the points of `mesh` (n x 3) linearly at the positions.
+/// Interpolates values at the points of `mesh` (n x 3) at the given positions, linearly in each
+/// triangle.
 Eigen::MatrixXd Interpolated(
   const shape::Mesh& mesh, const Eigen::MatrixXd& values, const TrianglePositions& positions);
 

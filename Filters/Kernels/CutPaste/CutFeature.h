@@ -90,7 +90,7 @@ private:
 
   shape::Surface Surface;
   WeldedSurface Joined;
-  /// Of Joined, as Paths is; both are created for the first curve.
+  /// created for the first curve, like Paths; of Joined
   std::unique_ptr<SurfaceLocator> Locator;
   std::unique_ptr<SurfacePaths> Paths;
 };

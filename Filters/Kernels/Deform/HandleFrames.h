@@ -46,9 +46,9 @@ void AddPrescribedRotations(
 void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
   const PoseOptions& options, HandlePose& pose);
 
-/// Returns the normals of the shape at a handle (s x 3). These are the handle's normals if it has
-/// any. Otherwise they are those of the shape's triangles around the nearest node, or of the plane
-/// that fits the handle best, or 0.
+/// Returns the normals of the shape at a handle (s x 3): those of the handle if it has any.
+/// Otherwise they are those of the shape's triangles around the nearest node. If no triangle is
+/// near, they are the normal of the plane that fits the handle best; if there is none, 0.
 Eigen::MatrixXd ComputeHandleNormals(const BoundaryHandle& handle, const PointGraph& shape);
 
 } // namespace shape

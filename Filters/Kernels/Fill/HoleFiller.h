@@ -104,7 +104,7 @@ struct HoleFill
 class HoleFiller
 {
 public:
-  /// loop: no two consecutive points coincide; with fewer than 3 points the fill has no triangle.
+  /// loop: no two consecutive points coincide. If it has fewer than 3 points, the fill is empty.
   /// If a normal is zero, that of the membrane is used.
   explicit HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options = {});
 

@@ -15,8 +15,8 @@ namespace shape
 struct LoopCorners
 {
   std::vector<int> Points; ///< points of the loop, of which no two consecutive ones coincide
-  /// t x 3 points: triangles without area between a fill of these points and the loop, which make
-  /// edges match by index.
+  /// t x 3 points: triangles without area between the loop and a fill of Points. They make edges
+  /// match by index.
   Eigen::MatrixXi Slivers;
 };
 

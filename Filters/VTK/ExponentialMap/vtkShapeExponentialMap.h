@@ -6,8 +6,8 @@
  * coincident points are treated as one. Blocks and distributed pieces are joined first. In parallel
  * the first process has the patch.
  *
- * Output: the patch, that is the triangles whose points the front reaches within Radius, with the
- * data of their points and cells and the point arrays
+ * Output: the patch, which consists of the triangles whose points the front reaches within Radius.
+ * It has the data of their points and cells, and the point arrays
  * - `ExponentialMap` (double, 2): texture coordinates. The seed is at (0.5, 0.5), and the disk of
  *   the radius fills the square.
  * - `TargetPosition` (double, 3): the same in the units of the surface, with z = 0 and the seed at

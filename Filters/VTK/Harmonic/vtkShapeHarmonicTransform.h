@@ -55,8 +55,9 @@ public:
   virtual vtkPolyData* GetChargeSet();
   ///@}
 
-  /// How many preimages were not found since the last update: points that lie inside the image of
-  /// the domain's boundary and keep their position. Each inversion of the same point counts.
+  /// The number of preimages not found since the last update. These are points that lie inside the
+  /// image of the domain's boundary and keep their position. Each inversion of the same point
+  /// counts.
   virtual vtkIdType GetNotInverted() { return this->NotInverted; }
 
   vtkAbstractTransform* MakeTransform() override;

@@ -28,7 +28,7 @@
  * Output 1: the boundary quads, then the quads between regions, which face out of the inner
  * surface (vtkPolyData). The points are those of the hexahedra that they use, numbered by
  * `OriginalPointId`. The cell arrays are
- * - `Patch` (int): quads of one number lie between creases.
+ * - `Patch` (int): number of the patch between creases to which the quad belongs.
  * - `Interface` (int): 0 on the boundary, i + 1 on inner surface i.
  * - `Distance` (double): distance of the centre of the quad from its surface.
  * In parallel the first process has both.
@@ -45,10 +45,11 @@
  *   .InnerCreasesKept: 0 if an inner surface has creases.
  * - .CreaseDistance: the larger one-sided Hausdorff distance between the creases of the surface
  *   and those of the boundary, or to the boundary if none is kept.
- * - .CreaseShare: length of the creases that the method used, as a share of that of all edges as
- *   sharp as a crease. It is less than 1 if some end inside a patch, or bound patches smaller than
- *   4 cells. It is 0 if less than two thirds of the length bounds patches of a thousandth of the
- *   area, which is noise. A greater FeatureAngle may find a real crease of a scan.
+ * - .CreaseShare: length of the creases that the method tries to keep, as a share of that of all
+ *   edges as sharp as a crease. It is less than 1 if some end inside a patch, or bound patches
+ * smaller than 4 cells. It is 0 if less than two thirds of the length bounds patches larger than a
+ * thousandth of the area: the rest is noise. A greater FeatureAngle may find a real crease of a
+ * scan.
  * - .ReleasedPoints: boundary points that were moved off the surface because hexahedra would
  *   otherwise be inverted or of bad quality.
  * - .Crossings: pairs of triangles of the surface that intersect.

@@ -66,7 +66,7 @@ inline shape::Mesh Ribbon(const Eigen::MatrixXd& curve, const Eigen::MatrixXd& a
   return ribbon;
 }
 
-/// Returns the boundary loop of a surface that starts at point 0.
+/// Returns the boundary loop that starts at point 0, or nothing if there is none.
 inline std::vector<std::vector<int>> LoopOfPointZero(const shape::Mesh& mesh)
 {
   for (const std::vector<int>& loop : shape::FindBoundaryLoops(mesh).Loops)
