@@ -90,7 +90,7 @@ private:
 
   shape::Surface Surface;
   WeldedSurface Joined;
-  /// created for the first curve, like Paths; of Joined
+  /// Of Joined; like Paths, it is created for the first curve.
   std::unique_ptr<SurfaceLocator> Locator;
   std::unique_ptr<SurfacePaths> Paths;
 };

@@ -47,9 +47,9 @@
  *   and those of the boundary, or to the boundary if none is kept.
  * - .CreaseShare: length of the creases that the method tries to keep, as a share of that of all
  *   edges as sharp as a crease. It is less than 1 if some end inside a patch, or bound patches
- * smaller than 4 cells. It is 0 if less than two thirds of the length bounds patches larger than a
- * thousandth of the area: the rest is noise. A greater FeatureAngle may find a real crease of a
- * scan.
+ *   smaller than 4 cells. It is 0 if less than two thirds of the length bounds patches larger than
+ *   a thousandth of the area: the rest is noise. A greater FeatureAngle may find a real crease of
+ *   a scan.
  * - .ReleasedPoints: boundary points that were moved off the surface because hexahedra would
  *   otherwise be inverted or of bad quality.
  * - .Crossings: pairs of triangles of the surface that intersect.

@@ -27,9 +27,8 @@ struct HeatKernelMapOptions
  * (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds, open or closed, with a triangle at each point and a
- * landmark on each component. If there are no landmarks, each surface must have one
- * component, and those of FindLandmarks are used. Throws InvalidInput if they are not,
- * SolveFailure, Aborted.
+ * landmark on each component. If there are no landmarks, each surface must have one component, and
+ * those of FindLandmarks are used. Throws InvalidInput if they are not, SolveFailure, Aborted.
  */
 SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options = {}, const Progress& progress = {});
