@@ -98,6 +98,7 @@ SurfaceMaps ThroughOrbifold(
   {
     landmarks.resize(maximum);
   }
+  // Of the types with as many cones, these depend least on the mesh (MapThroughOrbifold).
   const OrbifoldType type =
     landmarks.size() == maximum ? OrbifoldType::Rectangle : OrbifoldType::Rhombus;
   OrbifoldMap map =
@@ -247,6 +248,12 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
 
 } // namespace
 
+// 1. Remove the points that no triangle uses.
+// 2. Without landmarks, find some on coarse versions of the surfaces.
+// 3. Coarsen both surfaces to the size that the method needs, and keep the landmarks as points.
+// 4. With given landmarks, decide whether one surface is a part of the other one (Begin).
+// 5. Compute the maps by the method, and bring them to the given surfaces (Find).
+// 6. Evaluate the maps, and number everything as given.
 CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const CorrespondenceOptions& options, const Progress& progress)
 {
@@ -280,6 +287,8 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   }
   Landmarks kept = own;
   kept.insert(kept.end(), result.Start.Rival.begin(), result.Start.Rival.end());
+  // A second coarsening: the landmarks are known now and must survive, and the number of points is
+  // that of the method.
   const CoarsePair pair(one.Surface, two.Surface, kept,
     EnoughPoints(std::max(one, two, HasFewer).Surface, options), progress.Part(0.35, 0.4));
   result.CoarsePoints =

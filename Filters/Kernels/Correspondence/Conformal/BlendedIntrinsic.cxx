@@ -53,6 +53,8 @@ bool RequireGenusZero(const Surface& surface, const std::string& name)
 }
 
 /// first: the method to try first.
+/// The work for one surface: its conformal map to the sphere, the area scale of that map, and the
+/// positions in which images are averaged.
 RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Progress& progress)
 {
   RoundSurface round;
@@ -71,11 +73,14 @@ RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Prog
   Eigen::VectorXd onSphere = Eigen::VectorXd::Zero(closed.Points().rows());
   for (Eigen::Index t = 0; t < angles.size(); ++t)
   {
+    // A point gets a third of each solid angle around it, as it gets a third of each triangle's
+    // area.
     for (const int corner : closed.Triangles().row(t))
     {
       onSphere(corner) += angles(t) / 3.0;
     }
   }
+  // A point without area has no logarithm; the limit keeps its scale finite.
   constexpr double tiny = 1e-300;
   round.LogScales =
     ComputePointAreas(closed).array().max(tiny).log() - onSphere.array().max(tiny).log();
@@ -84,6 +89,7 @@ RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Prog
   round.Embedding.setZero(closed.Points().rows(), scaling.Dimensions);
   round.Embedding.topRows(surface.Points().rows()) =
     EmbedBySmacof(unit, scaling, progress.Part(0.6, 1.0));
+  // The centre of a fan is not on the surface; it is embedded at the mean of its loop.
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
     round.Embedding.row(surface.Points().rows() + static_cast<Eigen::Index>(k)) =
@@ -104,13 +110,17 @@ Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const 
 {
   const ComplexPoints own = from.Points(points, Eigen::all);
   const ClosestPoints positions = locator.Find(ToSphere(ApplyMoebiusTransform(own, moebius)));
+  // The map from A to B is: A to its sphere, the Moebius transform, B's sphere to B. The logarithms
+  // of the three area scales add up.
   const Eigen::VectorXd scales = ComputeLogAreaScales(own, moebius) - from.LogScales(points) +
     PullBack(positions, to.Sphere.Triangles, to.LogScales);
+  // An isometry has scale 1 and trust 1 / cosh(0) = 1.
   return { PullBack(positions, to.Sphere.Triangles, to.Embedding),
     scales.array().cosh().inverse() };
 }
 
 /// All triples of `count` landmarks, or evenly spread ones if there are too many.
+/// Each generates one candidate map.
 std::vector<std::vector<int>> Triples(int count)
 {
   constexpr std::size_t maximum = 300;
@@ -125,6 +135,7 @@ std::vector<std::vector<int>> Triples(int count)
       }
     }
   }
+  // A constant stride through the lexicographic order reaches all landmarks.
   const std::size_t stride = std::max<std::size_t>(1, (all.size() + maximum - 1) / maximum);
   for (std::size_t t = 0; t < all.size(); t += stride)
   {
@@ -153,6 +164,8 @@ std::vector<Eigen::Matrix2cd> MapsOfTriples(
 }
 
 /// The leading eigenvector of the agreements between maps, which has no negative entries.
+/// By Perron and Frobenius: the matrix has no negative entry. The sign that the solver returns is
+/// arbitrary, hence the absolute values (section 4 of the paper).
 Eigen::VectorXd WeightsOf(
   const std::vector<Images>& images, const Eigen::VectorXd& areas, double agreement)
 {
@@ -181,6 +194,8 @@ struct Blend
   Eigen::VectorXd Weights;
 };
 
+/// Second step of the paper, section 4: the agreement of all candidates, each with all others, and
+/// their weights.
 Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator& locator,
   const std::vector<Eigen::Matrix2cd>& maps, const std::vector<int>& samples,
   const BlendedIntrinsicOptions& options, const Progress& progress)
@@ -191,6 +206,7 @@ Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator&
     progress(static_cast<double>(images.size()) / static_cast<double>(maps.size()));
     images.push_back(ImagesOf(a, samples, b, locator, moebius));
   }
+  // Farthest-point samples are evenly spread, so each represents the same area.
   const Eigen::VectorXd areas =
     Eigen::VectorXd::Constant(static_cast<Eigen::Index>(samples.size()), 1.0 / samples.size());
   const Eigen::VectorXd weights = WeightsOf(images, areas, options.Agreement);
@@ -209,6 +225,7 @@ Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator&
 }
 
 /// The positions nearest to the mean images of all points.
+/// Third step of the paper, section 5: the blend. Only the trust varies from point to point.
 SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Surface& target,
   const SurfaceLocator& locator, const Blend& blend, const Progress& progress)
 {
@@ -219,17 +236,25 @@ SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Su
   for (std::size_t k = 0; k < blend.Maps.size(); ++k)
   {
     progress(0.7 * static_cast<double>(k) / static_cast<double>(blend.Maps.size()));
+    // One map at a time: storing the images under all maps would need memory for 60 embeddings.
     const Images images = ImagesOf(from, points, to, locator, blend.Maps[k]);
     const Eigen::VectorXd own = blend.Weights(static_cast<Eigen::Index>(k)) * images.Trust;
     sums += own.asDiagonal() * images.Positions;
     weights += own;
   }
+  // The mean of images is not on the embedded surface in general; it is projected there.
   return FindNearestSurfacePoints(weights.cwiseInverse().asDiagonal() * sums, target.Triangles(),
     to.Embedding.topRows(to.Areas.size()), progress.Part(0.7, 1.0));
 }
 
 } // namespace
 
+// Kim, Lipman and Funkhouser's algorithm:
+// 1. Map both surfaces conformally to the sphere (MakeRound).
+// 2. For triples of landmarks, compute the Moebius transform between the spheres (MapsOfTriples).
+// 3. Weight the maps by their agreement with each other, and keep the best (Choose).
+// 4. Average the images of each point, weighted by map and by local trust (Blended).
+// 5. Repeat the blend from B to A with the inverse Moebius transforms.
 SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const BlendedIntrinsicOptions& options, const Progress& progress)
 {
@@ -273,6 +298,7 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   result.AToB = Blended(onA, onB, b, locatorB, blend, progress.Part(0.8, 0.9));
   for (Eigen::Matrix2cd& moebius : blend.Maps)
   {
+    // The same maps with the same weights serve both directions, so the two results are consistent.
     moebius = moebius.inverse().eval();
   }
   result.BToA = Blended(onB, onA, a, locatorA, blend, progress.Part(0.9, 1.0));

@@ -36,6 +36,8 @@ double ReachOf(const OrbifoldImage& image)
 }
 
 /// Sets weights that differ from 0 by rounding only to 0.
+/// A point on an edge or at a vertex then has its exact support, which does not depend on the
+/// triangle in which it was found.
 Eigen::RowVector3d Snapped(Eigen::RowVector3d barycentric)
 {
   constexpr double minimum = 1e-9;
@@ -65,6 +67,8 @@ OrbifoldImage ImageOf(const std::string& name, const Surface& surface,
 OrbifoldLocator::OrbifoldLocator(OrbifoldImage image, double reach)
   : Image(std::move(image))
   , Reach(reach)
+  // Enough motions: the position is within reach of the first cone, and so is the image within its
+  // own reach; no other motion can bring them together.
   , Motions(ComputeOrbifoldMotions(
       this->Image.Tile, this->Image.Tile.There.front(), reach + ReachOf(this->Image)))
   , Flat(FlatMesh(this->Image))
@@ -101,11 +105,16 @@ SurfacePoints OrbifoldLocator::Find(
         {
           const Complex moved = motion(Complex(positions(i, 0), positions(i, 1)));
           const Eigen::RowVector3d position(moved.real(), moved.imag(), 0.0);
+          // Most motions take the position away from the tile; the box rejects them before the
+          // search.
           if ((position.head<2>().array() < low.array()).any() ||
             (position.head<2>().array() > high.array()).any())
           {
             continue;
           }
+          // Images of the tile cover the plane without overlap: in exact arithmetic one motion
+          // brings the position into it. Rounding may leave a gap at the border; the closest image
+          // is taken then.
           const ClosestPoint closest = this->Flat.FindOne(position, best.Triangle);
           best = closest.Distance < best.Distance ? closest : best;
           if (best.Distance <= TileRounding)
@@ -127,6 +136,9 @@ Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index p
   return image.Points.topRows(points);
 }
 
+// Aigerman and Lipman, section 5: both surfaces are laid out on the same orbifold. A point of A
+// goes to the point of B with the same position on the orbifold, that is, up to a motion in the
+// plane.
 OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress)
 {

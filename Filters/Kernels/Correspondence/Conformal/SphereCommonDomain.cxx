@@ -26,6 +26,7 @@ namespace
 {
 
 constexpr int Grain = 512; // directions
+/// Of barycentric coordinates.
 constexpr double Rounding = 1e-12;
 
 void RequireLandmarks(
@@ -73,6 +74,8 @@ Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd&
 }
 
 /// The minimum distance between two of them; 2 for one.
+/// It is the width of the Gaussians: much wider ones make the matrix of the landmarks nearly
+/// singular, much narrower ones concentrate the motion at the landmarks.
 double Separation(const Eigen::MatrixXd& positions)
 {
   double minimum = 2.0;
@@ -104,6 +107,10 @@ bool AllFaceOutwards(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& po
 }
 
 /// Moves the landmarks to their targets, and all other points with them, without a flip.
+/// The rest of the way is divided into steps, and the field is computed anew for each: the
+/// landmarks have moved, and so has the width of the Gaussians. A step that flips a triangle is
+/// undone, the points are relaxed, and half the step is tried. After a success the step may double
+/// again.
 void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::MatrixXd& goals,
   const SphereCommonDomainOptions& options, Eigen::MatrixXd& points, const Progress& progress)
 {
@@ -128,8 +135,11 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
   {
     progress(0.7 * (1.0 - rest));
     const Eigen::MatrixXd at = points(landmarks, Eigen::all);
+    // 1 is the radius of the sphere. The lower limit keeps the exponent finite when two landmarks
+    // nearly coincide.
     const double width = std::min(1.0, std::max(Separation(at), 1e-3));
     const Eigen::MatrixXd kernel = Gaussians(at, at, width);
+    // Radial basis interpolation: the field takes every landmark to its target.
     const Eigen::MatrixXd weights = kernel.ldlt().solve(goals - at);
     const double share = std::min(1.0, step / rest);
     Eigen::MatrixXd trial = points + share * (Gaussians(points, at, width) * weights);
@@ -153,6 +163,8 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
         " away from those of surface B on the sphere, since moving them further would flip a "
         "triangle; check their order, or leave out those closest together");
     }
+    // Two sweeps move the points out of the way of the landmarks; complete relaxation is left to
+    // the end.
     RelaxOnSphere(points, surface.Triangles, cotangents, movable, 2,
       progress.Part(0.7 * (1.0 - rest), 0.7 * (1.0 - rest)));
   }
@@ -162,6 +174,7 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
 
 /// The barycentric coordinates of the position where a direction meets a triangle; one is negative
 /// if the position is outside.
+/// The determinant of the direction and two corners is proportional to the weight of the third.
 Eigen::RowVector3d WeightsOf(const Eigen::Matrix3d& corners, const Eigen::RowVector3d& direction)
 {
   Eigen::RowVector3d weights;
@@ -193,10 +206,13 @@ SurfacePoints LocateDirections(
         // If it is cyclic, the best triangle met is the result.
         int triangle = locator.FindOne(direction).Triangle;
         double best = -std::numeric_limits<double>::infinity();
+        // The closest triangle is nearly always the one hit or its neighbour; the limit only stops
+        // cycles.
         for (int moves = 0; moves < 200; ++moves)
         {
           const Eigen::RowVector3d weights = WeightsOf(GetCorners(mesh, triangle), direction);
           int out = 0;
+          // The edge opposite the corner with the most negative weight.
           const double minimum = weights.minCoeff(&out);
           if (minimum > best)
           {
@@ -217,6 +233,10 @@ SurfacePoints LocateDirections(
   return map;
 }
 
+// 1. Map both surfaces to the unit sphere.
+// 2. Rotate A's sphere: its landmarks get as near to those of B as a rotation allows.
+// 3. Warp A's sphere until the landmarks coincide, without a flip (Warp).
+// 4. Each point goes to the point of the other surface in the same direction (LocateDirections).
 SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<int>& landmarksA,
   const Surface& b, const std::vector<int>& landmarksB, const SphereCommonDomainOptions& options,
   const Progress& progress)

@@ -61,6 +61,8 @@ struct EdgeSamples
         this->High.push_back(edge.High());
         shares.push_back(0.0);
       }
+      // Half-edges are sorted, so both half-edges of an edge follow each other. The rule with the
+      // three midpoints is exact for products of two linear functions.
       shares.back() += areas(edge.Triangle);
     }
     this->Areas =
@@ -109,6 +111,7 @@ Eigen::VectorXd Around(
   return result;
 }
 
+/// Rustamov et al.: the area-based difference is F' F, since both bases are orthonormal.
 DifferenceOperator AreaDifference(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& f)
 {
   DifferenceOperator result;
@@ -121,6 +124,8 @@ DifferenceOperator AreaDifference(const Eigen::MatrixXd& functions, const Eigen:
 }
 
 /// constants: how many of the first eigenvalues are 0.
+/// Rustamov et al.: the conformal difference compares Dirichlet energies, L1^-1 F' L2 F. Constants
+/// have no energy and are left out.
 DifferenceOperator ConformalDifference(const LaplaceSpectrum& first, const LaplaceSpectrum& second,
   const Eigen::MatrixXd& f, Eigen::Index constants)
 {
@@ -138,6 +143,8 @@ DifferenceOperator ConformalDifference(const LaplaceSpectrum& first, const Lapla
   // R has the eigenvalues of L1^-1/2 F' L2 F L1^-1/2.
   const Eigen::VectorXd roots = values.cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd vectors;
+  // R itself is not symmetric; the similar matrix is, and has real eigenvalues and orthogonal
+  // vectors.
   Order(roots.asDiagonal() * varying * roots.asDiagonal(), result, vectors);
   result.Eigenfunctions = functions * (roots.asDiagonal() * vectors);
   return result;
@@ -145,6 +152,10 @@ DifferenceOperator ConformalDifference(const LaplaceSpectrum& first, const Lapla
 
 } // namespace
 
+// 1. The functional map F from A's eigenfunctions to twice as many of B's: least squares over edge
+//    midpoints, weighted by area.
+// 2. The area-based difference F' F.
+// 3. The conformal difference L1^-1 F' L2 F.
 MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
   const SurfacePoints& map, const MapDifferenceOptions& options, const Progress& progress)
 {
@@ -156,12 +167,16 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
     "more than SurfaceA has components, which are " + std::to_string(topology.Components));
   RequirePoints(count, used, "SurfaceA");
   RequirePoints(count, usedThere, "SurfaceB");
+  // Images of A's eigenfunctions contain higher frequencies of B; with only as many functions the
+  // projection would look like a loss of area.
   const int there = std::min({ 2 * count, used, usedThere });
 
   const EdgeSamples samples(first, second, map, progress.Part(0.0, 0.1));
   const LaplaceSpectrum here = SolveLaplaceEigenproblem(first, count, progress.Part(0.1, 0.3)),
                         beyond = SolveLaplaceEigenproblem(second, there, progress.Part(0.3, 0.9));
   const Eigen::VectorXd roots = samples.Areas.cwiseSqrt();
+  // Where the map covers little of B, the system is nearly singular: small singular values are cut
+  // off.
   const SingularValues pulled(
     roots.asDiagonal() * PullBack(samples.Images, second.Triangles(), beyond.Eigenfunctions));
   const double minimum = MinimumSingularValueRatio * pulled.Values()(0);

@@ -78,6 +78,7 @@ double ComputePercentile(const Eigen::VectorXd& errors, double share)
   return errors(std::max<Eigen::Index>(static_cast<Eigen::Index>(rank), 0));
 }
 
+/// Shares are of all positions: those without a finite error never enter the curve.
 void Summarise(MapErrorCurveResult& result, double positions, double largest)
 {
   const Eigen::Index count = result.Errors.size();
@@ -86,6 +87,7 @@ void Summarise(MapErrorCurveResult& result, double positions, double largest)
   result.Median = ComputePercentile(result.Errors, 0.5);
   result.Percentile95 = ComputePercentile(result.Errors, 0.95);
   result.Maximum = result.Errors(count - 1);
+  // The area under a step function: each error raises the curve from there on to the limit.
   result.AreaUnderCurve = (1.0 - result.Errors.array() / largest).max(0.0).sum() / positions;
 }
 
@@ -103,6 +105,8 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
 
   MapErrorCurveResult result;
   result.Unit = UnitOf(target, options.Normalisation, progress.Part(0.0, 0.1));
+  // Kim et al., section 6: the image of each position, the exact geodesic distance from the true
+  // image, and the sorted distances as a cumulative curve.
   const ClosestPoints positions =
     SurfaceLocator(input).Find(truth.Positions, progress.Part(0.1, 0.15));
   const SurfaceLocator locator(target);

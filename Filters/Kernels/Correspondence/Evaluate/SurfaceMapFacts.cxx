@@ -43,6 +43,7 @@ SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMa
   const Eigen::VectorXd massesB = ComputePointAreas(b);
   const double areaA = masses.sum(), areaB = massesB.sum();
   SurfaceMapFacts facts;
+  // Divided by the target's area, so that a uniform scale of either surface does not matter.
   facts.DirichletEnergy = 0.5 * (images.transpose() * (stiffness * images)).trace() / areaB;
   const Eigen::VectorXd returns = ReturnDistances(a, maps.AToB, b, maps.BToA);
   facts.RoundTrip = masses.dot(returns) / (areaA * std::sqrt(areaA));

@@ -46,6 +46,7 @@ LaplaceSpectrum UnitSpectrum(const Surface& surface, int pairs, const Progress& 
 }
 
 /// The largest and the smallest non-zero eigenvalue.
+/// One eigenvalue is 0 for each component.
 std::array<double, 2> Range(const LaplaceSpectrum& spectrum, const std::string& name)
 {
   const Eigen::Index last = spectrum.Eigenvalues.size() - 1;
@@ -70,6 +71,7 @@ Eigen::MatrixXd Heat(
   {
     for (const double time : times)
     {
+      // Constant functions are left out: they carry the total heat, which is equal everywhere.
       const Eigen::ArrayXd decay = (values > 0.0).select((-time * values).exp(), 0.0);
       weights.col(at) = decay * functions.row(point).transpose().array();
       // Since the eigenfunctions are orthonormal, this is the norm of the heat itself.
@@ -98,12 +100,16 @@ SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landm
                         spectrumB = UnitSpectrum(b, options.Eigenpairs, progress.Part(0.45, 0.6));
   const auto [largestA, minimumA] = Range(spectrumA, "surface A");
   const auto [largestB, minimumB] = Range(spectrumB, "surface B");
+  // At the first time the highest eigenfunction has decayed to 1e-4; at the last one even the
+  // lowest has. Earlier, the eigenfunctions beyond the last one would count; later, no heat is
+  // left. The times are common to both surfaces, so the rows can be compared.
   const double decay = 4.0 * std::log(10.0);
   const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(options.Times,
     std::log(decay / std::min(largestA, largestB)), std::log(decay / std::max(minimumA, minimumB)))
                                   .array()
                                   .exp();
   const Eigen::MatrixXd heatA = Heat(spectrumA, onA, times), heatB = Heat(spectrumB, onB, times);
+  // Ovsjanikov et al., equation 3: the image of x minimises the difference of heat at all times.
   return { FindNearestSurfacePoints(heatA, b.Triangles(), heatB, progress.Part(0.6, 0.8)),
     FindNearestSurfacePoints(heatB, a.Triangles(), heatA, progress.Part(0.8, 1.0)) };
 }

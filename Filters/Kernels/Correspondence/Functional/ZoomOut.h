@@ -49,7 +49,7 @@ struct FunctionalMaps
  * maps", 2020, section 5).
  *
  * map: k x k, from a to b, for surfaces scaled to area 1. landmarks: kept near each other, each
- * with the weight of a twentieth of the samples. Throws Aborted.
+ * with the weight of a thousandth of the samples. Throws Aborted.
  */
 FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
   const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options = {},

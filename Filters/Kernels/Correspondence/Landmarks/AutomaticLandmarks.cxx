@@ -41,6 +41,8 @@ std::vector<Landmarks> Candidates(
     isPart ? Eigen::VectorXd::Ones(pair.A.Remoteness.size()) : pair.A.Remoteness;
   const Eigen::VectorXd levelsB =
     isPart ? Eigen::VectorXd::Ones(pair.B.Remoteness.size()) : pair.B.Remoteness;
+  // Few features give assignments without spurious tips, many give assignments that also fix the
+  // minor extremities. Which are right is unknown, so all are compared by their maps.
   for (const int maximum : { options.Features / 2, 3 * options.Features / 4, options.Features })
   {
     const auto own = Eigen::seqN(0, std::min<Eigen::Index>(maximum, pair.A.Apart.rows()));
@@ -73,6 +75,8 @@ double MeanDifference(
 /// The distortions of the two maps of samples that pairs of features determine: the one that keeps
 /// the orientation, and the one that reverses it. They are means over both directions; for a part,
 /// only those of its own map, relative to its length.
+/// Assignments have too few distances to be compared by these alone; the induced map of all samples
+/// tells wrong ones apart.
 std::array<double, 2> Distortions(const Hypothesis& pair, const Landmarks& pairs)
 {
   const FeaturedSurface &a = pair.A, &b = pair.B;
@@ -116,6 +120,7 @@ bool Contradicts(const Landmarks& pairs, const Landmarks& others)
 }
 
 /// The best result of a hypothesis; its distortions are infinite if no three features agree.
+/// The best candidate has the smallest distortion; its rival is the best one that contradicts it.
 AutomaticLandmarksResult Best(
   const Hypothesis& pair, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
@@ -149,6 +154,7 @@ AutomaticLandmarksResult Best(
   }
   constexpr double clear = 0.85;
   result.MirrorImage = result.MirroredDistortion < clear * result.Distortion;
+  // Of equal surfaces both distortions are 0; the ratio is then 1 and the confidence 0.
   constexpr double rounding = 1e-9;
   result.Confidence =
     std::max(0.0, 1.0 - (result.Distortion + rounding) / (result.RivalDistortion + rounding));
@@ -170,6 +176,8 @@ AutomaticLandmarksResult Best(
 AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurface& b,
   SurfacePart::WhichType which, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
+  // Areas of 85 % down to 0.85^10 = 20 %. A neighbouring share differs by 8 % in length, within the
+  // tolerance of the assignments.
   constexpr double largest = 0.85, factor = 0.85;
   constexpr int count = 10;
   const bool isA = which == SurfacePart::WhichType::SurfaceA;
@@ -199,6 +207,12 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
 
 } // namespace
 
+// 1. Find features on both surfaces, and samples described relative to them (FindFeatures).
+// 2. For each hypothesis (both complete, A a part of B, B a part of A), find assignments of
+//    features that agree on the distances between them (Candidates).
+// 3. Let each assignment map the samples, and take the one that changes their distances least
+//    (Best).
+// 4. Accept a part only if it explains the distances clearly better than two complete surfaces.
 AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
   const AutomaticLandmarksOptions& options, const Progress& progress)
 {
@@ -230,6 +244,8 @@ AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
       BestPart(onA, onB, Which::SurfaceB, options, progress.Part(0.95, 1.0));
     part = other.Distortion < part.Distortion ? other : part;
   }
+  // A part has one parameter more, its share, and only one direction is measured, so it always fits
+  // a little better.
   constexpr double better = 0.7; // factor for accepting a part
   result = part.Distortion < better * result.Distortion ? part : result;
   if (result.Pairs.empty())

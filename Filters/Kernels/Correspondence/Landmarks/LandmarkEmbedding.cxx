@@ -48,12 +48,15 @@ PointGradients GradientsAt(
     for (int c = 0; c < 3; ++c)
     {
       const Eigen::Vector3d opposite = corners.col((c + 2) % 3) - corners.col((c + 1) % 3);
+      // The gradient of a linear function is the sum over corners of value times n x opposite edge,
+      // over twice the area.
       gradients += (normal / area).cross(opposite) * functions.row(triangle(c));
     }
     for (const int corner : triangle)
     {
       if (position[corner] >= 0)
       {
+        // Weighted by area, as the length of the cross product is.
         at.Normals.col(position[corner]) += normal;
         at.Gradients[position[corner]] += gradients;
       }
@@ -80,6 +83,7 @@ Eigen::MatrixXd ComputeGradientOrientations(
     const Eigen::Matrix3Xd& gradients = at.Gradients[s];
     for (Eigen::Index i = 0; i < features; ++i)
     {
+      // The dot product with n x g_i is the sine of the angle from g_i to g_j.
       const Eigen::Vector3d across = at.Normals.col(s).cross(gradients.col(i));
       turns.row(s).segment(i * features, features) = across.transpose() * gradients;
     }
@@ -104,6 +108,8 @@ Eigen::MatrixXd EmbedByDistances(const Eigen::MatrixXd& distances, const Eigen::
   }
   const auto pairs = static_cast<int>(columns.size());
   Eigen::MatrixXd positions(distances.rows(), count + pairs);
+  // Divided by the roots of their numbers, so that distances of rows do not grow with the number of
+  // landmarks.
   positions.leftCols(count) = distances(Eigen::all, chosen) / std::sqrt(count);
   positions.rightCols(pairs) =
     turnSign * weight / std::sqrt(std::max(pairs, 1)) * turns(Eigen::all, columns);

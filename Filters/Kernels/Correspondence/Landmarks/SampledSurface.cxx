@@ -30,6 +30,7 @@ Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::Vec
 
 Eigen::MatrixXd SampledSurface::Between() const
 {
+  // Heat distances from i to j and from j to i differ slightly.
   const Eigen::MatrixXd one = this->Distances(this->Points, Eigen::all);
   return 0.5 * (one + one.transpose());
 }
@@ -54,6 +55,7 @@ SampledSurface SampleSurface(
   return sampled;
 }
 
+/// Farthest-point samples are nested: the first ones of many are as evenly spread as few ones are.
 SampledSurface GetFirstSamples(
   const SampledSurface& sampled, int count, const Eigen::VectorXd& areas)
 {

@@ -28,6 +28,7 @@ Landmarks Some(const Landmarks& landmarks)
   return some;
 }
 
+/// A few wrong landmarks change a mean, but not a median.
 double Median(std::vector<double> values)
 {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -50,6 +51,7 @@ std::vector<double> Ratios(
   {
     for (Eigen::Index j = 0; j < i; ++j)
     {
+      // Logarithms, so that exchanging A and B only changes the sign.
       const double ratio = std::log((ofB(i, j) + ofB(j, i)) / (ofA(i, j) + ofA(j, i)));
       if (std::isfinite(ratio)) // two landmarks may be the same point
       {
@@ -107,6 +109,7 @@ SurfacePart FindPart(
   {
     value = std::abs(value - median);
   }
+  // A larger share cannot be distinguished from two complete surfaces of slightly different size.
   constexpr double maximum = 0.85;
   const bool isA = share < maximum && isOpenA, isB = 1.0 / share < maximum && isOpenB;
   if ((isA || isB) && Median(ratios) < std::abs(0.5 * std::log(share)))

@@ -87,6 +87,7 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
       " needs closed surfaces: close it with Fill Holes, merge its duplicate points with Clean, "
       "or take ReversibleHarmonic, FunctionalMap or BlendedIntrinsic");
   }
+  // From the Euler number V - E + F = 2 - 2 genus - loops of a connected surface.
   const int genus = (2 - topology.EulerNumber - topology.BoundaryLoops) / 2;
   if ((needsClosed || method == Method::BlendedIntrinsic) && genus > 0)
   {

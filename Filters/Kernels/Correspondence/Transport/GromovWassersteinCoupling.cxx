@@ -15,6 +15,7 @@ namespace shape
 namespace
 {
 
+/// 0 log 0 is 0.
 double RelativeEntropy(
   const Eigen::MatrixXd& masses, const Eigen::VectorXd& rows, const Eigen::VectorXd& columns)
 {
@@ -72,6 +73,10 @@ struct State
 
 } // namespace
 
+// Solomon et al., algorithm 1, with continuation in the entropy:
+// 1. The gains of the last masses: DA P DB.
+// 2. The next masses by Sinkhorn's iteration on exp(gains / e), damped if the objective rose.
+// 3. Repeat until the objective stays, then lower e and continue from these masses.
 EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed, const EntropicCouplingOptions& options, const Progress& progress)
 {
@@ -79,6 +84,8 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   const Eigen::VectorXd &rows = spaces.WeightsA, &columns = spaces.WeightsB;
   const BlasThreads several(
     BlasThreads::WorthSharing(static_cast<int>(std::min(rows.size(), columns.size()))));
+  // The part of the objective that depends only on the weights: sum (a - b)^2 = sum a^2 + sum b^2 -
+  // 2 sum a b, and the sums of squares are fixed by the marginals.
   const double own = rows.dot(spaces.DistancesA.cwiseAbs2() * rows) +
     columns.dot(spaces.DistancesB.cwiseAbs2() * columns);
   const auto follow = [&](const State& from, Eigen::MatrixXd likeness)
@@ -91,6 +98,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   };
   EntropicCoupling coupling;
   State state = follow({ {}, {}, {}, Sinkhorn(rows, columns) }, start);
+  // The small number keeps an exact power of Factor from costing one more level by rounding.
   const double span = std::log(options.Entropy / options.FirstEntropy) / std::log(options.Factor);
   const int levels = 1 + static_cast<int>(std::ceil(span - 1e-9));
   double last = options.FirstEntropy;
@@ -98,6 +106,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   {
     const double entropy =
       std::max(options.Entropy, options.FirstEntropy * std::pow(options.Factor, level));
+    // The logarithms are gains / e, so a new e only scales them, and Sinkhorn's factors with them.
     state.Likeness *= last / entropy;
     state.Scaling.Scale(last / entropy);
     last = entropy;
@@ -105,6 +114,8 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
     for (int iteration = 0; iteration < options.Iterations; ++iteration)
     {
       progress((level + static_cast<double>(iteration) / options.Iterations) / levels);
+      // The paper's damping: P^(1 - eta) times the new masses to the power eta, a weighted mean of
+      // logarithms.
       State next = power < 1.0
         ? follow(state, power / entropy * state.Gains + (1.0 - power) * state.Likeness)
         : follow(state, state.Gains / entropy);
@@ -133,11 +144,14 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   }
   coupling.Error = state.Scaling.Error();
   const Eigen::VectorXd ofA = state.Masses.rowwise().sum(), ofB = state.Masses.colwise().sum();
+  // With the masses' own marginals, which differ from the weights by Error; otherwise the sum could
+  // be negative.
   const double squares = ofA.dot(spaces.DistancesA.cwiseAbs2() * ofA) +
     ofB.dot(spaces.DistancesB.cwiseAbs2() * ofB) -
     2.0 * state.Masses.cwiseProduct(state.Gains).sum();
   coupling.Distortion = std::sqrt(std::max(0.0, squares));
   coupling.Masses = std::move(state.Masses);
+  // Of the total mass. A coupling that leaves more than a 20th unplaced describes no map.
   constexpr double maximum = 0.05;
   if (coupling.Error > maximum)
   {

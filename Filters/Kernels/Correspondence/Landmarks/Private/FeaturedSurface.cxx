@@ -55,9 +55,12 @@ Eigen::VectorXd BoundaryDistances(const Surface& surface, const Progress& progre
 FeaturedSurface FindFeatures(
   const Surface& surface, int samples, int features, const Progress& progress)
 {
+  // Relative to the root of the area.
   constexpr double minimum = 0.02; // persistence; less is noise
   constexpr int fewest = 6;
   const SampledSurface sampled = SampleSurface(surface, samples, progress.Part(0.0, 0.9));
+  // Hilaga et al., section 3.1: the integral of geodesic distance, here the mean over area-weighted
+  // samples. It is largest at the tips of extremities.
   const Eigen::VectorXd remoteness = sampled.Distances * sampled.Weights;
   FeaturedSurface found;
   found.Features = FindPersistentMaxima(surface.Triangles(), remoteness, minimum, features);
