@@ -116,6 +116,11 @@ struct ShapeDeformation::Prepared
   std::unique_ptr<LaplacianSmoothing> Smoothing;
 };
 
+/// 1. Attach the handle: its samples become sources of the graph (AttachHandle).
+/// 2. Link the components that it does not reach (ConnectComponents).
+/// 3. Sweep the front: arrival times (section 2.1).
+/// 4. Evaluate the parameters at each node (section 2.2).
+/// 5. Prepare the weights in full resolution, on a coarse base, or part by part (section 2.3).
 ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle& handle,
   const DeformOptions& options, const DeformFields& fields, const Progress& progress)
   : Impl(std::make_unique<Prepared>())
@@ -183,6 +188,7 @@ DeformedShape ShapeDeformation::Deform(
   RequirePose(own.Handle, pose);
   const NodeTransforms sources = MoveSources(own.Sources, own.Handle, pose, own.Scales);
   constexpr double everywhere = std::numeric_limits<double>::infinity();
+  // Smoothing solves for all nodes at once, so it needs all of them.
   NodeTransforms motions = own.Nodes->Move(sources, own.Smoothing ? everywhere : reach, progress);
   if (own.Smoothing)
   {

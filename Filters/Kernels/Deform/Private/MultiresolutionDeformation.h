@@ -51,7 +51,7 @@ private:
   std::vector<double> Reaches; ///< by rank: the reach in the base that is needed up to that rank
   std::vector<std::size_t> First;
   std::vector<int> Columns;   ///< base nodes for each rank that is not a source
-  std::vector<float> Weights; ///< some may be negative
+  std::vector<float> Weights; ///< positive; the largest of a row is 1
   std::vector<double> Sums;
 };
 

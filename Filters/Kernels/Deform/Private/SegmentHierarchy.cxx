@@ -52,6 +52,8 @@ NodeProblem Restricted(
 
 } // namespace
 
+/// Section 2.3, Fig. 9: parts are deformed one after another, from the boundary inwards. The handle
+/// of a part is the layer of nodes next to it in the parts that come before.
 SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& labels,
   const NodeSolver& solve, const Progress& progress)
   : Sources(problem.Sources)
@@ -62,6 +64,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
   DisjointSets sets(this->Size);
   for (const auto& [a, b] : ListLinks(graph))
   {
+    // Sources belong to no part: joined across them, parts of one label would be one.
     const bool free = sweep.Ranks[a] >= sweep.Sources && sweep.Ranks[b] >= sweep.Sources;
     if (free && labels(a) == labels(b))
     {
@@ -92,6 +95,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
       for (int k = graph.First[node]; k < graph.First[node + 1]; ++k)
       {
         const int other = graph.Neighbours[k];
+        // Sources have part -1, so they come before all.
         if (partOf[other] < p && takenBy[other] != p)
         {
           takenBy[other] = p;
