@@ -26,6 +26,8 @@ Triangle2 ImageOf(const ExponentialPatch& patch, int triangle)
 }
 
 /// Returns the loop with its points moved to nearby points of the patch, no two to the same one.
+/// Points of the loop next to a point of the patch would make thin triangles in the band. Closest
+/// pairs come first; index order makes ties unique.
 Eigen::MatrixXd Snapped(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, double snap)
 {
   struct Pull
@@ -121,6 +123,8 @@ private:
   void Look(int triangle)
   {
     Triangle2 image = ImageOf(this->Patch, triangle);
+    // All tests use exact orientation: a decision by rounding would leave a gap or an overlap in
+    // the ring.
     const int turn = EvaluateOrientation(
       Eigen::RowVector2d(image.row(0)), Eigen::RowVector2d(image.row(1)), image.row(2));
     if (turn > 0)
@@ -129,6 +133,8 @@ private:
       this->Gone[triangle] = this->Gone[triangle] || this->Outline.Covers(image);
       return;
     }
+    // A flipped or degenerate triangle: at the loop it is a fault, since the image is not one to
+    // one there. Inside the loop it is removed anyway.
     bool isAtLoop = false;
     if (turn < 0)
     {
@@ -165,8 +171,11 @@ private:
           }
           zeros += turn == 0;
           const Eigen::RowVector2d along = b - a, up = position - a;
+          // The barycentric coordinate of corner k is the area opposite to it. The exact sign
+          // decides; rounding must not make an area negative.
           areas(k) = turn == 0 ? 0.0 : std::max(along.x() * up.y() - along.y() * up.x(), 0.0);
         }
+        // Inside two triangles: the patch covers the plane twice.
         if (zeros == 0 && this->IsInside[side] && this->Result.Fault == CoveredRegionFault::None)
         {
           this->Result.Fault = CoveredRegionFault::Overlaps;
@@ -271,6 +280,8 @@ private:
           }
         }
       }
+      // Removing the triangles around a pinched point may pinch another one, so the search is
+      // repeated. It ends, since each round removes triangles.
     } while (this->Result.Fault == CoveredRegionFault::None && this->ClearAround(pinched));
     if (this->Result.Fault == CoveredRegionFault::None)
     {
@@ -307,6 +318,7 @@ private:
     }
     const auto first =
       std::find_if(next.begin(), next.end(), [](int point) { return point >= 0; }) - next.begin();
+    // A ring without edges: the removed triangles are a closed surface, or there are none.
     if (first == static_cast<std::ptrdiff_t>(next.size()))
     {
       this->Result.Fault = CoveredRegionFault::BeyondPatch;
@@ -321,6 +333,8 @@ private:
     } while (at != first && at >= 0 && static_cast<int>(ring.size()) < sides);
     const auto points = static_cast<int>(std::count(used.begin(), used.end(), true));
     // A disk: one ring, and points - edges + triangles = 1.
+    // Each triangle has three edges, each inner edge two triangles: edges = (3 triangles + sides) /
+    // 2.
     if (at != first || static_cast<int>(ring.size()) != sides ||
       points - (3 * triangles + sides) / 2 + triangles != 1)
     {
@@ -360,6 +374,7 @@ CoveredRegion CoveredRegionFinder::Find(
   }
   CoveredRegion footprint =
     Cover(patch, this->Target.Twins(), this->InPatch, Snapped(patch, loop, snap)).Find();
+  // Only the entries that were set are reset: the time does not depend on the size of the target.
   for (const int triangle : patch.Triangles)
   {
     this->InPatch[triangle] = -1;

@@ -64,6 +64,9 @@ std::vector<int> PointsAt(
 }
 
 /// The feature's base at a loop, if the hole in the rest was filled.
+/// Section 4.2 of the paper: the loop is embedded in the parameterization of the fill region, and
+/// the initial frames are taken from this surface. Of several fills, the base is the one that
+/// shares most points with the loop.
 void FindBase(
   const Surface& filled, std::vector<int> loop, CutFeatureResult& result, const Progress& progress)
 {
@@ -106,6 +109,8 @@ FilledSurface Filled(const Surface& rest, const std::vector<std::vector<int>>& l
                                next = rest.Points().row(loop[i + 1]);
       area += 0.5 * (here - first).cross(next - first);
     }
+    // A triangulation has about half as many inner points as triangles. The area is that of the
+    // loop, projected along its area vector.
     enough = std::max(enough, 0.5 * area.norm() / meanArea + static_cast<double>(loop.size()));
   }
   int& maximum = options.Filler.MaximumPoints;
@@ -138,6 +143,9 @@ void RenumberLoops(const DividedPart& part, std::size_t first, std::vector<Fille
 }
 
 /// Builds the parts of a divided surface, and fills the rest.
+/// Section 4.2 of the paper, "cut": both parts are built, the hole of the rest is filled, and the
+/// feature's loop is embedded in the fill. Pinches of the rest are parted after the fill, which may
+/// use their points.
 void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
   CutFeatureResult& result, const Progress& progress)
 {
@@ -156,6 +164,7 @@ void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
       division.MeanArea(), options.Fill, progress.Part(0.1, 0.6));
     Append(filled, result.Rest);
     result.Holes = std::move(filled.Holes);
+    // The longest loop carries the base; others are inner holes of the feature.
     if (!loops.empty())
     {
       FindBase(filled.Surface, loops.front(), result, progress.Part(0.6, 1.0));
@@ -191,6 +200,7 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
     throw InvalidInput("Loop Index is " + std::to_string(index) + "; there are " +
       std::to_string(count) + " loops, from 0 on, and -1 takes all");
   }
+  // Cutting along a selection needs neither.
   if (!this->Paths)
   {
     this->Locator = std::make_unique<SurfaceLocator>(this->Joined.Surface);
@@ -209,6 +219,10 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
   return loops;
 }
 
+// 1. Trace the curves as shortest paths on the surface (LoopsThrough).
+// 2. Insert them as edges (ImprintCurves).
+// 3. Choose the side of the loops that is the feature (MarkTrianglesOnSide).
+// 4. Divide the surface there, and fill the hole (Divide).
 CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
   const CutFeatureOptions& options, const Progress& progress)
 {

@@ -64,6 +64,9 @@ private:
 class Sides
 {
 public:
+  // Disjoint sets with parity: "same side" merges a triangle with its neighbour, "different sides"
+  // with its neighbour's opposite. A triangle in one set with its own opposite is a contradiction:
+  // the loops do not divide the component.
   Sides(const std::vector<HalfEdge>& edges, const LoopEdges& loops)
     : Count(static_cast<int>(edges.size()) / 3)
     , Same(2 * this->Count)
@@ -102,10 +105,12 @@ std::map<int, int> LeftTriangles(
   {
     if (const LoopEdges::Edge* loop = loops.Find(edge))
     {
+      // A triangle is to the left of its own half-edges.
       const bool isLeft = (edge.Begin < edge.End) == loop->IsForward;
       const std::pair<int, int> own(
         loop->Loop, isLeft ? edge.Triangle : sides.Opposite(edge.Triangle));
       const auto [known, isNew] = found.insert({ sides.Component(edge.Triangle), own });
+      // The first loop in the list is the longest, and decides left and right.
       if (!isNew && own.first < known->second.first)
       {
         known->second = own;
@@ -164,6 +169,7 @@ std::vector<char> MarkTrianglesOnSide(
     if (own != areaOf.end() && own->second.HasLeft && own->second.HasRight)
     {
       const Area& area = own->second;
+      // Equal halves: the left one is the smaller, so exactly one side is taken.
       const bool takesLeft = side == LoopSide::Left ||
         (side == LoopSide::Smaller && area.Left <= area.Right) ||
         (side == LoopSide::Larger && area.Left > area.Right);

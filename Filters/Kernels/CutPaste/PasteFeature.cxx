@@ -63,6 +63,7 @@ BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
 }
 
 /// The maximum angle between one of the rotations and the first, in radians.
+/// Rotations by an angle t apart have the Frobenius distance sqrt(8) sin(t / 2).
 double Spread(const std::vector<Eigen::Matrix3d>& rotations)
 {
   double farthest = 0.0;
@@ -91,6 +92,8 @@ double ReachOfRing(const Mesh& feature, const TriangleFans& fans, const std::vec
   return reach;
 }
 
+/// The angle between the projections to the plane across the tangent: only this part of the
+/// deviation can be corrected by a rotation about the loop.
 Eigen::VectorXd AnglesAcross(
   const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::MatrixXd& tangents)
 {
@@ -192,10 +195,14 @@ Eigen::MatrixXd FeatureToPaste::WithMidpoints(const Eigen::MatrixXd& points) con
   return all;
 }
 
+/// The boundary optimisation of section 4.2, which is that of section 4.1: a single angle while the
+/// feature is dragged, one angle for each sample when it is released.
 Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd& normals,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
   constexpr double rigid = 5.0 * M_PI / 180.0;
+  // If all frames rotate alike, the feature moves rigidly and must not change. The normals are
+  // blended up to 5 degrees, so nothing jumps while the feature is dragged.
   const double share = std::min(Spread(pose.Rotations) / rigid, 1.0);
   Eigen::MatrixXd wanted(normals.rows(), 3);
   for (Eigen::Index i = 0; i < wanted.rows(); ++i)
@@ -226,6 +233,13 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   return deformed;
 }
 
+// Section 4.2 of the paper:
+// 1. Map the loop to the target by the exponential maps of both (PasteTarget::Land).
+// 2. Deform the feature to follow its loop, with frames that rotate the base's normals to the
+//    target's.
+// 3. Optimise the frames, and remove the remaining angles at the loop (Smoothly).
+// 4. Remove the covered triangles, and join both by the band (JoinFeatureAndTarget).
+// 5. Check that the result is a manifold with the expected Euler number.
 PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {

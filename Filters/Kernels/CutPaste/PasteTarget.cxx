@@ -113,6 +113,8 @@ PasteTarget::PasteTarget(
 {
 }
 
+/// First the layout of the base, if that is conformal; then the exponential map; then, if the fault
+/// is one of the layout, conformal maps of the same patch.
 PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestPoint& seed,
   const PastePlacement& placement, bool quick, const Progress& progress)
 {
@@ -123,6 +125,7 @@ PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestP
   Trial trial;
   // Distances on the surface are longer than those in the plane: the patch grows until it contains
   // the loop and the ring around it.
+  // Three mean edges, since the ring passes through whole triangles around the loop.
   double radius = 1.1 * loop.rowwise().norm().maxCoeff() + 3.0 * this->MeanEdge;
   if (base.ConformalRadius > 0.0)
   {
@@ -162,6 +165,7 @@ PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestP
 
 void PasteTarget::TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, Trial& trial)
 {
+  // Snapping moves the loop by 2 % of an edge at most.
   trial.Cover = this->Finder.Find(patch, loop, 0.02 * this->MeanEdge);
   if (trial.Cover.Fault == CoveredRegionFault::None &&
     IsCollapsed(this->GetLoopPositions(trial.Cover), trial.Cover.Loop))
@@ -172,6 +176,8 @@ void PasteTarget::TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& lo
   {
     try
     {
+      // Schmidt and Singh, section 4.2: "we re-use the DEM parameter space to cut the necessary
+      // hole and stitch the surfaces together using Delaunay triangulation".
       trial.Join = TriangulateSeamBand(trial.Cover.Loop, trial.Cover.RingImage);
     }
     catch (const InvalidInput&) // the ring crosses itself or the loop
@@ -211,6 +217,8 @@ CoveredRegionFault PasteTarget::TryConformally(const ExponentialPatch& patch, bo
   return other.Cover.Fault;
 }
 
+/// The plane of the base is laid on the target's tangent plane at the seed. Rotation and Scale act
+/// in the plane (Schmidt and Singh, section 4.2).
 LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacement& placement,
   bool search, const Progress& progress)
 {
@@ -229,6 +237,8 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
     {
       PastePlacement smaller = placement;
       double good = 0.0, bad = placement.Scale;
+      // Bisection to 1 / 256 of Scale. The range that fits need not be one interval, so the
+      // proposed scale is one that was tried, less 1 % for rounding.
       for (int step = 0; step < 8; ++step)
       {
         smaller.Scale = (good + bad) / 2.0;

@@ -91,6 +91,8 @@ public:
 
 private:
   /// Returns, for each point of the target, its index in the result, or -1. points: the kept ones.
+  /// Three groups: points strictly inside the region are dropped, points of the ring are kept
+  /// unless a point of the loop coincides with them, all others are kept.
   std::vector<int> Number(std::vector<int>& points) const
   {
     std::vector<int> number(this->Target.Points().rows(), 0);
