@@ -24,6 +24,9 @@ std::complex<double> ToComplex(const Eigen::RowVector2d& position)
 }
 
 /// Moves, rotates and scales the positions to agree with the exponential map around the seed.
+/// The similarity that fits one map to the other best around the seed: with complex numbers, the
+/// ratio of the weighted sums of conj(from) * to and |from|^2. Only its rotation is kept; the scale
+/// is that of all distances.
 void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
 {
   // Both maps near the seed: the nearest points count most.
@@ -31,6 +34,7 @@ void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
   Eigen::VectorXd weights(near);
   for (Eigen::Index i = 0; i < near; ++i)
   {
+    // A tenth of the farthest one limits the weight of a point at the seed.
     weights(i) = 1.0 / (patch.Distances(i) + 0.1 * patch.Distances(near - 1));
   }
   weights /= weights.sum();

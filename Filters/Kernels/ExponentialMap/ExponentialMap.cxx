@@ -126,6 +126,7 @@ void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
   }
 }
 
+/// Triangles with all corners settled: no triangle extends beyond the front.
 void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
 {
   constexpr double flat = 1e-14; // area of one that has none, over the longest edge squared
@@ -222,6 +223,8 @@ RowVector3d ExponentialMap::Normal(const ClosestPoint& position) const
   return normal.normalized();
 }
 
+/// The discrete exponential map (Schmidt, Grimm and Wyvill) in three parts: the frame at the seed,
+/// the front that computes the images (ExponentialFront), and the triangles that it covered.
 ExponentialPatch ExponentialMap::Around(
   const ClosestPoint& seed, double radius, const RowVector3d& xDirection, const Progress& progress)
 {

@@ -22,6 +22,7 @@ namespace
 {
 
 /// The order in which Automatic tries them.
+/// From the smoothest to the most robust.
 constexpr std::array<FillMethod, 3> Order = { FillMethod::Fair, FillMethod::Deformation,
   FillMethod::Membrane };
 
@@ -165,6 +166,7 @@ FilledSurface SurfaceFiller::Joined(const Hole* last) const
 }
 
 /// Fills a hole by one method; returns whether the result is usable.
+/// Errors name the hole, since a surface may have hundreds.
 bool SurfaceFiller::Try(
   Hole& hole, FillMethod method, const FillHolesOptions& options, const Progress& progress)
 {
@@ -190,6 +192,7 @@ bool SurfaceFiller::Try(
 
 /// Replaces a fill whose first method failed by the best of all methods. One that did not converge
 /// is used only if the others have more intersections.
+/// The search for intersections stops at the present minimum: a method with more is no candidate.
 void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const Progress& progress)
 {
   std::string reason;
@@ -279,6 +282,10 @@ std::vector<bool> SurfaceFiller::FillEach(const FillHolesOptions& options, const
   return fails;
 }
 
+// 1. Fill each hole by the first method (FillEach).
+// 2. Find the triangles of the fills that intersect each other or the surface.
+// 3. With Automatic, replace these fills by the best of all methods, in two rounds (Replace).
+// 4. Report the intersections that remain.
 FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progress& progress)
 {
   std::vector<bool> fails = this->FillEach(options, progress.Part(0.0, 0.7));
@@ -347,6 +354,7 @@ std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<
 {
   std::vector<int> triangleAt(surface.Points.rows(), -1);
   const int count = holes.empty() ? 0 : holes.front().FirstTriangle;
+  // Backwards, so that the first triangle at each point is the one that stays.
   for (int t = count - 1; t >= 0; --t)
   {
     for (const int point : surface.Triangles.row(t))

@@ -21,6 +21,7 @@ namespace
 using Eigen::RowVector2d;
 using Eigen::RowVector3d;
 
+/// The membrane is an intermediate result: its interior may be coarse.
 constexpr double CoarseGrowth = 0.5;
 
 Eigen::MatrixXd InSpace(const Eigen::MatrixXd& flat)
@@ -32,6 +33,9 @@ Eigen::MatrixXd InSpace(const Eigen::MatrixXd& flat)
 
 /// A point of a triangle that is curved to normals at its corners (one a row): the cubic patch of
 /// Vlachos and others, "Curved PN triangles", 2001.
+/// A control point beside a corner is a third of the way along the edge, projected to the corner's
+/// tangent plane; the middle one is E + (E - V) / 2, with E the mean of the six and V that of the
+/// corners.
 RowVector3d EvaluateCurvedTriangle(
   const Eigen::Matrix3d& corners, const Eigen::Matrix3d& normals, const RowVector3d& barycentric)
 {
@@ -112,6 +116,7 @@ Eigen::VectorXd Stretch(const Mesh& surface, const Mesh& other)
 }
 
 /// Wanted edge lengths at the points of a surface (n).
+/// Lengths are interpolated geometrically, since edges grow by a factor from triangle to triangle.
 Eigen::VectorXd WantedSizes(const Mesh& surface, const PatchSizes& sizes)
 {
   const Eigen::Index loop = sizes.Loop.size();
@@ -126,6 +131,7 @@ Eigen::VectorXd WantedSizes(const Mesh& surface, const PatchSizes& sizes)
     distances(i) = (surface.Points.row(i) - surface.Points.row(nearest)).norm();
   }
   const auto wanted = [&](double growth) -> Eigen::VectorXd { return even + growth * distances; };
+  // An equilateral grid with edges h has one point per sqrt(3 / 4) h^2.
   const auto count = [&](double growth)
   { return (areas.array() / wanted(growth).array().square()).sum() / std::sqrt(0.75); };
   double growth = sizes.Growth;
@@ -150,6 +156,8 @@ HolePatch Triangulated(const Mesh& surface, const Eigen::MatrixXd& flat,
   const Eigen::ArrayXd counts =
     ComputePointAreas({ InSpace(flat), surface.Triangles }).array() / edges.array().square();
   FlatDiskOptions options;
+  // The grid halves its cells where smaller ones are wanted, so its base should suit most of the
+  // points.
   options.Edge = std::exp((counts * edges.array().log()).sum() / counts.sum());
   options.Growth = 0.1;
   options.Size = [&](const RowVector2d& position) { return field.At(position, edges); };
@@ -181,6 +189,7 @@ Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop)
   {
     sides(i) = (loop.row((i + 1) % count) - loop.row(i)).norm();
   }
+  // A coincident pair of points must not ask for infinitely many triangles.
   sides = sides.cwiseMax(1e-3 * sides.mean());
   // Four edges before and after each point, the nearer ones with more weight.
   constexpr int reach = 4;
@@ -199,6 +208,8 @@ Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop)
   return sizes;
 }
 
+// Section 4.1 of Schmidt and Singh, the first steps: the loop on a circle with its edge lengths,
+// interior vertices on a regular triangular grid, Delaunay triangulation, and the membrane.
 HolePatch BuildMembranePatch(
   const Eigen::MatrixXd& loop, const PatchSizes& patchSizes, const Progress& progress)
 {
@@ -234,6 +245,8 @@ HolePatch BuildMembranePatch(
   options.IsOutside = patchSizes.IsOutside;
   const FlatDisk disk = TriangulateDisk(outline, options, progress.Part(0.0, 0.7));
   HolePatch patch{ { InSpace(disk.Points), disk.Triangles }, disk.Points };
+  // Each round minimises the Dirichlet energy over the last surface (Pinkall and Polthier); a few
+  // rounds come near the minimal surface.
   constexpr int rounds = 3;
   patch.Surface.Points = SolveMembrane(patch.Surface, loop, rounds, progress.Part(0.7, 1.0));
   return patch;
@@ -245,6 +258,8 @@ double ComputeMaximumStretch(const Mesh& one, const Mesh& other)
   return std::exp((logs - logs.mean()).abs().maxCoeff());
 }
 
+// Section 4.1, the next step: the free-boundary conformal map of the membrane, which gives the disk
+// nearly the shape of the hole.
 HolePatch RemeshPatch(const HolePatch& patch, const PatchSizes& sizes,
   const Eigen::MatrixXd& loopNormals, const Progress& progress)
 {

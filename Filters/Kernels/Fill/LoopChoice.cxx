@@ -63,6 +63,7 @@ double ComputeNonplanarity(const Eigen::MatrixXd& points)
     return 0.0;
   }
   const Eigen::MatrixXd ways = points.rowwise() - points.colwise().mean();
+  // The last right singular vector is the normal of the least-squares plane.
   const Eigen::JacobiSVD<Eigen::MatrixXd> axes(ways, Eigen::ComputeThinV);
   const double radius = ways.rowwise().norm().maxCoeff();
   return radius > 0.0 ? (ways * axes.matrixV().col(2)).cwiseAbs().maxCoeff() / (2.0 * radius) : 0.0;

@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr int StepsBetween = 4096; ///< a few milliseconds
+/// Progress is reported between slices, so that an abort takes effect within a tenth of a second.
 constexpr std::chrono::milliseconds Slice(100);
 
 /// Works on one pair after the other, and may be interrupted within one.
@@ -36,6 +37,7 @@ Eigen::VectorXd ComputeExactGeodesics(
   {
     propagation.AddSeed(seeds.Triangles(i), seeds.Barycentrics.row(i));
   }
+  // Mitchell, Mount and Papadimitriou: continuous Dijkstra on windows (WindowPropagation).
   while (!propagation.Run(StepsBetween))
   {
     progress(propagation.Done());

@@ -17,6 +17,8 @@ namespace
 using MethodType = GeodesicDistanceOptions::MethodType;
 
 /// The corners of the triangles that positions lie in, and how far they are.
+/// Edges start at points: the path from a seed inside a triangle begins with a straight piece to a
+/// corner.
 GraphSources CornersAround(const Mesh& mesh, const ClosestPoints& positions)
 {
   GraphSources seeds;

@@ -45,6 +45,7 @@ public:
 
   /// The closed way from a line over others back to where it begins, each used once; else its last
   /// position is the one where it cannot go on.
+  /// Greedy: at a branch any unused line will do, since each is used once.
   std::vector<int> WayFrom(std::size_t line)
   {
     std::vector<int> way = this->Lines[line];
@@ -131,6 +132,7 @@ SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator
   {
     const ClosestPoint position = locator.FindOne(point, guess);
     guess = position.Triangle;
+    // A leg of length 0 has no direction.
     if (positions.empty() || positions.back() != position.Position)
     {
       stops.push_back({ position.Triangle, position.Barycentric });

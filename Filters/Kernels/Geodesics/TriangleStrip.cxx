@@ -89,6 +89,8 @@ void TriangleStrip::FindPath()
   this->FindTurns();
 }
 
+/// Xin and Wang: a path that turns at a point is shortest only if the angle on the other side is at
+/// least pi, too.
 bool TriangleStrip::LeadAround()
 {
   constexpr double rounding = 1e-9; // of an angle
@@ -179,6 +181,7 @@ RowVector2d TriangleStrip::ApexPosition(
   {
     return begin + RowVector2d(0.0, apex.norm());
   }
+  // The same coordinates along and across the edge as in space, so lengths are kept.
   const RowVector2d along = (end - begin).normalized();
   return begin + (apex.dot(edge) / length) * along +
     (apex.cross(edge).norm() / length) * RowVector2d(-along(1), along(0));
@@ -248,6 +251,7 @@ void TriangleStrip::FindTurns()
       funnel.AddRight(this->Portals[i].Right, i);
     }
   }
+  // The target closes the funnel as the end of a last portal.
   funnel.AddLeft(this->ToPosition, count);
   this->Turns.clear();
   this->PathLength = 0.0;
