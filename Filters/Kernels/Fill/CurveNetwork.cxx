@@ -313,8 +313,8 @@ bool IsPatch(const SegmentGraph& graph, const std::vector<int>& face)
   const double area = ComputeSignedArea(graph, face);
   const bool isCurve =
     std::all_of(face.begin(), face.end(), [&](int point) { return graph.Near[point].size() == 2; });
-  // A closed curve of area 1 / (4 pi) = 0.08 is a circle. Below a thousandth the normals lie in the
-  // plane of the curve, and the sign is decided by rounding.
+  // For a circle the value is 1 / (4 pi) = 0.08. Below a thousandth the normals lie in the plane of
+  // the curve and do not determine the sign.
   constexpr double unclear = 1e-3;
   const bool isWanted = isCurve && std::abs(area) < unclear ? RunsForward(graph, face) : area > 0.0;
   return isWanted && face.size() >= 3;

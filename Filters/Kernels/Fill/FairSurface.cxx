@@ -113,8 +113,8 @@ public:
   /// cautious: take shorter steps, from a matrix that is certainly positive definite. again: reuse
   /// the last derivative.
   /// The equation is S H = 0 at the inner points: H is harmonic. A movement u along the normals
-  /// changes H by (M^-1 S u - K u) / 2, with K = k1^2 + k2^2. Newton's equation is therefore (S
-  /// M^-1 S - S K) u = -2 S H. S K is made symmetric, so that a Cholesky factorisation applies.
+  /// changes H by (M^-1 S u - K u) / 2, with K = k1^2 + k2^2. Newton's equation is therefore
+  /// (S M^-1 S - S K) u = -2 S H. S K is made symmetric, so that a Cholesky factorisation applies.
   Eigen::VectorXd Find(const Geometry& is, Eigen::Index loop, bool cautious, bool again)
   {
     const Eigen::Index inner = is.Areas.size() - loop;

@@ -64,6 +64,7 @@ std::string vtkShapeAlgorithm::GetLabel()
 std::string vtkShapeAlgorithm::LabelOf(const std::string& className)
 {
   std::string label;
+  // Without "vtk".
   for (const char letter : className.substr(3))
   {
     if (!label.empty() && std::isupper(static_cast<unsigned char>(letter)))
@@ -117,6 +118,8 @@ int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
   {
     info->Append(INPUT_REQUIRED_DATA_TYPE(), type.c_str());
   }
+  // Accepted by every port: the default composite executive would run the filter once for each
+  // block.
   info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(INPUT_IS_OPTIONAL(), declared.Use != PortUse::Required);
   info->Set(INPUT_IS_REPEATABLE(), declared.Use == PortUse::OptionalRepeatable);
@@ -252,11 +255,14 @@ void vtkShapeAlgorithm::PrepareInputs()
     const InputPort& declared = this->InputPorts[port];
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
+      // A selection may be empty, and is gathered with the surface that it marks.
       if (declared.Data == PortData::Selection)
       {
         continue;
       }
       vtkDataObject* input = this->GetInputDataObject(port, i);
+      // Empty means empty on all processes: one that has no piece must still take part in the
+      // collectives.
       if (vtkShapeGather::CountPoints(input, this->Controller) == 0)
       {
         throw shape::InvalidInput(
@@ -336,6 +342,8 @@ void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
   }
 }
 
+/// The only place that catches the exceptions of kernels and wrappers. After it, all processes
+/// agree on failure, before the next collective.
 int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
 {
   bool stopped = true;
@@ -360,6 +368,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   {
     message = error.what();
   }
+  // Gathered inputs are copies as large as the inputs.
   this->GatheredInputs.clear();
   vtkShapeGather::AgreeOnFailure(this->Controller, stopped, message);
   if (!stopped)
@@ -370,8 +379,10 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
+    // No partial output.
     vtkDataObject::GetData(outputs, port)->Initialize();
   }
+  // An abort by the user is no error.
   if (message.empty())
   {
     return 1;

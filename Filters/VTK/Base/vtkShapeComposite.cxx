@@ -49,6 +49,7 @@ std::string vtkShapeComposite::FindOutputType(vtkDataObject* input, Points point
 {
   if (vtkCompositeDataSet::SafeDownCast(input))
   {
+    // Other composites, such as AMR, cannot hold structured or moved grids.
     return vtkDataObjectTree::SafeDownCast(input) ? input->GetClassName() : "vtkMultiBlockDataSet";
   }
   const bool keeps = points == Points::Kept || vtkPointSet::SafeDownCast(input);
@@ -58,6 +59,7 @@ std::string vtkShapeComposite::FindOutputType(vtkDataObject* input, Points point
 void vtkShapeComposite::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output)
 {
   auto* moved = vtkPointSet::SafeDownCast(output);
+  // Images and rectilinear grids have no points of their own: moved, they are structured grids.
   if (auto* image = vtkImageData::SafeDownCast(input))
   {
     vtkStructuredGrid::SafeDownCast(output)->SetExtent(image->GetExtent());
@@ -88,6 +90,7 @@ void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Poi
     return;
   }
   auto* tree = vtkDataObjectTree::SafeDownCast(output);
+  // Otherwise the blocks are numbered in the order of traversal.
   const bool sameTree = input->IsA(output->GetClassName());
   if (sameTree)
   {

@@ -28,6 +28,8 @@ namespace
 {
 
 /// A polygon or strip of n points gives n - 2 triangles.
+/// vtkTriangleFilter drops polygons that it cannot triangulate without an error; the count reveals
+/// them.
 vtkIdType CountTriangles(vtkPolyData* surface)
 {
   vtkIdType count = 0;
@@ -155,6 +157,7 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
   return cells;
 }
 
+/// VTK numbers the corners of pixels and voxels row by row, those of quads and hexahedra around.
 void vtkShapeConvert::ReorderVoxels(shape::Cells& cells)
 {
   for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
@@ -197,6 +200,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
   vtkDataSet* data, const std::string& name, const shape::Progress& progress)
 {
   if (data->GetNumberOfPoints() > std::numeric_limits<int>::max() ||
+    // A cell has up to eight corners, and their number must fit into an int.
     data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
   {
     throw shape::InvalidInput(name +
@@ -239,6 +243,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
 Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name)
 {
+  // A process or block without points may have no arrays.
   if (data->GetNumberOfPoints() == 0)
   {
     return Eigen::MatrixXd(0, components);

@@ -37,6 +37,8 @@ bool IsParallel(vtkMultiProcessController* controller)
 }
 
 /// Returns the surface without ghost cells; its points are unchanged.
+/// Points stay, also those that only ghost cells use, since they are the points of this process's
+/// output.
 vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
 {
   auto kept = vtkSmartPointer<vtkPolyData>::New();
@@ -75,6 +77,8 @@ std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
     vtkNew<vtkStaticPointLocator> locator;
     locator->SetDataSet(data);
     locator->BuildLocator();
+    // Only exact copies are merged: they are the copies that a distributed surface has along the
+    // borders of its pieces.
     locator->MergePoints(0.0, first.data());
   }
   return first;
@@ -108,6 +112,7 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
   for (std::size_t i = 0; i < firstCoincident.size(); ++i)
   {
     vtkIdType& position = pointMap[firstCoincident[i]];
+    // The first one's data are kept.
     if (position == -1)
     {
       const auto point = static_cast<vtkIdType>(i);
@@ -239,6 +244,7 @@ void vtkShapeGather::RunOnAllOrFail(
   {
     message = error.what();
   }
+  // Before any process waits in the next collective for one that failed.
   AgreeOnFailure(controller, failed, message);
   if (failed && message.empty())
   {
@@ -298,6 +304,10 @@ vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessContro
   return sum;
 }
 
+// 1. Merge the blocks of this process.
+// 2. Send them to process 0, which merges the pieces of all processes.
+// 3. Broadcast the result, and for each point of each piece its index in it.
+// 4. Compose this map with that of step 1.
 vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const std::string& name,
   bool weld, vtkMultiProcessController* controller, std::vector<int>& ownPoints)
 {
@@ -340,6 +350,7 @@ vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const s
     controller->AllGather(&count, counts.data(), 1);
     mapOfAll.resize(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)));
     controller->Broadcast(mapOfAll.data(), static_cast<vtkIdType>(mapOfAll.size()), 0);
+    // The map has the points of all processes in the order of ranks.
     const vtkIdType first = std::accumulate(counts.begin(), counts.begin() + rank, vtkIdType(0));
     for (vtkIdType& point : pointMap)
     {
@@ -389,6 +400,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
   return whole;
 }
 
+/// The failure of the lowest rank counts; its message is sent to the others.
 void vtkShapeGather::AgreeOnFailure(
   vtkMultiProcessController* controller, bool& failed, std::string& message)
 {

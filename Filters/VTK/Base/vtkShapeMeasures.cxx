@@ -72,6 +72,7 @@ std::string MeasureOf(vtkFieldData* data, vtkAbstractArray* array)
   const std::string name = array->GetName() ? array->GetName() : "";
   const int type = array->GetDataType();
   const bool isReal = type == VTK_DOUBLE || type == VTK_FLOAT;
+  // Arrays with the same names and other types are the user's own.
   return (isReal && RealMeasures.count(name)) || IntegerMeasures.count(name) ? name : "";
 }
 
@@ -144,6 +145,8 @@ std::vector<std::string> Remove(
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
     const std::string measure = MeasureOf(data, array);
+    // A measure of the new points is either computed by the filter or stale; an inherited array is
+    // the input's, even if the filter computes that measure.
     if (!measure.empty() && (inherited.count(array) || !filter.Made.count(measure)))
     {
       removed.push_back(measure);
@@ -201,6 +204,7 @@ const std::vector<std::string>& vtkShapeMeasures::NamesOfHexahedra()
 void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtkDataSet* hexahedra)
 {
   auto cells = vtkSmartPointer<vtkDataSet>::Take(hexahedra->NewInstance());
+  // Without arrays, so that vtkMeshQuality copies none.
   cells->CopyStructure(hexahedra);
   for (const auto& [name, set] : OfHexahedra)
   {
@@ -225,6 +229,7 @@ void vtkShapeMeasures::Renew(const Filter& filter, vtkDataObject* output)
   for (vtkDataSet* leaf : vtkShapeComposite::Of(output))
   {
     auto* points = vtkPointSet::SafeDownCast(leaf);
+    // Shared points did not move: all measures of them are still true.
     if (!points || inherited.count(points->GetPoints()))
     {
       continue;

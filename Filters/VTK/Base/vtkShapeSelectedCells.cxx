@@ -60,6 +60,7 @@ vtkSmartPointer<vtkSelection> Own(vtkSelection* selection, vtkMultiProcessContro
 
 /// Converts the result of vtkExtractSelection for a block: marks of its cells, or of its points. A
 /// block that the selection does not contain is empty.
+/// A selection of points selects the cells all of whose points it contains.
 std::vector<char> MarksOf(vtkDataSet* data, vtkIdType count)
 {
   const char* name = "vtkInsidedness";
@@ -92,6 +93,7 @@ std::vector<char> MarksOf(vtkDataSet* data, vtkIdType count)
 vtkSmartPointer<vtkDataObject> ByQuery(vtkDataObject* surface, vtkSelection* selection)
 {
   vtkNew<vtkExtractSelection> extract;
+  // The result keeps all cells and marks the selected ones, so blocks and cell ids stay.
   extract->PreserveTopologyOn();
   extract->SetInputDataObject(0, surface);
   extract->SetInputDataObject(1, selection);

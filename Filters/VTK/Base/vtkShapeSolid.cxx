@@ -42,6 +42,7 @@ std::vector<std::map<int, double>> WeightsOf(
   std::vector<std::map<int, double>> weights(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i)
   {
+    // A new point is the mean of its parents, which are earlier points: one pass is enough.
     double count = 0.0;
     for (const int parent : parents[i])
     {
@@ -214,6 +215,8 @@ void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessContro
   }
 }
 
+/// The moved output is the start, the domain the rest shape. Cells may be split, so the output is
+/// written anew with arrays interpolated from its own.
 std::pair<int, int> vtkShapeSolid::MakeFoldFree(vtkDataObject* domain, vtkDataObject* moved,
   const shape::Mesh& boundary, const Eigen::MatrixXd& targets,
   vtkMultiProcessController* controller, const shape::Progress& progress)

@@ -42,6 +42,8 @@ double ComputeMeanEdgeLength(const shape::Mesh& mesh)
 }
 
 /// Returns the points of the landmarks, and positions between them along lines.
+/// Lines are sampled at the mean edge length of the surface: coarser samples leave points between
+/// them free, finer ones fall on the same points.
 Partners ReadPartners(vtkUnstructuredGrid* given, double step)
 {
   const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(given);
@@ -146,6 +148,7 @@ void vtkShapeCorrespondence::WriteMap(
 {
   const GatheredInput& whole = this->GetGatheredInput(port);
   vtkPolyData* target = this->GetGatheredInput(otherPort).Data;
+  // Cell ids of polygons follow those of vertices and lines.
   const auto before = static_cast<double>(target->GetNumberOfVerts() + target->GetNumberOfLines());
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };

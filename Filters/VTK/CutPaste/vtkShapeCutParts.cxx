@@ -126,6 +126,7 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
       vtkAbstractArray* array = points->GetAbstractArray(a);
       for (int i = 0; i < hole.Points; ++i)
       {
+        // Data that cannot be averaged, such as labels and strings; numbers are replaced below.
         array->InsertTuple(hole.FirstPoint + i, fill.Points[i], array);
       }
     }
@@ -134,6 +135,7 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
       sources[hole.FirstTriangle + t] = part.OriginalTriangles[fill.Triangles[t]];
     }
   }
+  // Numbers are continued harmonically into the fill.
   vtkShapeFillValues::Continue(part.Surface, holes, points);
   for (std::size_t t = 0; t < sources.size(); ++t)
   {
@@ -146,6 +148,7 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
     data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     if (!holes.empty())
     {
+      // The fill has no normals, and those of the loop have changed.
       data->RemoveArray("Normals");
     }
   }

@@ -71,6 +71,7 @@ std::vector<int> ChooseLoop(const shape::Mesh& feature, const Eigen::MatrixXd& n
   }
   const auto wasCut = std::find_if(loops.begin(), loops.end(),
     [&](const std::vector<int>& loop) { return WasCut(loop, normals); });
+  // By default the loop at which the feature was cut, even if another one is longer.
   return index == 0 && wasCut != loops.end() ? *wasCut : loops[index];
 }
 
@@ -83,6 +84,7 @@ void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData*
     return;
   }
   const shape::FeatureFootprint& base = *cut.Base;
+  // By position, since points on a seam are duplicated and all copies must carry the base.
   std::map<int, Eigen::Index> rows; // of the loop, by the position on the surface
   for (std::size_t i = 0; i < base.Loop.size(); ++i)
   {

@@ -92,6 +92,7 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
     vtkAbstractArray* array = first->GetAbstractArray(i);
     vtkAbstractArray* other =
       array->GetName() ? second->GetAbstractArray(array->GetName()) : nullptr;
+    // An array of one part only, or with another type, is zero on the other part.
     append(array, array, AreAlike(array, other) ? other : nullptr);
   }
   for (int i = 0; i < second->GetNumberOfArrays(); ++i)
@@ -167,6 +168,7 @@ void Blend(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feat
     {
       continue;
     }
+    // Colours are blended as numbers and rounded.
     const bool isColour = array->GetDataType() == VTK_UNSIGNED_CHAR;
     Eigen::MatrixXd values = ToMatrix(own, featurePart.Points);
     const Eigen::MatrixXd differences =

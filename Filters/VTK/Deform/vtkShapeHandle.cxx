@@ -136,6 +136,7 @@ private:
   }
 
   const Eigen::MatrixXd& Points;
+  // Exact positions suffice: the whole was gathered from these points without arithmetic.
   std::map<std::array<double, 3>, int> Positions;
 };
 
@@ -154,6 +155,8 @@ void AddTurnedNormals(vtkDataSet* from, const std::vector<int>& rows,
   {
     Eigen::Vector3d normal;
     normals->GetTuple(i, normal.data());
+    // The rotation of the frame, not the inverse transpose of a derivative: shapes without
+    // triangles have rotations, too.
     turned.row(i) = (rotations[rows[i]] * normal).transpose();
   }
   const auto array =
@@ -188,6 +191,7 @@ Eigen::VectorXi vtkShapeHandle::ToLabels(vtkUnstructuredGrid* grid, const std::s
   {
     return vtkShapeConvert::ToPointArray(grid, array, 1, "the Input").col(0).cast<int>();
   }
+  // A point gets the label of most of its cells; of equally many, the lowest.
   std::vector<std::map<int, int>> around(points);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)

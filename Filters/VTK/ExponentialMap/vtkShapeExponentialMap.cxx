@@ -35,6 +35,7 @@ vtkShapeExponentialMap::~vtkShapeExponentialMap() = default;
 vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
+  // The map's structures do not depend on the seed: while it is dragged they are reused.
   const bool isNew = kept.Input.IsNew(*this, 0, this->GetGatheredInput(0).Data);
   if (isNew || !kept.Map || kept.Options.NormalSmoothing != this->Options.NormalSmoothing ||
     kept.Options.UpwindAverage != this->Options.UpwindAverage)

@@ -134,6 +134,8 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   }
   progress(0.6);
   Kept& kept = *this->Cache;
+  // The prepared fills are kept as long as geometry, loops and sizes are the same: deformation
+  // parameters then change in real time.
   const bool isSame = kept.Filler && AreSame(surface, kept.Surface.Surface) &&
     fresh.Chosen == kept.Chosen && AreSame(this->Fill.Filler, kept.Options) &&
     fresh.Curves.Loops == kept.Curves.Loops &&

@@ -120,6 +120,7 @@ void WriteCellData(const FilledSurface& filled, const std::vector<shape::FillSou
   data->CopyGlobalIdsOff();
   data->CopyAllocate(input->GetCellData(), output->GetNumberOfCells());
   data->CopyData(input->GetCellData(), 0, begin, 0);
+  // Strips come after the polygons, so the new triangles push them back.
   data->CopyData(input->GetCellData(), begin + count, input->GetNumberOfCells() - begin, begin);
   for (std::size_t i = 0; i < sources.size(); ++i)
   {

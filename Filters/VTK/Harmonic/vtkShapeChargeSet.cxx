@@ -88,6 +88,8 @@ double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Surface& sur
 }
 
 /// Returns the rows of a charge set that have a charge.
+/// Charges that are 0 contribute nothing; this is also how points of the surface are told from
+/// sources.
 std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
 {
   std::vector<int> rows;
@@ -174,6 +176,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
     }
   }
   vtkDataArray* offset = data->GetFieldData()->GetArray("HarmonicVolumeMap.OffsetDistance");
+  // Charge sets that other programs wrote have no such fact.
   contents.Farthest = offset && offset->GetNumberOfTuples() > 0
     ? shape::ComputeFarthest(offset->GetComponent(0, 0), contents.Surface.Points())
     : MeasuredMaximum(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
@@ -280,6 +283,7 @@ std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataO
       vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
       for (Eigen::Index i = 0; i < sources.rows(); ++i)
       {
+        // Points that belong to another process are counted there.
         const bool own =
           !ghosts || (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0;
         counts[positions.OutsideDomain(i)] += own;

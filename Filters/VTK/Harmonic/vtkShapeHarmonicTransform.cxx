@@ -108,6 +108,7 @@ vtkAbstractTransform* vtkShapeHarmonicTransform::MakeTransform()
   return vtkShapeHarmonicTransform::New();
 }
 
+/// A filter that uses the transform must run again when the charges' pipeline is modified.
 vtkMTimeType vtkShapeHarmonicTransform::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -149,6 +150,7 @@ void vtkShapeHarmonicTransform::InternalUpdate()
   }
   vtkPolyData* charges = this->GetChargeSet();
   const bool inverted = this->InverseFlag != 0;
+  // Building the map takes long: it is reused as long as the charges are the same.
   if (this->Map && charges == this->MappedCharges && charges->GetMTime() == this->MappedTime &&
     (this->MapHasInverse || !inverted))
   {
@@ -270,6 +272,7 @@ vtkShapeHarmonicTransform::Many vtkShapeHarmonicTransform::TransformMany(vtkPoin
       this->Map ? results[i] : shape::VolumeTransform::Result{ rows.row(i).transpose() };
     this->NotInverted += result.State == shape::InverseMap::State::Missed;
     many.Positions.push_back(result.Position);
+    // Backward returns the derivative of the map itself at the position found.
     many.Derivatives.push_back(this->InverseFlag ? Inverted(result.Jacobian) : result.Jacobian);
   }
   return many;

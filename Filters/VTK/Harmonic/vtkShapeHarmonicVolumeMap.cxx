@@ -127,6 +127,10 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   return result;
 }
 
+// 1. Check the domain on every process, and solve for the map on the first one.
+// 2. Send the charges and the facts to all processes.
+// 3. Each process moves its own pieces by them.
+// 4. With FoldFree, untangle the moved solid.
 void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
 {
   vtkMultiProcessController* controller = this->GetController();

@@ -106,6 +106,7 @@ void vtkShapeVolumeMapFacts::AddFacts(const shape::PiecewiseVolumeMapResult& res
     iterations += layer.Iterations;
     refined += layer.RefinedPoints;
     without += layer.PointsWithoutCharge;
+    // The tolerance counts as reached only if it is in all layers.
     reason = layer.Reason == Stop::Tolerance ? reason : layer.Reason;
   }
   const std::pair<const char*, double> facts[] = { { "RMSEVertices", boundary.RMSEVertices },

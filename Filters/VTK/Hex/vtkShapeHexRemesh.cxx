@@ -27,6 +27,7 @@ vtkShapeHexRemesh::vtkShapeHexRemesh()
     "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareOutput("vtkPolyData");
+  // These are new: they belong to the hexahedra, not to the input.
   std::set<std::string> measures = { "Distance" };
   measures.insert(
     vtkShapeMeasures::NamesOfHexahedra().begin(), vtkShapeMeasures::NamesOfHexahedra().end());

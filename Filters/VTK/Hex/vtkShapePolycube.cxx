@@ -47,6 +47,7 @@ void vtkShapePolycube::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  // Every process computes the same result, and writes the rows of its own points.
   const shape::PolycubeResult map = shape::BuildPolycube(mesh, this->Options, progress);
 
   // The points of this process are ordered by block.

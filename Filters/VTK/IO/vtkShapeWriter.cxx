@@ -117,6 +117,7 @@ shape::MeshSets vtkShapeWriter::ReadInput(const shape::Progress& progress)
 void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progress& progress)
 {
   const auto why = [] { return " (" + std::generic_category().message(errno) + "); "; };
+  // Streams do not tell why they failed; the system call beneath does.
   errno = 0;
   std::ofstream file(this->FileName);
   if (!file)
@@ -141,6 +142,7 @@ void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progre
   {
     file.close();
     std::error_code ignored;
+    // A partial file is removed, but never a device or a pipe.
     if (std::filesystem::is_regular_file(this->FileName, ignored))
     {
       std::filesystem::remove(this->FileName, ignored);

@@ -127,6 +127,8 @@ Eigen::MatrixXd Summary(const shape::MapQualitySums& sums)
   {
     const auto measure = static_cast<shape::MapMeasure>(row);
     const double count =
+      // The share is that of flipped cells for the determinant, and of undefined values for the
+      // others.
       measure == shape::MapMeasure::JacobianDeterminant ? sums.Flipped : sums.Undefined(row);
     summary.row(row) << sums.Minima(row), sums.Mean(measure), sums.Maxima(row), count / sums.Cells;
   }
@@ -189,6 +191,8 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
         });
       progress(0.3);
     });
+  // Whether the map is planar, spherical or spatial must be decided for all blocks and processes
+  // together.
   const shape::MapExtent extent = ComputeMapExtent(parts, controller);
   shape::MapQualitySums sums;
   vtkShapeGather::RunOnAllOrFail(controller,

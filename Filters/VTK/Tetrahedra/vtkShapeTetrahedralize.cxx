@@ -72,6 +72,8 @@ void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surfac
       others.push_back(i);
     }
   }
+  // New points have no data of their own: those of the closest position on the surface stand for
+  // them.
   const shape::ClosestPoints closest = shape::SurfaceLocator(mesh).Find(
     vtkShapeConvert::Rows(solid.Points, others), progress.Part(0.0, 0.9));
   vtkPointData* from = surface->GetPointData();

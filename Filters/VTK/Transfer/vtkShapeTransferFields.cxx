@@ -48,6 +48,7 @@ std::string NameOf(vtkAbstractArray* array)
 }
 
 /// The arrays to transfer: all except the point arrays named `left`. taken: names already in use.
+/// Normals are directions of the giver and not true at the receiver.
 std::vector<Field> FieldsOf(
   vtkDataSet* giver, const std::set<std::string>& left, std::set<std::string> taken)
 {
@@ -137,6 +138,7 @@ void Carry(const std::vector<Field>& fields, const shape::TransferWeights& posit
     for (std::size_t f = 0; f < fields.size(); ++f)
     {
       const int type = fields[f].Values->GetDataType();
+      // Integers are labels or ids, which have no mean.
       if (!fields[f].OfCells && (type == VTK_FLOAT || type == VTK_DOUBLE))
       {
         carried[f]->InterpolateTuple(i, corners, fields[f].Values, weights.data());
@@ -253,6 +255,8 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       std::optional<shape::SurfacePoints> precise;
       if (!push && vtkShapePreciseMap::Has(from, this->MapArray))
       {
+        // The triangles of a precise map need no search, and are right where the giver touches
+        // itself.
         precise = FittingMap(from, giver, this->Options.Tolerance, numbered);
       }
       const shape::TransferWeights found = precise

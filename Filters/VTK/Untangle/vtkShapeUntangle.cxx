@@ -90,6 +90,7 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   }
   shape::Cells cells = given;
   progress(0.05);
+  // Within one data set, coincident points may belong to faces that are separate on purpose.
   const bool inPieces = vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) ||
     (controller && controller->GetNumberOfProcesses() > 1);
   if (inPieces)
@@ -104,6 +105,7 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   }
 
   Eigen::MatrixXd sources = rest.rows() > 0 ? rest : given.Points;
+  // The output of a map already has the positions it came from; they remain the origin.
   if (rest.rows() == 0 && input->GetPointData()->HasArray("SourcePosition"))
   {
     sources = vtkShapeConvert::ToPointArray(input, "SourcePosition", 3, "the Input");
