@@ -333,8 +333,8 @@ private:
     } while (at != first && at >= 0 && static_cast<int>(ring.size()) < sides);
     const auto points = static_cast<int>(std::count(used.begin(), used.end(), true));
     // A disk: one ring, and points - edges + triangles = 1.
-    // Each triangle has three edges, each inner edge two triangles: edges = (3 triangles + sides) /
-    // 2.
+    // Each triangle has three edges, and each inner edge two triangles, so the number of edges is
+    // (3 triangles + sides) / 2.
     if (at != first || static_cast<int>(ring.size()) != sides ||
       points - (3 * triangles + sides) / 2 + triangles != 1)
     {

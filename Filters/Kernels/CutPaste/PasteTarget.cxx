@@ -176,8 +176,8 @@ void PasteTarget::TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& lo
   {
     try
     {
-      // Schmidt and Singh, section 4.2: "we re-use the DEM parameter space to cut the necessary
-      // hole and stitch the surfaces together using Delaunay triangulation".
+      // Schmidt and Singh, section 4.2: the hole is cut and the seam is triangulated in the plane
+      // of the exponential map.
       trial.Join = TriangulateSeamBand(trial.Cover.Loop, trial.Cover.RingImage);
     }
     catch (const InvalidInput&) // the ring crosses itself or the loop

@@ -117,7 +117,7 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
     const SurfacePoint position = this->NewPosition(triangle, point);
     const PointSupport support(this->Surface, position);
     const auto [low, high] = std::minmax(support.Points[0], support.Points[1]);
-    // The edge of the given surface on which the point is tells apart the two sides of a seam.
+    // The given edge that contains the point distinguishes the two sides of a seam.
     const auto [found, isNew] =
       numberOfAdded.insert({ { point, low, high }, given + static_cast<int>(added.size()) });
     if (isNew)

@@ -88,8 +88,8 @@ double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Surface& sur
 }
 
 /// Returns the rows of a charge set that have a charge.
-/// Charges that are 0 contribute nothing; this is also how points of the surface are told from
-/// sources.
+/// Charges that are 0 contribute nothing; this also distinguishes sources from points of
+/// the surface.
 std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
 {
   std::vector<int> rows;

@@ -117,7 +117,7 @@ shape::MeshSets vtkShapeWriter::ReadInput(const shape::Progress& progress)
 void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progress& progress)
 {
   const auto why = [] { return " (" + std::generic_category().message(errno) + "); "; };
-  // Streams do not tell why they failed; the system call beneath does.
+  // Streams do not report why they failed; the system call beneath them does.
   errno = 0;
   std::ofstream file(this->FileName);
   if (!file)

@@ -75,8 +75,8 @@ double MeanDifference(
 /// The distortions of the two maps of samples that pairs of features determine: the one that keeps
 /// the orientation, and the one that reverses it. They are means over both directions; for a part,
 /// only those of its own map, relative to its length.
-/// Assignments have too few distances to be compared by these alone; the induced map of all samples
-/// tells wrong ones apart.
+/// Assignments have too few distances to be compared by these alone; the map of all samples
+/// distinguishes the wrong ones.
 std::array<double, 2> Distortions(const Hypothesis& pair, const Landmarks& pairs)
 {
   const FeaturedSurface &a = pair.A, &b = pair.B;

@@ -104,8 +104,10 @@ public:
   }
 
   /// Updates X: the minimum of the energy, which is quadratic in X.
-  /// The system is [alpha W1 + (1 - alpha) P21' M2 P21 + beta M1] X12 = (1 - alpha) P21' M2 X2 +
-  /// beta M1 P12 X2, symmetric and positive definite.
+  /// The system is symmetric and positive definite:
+  ///
+  ///   [alpha W1 + (1 - alpha) P21' M2 P21 + beta M1] X12
+  ///     = (1 - alpha) P21' M2 X2 + beta M1 P12 X2
   void Solve(const Side& other, const Weights& weights)
   {
     Eigen::SparseMatrix<double> matrix = weights.Alpha * this->Stiffness;

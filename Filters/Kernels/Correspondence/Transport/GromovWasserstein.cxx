@@ -146,7 +146,7 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   EntropicCoupling coupling;
   coupling.Distortion = std::numeric_limits<double>::infinity();
   // Coupling on a quarter of the samples, once for each start. The problem is not convex; the
-  // distortion tells which local minimum is better.
+  // distortion shows which local minimum is better.
   for (std::size_t k = 0; k < starts.size(); ++k)
   {
     const double share = 0.2 / static_cast<double>(starts.size()),

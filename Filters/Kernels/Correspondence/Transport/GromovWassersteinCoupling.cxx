@@ -151,7 +151,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
     2.0 * state.Masses.cwiseProduct(state.Gains).sum();
   coupling.Distortion = std::sqrt(std::max(0.0, squares));
   coupling.Masses = std::move(state.Masses);
-  // Of the total mass. A coupling that leaves more than a 20th unplaced describes no map.
+  // Of the total mass. If more of it does not fit the weights, the coupling describes no map.
   constexpr double maximum = 0.05;
   if (coupling.Error > maximum)
   {

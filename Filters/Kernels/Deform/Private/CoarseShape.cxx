@@ -181,7 +181,7 @@ private:
 
 } // namespace
 
-/// Section 2.3: "rounds of edge-collapses and non-shrinking Laplacian smoothing".
+/// Section 2.3: rounds of collapses and of smoothing, without a metric that preserves detail.
 CoarseShape BuildCoarseShape(
   const PointGraph& graph, const std::vector<int>& kept, int count, const Progress& progress)
 {

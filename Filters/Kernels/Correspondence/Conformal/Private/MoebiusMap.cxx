@@ -69,8 +69,8 @@ ComplexPoints ApplyMoebiusTransform(const ComplexPoints& points, const Eigen::Ma
 
 Eigen::VectorXd ComputeLogAreaScales(const ComplexPoints& points, const Eigen::Matrix2cd& moebius)
 {
-  // For a unit vector p and a matrix M, the map M stretches lengths on the sphere by |det M| / |M
-  // p|^2; areas scale with the square.
+  // For a unit vector p, a matrix M stretches lengths on the sphere by |det M| / |M p|^2, and areas
+  // by the square of that.
   const Eigen::ArrayXd lengths =
     ApplyMoebiusTransform(points, moebius).rowwise().squaredNorm().array();
   return 2.0 * (std::log(std::abs(moebius.determinant())) - lengths.log());

@@ -105,7 +105,8 @@ std::vector<FeatureAssignment> AssignFeatures(const Eigen::MatrixXd& distancesA,
 {
   const Agreement agreement(distancesA, distancesB, levelsA, levelsB, tolerance);
   std::map<std::vector<int>, double> found;
-  // Three distances fix a triangle: the smallest assignment that can be wrong.
+  // Two pairs agree on one distance, three on three: the smallest seed that is rarely a
+  // coincidence.
   for (int p = 0; p < agreement.Count(); ++p)
   {
     progress(static_cast<double>(p) / agreement.Count());
