@@ -196,6 +196,8 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     {
       GromovWassersteinOptions own;
       own.Samples = options.Samples;
+      // Landmarks that were found are a guess: they are starts of the coupling, which may correct
+      // them.
       if (result.Found)
       {
         own.Starts = { landmarks };
@@ -239,6 +241,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   }
   ReversibleHarmonicOptions own;
   own.MaximumIterations = options.MaximumIterations;
+  // Landmarks that were found may be inexact, so they are not pinned.
   own.PinLandmarks = options.PinLandmarks && !result.Found;
   ReversibleHarmonicResult harmonic =
     RefineReversibleHarmonicMap(pair, start, landmarks, own, whole.Part(0.4, 1.0));

@@ -19,6 +19,8 @@ public:
   }
 
   /// deformed: the feature's deformed points.
+  /// Points: kept ones of the target, the feature's, midpoints of the band. Triangles: kept ones of
+  /// the target, the band, the feature's.
   PastedFeature Make(const Eigen::MatrixXd& deformed)
   {
     PastedFeature result;
@@ -59,6 +61,7 @@ public:
     const auto loop = static_cast<int>(this->Base.Loop.size());
     const auto ring = static_cast<int>(this->Position.Cover.Ring.size());
     const int last = kept + static_cast<int>(deformed.rows());
+    // The band's indices: the loop, then the ring, then its midpoints.
     const auto numberOf = [&](int corner)
     {
       return corner < loop     ? kept + this->Base.Loop[corner]

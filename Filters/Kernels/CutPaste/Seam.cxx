@@ -36,11 +36,14 @@ struct Hinge
     const RowVector3d way = point - this->Position;
     const double in = this->Inwards.dot(way), up = this->Up.dot(way);
     const double cosine = std::cos(angle), sine = std::sin(angle);
+    // Only the change is added: an angle of 0 returns the point itself.
     return point + ((cosine - 1.0) * in + sine * up) * this->Inwards +
       ((cosine - 1.0) * up - sine * in) * this->Up;
   }
 };
 
+/// The tangent at a point is the direction from the previous point to the next one, as in equation
+/// 12. Inwards is orthogonal to it and to the target's normal.
 std::vector<Hinge> HingesOf(
   const Eigen::MatrixXd& points, const std::vector<int>& loop, const Eigen::MatrixXd& normals)
 {

@@ -54,6 +54,7 @@ std::unique_ptr<NodeDeformation> Solve(
   using Type = DeformOptions::MultiresolutionType;
   const int inner = problem.Graph.Size() - static_cast<int>(problem.Sources.size());
   const int base = std::max(minimum, inner / share);
+  // A base that is not smaller than the shape saves nothing.
   const bool coarse = options.Multiresolution == Type::On ||
     (options.Multiresolution == Type::Automatic && inner > few);
   if (!coarse || inner <= base)
@@ -181,6 +182,10 @@ const DeformFacts& ShapeDeformation::Facts() const
   return this->Impl->Facts;
 }
 
+// 1. The sources follow the samples of the handle (MoveSources).
+// 2. The front moves the other nodes by the stored weights.
+// 3. Laplacian smoothing, if it is wanted.
+// 4. Points follow their nodes, also those that were welded.
 DeformedShape ShapeDeformation::Deform(
   const HandlePose& pose, double reach, const Progress& progress) const
 {

@@ -91,6 +91,9 @@ Eigen::MatrixXd FlatPositions(const Mesh& part, bool refine, const Progress& pro
 
 } // namespace
 
+// 1. Cut the patch to a disk, from the seed outwards (GrowDisk).
+// 2. Flatten the disk (FlatPositions).
+// 3. Rotate, scale and move it to agree with the exponential map at the seed (Align).
 ExponentialPatch FlattenPatchConformally(
   const Surface& surface, const ExponentialPatch& patch, bool refine, const Progress& progress)
 {

@@ -35,6 +35,7 @@ void RequireTriangles(const Surface& surface, const ExponentialMapOptions& optio
 }
 
 /// Of each node, whether it is an end of an edge with one triangle.
+/// Half-edges are sorted by their points: those of one edge follow each other.
 std::vector<char> NodesOnLoop(const Surface& welded)
 {
   std::vector<char> onLoop(welded.Points().rows(), 0);

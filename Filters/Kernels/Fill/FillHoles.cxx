@@ -102,6 +102,8 @@ SurfaceFiller::SurfaceFiller(const shape::Surface& surface,
     options);
 }
 
+/// Fills must not share edges with the surface or with each other: an edge with three triangles is
+/// no manifold.
 void SurfaceFiller::Add(const std::vector<std::vector<int>>& rims,
   const std::function<Eigen::MatrixXd(const std::vector<int>&)>& normals, HoleFillerOptions options)
 {
@@ -386,6 +388,7 @@ std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<
   return sources;
 }
 
+/// The Dirichlet problem on the fill, with the values at the loop.
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values)
 {

@@ -54,6 +54,8 @@ Eigen::VectorXd ComputeExactGeodesicsBetween(const Surface& surface, const Surfa
   const Eigen::MatrixXi& triangles = surface.Triangles();
   const Eigen::VectorXi& component = surface.Topology().ComponentId;
   Eigen::VectorXd distances(count);
+  // Each worker has its own propagation, which is as large as the surface and is used for one pair
+  // after the other.
   std::vector<Worker> workers(
     std::clamp(GetThreadCount(), 1, std::max(count, 1)), { { surface, frames }, -1 });
   std::atomic<int> taken{ 0 }, done{ 0 };

@@ -130,6 +130,7 @@ SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator
   int guess = -1;
   for (const auto& point : points.rowwise())
   {
+    // Consecutive points are near each other: the last triangle is a good guess.
     const ClosestPoint position = locator.FindOne(point, guess);
     guess = position.Triangle;
     // A leg of length 0 has no direction.

@@ -97,6 +97,7 @@ bool TriangleStrip::LeadAround()
   // From the last to the first, so that the numbers of half-edges still to be looked at stay.
   bool hasChanged = false;
   auto unchanged = static_cast<int>(this->Sides.size());
+  // A detour replaces the half-edges around a point by those on its other side.
   for (int i = static_cast<int>(this->Turns.size()) - 1; i >= 0; --i)
   {
     const Turn& turn = this->Turns[i];
@@ -242,6 +243,7 @@ void TriangleStrip::FindTurns()
   const auto count = static_cast<int>(this->Portals.size());
   for (int i = 0; i < count; ++i)
   {
+    // Consecutive half-edges share a point, on the left or on the right; only the other end is new.
     if (i == 0 || this->End(this->Sides[i]) != this->End(this->Sides[i - 1]))
     {
       funnel.AddLeft(this->Portals[i].Left, i);
@@ -260,6 +262,7 @@ void TriangleStrip::FindTurns()
   {
     const int side = this->Sides[at.Portal];
     const int point = at.IsLeft ? this->End(side) : this->Begin(side);
+    // A path that turns at a point touches all half-edges of the strip around it.
     int last = at.Portal;
     while (last + 1 < count && this->Touches(this->Sides[last + 1], point))
     {

@@ -72,6 +72,7 @@ Eigen::VectorXd Ascending(const Eigen::VectorXd& distances, double unit)
 }
 
 /// The smallest error that at least this share of the errors does not exceed.
+/// The nearest-rank definition: always one of the errors.
 double ComputePercentile(const Eigen::VectorXd& errors, double share)
 {
   const double rank = std::ceil(share * static_cast<double>(errors.size())) - 1.0;
@@ -123,6 +124,8 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
   };
   const bool hasMirrored = truth.Mirrored.size() > 0;
   result.Errors = measure(truth.Targets, progress.Part(0.2, hasMirrored ? 0.6 : 1.0));
+  // The better of the two truths for all positions together: intrinsic methods cannot distinguish
+  // them, but a map that mixes both is wrong.
   if (hasMirrored)
   {
     const Eigen::VectorXd mirrored = measure(truth.Mirrored, progress.Part(0.6, 1.0));
@@ -185,6 +188,7 @@ double ComputeGeodesicDiameter(const Surface& surface, const Progress& progress)
   constexpr int maximumSweeps = 10;
   double longest = 0.0;
   const std::vector<Mesh> components = SplitComponents(surface);
+  // Repeated sweeps: the farthest point of the farthest point, as for the diameter of a tree.
   for (const Mesh& part : components)
   {
     const Surface component(part);

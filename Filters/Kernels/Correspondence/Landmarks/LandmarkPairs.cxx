@@ -47,6 +47,7 @@ Landmarks PairLandmarks(const Surface& a, const Eigen::MatrixXd& positionsA, con
   std::set<int> ofA, ofB;
   for (Eigen::Index i = 0; i < onA.size(); ++i)
   {
+    // Two landmarks at one point would contradict each other or count twice; the first one is kept.
     if (ofA.count(onA(i)) == 0 && ofB.count(onB(i)) == 0)
     {
       ofA.insert(onA(i));

@@ -13,6 +13,7 @@ namespace shape
 void RequireArea(const Surface& surface, const std::string& name)
 {
   const double area = ComputePointAreas(surface).sum();
+  // All methods divide by the root of the area.
   if (!(area > 0.0 && std::isfinite(area)))
   {
     std::ostringstream longest;

@@ -98,6 +98,7 @@ SurfacePart FindPart(
   const Topology &ofA = a.Topology(), &ofB = b.Topology();
   const bool isOpenA = ofA.BoundaryLoops > 0, isOpenB = ofB.BoundaryLoops > 0;
   constexpr std::size_t fewest = 3;
+  // A part of a connected surface has a boundary. The scale needs three landmarks for a median.
   if ((!isOpenA && !isOpenB) || ofA.Components > 1 || ofB.Components > 1 ||
     landmarks.size() < fewest)
   {
@@ -112,6 +113,8 @@ SurfacePart FindPart(
   // A larger share cannot be distinguished from two complete surfaces of slightly different size.
   constexpr double maximum = 0.85;
   const bool isA = share < maximum && isOpenA, isB = 1.0 / share < maximum && isOpenB;
+  // The spread of the ratios must be smaller than the change of length that the share means;
+  // otherwise the scale is noise.
   if ((isA || isB) && Median(ratios) < std::abs(0.5 * std::log(share)))
   {
     part = { isA ? Which::SurfaceA : Which::SurfaceB, std::exp(median), isA ? share : 1.0 / share };

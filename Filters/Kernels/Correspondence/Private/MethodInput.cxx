@@ -98,6 +98,7 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
 }
 
 /// The sign of the volume enclosed by a closed surface; 0 if the volume is negligible.
+/// Below rounding relative to the box, a flat closed surface has no side.
 int SideOf(const Mesh& mesh)
 {
   const double volume = ComputeEnclosedVolume(mesh), size = ComputeLongestBoxEdge(mesh.Points);

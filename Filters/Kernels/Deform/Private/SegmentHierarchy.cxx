@@ -62,6 +62,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
   const PointGraph& graph = problem.Graph;
   const FrontSweep sweep = SweepFront(graph, problem.Sources, progress.Part(0.0, 0.1));
   DisjointSets sets(this->Size);
+  // A part is connected: two regions with the same label are two parts.
   for (const auto& [a, b] : ListLinks(graph))
   {
     // Sources belong to no part: joined across them, parts of one label would be one.
@@ -121,6 +122,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
   }
 }
 
+/// In the order of arrival: the nodes that drive a part are moved before it.
 NodeTransforms SegmentHierarchy::Move(
   const NodeTransforms& sources, double reach, const Progress& progress) const
 {

@@ -29,7 +29,7 @@ ExponentialFront::ExponentialFront(const PointGraph& graph, const Eigen::MatrixX
 }
 
 /// Equation 10 of Schmidt and Singh, with transported axes: the edge is projected to the tangent
-/// plane at `from` and given its full length, and the x axis follows the least rotation between the
+/// plane at `from` and given its full length, and the x axis follows the minimum rotation between
 /// normals.
 EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
   const Sample& from, const Sample& to)

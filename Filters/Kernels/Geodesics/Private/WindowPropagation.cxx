@@ -143,6 +143,7 @@ void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
   }
 }
 
+/// Continuous Dijkstra: the window or point that may give the shortest path is processed first.
 bool WindowPropagation::Run(int steps)
 {
   for (int step = 0; step < steps; ++step)
