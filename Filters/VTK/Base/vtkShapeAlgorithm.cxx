@@ -133,6 +133,7 @@ int vtkShapeAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+/// The passes of the pipeline: create the outputs, describe them, request the inputs, compute.
 vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -234,9 +235,11 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
       // Without an input the pipeline stops after this, with a message.
       const auto points = this->MovedOutputs.count(port) ? vtkShapeComposite::Points::Moved
                                                          : vtkShapeComposite::Points::Kept;
+      // The type is known only now: that of an output like an input follows from the input's.
       type = input ? vtkShapeComposite::FindOutputType(input, points) : "vtkPolyData";
     }
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    // An output of the right type is kept, so that views and links to it remain valid.
     if (!output || type != output->GetClassName())
     {
       vtkSmartPointer<vtkDataObject> created;
@@ -310,6 +313,7 @@ void vtkShapeAlgorithm::AddCount(int port, const std::string& name, double own)
   this->Counts.push_back({ port, name, own });
 }
 
+/// After the processes have agreed on success: the sum is a collective.
 void vtkShapeAlgorithm::WriteCounts(vtkInformationVector* outputs)
 {
   for (Count& count : this->Counts)

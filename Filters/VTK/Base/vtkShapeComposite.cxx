@@ -102,6 +102,7 @@ void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Poi
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
     auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
+    // Tables and other blocks without points cannot pass through a filter of points.
     if (!leaf)
     {
       throw shape::InvalidInput(std::string("a block is a ") +
@@ -144,6 +145,7 @@ void vtkShapeComposite::AddPointFields(
         vtkNew<vtkIdTypeArray> ids;
         ids->SetName(field.Name.c_str());
         ids->SetNumberOfTuples(count);
+        // Doubles represent all ids up to 2^53 exactly.
         std::transform(own.col(0).begin(), own.col(0).end(), ids->GetPointer(0),
           [](double id) { return static_cast<vtkIdType>(id); });
         to->GetPointData()->AddArray(ids);

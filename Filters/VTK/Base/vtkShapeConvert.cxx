@@ -221,6 +221,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
     if (ShapeOf(type, shape))
     {
       data->GetCellPoints(cell, ids);
+      // A hexahedron has the most corners of these shapes.
       int points[8];
       std::copy(ids->begin(), ids->end(), points);
       if (type == VTK_VOXEL)
@@ -232,6 +233,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
     }
     else
     {
+      // Polygons, quadratic and other cells are divided by VTK itself.
       data->GetCell(cell, generic);
       AddTriangulated(generic, cells);
     }

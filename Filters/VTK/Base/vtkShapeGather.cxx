@@ -196,6 +196,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& piece
 vtkSmartPointer<vtkUnstructuredGrid> ToGrid(vtkDataSet* data)
 {
   auto* surface = vtkPolyData::SafeDownCast(data);
+  // Vertices, lines and strips come in separate arrays, which only the append filter puts in order.
   if (!surface || surface->GetNumberOfPoints() == 0 ||
     surface->GetNumberOfCells() != surface->GetNumberOfPolys())
   {
@@ -374,6 +375,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
       for (vtkDataSet* leaf : vtkShapeComposite::Of(data))
       {
         grids.push_back(ToGrid(leaf));
+        // Ghost cells are cells of another process, which sends them as its own.
         grids.back()->RemoveGhostCells();
         grids.back()->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
         grids.back()->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());

@@ -141,6 +141,7 @@ std::vector<std::string> Remove(
   const vtkShapeMeasures::Filter& filter, const Parts& inherited, vtkFieldData* data)
 {
   std::vector<std::string> removed;
+  // Backwards, since arrays are removed on the way.
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
@@ -222,6 +223,7 @@ void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtk
   }
 }
 
+/// Measures of cells that VTK can compute again, those of hexahedra, are; others are removed.
 void vtkShapeMeasures::Renew(const Filter& filter, vtkDataObject* output)
 {
   const Parts inherited = PartsOf(filter.Inputs);

@@ -48,6 +48,7 @@ vtkSmartPointer<vtkSelection> Own(vtkSelection* selection, vtkMultiProcessContro
   for (int i = static_cast<int>(own->GetNumberOfNodes()) - 1; i >= 0; --i)
   {
     vtkInformation* properties = own->GetNode(i)->GetProperties();
+    // Without a process, or with -1, a node refers to all of them.
     if (properties->Has(vtkSelectionNode::PROCESS_ID()) &&
       properties->Get(vtkSelectionNode::PROCESS_ID()) >= 0 &&
       properties->Get(vtkSelectionNode::PROCESS_ID()) != process)

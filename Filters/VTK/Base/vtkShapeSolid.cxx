@@ -111,6 +111,7 @@ shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& n
       case VTK_WEDGE:
       case VTK_HEXAHEDRON:
         break;
+      // The untangling energy is defined for linear solid cells only.
       default:
         throw shape::InvalidInput(name + " has a " +
           vtkCellTypes::GetClassNameFromTypeId(cells.Kinds(cell)) + " (cell " +
@@ -175,6 +176,7 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
       positions.row(i) += weight * sources.row(point);
     }
     to->InterpolatePoint(from, i, parents, shares.data());
+    // A new point has no original.
     pointIds->SetValue(i, -1);
   }
   to->AddArray(pointIds);

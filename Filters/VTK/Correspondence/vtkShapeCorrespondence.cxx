@@ -100,6 +100,8 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
   this->DeclareOutputLikeInput(1);
 }
 
+/// Every process computes the same maps from the gathered surfaces, and writes the rows of its own
+/// points.
 void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
 {
   const shape::Surface a = vtkShapeConvert::ToMesh(this->GetGatheredInput(0).Data, "SurfaceA"),

@@ -36,6 +36,7 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
     truth.Mirrored = vtkShapeConvert::ToPointArray(positions, this->SymmetryArray, 3, "the Truth");
   }
 
+  // If the target has a map, too, it is taken as the way back, and the round trip is measured.
   const bool hasBack = goal->GetPointData()->HasArray(this->MapArray.c_str());
   const shape::MapErrorCurveResult result = shape::ComputeMapErrorCurve(
     input, map, target, truth, this->Options, progress.Part(0.0, hasBack ? 0.7 : 0.9));

@@ -107,6 +107,8 @@ void AddOriginals(const DividedPart& part, vtkPointData* data)
 }
 
 /// Writes a part and its fills, if it has any.
+/// Points of the cut: interpolated. Points of a fill: harmonic. Triangles: the data of the cell
+/// that contains them; of a fill, those of the nearest cell at the loop.
 void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
   const shape::NumberedSurface& numbered, vtkPolyData* surface, vtkPolyData* output)
 {

@@ -121,6 +121,7 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
   const Eigen::MatrixXd positions = LoopArray(data, Positions, points);
   Eigen::MatrixXd normals = LoopArray(data, Normals, points);
   const auto normal = Fact(data, "SeedNormal", 3), axis = Fact(data, "SeedDirection", 3);
+  // A base is used as a whole or not at all.
   if (positions.rows() == 0 || !normal || !axis)
   {
     normals.resize(0, 3);
@@ -128,6 +129,7 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
   const std::vector<int> loop = ChooseLoop(surface, normals, loopIndex);
   if (!WasCut(loop, normals))
   {
+    // A feature from elsewhere, or a loop that was not filled.
     return { shape::BuildFootprintOnOwnFill(surface, loop, progress), true };
   }
   const auto radius = Fact(data, "ConformalRadius", 1), refined = Fact(data, "Refined", 1);

@@ -92,6 +92,7 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
   this->Cache->LastResult->ShallowCopy(output);
 }
 
+/// The feature's weights do not depend on the target nor on the placement: dragging reuses them.
 void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;

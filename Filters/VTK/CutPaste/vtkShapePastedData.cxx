@@ -72,6 +72,7 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
   const auto append = [&](vtkAbstractArray* like, vtkAbstractArray* one, vtkAbstractArray* other)
   {
     const std::string name = like->GetName() ? like->GetName() : "";
+    // Arrays without a name cannot be paired; ghosts and global ids are no longer true.
     if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
       like == first->GetGlobalIds() || like == second->GetGlobalIds() ||
       result->HasArray(name.c_str()))
@@ -99,6 +100,7 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
   {
     append(second->GetAbstractArray(i), nullptr, second->GetAbstractArray(i));
   }
+  // Not normals: those of the feature have been rotated with it.
   for (const int role : { vtkDataSetAttributes::SCALARS, vtkDataSetAttributes::VECTORS,
          vtkDataSetAttributes::TCOORDS, vtkDataSetAttributes::TENSORS })
   {

@@ -46,6 +46,7 @@ Eigen::MatrixXi LinesOf(vtkUnstructuredGrid* grid)
     grid->GetCell(i, cell);
     if (cell->GetCellDimension() == 1)
     {
+      // Also divides polylines and quadratic lines into segments.
       cell->Triangulate(0, ids, positions);
       std::transform(ids->begin(), ids->end() - ids->GetNumberOfIds() % 2, std::back_inserter(ends),
         [](vtkIdType id) { return static_cast<int>(id); });

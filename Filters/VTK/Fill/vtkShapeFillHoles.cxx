@@ -163,6 +163,9 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   progress(1.0);
 }
 
+// 1. Find and choose the loops; reuse the prepared fills if these are the same (Prepare).
+// 2. Fill the holes.
+// 3. Write geometry, data and facts (vtkShapeFilledData).
 void vtkShapeFillHoles::Execute(const shape::Progress& progress)
 {
   // Every process has the complete input, and one of them computes the result.

@@ -17,6 +17,7 @@ namespace
 /// Returns a component of an array.
 using Column = std::pair<vtkDataArray*, int>;
 
+/// Colours are bytes, from 0 to 255.
 double ValueFor(const vtkDataArray* array, double value)
 {
   return array->GetDataType() == VTK_UNSIGNED_CHAR ? std::clamp(std::round(value), 0.0, 255.0)

@@ -34,6 +34,7 @@ using shape::FilledSurface;
 void WritePoints(const FilledSurface& filled, vtkPolyData* input, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
+  // The input's type, so that its coordinates keep their bits.
   points->SetDataType(input->GetPoints()->GetDataType());
   points->DeepCopy(input->GetPoints());
   const vtkIdType old = input->GetNumberOfPoints();
@@ -134,6 +135,7 @@ void WriteCellData(const FilledSurface& filled, const std::vector<shape::FillSou
       }
       else
       {
+        // Between curves there is no cell to copy from.
         data->NullData(cell);
       }
     }

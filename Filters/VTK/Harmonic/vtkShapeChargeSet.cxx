@@ -162,6 +162,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
   contents.Surface =
     shape::Surface(vtkShapeConvert::Rows(all.Points, corners), std::move(triangles));
   shape::RequireClosedSurface(contents.Surface, "the surface of " + name);
+  // One region needs no labels.
   if (count > 1)
   {
     contents.Regions = all.Triangles.col(0).unaryExpr([&](int point) { return regions[point]; });

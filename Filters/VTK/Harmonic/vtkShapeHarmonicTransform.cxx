@@ -142,6 +142,7 @@ void vtkShapeHarmonicTransform::InternalDeepCopy(vtkAbstractTransform* transform
   }
 }
 
+/// A transform cannot return an error: without a valid map it reports one and leaves all points.
 void vtkShapeHarmonicTransform::InternalUpdate()
 {
   if (this->Producer)

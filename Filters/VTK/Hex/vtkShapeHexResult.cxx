@@ -125,6 +125,7 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
   vtkShapeMeasures::AddToHexahedra(Measures(), output);
 }
 
+/// The outer quads first, then those of each interface, with points numbered anew.
 void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
   const shape::Surface& surface, const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output)
 {

@@ -169,6 +169,10 @@ void WriteFacts(
 
 } // namespace
 
+// 1. Read all blocks of this process (Prepare).
+// 2. Find the extent of the whole map, on all processes together.
+// 3. Measure block by block, without the ghost cells in the sums.
+// 4. Add up the sums of all processes.
 void vtkShapeMapQuality::Execute(const shape::Progress& progress)
 {
   vtkDataObject* input = this->GetInputDataObject(0, 0);

@@ -66,6 +66,7 @@ std::vector<Field> FieldsOf(
       {
         continue;
       }
+      // The receiver's own array of the same name stays.
       while (name.empty() || taken.count(name))
       {
         name.insert(0, "Giver");
@@ -190,6 +191,10 @@ int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
 
 } // namespace
 
+// 1. Build the search structure of the giver: at its positions, or at their images for Push.
+// 2. Locate the receiver's positions, or their images for Pull: by the precise map if it has one.
+// 3. Interpolate the giver's arrays there.
+// 4. Replace the map array of the receiver by the composed map.
 void vtkShapeTransferFields::Execute(const shape::Progress& progress)
 {
   const bool push = this->Options.Direction == shape::TransferFieldsOptions::DirectionType::Push;

@@ -51,6 +51,7 @@ void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
 }
 
 /// Moves a point that was merged into another to the position of that one.
+/// They are used by no cell, so the untangling left them behind.
 void Follow(const shape::Cells& before, const shape::Cells& joined, Eigen::MatrixXd& points)
 {
   for (Eigen::Index i = 0; i < before.Corners.size(); ++i)
