@@ -96,6 +96,7 @@ SeamNormals::SeamNormals(const Mesh& feature, const TriangleFans& fans,
   // Beyond the ring the rotation is already small and smooth; a few samples suffice.
   constexpr int nearest = 6;
   std::vector<int> row(feature.Points.rows(), -1); // in the ring
+  // -1 marks the other points that are not in the ring.
   constexpr int isLoop = -2;
   for (const int point : loop)
   {

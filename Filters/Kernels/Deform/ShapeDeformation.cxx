@@ -89,6 +89,7 @@ Eigen::VectorXi LabelsOfNodes(
 /// Relative to a much larger or distant handle, the shape would be a single point.
 void RequireNear(const BoundaryHandle& handle, const PointGraph& graph)
 {
+  // With less, differences of coordinates would keep fewer than seven digits.
   constexpr double minimum = 1e-9;
   Eigen::MatrixXd all(handle.Positions.rows() + graph.Positions.rows(), 3);
   all << handle.Positions, graph.Positions;

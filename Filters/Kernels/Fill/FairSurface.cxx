@@ -236,6 +236,7 @@ FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loo
   const double enough = options.Tolerance * MeanLoopEdge(start.Points, loop);
   NewtonStep newton;
   bool isNear = false; // so near that the derivative hardly changes
+  // The iteration has stalled if two steps in a row at this share do not become shorter.
   constexpr double minimumShare = 0.25;
   int stalls = 0;
   while (!result.Converged && stalls < 2 && result.Iterations < options.MaximumIterations)

@@ -21,6 +21,8 @@ const Eigen::MatrixXd NoNormals(0, 3);
 /// Replaces a patch by the membrane with the same layout.
 void Tauten(HolePatch& patch, const Eigen::MatrixXd& loop, const Progress& progress)
 {
+  // The layout is conformal to the membrane, and cotangent weights are conformally invariant: the
+  // first harmonic map is already near.
   constexpr int rounds = 2;
   patch.Surface.Points = SolveMembrane(BuildFlatSurface(patch), loop, rounds, progress);
 }

@@ -57,6 +57,7 @@ std::vector<int> ChooseLoops(const Eigen::MatrixXd& points,
 
 double ComputeNonplanarity(const Eigen::MatrixXd& points)
 {
+  // Three points always lie in a plane.
   constexpr Eigen::Index planar = 3;
   if (points.rows() <= planar)
   {

@@ -160,6 +160,7 @@ Eigen::MatrixXd HeatGeodesics::Distances(const Eigen::MatrixXd& seeds) const
     // sets at the boundary.
     heat = 0.5 * (heat + this->HeatWithin->Solve(this->Inside.asDiagonal() * seeds));
   }
+  // Columns for each task: a column is a pass over all triangles.
   constexpr int grain = 4;
   const int sets = static_cast<int>(seeds.cols());
   ParallelFor(sets, grain,

@@ -123,6 +123,7 @@ Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const 
 /// Each generates one candidate map.
 std::vector<std::vector<int>> Triples(int count)
 {
+  // 25 landmarks already have 2300 triples, and each map is evaluated at all samples.
   constexpr std::size_t maximum = 300;
   std::vector<std::vector<int>> all, some;
   for (int i = 0; i < count; ++i)

@@ -40,6 +40,7 @@ double ReachOf(const OrbifoldImage& image)
 /// triangle in which it was found.
 Eigen::RowVector3d Snapped(Eigen::RowVector3d barycentric)
 {
+  // Far above the rounding of the search, far below a visible distance.
   constexpr double minimum = 1e-9;
   barycentric = (barycentric.array() < minimum).select(0.0, barycentric);
   return barycentric / barycentric.sum();

@@ -130,6 +130,7 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
   const Eigen::MatrixXd cotangents = ComputeTriangleAngles(surface).Cotangents;
   double rest = 1.0; // of the way
   double step = 1.0 / options.Steps;
+  // Of the way: ten thousand such steps would be needed to arrive.
   constexpr double minimumStep = 1e-4;
   while (rest > 0.0)
   {

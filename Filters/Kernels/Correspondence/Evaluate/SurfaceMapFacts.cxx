@@ -64,6 +64,7 @@ SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMa
     all += weight;
   }
   facts.ReversedArea = all > 0.0 ? reversed / all : 0.0;
+  // Between the values of true and of mirrored maps: see SurfaceMapFacts::Mirrored.
   constexpr double maximum = 0.3;
   facts.Mirrored = facts.ReversedArea > maximum;
   return facts;

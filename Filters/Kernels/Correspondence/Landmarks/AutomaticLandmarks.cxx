@@ -152,6 +152,7 @@ AutomaticLandmarksResult Best(
       rival = c;
     }
   }
+  // A mirror-symmetric shape has equal distortions up to noise: see MirrorImage.
   constexpr double clear = 0.85;
   result.MirrorImage = result.MirroredDistortion < clear * result.Distortion;
   // Of equal surfaces both distortions are 0; the ratio is then 1 and the confidence 0.

@@ -188,6 +188,7 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
   const Sample& sample, const Prediction& first) const
 {
   constexpr double maximum = 0.9; // of tilt x: no weight is negative
+  // Keeps the divisions by left and right below finite if no neighbour is on that side.
   constexpr double aside = std::numeric_limits<double>::min();
   Vector2d image = Vector2d::Zero(), moment = Vector2d::Zero();
   Vector3d xAxis = Vector3d::Zero(), axisMoment = Vector3d::Zero();
@@ -304,6 +305,7 @@ void ExponentialFront::Start(
 void ExponentialFront::Run(const TangentFrame& seed, const Eigen::RowVector3i& corners,
   const Eigen::RowVector3d& barycentric, double radius, const Progress& progress)
 {
+  // Points between two calls of progress.
   constexpr std::size_t between = 8192;
   this->BeginRun(seed);
   this->Start(corners, barycentric);

@@ -64,6 +64,8 @@ public:
 private:
   /// Steps along the sides of the first cell at 0 and 60 degrees, of which it has Finest each.
   using Node = std::array<std::int64_t, 2>;
+  // A power of two, so that cells can be halved 40 times in integers: nodes shared by cells are
+  // equal.
   static constexpr std::int64_t Finest = std::int64_t(1) << 40;
 
   RowVector2d Position(double along, double up) const
