@@ -17,8 +17,11 @@ struct ComparedPositions
   Eigen::MatrixXd OfSurface; ///< k x 3
 };
 
+/// The points of the surface, where a distance often has its maximum, and random positions between
+/// them.
 ComparedPositions ChoosePositions(const Surface& surface)
 {
+  // A fixed seed: the same surfaces have the same distance in every run.
   constexpr int random = 50000;
   constexpr unsigned int seed = 1;
   const Eigen::MatrixXi& triangles = surface.Triangles();

@@ -51,6 +51,7 @@ SignedDistance::Pseudonormals::Pseudonormals(const Surface& surface)
     {
       const RowVector3d a = corners.row((k + 1) % 3) - corners.row(k);
       const RowVector3d b = corners.row((k + 2) % 3) - corners.row(k);
+      // The pseudonormal of a point weights each triangle by its angle there.
       const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
       this->OfPoints.row(surface.Triangles()(t, k)) += angle * this->OfTriangles.row(t);
     }
@@ -58,6 +59,7 @@ SignedDistance::Pseudonormals::Pseudonormals(const Surface& surface)
   const std::vector<HalfEdge>& halfEdges = surface.HalfEdges();
   for (auto first = halfEdges.begin(); first != halfEdges.end();)
   {
+    // The pseudonormal of an edge is the sum of its triangles' normals.
     RowVector3d sum = RowVector3d::Zero();
     auto last = first;
     for (; last != halfEdges.end() && last->Low() == first->Low() && last->High() == first->High();
@@ -95,6 +97,8 @@ SignedDistance::Result SignedDistance::Evaluate(
       zeros += isZero;
       (isZero ? zero : other) = k;
     }
+    // The pseudonormal of the feature that the closest point lies on (Baerentzen and Aanaes 2005):
+    // a triangle, an edge or a point.
     const RowVector3d normal = zeros == 0 ? this->Normals->OfTriangles.row(t)
       : zeros == 1                        ? this->Normals->OfEdges.row(3 * t + zero)
                                           : this->Normals->OfPoints.row(triangles(t, other));

@@ -33,6 +33,7 @@ std::vector<int> GenusOfComponents(const Surface& surface, const std::string& na
   std::vector<int> genus(topology.Components);
   for (std::size_t c = 0; c < genus.size(); ++c)
   {
+    // Euler's formula: V - E + F = 2 - 2 g with E = 3 F / 2.
     genus[c] = (2 - points[c] + triangles[c] / 2) / 2;
   }
   std::sort(genus.begin(), genus.end());

@@ -13,6 +13,8 @@ using FullSvd = Eigen::JacobiSVD<Eigen::Matrix3d>;
 
 Eigen::Matrix3d GetRotation(const FullSvd& svd)
 {
+  // Kabsch 1976: U V^T, with the direction of the smallest singular value reversed for a
+  // reflection, where it costs least.
   Eigen::Matrix3d u = svd.matrixU();
   if (u.determinant() * svd.matrixV().determinant() < 0.0)
   {
@@ -55,6 +57,7 @@ Eigen::Matrix3d FitBlendedRotation(const Eigen::Matrix3d& mean)
     cofactors.col(1) = x.col(2).cross(x.col(0));
     cofactors.col(2) = x.col(0).cross(x.col(1));
     const double determinant = x.col(0).dot(cofactors.col(0));
+    // Close to a singular matrix the iteration is slow, and beyond it converges to a reflection.
     if (!(determinant > 0.05))
     {
       break;

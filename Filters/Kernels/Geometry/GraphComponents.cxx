@@ -71,6 +71,7 @@ int ConnectComponents(PointGraph& graph, const std::vector<int>& mainland, const
     }
     for (const auto& [piece, way] : ways)
     {
+      // Two islands may have chosen each other, or the links of this round may close a cycle.
       if (pieces.Find(way.From) != pieces.Find(way.To))
       {
         pieces.Merge(way.From, way.To);

@@ -15,6 +15,7 @@ struct Pair
   double Low;
 };
 
+/// The operation Two-Sum of Shewchuk 1997; exact for any two doubles without overflow.
 Pair ExactSum(double a, double b)
 {
   const double high = a + b;
@@ -22,6 +23,7 @@ Pair ExactSum(double a, double b)
   return { high, (a - (high - part)) + (b - part) };
 }
 
+/// The operation Two-Product of Shewchuk 1997.
 Pair ExactProduct(double a, double b)
 {
   // Halves of 26 bits, whose products are exact.
@@ -79,6 +81,7 @@ Expansion<N + M> Sum(const Expansion<N>& a, const Expansion<M>& b, double sign =
   }
   for (int j = 0; j < b.Count; ++j)
   {
+    // Grow-Expansion of Shewchuk 1997: a term is added to an expansion from its smallest term on.
     double carried = sign * b.Terms[j];
     const int terms = sum.Count;
     sum.Count = 0;
@@ -133,6 +136,8 @@ int SignOf(double value)
 
 } // namespace
 
+// The determinant in doubles decides if it exceeds its error bound. Otherwise it is computed
+// exactly with expansions (Shewchuk 1997).
 int EvaluateOrientation(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
   const Eigen::RowVector3d& c, const Eigen::RowVector3d& d)
 {
@@ -167,6 +172,7 @@ int EvaluateOrientation(
   const Eigen::RowVector2d u = b - a, v = c - a;
   const double value = u(0) * v(1) - u(1) * v(0);
   const double size = std::abs(u(0) * v(1)) + std::abs(u(1) * v(0));
+  // Shewchuk's bound for this expression, 3.33e-16, rounded up.
   if (std::abs(value) > 4e-16 * size)
   {
     return SignOf(value);
@@ -214,6 +220,7 @@ bool SegmentMeetsTriangle(const Eigen::RowVector2d& a, const Eigen::RowVector2d&
   for (int k = 0; k < 3; ++k)
   {
     const Eigen::RowVector2d p = triangle.row(k), q = triangle.row((k + 1) % 3);
+    // Both ends lie outside one edge.
     if (EvaluateOrientation(p, q, a) <= 0 && EvaluateOrientation(p, q, b) <= 0)
     {
       return false;

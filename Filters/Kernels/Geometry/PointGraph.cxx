@@ -50,6 +50,7 @@ Eigen::MatrixXi NodesOf(const Eigen::MatrixXi& elements, const Eigen::VectorXi& 
   return elements.unaryExpr([&](int point) { return nodeOf(point); });
 }
 
+/// Links every two nodes of an element.
 void AddLinks(const Eigen::MatrixXi& elements, std::vector<std::pair<int, int>>& links)
 {
   for (const auto& element : elements.rowwise())
@@ -108,6 +109,7 @@ void AddWeights(PointGraph& graph, const Eigen::MatrixXi& lines, const Eigen::Ma
   const double length = std::accumulate(graph.Lengths.begin(), graph.Lengths.end(), 0.0) /
     std::max<double>(1.0, static_cast<double>(graph.Lengths.size()));
   std::vector<char> used(graph.Size(), 0);
+  // Eq. 8 of Schmidt and Singh 2010, extended to lines, tetrahedra and loose points.
   graph.Weights = Eigen::VectorXd::Zero(graph.Size());
   const auto add = [&](const auto& corners, double amount)
   {
@@ -160,6 +162,8 @@ double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 
 void AddCurvatures(PointGraph& graph, const Eigen::MatrixXi& triangles)
 {
+  // The angle defect 2 pi - sum of the angles is the integral of the Gaussian curvature around a
+  // node.
   Eigen::VectorXd defects = Eigen::VectorXd::Constant(graph.Size(), 2.0 * M_PI);
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(graph.Size());
   std::vector<char> inside(graph.Size(), 0);

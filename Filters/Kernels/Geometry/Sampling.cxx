@@ -51,6 +51,7 @@ RandomPoints SpreadAtRandom(const Mesh& surface, int count, unsigned int seed)
     const double position = Random(generator) * sums.back();
     const auto t = std::min<Eigen::Index>(
       std::upper_bound(sums.begin(), sums.end(), position) - sums.begin(), areas.size() - 1);
+    // The square root makes positions uniform in the triangle.
     const double root = std::sqrt(Random(generator)), share = Random(generator);
     spread.Points.row(i) = (1.0 - root) * surface.Points.row(surface.Triangles(t, 0)) +
       root * (1.0 - share) * surface.Points.row(surface.Triangles(t, 1)) +
@@ -114,6 +115,8 @@ Eigen::MatrixXd SampleSurface(
         : "the surface to sample has no area");
   }
   const double radius = ComputePackingRadius(area, count);
+  // Adaptive samples are up to four times as dense as the mean: they need more candidates to choose
+  // from.
   const int candidates = (mode == SamplingMode::Uniform ? 5 : 10) * count;
   const RandomPoints spread = SpreadAtRandom(surface, candidates, seed);
   Eigen::VectorXd radii = Eigen::VectorXd::Constant(candidates, radius);
@@ -157,6 +160,11 @@ double ComputePackingRadius(double area, int count)
   return std::sqrt(area / (2.0 * std::sqrt(3.0) * count));
 }
 
+// Yuksel 2015:
+// 1. Each pair of samples closer than the sum of their radii has the weight (1 - d)^8, with their
+//    distance d relative to that sum. A sample's weight is the sum over its pairs.
+// 2. The sample of the largest weight is removed, and its neighbours' weights fall.
+// 3. This repeats until the wanted number is left.
 Eigen::VectorXi EliminateSamples(
   const Eigen::MatrixXd& points, const Eigen::VectorXd& radii, int count, const Progress& progress)
 {
@@ -263,6 +271,7 @@ Eigen::VectorXi FindSpatialOrder(const Eigen::MatrixXd& points)
   std::vector<std::pair<std::uint64_t, int>> keys(points.rows());
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
+    // Interleaves the bits of the three coordinates, 20 of each.
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis)
     {

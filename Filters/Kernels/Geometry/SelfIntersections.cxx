@@ -50,6 +50,7 @@ int ProjectionAxis(const Triangle& t)
 /// Whether a point of the triangle's plane, projected like it, lies in it or on its border.
 bool Contains(const std::array<RowVector2d, 3>& t, const RowVector2d& p)
 {
+  // The three edges have p on the same side, or on their lines.
   int signs[3];
   for (int k = 0; k < 3; ++k)
   {
@@ -102,6 +103,8 @@ bool Meet(const RowVector3d& p, const RowVector3d& q, const Triangle& t)
   {
     return MeetInPlane(p, q, t);
   }
+  // The signed volumes of the segment and the three edges: the line passes through the triangle if
+  // none has another sign.
   int signs[3];
   for (int k = 0; k < 3; ++k)
   {
@@ -198,10 +201,12 @@ bool DoTrianglesIntersect(const Mesh& mesh, int first, int second)
     return Meet(t[(sharedOfT + 1) % 3], t[(sharedOfT + 2) % 3], u) ||
       Meet(u[(sharedOfU + 1) % 3], u[(sharedOfU + 2) % 3], t);
   }
+  // Most candidates are rejected by the planes alone.
   if (Apart(t, u) || Apart(u, t))
   {
     return false;
   }
+  // Two triangles that share no corner intersect if and only if an edge of one meets the other.
   const bool flatT = ProjectionAxis(t) == -1, flatU = ProjectionAxis(u) == -1;
   for (int k = 0; k < 3; ++k)
   {
@@ -245,6 +250,7 @@ std::vector<Crossing> FindSelfIntersectionsFrom(
   Eigen::KdBVH<double, 3, int> tree;
   tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
 
+  // In batches, so that the search ends soon after the maximum is reached.
   constexpr int grain = 256, batch = 64 * grain;
   std::vector<Crossing> crossings;
   for (int from = first; from < count && static_cast<int>(crossings.size()) < maximum;

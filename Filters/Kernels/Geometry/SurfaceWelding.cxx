@@ -36,6 +36,8 @@ std::vector<int> FirstOfEach(const Mesh& surface, const std::vector<int>& placeO
   }
   sound.conservativeResize(count, 3);
   const std::vector<HalfEdge> sides = SortHalfEdges(sound, points);
+  // Edges without length are contracted. Boundary edges are collected with the positions of their
+  // ends in ascending order, so that the two edges of a seam are adjacent after sorting.
   std::vector<std::pair<std::array<int, 2>, std::array<int, 2>>> alone; // positions, points
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {

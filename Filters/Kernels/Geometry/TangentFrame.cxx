@@ -23,6 +23,7 @@ RowVector3d RotateBetweenNormals(
     return 2.0 * axis.dot(vector) * axis - vector;
   }
   const RowVector3d axis = from.cross(to);
+  // Rodrigues' formula for the rotation around from x to, whose length is the sine.
   return cosine * vector + axis.cross(vector) + axis.dot(vector) / (1.0 + cosine) * axis;
 }
 

@@ -137,11 +137,14 @@ Eigen::RowVector2d SlopesOfParaboloid(
   Eigen::MatrixXd terms(positions.rows(), 6);
   terms << x, y, 0.5 * x * x, x * y, 0.5 * y * y, Eigen::ArrayXd::Ones(positions.rows());
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> fit;
+  // If the points lie nearly on a line, the solution of least norm is taken: no slope across it.
   fit.setThreshold(1e-3);
   fit.compute(weights.asDiagonal() * terms);
   return fit.solve(weights.cwiseProduct(positions.col(2)) / size).head<2>().transpose();
 }
 
+/// A normal on the boundary: that of a paraboloid fitted to the points around (Cazals and Pouget
+/// 2005).
 RowVector3d LoopNormal(const Mesh& surface, Neighbourhoods& around, int point)
 {
   const RowVector3d mean = around.AreaVector(point).stableNormalized();
@@ -154,6 +157,7 @@ RowVector3d LoopNormal(const Mesh& surface, Neighbourhoods& around, int point)
       ring.push_back(near);
     }
   }
+  // A paraboloid has six coefficients.
   constexpr std::size_t few = 7;
   if (ring.size() < few)
   {
@@ -169,6 +173,7 @@ RowVector3d LoopNormal(const Mesh& surface, Neighbourhoods& around, int point)
   }
   areas = areas.cwiseMax(1e-3 * areas.mean()) / areas.mean();
   RowVector3d normal = mean;
+  // The paraboloid is fitted as a graph over the tangent plane, which the fit itself improves.
   for (int round = 0; round < 3; ++round)
   {
     Eigen::Matrix3d frame; // columns
@@ -210,6 +215,7 @@ void FillNormals(const PointGraph& graph, Eigen::MatrixXd& normals)
       without.push_back(i);
     }
   }
+  // From nodes with a normal outwards, a ring of nodes in each round.
   while (!without.empty())
   {
     Eigen::MatrixXd found(static_cast<Eigen::Index>(without.size()), 3);

@@ -72,6 +72,7 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
   {
     return coarse;
   }
+  // Aims below the wanted distance, because the proportionality is only approximate.
   constexpr double safety = 0.8;
   const double needed = std::sqrt(safety * wanted / fit.Creases.Distance),
                minimum = std::cbrt(static_cast<double>(fit.Solid.Hexahedra.rows()) /
@@ -104,6 +105,7 @@ void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress)
   }
 }
 
+/// Cells of a polycube, made smaller if creases are too far, then snapped.
 HexRemeshResult ByPolycube(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
@@ -155,10 +157,13 @@ bool IsBetter(const HexFit& one, const HexFit& other)
   {
     return one.CreasesKept;
   }
+  // Quality divided by distance: twice the scaled Jacobian makes up for twice the distance.
   return one.MinimumScaledJacobian / std::max(one.Distance, 1e-300) >
     other.MinimumScaledJacobian / std::max(other.Distance, 1e-300);
 }
 
+/// A polycube is tried first: its hexahedra have few singular edges. A grid is built only if there
+/// is no polycube or it is not good enough.
 HexRemeshResult ByTheBetter(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
@@ -248,6 +253,7 @@ void RequireAgreement(
   }
 }
 
+/// Chooses the method by the guides, the option, and whether the surface crosses itself.
 HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
   const HexRemeshGuides& guides, const Progress& progress)
 {

@@ -71,6 +71,7 @@ std::vector<CellFace> SortFaces(const Cells& cells)
       CellFace face{ { -1, -1, -1, -1 }, cell, static_cast<int>(i) };
       std::transform(faces[i].begin(), faces[i].end(), face.Points.begin(),
         [&](int corner) { return cells.Corners(cells.Offsets(cell) + corner); });
+      // Sorted corners: both cells of a face give the same key. A triangle has the entry -1, too.
       std::sort(face.Points.begin(), face.Points.end());
       all.push_back(face);
     }

@@ -72,6 +72,7 @@ double ComputeMeanEdgeLength(const HexMesh& mesh, Eigen::Index hex)
           .norm();
     }
   }
+  // 12 edges, each of them counted at both ends.
   return sum / 24.0;
 }
 

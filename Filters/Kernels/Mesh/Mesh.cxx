@@ -100,6 +100,8 @@ double ComputeEnclosedVolume(const Mesh& mesh)
 double ComputeWindingNumber(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
   const Eigen::RowVector3d& position)
 {
+  // The formula of Van Oosterom and Strackee 1983 for the solid angle of a triangle: tan of half of
+  // it is the quotient below. The angles of all triangles sum to 4 pi times the winding number.
   double halfAngles = 0.0;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
@@ -140,6 +142,7 @@ Eigen::MatrixXd InterpolateAtOffCentres(const Mesh& mesh, const Eigen::MatrixXd&
   {
     std::array<int, 3> corners = { mesh.Triangles(t, 0), mesh.Triangles(t, 1),
       mesh.Triangles(t, 2) };
+    // The order by position does not depend on the indices.
     std::sort(corners.begin(), corners.end(),
       [&](int a, int b)
       {
@@ -163,6 +166,7 @@ Eigen::MatrixXd SampleRandomly(const Mesh& mesh, int count, unsigned int seed)
   for (int i = 0; i < count; ++i)
   {
     const Eigen::Matrix3d corners = GetCorners(mesh, triangle(random));
+    // The square root makes positions uniform in the triangle.
     const double root = std::sqrt(uniform(random)), along = uniform(random);
     positions.row(i) = Eigen::RowVector3d(1.0 - root, root * (1.0 - along), root * along) * corners;
   }

@@ -26,6 +26,7 @@ int QuadSurface::NextAround(int point, int quad) const
 {
   const auto corners = this->Corners.row(quad);
   const auto k = std::find(corners.begin(), corners.end(), point) - corners.begin();
+  // Here the edge runs from the previous corner to the point; the quad beyond has it reversed.
   return this->QuadAt({ point, corners((k + 3) % 4) });
 }
 

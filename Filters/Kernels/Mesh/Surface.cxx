@@ -97,6 +97,7 @@ bool IsOneSided(const Surface& surface)
   return false;
 }
 
+/// Each defect has its own message with the remedy; one-sided surfaces cannot be reoriented.
 void CheckManifold(const Surface& surface, const Topology& topology, const std::string& name)
 {
   if (topology.NonManifoldEdges > 0)

@@ -55,6 +55,7 @@ EdgePath FindPath(
     }
     for (const int point : leg)
     {
+      // Later legs must not meet this one.
       blocked[point] = 1;
     }
     path.Points.insert(path.Points.end(), leg.begin() + 1, leg.end());
@@ -99,6 +100,8 @@ CutSurface CutAlongEdges(const Surface& surface, const std::vector<std::array<in
     int& own = number[parts.Find(corner)];
     if (own < 0)
     {
+      // The first part to be met, that with the first triangle, keeps the point; each further part
+      // gets a copy.
       own = point;
       if (isTaken[point] != 0)
       {

@@ -134,6 +134,8 @@ Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
     }
     ++edges;
     const int sharing = static_cast<int>(next - i);
+    // One half-edge: the boundary. Two: an inner edge, in opposite directions if the triangles
+    // agree. More: not a manifold.
     if (sharing == 1)
     {
       loops.Merge(sides[i].Begin, sides[i].End);
@@ -161,6 +163,7 @@ Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
   }
   CountPinchedPoints(mesh, sides, topology);
   const int usedPoints = static_cast<int>((topology.ComponentId.array() >= 0).count());
+  // V - E + F.
   topology.EulerNumber = usedPoints - edges + static_cast<int>(mesh.Triangles.rows());
   return topology;
 }

@@ -69,6 +69,7 @@ public:
     }
     while (this->Left > points && !this->Waiting.empty())
     {
+      // Entries of points that were queued again since are void: they are skipped, not removed.
       const Merge next = this->Waiting.top();
       this->Waiting.pop();
       if (next.Try != this->Tried[next.Point])
@@ -197,6 +198,8 @@ private:
       }
       ++shared;
       const int opposite = this->Surface.Opposite(t, point, into);
+      // The third corner loses a triangle: it must keep a fan of at least three, or one at a
+      // boundary.
       if (this->Surface.Around(opposite).size() <= (this->OnBoundary[opposite] != 0 ? 1U : 3U))
       {
         return false;
@@ -206,6 +209,7 @@ private:
     // The link condition: no common neighbours except those of the edge's triangles.
     const auto common = std::count_if(ring.begin(), ring.end(),
       [&](int i) { return std::binary_search(this->Others.begin(), this->Others.end(), i); });
+    // A boundary point only moves along the boundary, and at least one triangle must remain.
     if (common != shared || (this->OnBoundary[point] != 0 && shared == 2) ||
       around.size() == static_cast<std::size_t>(shared))
     {
@@ -241,6 +245,8 @@ private:
 
   void Apply(int point, int into)
   {
+    // The points on the triangles around the removed one are located again, as in MAPS (Lee et al.
+    // 1998).
     std::vector<int> moved{ point };
     for (const int t : this->Surface.Around(point))
     {
@@ -254,6 +260,7 @@ private:
     {
       this->Carry(i, left);
     }
+    // The costs of the neighbours depend on the triangles that changed.
     std::vector<int> changed;
     this->Surface.FindNeighbours(into, changed);
     changed.push_back(into);

@@ -365,6 +365,10 @@ int CountTouches(const ImprintedCurves& inserted, std::size_t given)
 
 } // namespace
 
+// 1. AddLoop: the loops' positions become nodes: points, positions on edges or inside triangles.
+// 2. SplitTriangles: each triangle with a new point is split along the loops (SplitTriangle).
+// 3. JoinTriangles: parts and other triangles in the original order.
+// 4. FindLoops: the loops are followed along the new edges and split where they touch themselves.
 ImprintedCurves ImprintCurves(const Mesh& surface, const std::vector<SurfaceLoop>& loops,
   const CurveImprintingOptions& options, const Progress& progress)
 {
@@ -372,6 +376,7 @@ ImprintedCurves ImprintCurves(const Mesh& surface, const std::vector<SurfaceLoop
     "at least 0 and less than 0.5");
   ImprintedCurves result =
     LoopInserter(surface, loops, options.SnapShare).Insert(progress.Part(0.0, 0.5));
+  // Snapping may make loops touch; the result without it is taken if it has fewer touches.
   if (options.SnapShare > 0.0 && CountTouches(result, loops.size()) > 0)
   {
     ImprintedCurves unmoved = LoopInserter(surface, loops, 0.0).Insert(progress.Part(0.5, 1.0));

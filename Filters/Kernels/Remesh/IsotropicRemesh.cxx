@@ -21,6 +21,9 @@ namespace shape
 namespace
 {
 
+/// The thresholds of Botsch and Kobbelt 2004, in wanted lengths. An edge is split if its
+/// halves are closer to the wanted length: 4/3 - 1 = 1 - 2/3. It is collapsed if the edges around
+/// it, which become longer by half of it, are then closer: 1 - 4/5 = 6/5 - 1.
 constexpr double Long = 4.0 / 3.0, Short = 4.0 / 5.0;
 /// The cosine of the largest angle by which a triangle may rotate when its corners move.
 constexpr double MinimumCosine = 0.5;
@@ -47,6 +50,7 @@ public:
     this->FindCreases(surface.HalfEdges(), std::cos(options.CreaseAngle * M_PI / 180.0));
   }
 
+  // Step 1: splits edges that are too long, the longest first.
   void Split()
   {
     // The halves may still be too long.
@@ -59,6 +63,7 @@ public:
     }
   }
 
+  // Step 2: collapses edges that are too short, the shortest first. Both ends are tried.
   void Collapse()
   {
     for (const auto& [a, b] : this->Edges(Short, false))
@@ -71,6 +76,7 @@ public:
     }
   }
 
+  // Step 3: flips edges to bring valences closer to 6.
   void Flip()
   {
     for (const auto& [a, b] : this->Edges(0.0, true))
@@ -79,6 +85,8 @@ public:
     }
   }
 
+  // Step 4: tangential relaxation. Points move to the centroid of the triangles around them in the
+  // tangent plane, then to the closest point of the original surface.
   void Slide()
   {
     std::vector<int> moved;
@@ -221,6 +229,7 @@ private:
   /// Merges a into b.
   bool TryCollapse(int a, int b)
   {
+    // A point on a crease only merges along it; corners and ends of creases stay.
     if (this->CreaseEdges[a] > 0 && (this->CreaseEdges[a] != 2 || !this->OnCrease(a, b)))
     {
       return false;
@@ -237,6 +246,7 @@ private:
     }
     for (const int u : ofA)
     {
+      // The collapse must not make an edge that the next round splits.
       if (u != b && this->Edited.Length(u, b) > Long * this->Length)
       {
         return false;
@@ -289,6 +299,8 @@ private:
     {
       return;
     }
+    // The squared deviation from valence 6. The flip removes a triangle at a and b and adds one at
+    // c and d.
     const auto excess = [&](int v, int more)
     {
       const int count = static_cast<int>(this->Edited.Around(v).size()) + more - 6;

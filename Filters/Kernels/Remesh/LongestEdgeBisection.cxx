@@ -59,7 +59,8 @@ std::vector<int> LongestCorners(const Mesh& surface, const Edges& edges)
   return corners;
 }
 
-/// A triangle with any bisected edge has its longest edge bisected, too.
+/// A triangle with any bisected edge has its longest edge bisected, too. This is
+/// the propagation of Rivara 1984; each edge is marked once, so it ends.
 void Close(std::vector<char>& halved, const Edges& edges, const std::vector<int>& longest)
 {
   std::vector<std::array<int, 2>> sides(edges.Ends.size(), { -1, -1 });
@@ -96,6 +97,9 @@ void Close(std::vector<char>& halved, const Edges& edges, const std::vector<int>
 
 } // namespace
 
+// 1. The edges of marked triangles are to be bisected.
+// 2. Close: so is the longest edge of every triangle with such an edge.
+// 3. Each triangle is split at its longest edge first, then its halves at the other edges.
 Eigen::MatrixXi BisectLongestEdges(Mesh& surface, const std::vector<char>& marked)
 {
   const Edges edges = EdgesOf(surface);

@@ -39,6 +39,7 @@ constexpr double NoiseArea = 1e-3, MinimumCurves = 2.0 / 3.0;
 /// A path that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
 constexpr double MinimumTip = 50.0;
 
+/// Edges at the boundary of the surface are no hinges.
 std::vector<Hinge> FindHinges(const Surface& surface, double angle)
 {
   const Mesh& mesh = surface;
@@ -58,6 +59,7 @@ std::vector<Hinge> FindHinges(const Surface& surface, double angle)
     const Eigen::RowVector3d across =
       mesh.Points.row(mesh.Triangles(b.Triangle, (b.Corner + 2) % 3)) - mesh.Points.row(a.Begin);
     const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / M_PI;
+    // The third corner of b lies above the plane of a at a concave edge.
     const double inside = across.dot(normals.row(a.Triangle)) > 0.0 ? 180.0 + turn : 180.0 - turn;
     hinges.push_back(
       { a.Low(), a.High(), { a.Triangle, b.Triangle }, length, cosine < minimum, inside });
@@ -184,6 +186,7 @@ private:
     return this->Positions.row(node) - begin;
   }
 
+  // The path and the crease are compared over the same length, not by their first edges.
   bool IsTip(int node, int end) const
   {
     const Eigen::RowVector3d way = this->Positions.row(end) - this->Positions.row(node);
@@ -278,6 +281,8 @@ void UniteSmall(DisjointSets& sets, const std::vector<Hinge>& hinges, const Eige
   }
 }
 
+/// Scattered sharp edges, as in scans, are lost on every grid after a second fit each: they are
+/// dropped at once.
 bool IsNoise(DisjointSets sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas)
 {
   UniteSmall(sets, hinges, areas, NoiseArea * areas.sum());
@@ -384,6 +389,11 @@ private:
 
 } // namespace
 
+// 1. FindHinges: edges between two triangles, and which are sharp.
+// 2. FadingCreases: creases that end inside a patch are extended to another one.
+// 3. Triangles connected without a crease form a patch.
+// 4. IsNoise, UniteSmall: patches that are too small are merged; all of them if creases are noise.
+// 5. CurveWalk: the borders between patches, from corner to corner.
 SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimumArea)
 {
   const auto triangles = static_cast<int>(surface.Triangles().rows());

@@ -207,6 +207,8 @@ struct CellLocator::SolidSearch : CellLocator::Search
   double FindOne(
     const RowVector3d& position, vtkGenericCell* cell, int row, int& id, Triplets& weights) const
   {
+    // First the cells whose boxes contain the position. Only outside all cells does the slower
+    // search for the nearest face follow.
     ContainingCell containing{ this->Grid, this->Boxes, cell, position };
     Eigen::BVIntersect(this->Tree, containing);
     id = containing.Number;

@@ -141,6 +141,7 @@ RowVector3d FindClosestPointInTriangle(const Eigen::Matrix3d& corners, const Row
   {
     return barycentric / barycentric.sum();
   }
+  // The projection lies outside: the closest point is on an edge.
   double best = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k)
   {

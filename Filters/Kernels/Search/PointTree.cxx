@@ -48,6 +48,7 @@ private:
   std::size_t Count;
 };
 
+/// The nearest accepted point; at equal distance the one of lower index.
 class AcceptedSet
 {
 public:

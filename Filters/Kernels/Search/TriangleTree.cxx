@@ -324,6 +324,10 @@ void TriangleTree::Test(const double* point, int triangle, NearestTriangle& best
   }
 }
 
+// 1. The guess gives an upper bound of the distance.
+// 2. Balls are opened depth first, the nearest first, if their lower bound is below it.
+// 3. Triangles are compared in single precision, less the possible rounding error, so that none is
+//    missed. Candidates are tested in double precision and lower the bound.
 NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) const
 {
   std::array<double, MaximumDimensions> padded{};

@@ -41,6 +41,7 @@ void TriangleWalk::Go(int point, const Eigen::VectorXd& towards)
     const Eigen::RowVector3i corners = this->Triangles.row(this->Triangle);
     for (const int corner : corners)
     {
+      // The fans of all three corners: the triangles that share a corner with this one.
       nearer = this->Look(corner, towards) || nearer;
     }
   }

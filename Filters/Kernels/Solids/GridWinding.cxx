@@ -88,6 +88,7 @@ Eigen::VectorXi ComputeGridWindingNumbers(const Mesh& mesh, const SampledGrid& g
       }
     }
   }
+  // The sums of the changes along each line are the winding numbers; a line begins outside.
   for (Eigen::Index line = 0; line < winding.size(); line += grid.Counts(0))
   {
     const auto first = winding.data() + line;

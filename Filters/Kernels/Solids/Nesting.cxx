@@ -28,6 +28,7 @@ struct Component
   Eigen::KdBVH<double, 3, int> Tree; ///< of triangles
 };
 
+/// The components, each with a tree of its triangles' boxes.
 std::vector<Component> Split(const Mesh& mesh, const Topology& topology)
 {
   std::vector<Component> components(topology.Components);
@@ -104,6 +105,7 @@ struct KeptOrientation
   std::optional<Surface> Inverted;
 };
 
+/// The depth of a component is the number of others around it: at an even depth it faces outwards.
 KeptOrientation Orient(const Surface& surface, const std::string& name, const Progress& progress)
 {
   const Mesh& mesh = surface;
@@ -132,6 +134,7 @@ KeptOrientation Orient(const Surface& surface, const std::string& name, const Pr
           std::to_string(mesh.Triangles(components[j].Triangles[0], 0)) +
           "); move them apart, or unite them");
       }
+      // The magnitude, because the other component may face either way.
       depth += components[j].Box.contains(components[i].Box) &&
         std::abs(ComputeWindingNumber(
           mesh.Points, mesh.Triangles(components[j].Triangles, Eigen::all), position)) > 0.5;

@@ -42,6 +42,10 @@ std::vector<std::vector<int>> Neighbours(const Surface& surface)
   return neighbours;
 }
 
+// 1. The triangles that cross others are found; they are always kept.
+// 2. The others form clusters connected across edges.
+// 3. The winding number just outside one triangle of a cluster decides (Jacobson et al. 2013): the
+//    cluster bounds the solid if it is 0.
 KeptBoundary FindBoundary(const Surface& surface, const Progress& progress)
 {
   const Mesh& mesh = surface;

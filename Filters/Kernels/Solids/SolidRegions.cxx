@@ -66,6 +66,7 @@ SolidRegions::SolidRegions(const std::vector<Surface>& surfaces,
       component.Low = component.Surface.Points().colwise().minCoeff();
       component.High = component.Surface.Points().colwise().maxCoeff();
       const double area = 0.5 * component.Surface.AreaVectors().rowwise().norm().sum();
+      // Below this the volume is rounding error.
       if (!(component.Volume > 1e-14 * area * (component.High - component.Low).maxCoeff()))
       {
         throw InvalidInput(names[s] + " has a component that encloses no volume (it has point " +
@@ -95,6 +96,7 @@ void SolidRegions::FindParents(const Progress& progress)
     Component& component = this->Components[i];
     const Eigen::RowVector3i corners = component.Surface.Triangles().row(0);
     const RowVector3d position = component.Surface.Points()(corners, Eigen::all).colwise().mean();
+    // By ascending volume, so that the first one found is the innermost.
     for (int other = static_cast<int>(i) - 1; other >= 0 && component.Parent == -1; --other)
     {
       if (this->IsInside(position, this->Components[other]))
@@ -110,6 +112,9 @@ void SolidRegions::FindRegions(const std::vector<std::string>& names)
 {
   for (Component& component : this->Components)
   {
+    // count: the components of the same surface around this one. If it is even, this one bounds the
+    // surface's region from outside; if it is odd, it bounds a hole in it, and what is outside the
+    // enclosing component (own) continues there.
     int around = component.Parent, own = -1, count = 0;
     const int outside = around == -1 ? Void : this->Components[around].Region;
     for (; around != -1; around = this->Components[around].Parent)

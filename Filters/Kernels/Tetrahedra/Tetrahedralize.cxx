@@ -207,6 +207,7 @@ Measures Measure(
       largest =
         std::max(largest, length[a][(a + 1) % 4] * length[a][(a + 2) % 4] * length[a][(a + 3) % 4]);
     }
+    // The determinant of the edges is six times the volume; it is the same at all four corners.
     const RowVector3d origin = points.row(tetrahedra(i, 0));
     const RowVector3d u = points.row(tetrahedra(i, 1)) - origin;
     const RowVector3d v = points.row(tetrahedra(i, 2)) - origin;
@@ -229,6 +230,8 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
   Eigen::VectorXi largest = Eigen::VectorXi::Constant(sets, -1);
   for (int i = 0; i < set.size(); ++i)
   {
+    // The centroid of the largest tetrahedron is far from the surfaces, so its winding numbers are
+    // certain.
     int& best = largest(set(i));
     best = best == -1 || volumes(i) > volumes(best) ? i : best;
   }
@@ -266,6 +269,10 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
 
 } // namespace
 
+// 1. The surfaces are checked, scaled to a size of about 1 and joined.
+// 2. RunTetGen: constrained Delaunay tetrahedralisation and refinement.
+// 3. The result is checked: points, orientations, faces on the surfaces, volumes of the regions.
+// 4. FindRegionIds: the region of each set of tetrahedra between the surfaces.
 TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const std::vector<Surface>& innerSurfaces, const TetrahedralizeOptions& options,
   const Progress& progress)

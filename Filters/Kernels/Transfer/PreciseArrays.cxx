@@ -69,10 +69,13 @@ SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurfa
       std::to_string(target.First) + " to " + std::to_string(static_cast<long long>(end) - 1) + ",",
     targetName);
   SurfacePoints map{ (arrays.TargetCell.array() - begin).cast<int>(), arrays.TargetBarycentric };
+  // The position that the cell and the weights give must be the stored one; else the map was made
+  // for another surface.
   const Eigen::VectorXd apart =
     (PullBack(map, target.Surface.Triangles, target.Surface.Points) - arrays.TargetPosition)
       .rowwise()
       .norm();
+  // Single precision rounds relative to the coordinates, not to the size of the shape.
   const double farthest = tolerance * ComputeLongestBoxEdge(target.Surface.Points) +
     SingleRounding * target.Surface.Points.cwiseAbs().maxCoeff();
   RequireAll<MapOfAnotherSurface>(

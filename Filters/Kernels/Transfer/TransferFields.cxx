@@ -23,6 +23,7 @@ Cells InPlace(Cells giver, const Eigen::MatrixXd& map, const TransferFieldsOptio
   if (options.Direction == TransferFieldsOptions::DirectionType::Push)
   {
     RequireFinite(map, "the map array of the Source");
+    // Push: positions are located in the image of the giver.
     giver.Points = map;
   }
   return giver;

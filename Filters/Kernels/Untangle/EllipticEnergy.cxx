@@ -33,6 +33,7 @@ double EllipticEnergy::Chi(double determinant, double epsilon)
 
 double EllipticEnergy::EpsilonFor(double determinant, double chi, double minimum)
 {
+  // chi is the positive root of chi^2 - D chi = epsilon^2 / 4.
   return determinant < chi ? std::max(2.0 * std::sqrt(chi * (chi - determinant)), minimum)
                            : minimum;
 }
@@ -52,12 +53,14 @@ EllipticEnergy::EllipticEnergy(const Eigen::Matrix3d& jacobian, double epsilon)
 
 double EllipticEnergy::Value() const
 {
+  // The shape term and the volume term, each 1 - t and t for a rotation.
   return ShapeFactor * this->J.squaredNorm() * this->Power +
     0.5 * VolumeShare * (this->D * this->D + 1.0) / this->X;
 }
 
 Eigen::Matrix3d EllipticEnergy::Gradient() const
 {
+  // The chain rule over |J|^2, chi(D) and D(J), whose gradients are 2 J, Slope and the cofactors C.
   const double byChi = -(2.0 / 3.0) * ShapeFactor * this->J.squaredNorm() * this->Power / this->X -
     0.5 * VolumeShare * (this->D * this->D + 1.0) / (this->X * this->X);
   const double byDeterminant = byChi * this->Slope + VolumeShare * this->D / this->X;
@@ -66,6 +69,8 @@ Eigen::Matrix3d EllipticEnergy::Gradient() const
 
 EllipticEnergy::Curvature EllipticEnergy::SecondDerivative() const
 {
+  // The second derivatives of both terms as functions of J, D and chi, with dchi = Slope dD and dD
+  // = C : dJ. The curvature of chi and of D, which may be negative, is left out.
   const double s = this->Slope / this->X; // derivative of log chi by D
   const double d = this->D;
   return { 2.0 * ShapeFactor * this->Power, -(4.0 / 3.0) * ShapeFactor * this->Power * s,

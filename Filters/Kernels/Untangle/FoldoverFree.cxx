@@ -14,10 +14,13 @@ namespace shape
 namespace
 {
 
+/// At this epsilon the energy is a barrier: no step may make a determinant negative.
 constexpr double MinimumEpsilon = 1e-10;
 /// The factor by which chi of the minimum determinant falls from step to step.
 constexpr double MinimumShare = 0.1, MaximumShare = 0.5;
 
+/// Sums are taken over ranges of this fixed size, so that they do not depend on the number of
+/// threads.
 constexpr int SimplexGrain = 2048;
 
 template <typename Body>
@@ -217,6 +220,7 @@ private:
         {
           continue;
         }
+        // The curvature of EllipticEnergy by the chain rule from J to the corners' positions.
         Eigen::Matrix3d block =
           mixed * (byJ.col(a) * byC.col(b).transpose() + byC.col(a) * byJ.col(b).transpose()) +
           rank * byC.col(a) * byC.col(b).transpose();
@@ -255,6 +259,11 @@ Eigen::Matrix3Xd Smoothest(const Eigen::Matrix3Xd& x, EnergyProblem& problem)
 
 } // namespace
 
+// The iteration of Garanzha et al. 2021. In each step:
+// 1. A Newton direction of the energy with the present epsilon.
+// 2. A line search: steps are halved until the energy falls enough (Armijo's condition).
+// 3. The next epsilon follows from the minimum determinant and the gain (eq. 7).
+// It ends a few steps after all determinants are positive, or at the maximum number of steps.
 PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const PatchOptions& options,
   const Progress& progress)
 {
@@ -293,6 +302,7 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
       trial = x;
       problem.Move(trial, descent.Direction, step);
       next = problem.Evaluate(trial, epsilon);
+      // With the smallest epsilon, a positive patch must stay positive.
       const bool valid = epsilon > MinimumEpsilon || next.MinimumDeterminant > 0.0;
       if (valid && next.Energy <= state.Energy - 1e-4 * step * descent.Slope)
       {
@@ -316,6 +326,7 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
     {
       share = std::max(0.5 * share, MinimumShare);
     }
+    // Eq. 7: chi of the minimum determinant falls by the relative gain, at least by `share`.
     const double chi =
       (1.0 - std::max(gain, share)) * EllipticEnergy::Chi(state.MinimumDeterminant, epsilon);
     epsilon = EllipticEnergy::EpsilonFor(state.MinimumDeterminant, chi, MinimumEpsilon);

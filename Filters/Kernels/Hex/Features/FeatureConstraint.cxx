@@ -57,6 +57,7 @@ FeatureConstraint::FeatureConstraint(const Surface& surface, const SurfaceFeatur
       this->PositionOf[point] = boundary.PatchOf(q);
     }
   }
+  // Curves override patches, and corners override both: a point gets the lowest freedom.
   const auto put = [&](int point, const Eigen::MatrixXd& span)
   {
     this->FreedomOf[point] = span.rows() > 1 ? 1 : 0;

@@ -116,6 +116,7 @@ PatchRing BuildPatchRing(const std::vector<int>& patches)
       ring.push_back(patches[i]);
     }
   }
+  // The canonical start: the lexicographically smallest rotation.
   PatchRing minimum = ring;
   for (std::size_t turn = 1; turn < ring.size(); ++turn)
   {

@@ -75,6 +75,7 @@ struct Segments
   }
 };
 
+/// The edges of the surface's curves.
 Segments CurvesOf(const Mesh& surface, const SurfaceFeatures& features)
 {
   Segments curves{ surface.Points, {} };
@@ -89,6 +90,7 @@ Segments CurvesOf(const Mesh& surface, const SurfaceFeatures& features)
   return curves;
 }
 
+/// The edges between quads of different patches.
 Segments ChainsOf(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const Eigen::VectorXi& patchOf)
 {
@@ -107,6 +109,7 @@ Segments ChainsOf(
 
 constexpr int ComparedAlong = 20000; // positions along curves, and along chains
 
+/// Distances from the curves to the chains, or to the whole boundary if there are no chains.
 SampledDistances Compare(const Segments& curves, const Segments& chains,
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads)
 {
@@ -177,6 +180,7 @@ bool AddLayers(HexMesh& mesh, const Surface& surface, const SurfaceFeatures& fea
     MatchCurves(mesh, surface, features, boundary);
 }
 
+/// Updates the figures that depend on the hexahedra alone.
 void Judge(HexFit& fit)
 {
   const Eigen::VectorXd quality = ComputeScaledJacobians(fit.Solid);
@@ -185,6 +189,7 @@ void Judge(HexFit& fit)
   fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
 }
 
+/// Updates the distance, for which both surfaces are sampled.
 void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
 {
   fit.Distance =
@@ -193,6 +198,10 @@ void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
 }
 
 /// Fits hexahedra with these features; nothing if the features are not found on the hexahedra.
+/// 1. MatchFeatures: each quad of the boundary gets a patch, each curve a chain of edges.
+/// 2. Layers: of interfaces, of the whole boundary, and those that creases need (AddLayers).
+/// 3. Boundary points are put on the surface, and all points are smoothed.
+/// 4. OptimizeHexahedra: repairs inverted hexahedra and raises the worst.
 std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
   const Progress& progress)
@@ -226,6 +235,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   // Layers along creases begin without thickness, and untangling them takes long.
   const int smoothings = features.Curves.empty() ? 2 : 30;
   SmoothHexahedra(fit.Solid, constraint, smoothings, progress.Part(0.0, 0.1));
+  // Points of layers lie at the points that they copy: the layers get their thickness here.
   SmoothPillows(*boundary, fit.Solid.Points);
   interfaceLayers.Spread(fit.Solid.Points);
   SmoothInverted(fit.Solid, constraint, progress.Part(0.1, 0.15));
@@ -267,6 +277,8 @@ SurfaceFeatures FindFeatures(const Surface& surface, const HexMeshOptions& optio
   return FindFeatures(surface, options.FeatureAngle, minimumPatch * cellSize * cellSize);
 }
 
+// Fits with the creases first. If that fails or gives bad hexahedra, fits with a single patch and
+// keeps the better result.
 HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFeatures& features,
   const HexFitOptions& options, const Progress& progress, const InnerInterfaces& interfaces)
 {

@@ -13,6 +13,7 @@ namespace shape
 namespace
 {
 
+/// A face's corners in ascending order: both hexahedra of the face give the same key.
 std::array<int, 4> Sorted(const Eigen::RowVector4i& quad)
 {
   std::array<int, 4> corners{ quad(0), quad(1), quad(2), quad(3) };
@@ -84,6 +85,8 @@ void InterfaceLayers::PillowSide(
   const std::vector<int> beside = HexahedraAt(mesh.Hexahedra, rows, quads);
   PatchedBoundary copies;
   copies.Quads = quads;
+  // Only the hexahedra of this side use the copies: those of the other side keep the interface's
+  // points.
   HexMesh part{ mesh.Points, mesh.Hexahedra(rows, Eigen::all) };
   for (int layer = 0; layer < layers; ++layer)
   {
@@ -126,6 +129,7 @@ MultiSurfaceConstraint::MultiSurfaceConstraint(
   {
     const Surface& surface = (*interfaces.Surfaces)[i];
     const Eigen::MatrixXi& quads = interfaces.Cells->Interfaces[i];
+    // The whole inner surface is one patch without curves: its creases are not kept.
     SurfaceFeatures features;
     features.Patches = 1;
     features.PatchOf = Eigen::VectorXi::Zero(surface.Triangles().rows());

@@ -56,6 +56,10 @@ public:
 
   /// Moves points to positions that are far. If this makes hexahedra too bad, it is undone, and the
   /// points responsible move less far the next time. Returns false if another round is useless.
+  // 1. Snap moves boundary points to far positions and holds them.
+  // 2. OptimizeHexahedra moves the points around them.
+  // 3. Points next to hexahedra that became too bad move half as far the next time.
+  // 4. The round is undone if hexahedra are too bad or the distance did not fall.
   bool Round(const SnappingOptions& options, const Progress& progress)
   {
     const Eigen::MatrixXd before = this->Solid.Points;
@@ -71,6 +75,7 @@ public:
     GrowRings(this->Solid.Hexahedra, rings, marked);
     HexOptimizationOptions optimization;
     optimization.Marked = std::move(marked);
+    // Worse hexahedra could not be raised to the minimum, and the round will be undone.
     optimization.RaiseFrom = minimum - MaximumRaised;
     const HexOptimizationResult result =
       OptimizeHexahedra(this->Solid, this->Constraint, optimization, progress.Part(0.0, 0.8));
@@ -177,6 +182,8 @@ private:
       const int point = nearest[i];
       const Eigen::RowVector3d& there = this->Far[i].OnSurface;
       if (taken[point] || this->Given.Freedom(point) != 2 || this->Share[point] < minimumShare ||
+        // The last condition: the position must lie on the part of the surface that the point is
+        // kept on. Otherwise the projection would bring the point back.
         (this->Constraint.Nearest(point, there) - there).norm() > 0.5 * this->Far[i].Distance)
       {
         continue;

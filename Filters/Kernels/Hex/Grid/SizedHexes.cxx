@@ -53,6 +53,7 @@ public:
   }
 
   /// Adds seeds where cells do not have the wanted size; false if there are no such positions.
+  // The positions with the greatest error first, at least one radius apart.
   bool Add(double radius)
   {
     const Eigen::VectorXd excess = this->Excess().cwiseAbs();
@@ -83,6 +84,7 @@ public:
   /// Makes one Gauss-Newton step for all strengths and the size of the grid.
   void Step()
   {
+    // The ridge keeps the strengths small where seeds overlap and their sum alone is determined.
     constexpr double ridge = 1e-3;
     const auto count = static_cast<Eigen::Index>(this->Seeds.size());
     const Eigen::MatrixXd moved = GridDensity(this->Seeds).Forward(this->Positions);
@@ -145,6 +147,7 @@ private:
     {
       minimum = std::min(minimum, seed.Radius);
     }
+    // Central differences of the flow, with a step far below the smallest seed.
     const double step = 1e-3 * minimum;
     Eigen::MatrixXd slopes[3];
     for (int axis = 0; axis < 3; ++axis)
@@ -191,6 +194,8 @@ void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes)
   }
 }
 
+// From coarse to fine: in each level seeds of one radius are added where sizes are wrong, and a few
+// Gauss-Newton steps fit the strengths of all seeds.
 SizedGrid BuildSizedGrid(
   const Surface& surface, const Eigen::VectorXd& sizes, const Progress& progress)
 {
@@ -280,6 +285,7 @@ SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::Vector
     SizedGrid grid = BuildSizedGrid(surface, asked, part.Part(0.0, 0.2));
     options.CellSize = grid.CellSize;
     options.Seeds = std::move(grid.Seeds);
+    // The first grid only measures the sizes, so it needs no further rounds.
     options.Rounds = last ? rounds : 1;
     result.Hexes = BuildGridHexahedra(surface, options, part.Part(0.2, 1.0), innerSurfaces);
     const HexFit& fit = result.Hexes.Fit;

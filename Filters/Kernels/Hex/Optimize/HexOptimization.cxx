@@ -14,6 +14,8 @@ namespace shape
 namespace
 {
 
+/// The continuation from l_p to l_infinity (Livesu et al. 2015): each sharpness starts from the
+/// positions of the last. Gentle ones precede untangling, the last ones raise the worst only.
 const std::vector<double> GentleSharpnesses = { 2, 4, 6 };
 const std::vector<double> Sharpnesses = { 2, 4, 6, 8, 10, 12, 16, 20 };
 const std::vector<double> WorstSharpnesses = { 25, 30, 40, 60, 90 };
@@ -32,6 +34,7 @@ public:
   {
     positions.swap(this->Mesh.Points);
     Eigen::VectorXd values = ComputeScaledJacobians(this->Mesh);
+    // An inverted hexahedron outweighs any quality of the others.
     const int inverted = Count(values), before = this->Inverted();
     if (inverted < before || (inverted == before && values.minCoeff() >= this->Values.minCoeff()))
     {
@@ -119,10 +122,14 @@ void Raise(const HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, Best& best, const Progress& progress)
 {
   LowerWorst(mesh, constraint, options, best, progress.Part(0.0, 0.4));
+  // Longer sweeps continue only while each attempt gains enough and few points are concerned.
   constexpr double minimumGain = 0.01, share = 0.2;
   constexpr double maximum = 0.1; // fraction of the points: for more it helps too little
   constexpr int attempts = 3, rings = 3;
   HexOptimizationOptions longer = options;
+  // Sixty sweeps at each sharpness stop too early: with more the worst scaled Jacobian of a femur
+  // rises from 0.16 to 0.28. Near the worst hexahedra only: over a whole mesh of narrow corners
+  // they take minutes.
   longer.WorstSweeps *= 3;
   double before = options.RaiseAgainFrom - minimumGain;
   for (int attempt = 0; attempt < attempts && best.Minimum() < options.RaiseTo &&
@@ -200,6 +207,10 @@ void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
   }
 }
 
+// 1. Turn: gentle sweeps and untangling, if some hexahedra are inverted.
+// 2. LowerAll: sweeps of growing sharpness over all points.
+// 3. Raise: sharper sweeps near the worst hexahedra.
+// The best state (Best) is kept throughout.
 HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, const Progress& progress)
 {
@@ -221,6 +232,7 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   constexpr int attempts = 2;
   for (int attempt = 0; attempt < attempts && (attempt == 0 || best.Inverted() > 0); ++attempt)
   {
+    // An attempt starts from the best state of the last one.
     const Progress part =
       progress.Part(worstFrom * attempt / attempts, worstFrom * (attempt + 1.0) / attempts);
     if (best.Inverted() > 0)

@@ -52,6 +52,7 @@ std::vector<double> FaceCoordinates(const Mesh& polycube, double size, int axis)
   return coordinates;
 }
 
+/// A face perpendicular to an axis has no extent along it.
 void RequireAcrossAxes(const Mesh& polycube, double size)
 {
   int count = 0;
@@ -110,11 +111,13 @@ SampledGrid GridIn(const Mesh& polycube, double cell)
   const Eigen::RowVector3d sides = polycube.Points.colwise().maxCoeff() - low;
   SampledGrid grid;
   grid.Spacing = cell;
+  // Samples are the cells' centres.
   grid.Origin = low.array() - 0.5 * cell;
   grid.Counts = (sides / cell).array().round().cast<int>() + 2;
   return grid;
 }
 
+/// Marks the cells with a positive winding number at their centres.
 std::vector<char> CellsInside(const Mesh& polycube, const SampledGrid& grid)
 {
   const Eigen::VectorXi windings = ComputeGridWindingNumbers(polycube, grid);
@@ -162,6 +165,10 @@ void RequireSourcesOn(const Eigen::MatrixXd& sources, const Surface& surface)
 
 } // namespace
 
+// 1. The unit of the polycube's coordinates is found and divided into cells (UnitOf).
+// 2. The cells inside, by winding numbers, must have the surface's topology.
+// 3. The harmonic map that extends the boundary map carries their inner points.
+// 4. Their boundary points follow the boundary map itself.
 GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surface& surface,
   double cellSize, int maximum, const Progress& progress)
 {
@@ -181,6 +188,7 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   // The polycube may have another scale than the surface.
   const double scale = std::cbrt(volume / std::abs(ComputeEnclosedVolume(surface)));
   const double wanted = cellSize > 0.0 ? cellSize * scale : std::cbrt(volume / AutomaticCells);
+  // A whole number of cells in each unit: faces of the polycube are faces of cells.
   const double cell = unit / std::max(1.0, std::round(unit / wanted));
   if (volume / (cell * cell * cell) > maximum)
   {
@@ -196,6 +204,7 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   const HarmonicVolumeMapResult map =
     ComputeHarmonicVolumeMap(outer, polycube.Sources, {}, options, progress.Part(0.0, 0.9));
   Eigen::MatrixXd carried = Evaluate(map.Map, cells.Solid.Points);
+  // The harmonic map only approximates the boundary map, which puts these points on the surface.
   const Eigen::MatrixXi quads = FindBoundaryQuads(cells.Solid);
   std::vector<int> onBoundary(quads.data(), quads.data() + quads.size());
   std::sort(onBoundary.begin(), onBoundary.end());

@@ -23,7 +23,9 @@ namespace shape
 namespace
 {
 
+/// Rings around inverted triangles that move with them: more are tried while some stay inverted.
 constexpr int Rings[] = { 2, 4, 8 };
+/// A bound only: relabelling ends when nothing changes.
 constexpr int MaximumRelabellings = 10;
 
 /// Points move in the planes of their charts. Points with indices beyond the surface's are tips of
@@ -137,6 +139,8 @@ Eigen::VectorXi TransferLabels(const Mesh& surface, const PolycubeMap& map,
           return std::find(around.begin(), around.end(), chart) != around.end();
         };
         if (chart != charts.Of(f) && touches(c(1)) && touches(c(2)) &&
+          // In odd rounds triangles only join larger charts, so that two charts do not exchange a
+          // triangle for ever.
           (round % 2 == 0 || charts.Areas(chart) > charts.Areas(charts.Of(f))))
         {
           next(f) = charts.Labels[chart];
@@ -169,6 +173,7 @@ std::vector<std::array<bool, 3>> Snap(
   std::vector<std::array<bool, 3>> fixed(surface.Points.rows(), { false, false, false });
   for (std::vector<double>& values : coordinates)
   {
+    // The median: a few triangles off the plane do not change it.
     std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
     values[0] = std::round(values[values.size() / 2]);
   }
@@ -220,6 +225,7 @@ void Untangle(const Mesh& surface, const Eigen::VectorXi& labels,
     const Eigen::Vector3d first = (corners.row(1) - corners.row(0)).transpose();
     const Eigen::Vector3d second = (corners.row(2) - corners.row(0)).transpose();
     const Eigen::Vector3d normal = first.cross(second);
+    // As high as the triangle is wide: the energy then measures the triangle's shape.
     const double height = std::sqrt(normal.norm());
     if (!(height > 0.0))
     {
@@ -284,6 +290,11 @@ std::string DescribeTurned(
 
 } // namespace
 
+// 1. FindPolycubeMap finds the polycube of a coarse solid.
+// 2. TransferLabels: the labels of the closest coarse triangles.
+// 3. The points are mapped by the closest points of the coarse surface, and moved into the planes
+//    of their charts (Snap).
+// 4. Untangle: inverted triangles are repaired within their planes.
 PolycubeResult BuildPolycube(
   const Surface& given, const PolycubeOptions& options, const Progress& progress)
 {

@@ -73,6 +73,7 @@ Cubes CubesOfMap(const PolycubeMap& map, const Progress& progress)
   const std::vector<char> outer = OnBoundary(other);
   for (Eigen::Index i = 0; i < other.Points.rows(); ++i)
   {
+    // Boundary points stay where the tetrahedra put them, on the surface.
     if (!outer[i] && carried.row(i).allFinite())
     {
       other.Points.row(i) = carried.row(i);
@@ -113,6 +114,7 @@ std::optional<Cubes> CubesOfCharts(const Surface& surface, const PolycubeHexesOp
   return std::nullopt;
 }
 
+/// The cells of a grid in the deformed solid, if there is no good polycube with charts.
 Cubes CubesOfVoxels(
   const Surface& surface, const PolycubeHexesOptions& options, const Progress& progress)
 {
@@ -144,6 +146,7 @@ Mesh Compacted(const Eigen::MatrixXd& points, Eigen::MatrixXi triangles, Eigen::
   return { points(used, Eigen::all), std::move(triangles) };
 }
 
+/// Adds the layers, optimises, and describes the polycube's charts.
 PolycubeHexesResult FitCubes(const Cubes& cubes, const Surface& surface,
   const PolycubeHexesOptions& options, const Progress& progress)
 {
@@ -172,6 +175,10 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const Surface& surface,
 
 } // namespace
 
+// 1. CubesOfCharts: the unit cells of a polycube with charts, mapped into the solid.
+// 2. FitCubes: layers around them follow the surface and its creases.
+// 3. If there is no such polycube, or its worst hexahedron is bad, the same with the cells of a
+//    grid (CubesOfVoxels). The better result is kept.
 PolycubeHexesResult BuildPolycubeHexahedra(
   const Surface& given, const PolycubeHexesOptions& options, const Progress& progress)
 {

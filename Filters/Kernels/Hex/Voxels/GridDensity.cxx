@@ -17,6 +17,7 @@ Eigen::RowVector3d GridDensity::Velocity(const Eigen::RowVector3d& position) con
   {
     const Eigen::RowVector3d off = position - seed.Centre;
     const double scaled = off.squaredNorm() / (2.0 * seed.Radius * seed.Radius);
+    // exp(-40) = 4e-18: below the rounding of 1.
     constexpr double negligible = 40.0;
     if (scaled < negligible)
     {

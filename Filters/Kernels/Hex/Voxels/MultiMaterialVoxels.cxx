@@ -115,6 +115,8 @@ std::optional<RegionCells> MultiMaterialVoxels::Fill(
 {
   const SampledGrid grid = this->Whole.Grid(size, warp);
   std::vector<std::vector<char>> insides;
+  // The corners of cells on boundaries that were accepted before. A boundary that shares one is
+  // refused, so the boundary of each region is a manifold.
   std::vector<char> taken(grid.Counts.prod(), 0);
   const auto accepts = [&](const std::vector<char>& inside)
   {

@@ -68,6 +68,8 @@ SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size)
 void SampleDistances(
   const Mesh& surface, const SurfaceLocator& boundary, SampledGrid& grid, const Progress& progress)
 {
+  // The signs come from winding numbers, which are right for surfaces that cross themselves, too.
+  // Distances are only computed in the band.
   const double far = LevelBand * grid.Spacing;
   const Eigen::VectorXi windings = ComputeGridWindingNumbers(surface, grid);
   grid.Values =
@@ -170,6 +172,7 @@ double TopologyPreservingVoxels::CellSizeFor(double hexahedra, const GridDensity
   // The layer has more hexahedra than the cells it replaces: the excess was measured as half a
   // cell's volume for each cell face of area.
   double size = std::cbrt(volume / hexahedra);
+  // A fixed-point iteration for size = cbrt((volume + area size / 2) / hexahedra).
   for (int step = 0; step < 50; ++step)
   {
     size = std::cbrt((volume + 0.5 * area * size) / hexahedra);
@@ -186,6 +189,10 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
   const GridDensity& warp, const std::function<bool(const std::vector<char>& inside)>& accepts,
   const Progress& progress)
 {
+  // 1. SampleDistances: the signed distance at the cells' centres.
+  // 2. For each reach in turn: FindVoxelSolid (well-composed cells inside), KeepLargestParts,
+  //    CoverSurface (tips and slots narrower than a cell).
+  // 3. The first that has the topology and is accepted is returned.
   const double size = grid.Spacing;
   const Surface whole = Warp(this->Whole, warp, size);
   const Surface bounding =
@@ -193,6 +200,7 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
   SampledGrid levels = grid;
   SampleDistances(whole, SurfaceLocator(bounding), levels, progress.Part(0.0, 0.6));
   const Eigen::VectorXd distances = levels.Values;
+  // Positions on the surface that are dense relative to the cells, for CoverSurface.
   constexpr double positionsPerCell = 30.0;
   constexpr unsigned int seed = 1;
   const Eigen::MatrixXd positions = SampleRandomly(
@@ -202,6 +210,7 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
     const double tried = static_cast<double>(&reach - Reaches) / std::size(Reaches);
     const Progress part = progress.Part(0.6 + 0.4 * tried, 1.0);
     part(0.0);
+    // A cell is inside if its distance is below the reach.
     levels.Values = distances.array() - reach * size;
     WellComposedVoxels solid = FindVoxelSolid(levels);
     if (solid.Pinched > 0)
@@ -244,6 +253,8 @@ bool TopologyPreservingVoxels::HasTopology(const HexMesh& cubes)
   }
   const Topology found = ComputeBoundaryTopology(cubes);
   const std::pair<int, int> now(found.EulerNumber, found.Components);
+  // The topology of a surface that crosses itself is unknown: two successive grids that agree are
+  // believed.
   const bool again = this->Before == now;
   this->Before = now;
   return again || this->TakesAny;

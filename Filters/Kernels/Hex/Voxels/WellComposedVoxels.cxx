@@ -26,6 +26,7 @@ bool HangTogether(unsigned int cells)
     before = reached;
     for (int axis = 0; axis < 3; ++axis)
     {
+      // The cells on the lower side of each axis.
       constexpr unsigned int low[] = { 0x55, 0x33, 0x0f };
       const int step = 1 << axis;
       reached |= (((reached & low[axis]) << step) | ((reached >> step) & low[axis])) & cells;
@@ -34,6 +35,8 @@ bool HangTogether(unsigned int cells)
   return reached == cells;
 }
 
+/// Whether the corner is well-composed (Latecki 1997): both the cells inside and those outside are
+/// connected by faces.
 bool IsManifold(unsigned int cells)
 {
   return HangTogether(cells) && HangTogether(~cells & 0xff);
@@ -50,6 +53,7 @@ std::array<int, 8> CellsAround(const SampledGrid& grid, int x, int y, int z)
   return cells;
 }
 
+/// The eight cells around a corner as bits: bit k is 1 if cell k is inside.
 unsigned int PatternOf(const std::array<int, 8>& cells, const std::vector<char>& inside)
 {
   unsigned int pattern = 0;
@@ -112,6 +116,8 @@ public:
     {
       const std::array<int, 8> cells = CellsAround(
         this->Grid, cell(0) + (corner & 1), cell(1) + (corner >> 1 & 1), cell(2) + (corner >> 2));
+      // The disk preserves the topology; the eight corners of the cell must also stay
+      // well-composed.
       if (!IsManifold(PatternOf(cells, this->Inside)))
       {
         this->Inside[index] ^= 1;
@@ -141,6 +147,8 @@ private:
         shared[axis] += this->Inside[this->Grid.Index(next(0), next(1), next(2))];
       }
     }
+    // Not a disk: no face, all six, two opposite faces (two disks), or four around an axis (a
+    // ring).
     const int faces = shared[0] + shared[1] + shared[2];
     const bool pair = std::find(shared.begin(), shared.end(), 2) != shared.end();
     const bool gap = std::find(shared.begin(), shared.end(), 0) != shared.end();
@@ -206,6 +214,7 @@ WellComposedVoxels FindVoxelSolid(const SampledGrid& grid)
   solid.Inside.resize(grid.Values.size());
   std::transform(grid.Values.begin(), grid.Values.end(), changed.begin(), solid.Inside.begin(),
     [](double level, char side) { return static_cast<char>(level < 0.0 && !side); });
+  // A change may pinch a corner that was well-composed before: sweeps until nothing changes.
   for (int before = -1; before < solid.Changed;)
   {
     before = solid.Changed;
@@ -277,6 +286,7 @@ int CoverSurface(const SampledGrid& grid, const Eigen::MatrixXd& positions, doub
         const Eigen::RowVector3d within = scaled.row(order[end]) - cell.cast<double>();
         farthest = std::max(farthest, DistanceToOtherSide(grid, inside, cell, within));
       }
+      // If the cell itself cannot change, the adjacent cell closest to the boundary may.
       if (farthest > reach && !flipper.Flip(cell))
       {
         flipNeighbour(cell);

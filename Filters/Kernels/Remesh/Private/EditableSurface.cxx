@@ -55,6 +55,7 @@ std::vector<int> EditableSurface::Collapse(int point, int into)
   for (const int t : this->Fans[point])
   {
     Triangle& corners = this->Triangles[t];
+    // The triangles of the edge are removed; the others get the new corner.
     if (!Has(corners, into))
     {
       corners[CornerOf(corners, point)] = into;
@@ -84,6 +85,7 @@ int EditableSurface::Split(int a, int b)
   {
     const int other = this->TriangleCount();
     const int c = this->Opposite(t, a, b);
+    // The triangle keeps the half at a; a new one gets the half at b.
     Triangle second = this->Triangles[t];
     second[CornerOf(second, a)] = middle;
     this->Triangles[t][CornerOf(this->Triangles[t], b)] = middle;

@@ -69,6 +69,7 @@ ImprintNode ImprintNodes::At(const SurfacePoint& place)
     {
       std::swap(from, to);
     }
+    // Measured from the lower point: both triangles of the edge give the same integer.
     const auto along = static_cast<std::int64_t>(std::llround(at(to) * Parts));
     SurfacePoint exact{ place.Triangle, RowVector3d::Zero() };
     exact.Barycentric(to) = static_cast<double>(along) / Parts;

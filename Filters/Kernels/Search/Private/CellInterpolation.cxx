@@ -31,6 +31,7 @@ void Refine(const Eigen::MatrixXd& corners, const Eigen::RowVector3d& position,
 {
   for (int step = 0; step < 2; ++step)
   {
+    // A Newton step for the parametric coordinates of the position.
     const Eigen::RowVector3d rest = position - weights.transpose() * corners;
     Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(corners.rows(), 3);
     cell->InterpolateDerivs(parametric.data(), derivatives.data());

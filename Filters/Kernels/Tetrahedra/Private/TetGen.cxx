@@ -111,6 +111,8 @@ void RunInChild(const TetGenInput& input, int pipe)
   }
 
   tetgenbehavior behavior;
+  // p: a constrained tetrahedralisation of a surface; Q: quiet; Y: no new points on the boundary;
+  // q: a bound on the ratio of radius to edge; a: one on the volume.
   std::string switches = "pQ";
   switches += input.PreserveBoundary ? "Y" : "";
   switches += input.MaximumRadiusEdgeRatio > 0.0 ? "q" : "";

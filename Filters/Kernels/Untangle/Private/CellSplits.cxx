@@ -21,6 +21,7 @@ void CellSplits::Impossible(const std::vector<int>& bad)
     if (points.size() == 4 &&
       std::none_of(points.begin(), points.end(), [&](int point) { return this->Movable(point); }))
     {
+      // No motion can make it positive: all its points are fixed.
       this->SplitLongest(points) || this->SplitFace(points);
     }
   }
@@ -50,6 +51,7 @@ void CellSplits::Stubborn(const std::vector<int>& bad, int allowed)
       ends.insert(this->Solid.PointsOf(cell).begin(), this->Solid.PointsOf(cell).end());
     }
     ends.erase(point);
+    // The collar: every inner edge from the fixed point gets a movable point.
     for (const int end : ends)
     {
       if (this->Solid.CanSplit({ point, end }))
@@ -86,6 +88,7 @@ bool CellSplits::SplitLongest(const std::vector<int>& points)
     {
       const std::pair<int, double> rank = { !this->Movable(points[a]) + !this->Movable(points[b]),
         (positions.row(points[a]) - positions.row(points[b])).norm() };
+      // Ranked by the number of fixed ends, then by length.
       if (rank > best && this->Solid.CanSplit({ points[a], points[b] }))
       {
         best = rank;

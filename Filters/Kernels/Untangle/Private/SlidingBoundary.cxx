@@ -41,6 +41,7 @@ SlidingBoundary::SlidingBoundary(
       this->Freedoms[point] = 2;
     }
   }
+  // Weighted by area; interpolated on triangles, these normals vary continuously.
   this->Normals.rowwise().normalize();
   this->FindCreases(triangles);
 }

@@ -200,6 +200,8 @@ Eigen::Matrix3d SolidCells::Reference(int cell, int k, double size)
   {
     return size * regular;
   }
+  // The map from the regular cell to the rest shape is split into rotations and stretches. A
+  // reflection is removed, and the smallest stretches are raised.
   Eigen::Matrix3d turned = svd.matrixU();
   if (turned.determinant() * svd.matrixV().determinant() < 0.0)
   {
@@ -234,6 +236,7 @@ bool SolidCells::CanSplit(const std::vector<int>& simplex) const
   {
     return false;
   }
+  // An inner edge, an inner face (two cells share it), or a cell.
   return simplex.size() == 2 ? this->BoundaryEdges.count(KeyOf(simplex[0], simplex[1])) == 0
                              : simplex.size() > 3 || around.size() == 2;
 }

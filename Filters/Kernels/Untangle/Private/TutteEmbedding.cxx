@@ -62,6 +62,8 @@ Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid)
   for (int point = 0; point < solid.PointCount(); ++point)
   {
     const std::vector<int> neighbours = FindNeighbours(solid, point);
+    // The boundary and loose points are fixed; every other row says: the sum of (x - neighbour) is
+    // 0.
     if (solid.OnBoundary(point) || neighbours.empty())
     {
       fixed.push_back(point);

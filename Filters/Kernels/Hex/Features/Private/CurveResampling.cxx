@@ -59,6 +59,7 @@ public:
   Eigen::MatrixXd Part(double begin, double end) const
   {
     std::vector<double> lengths = { begin };
+    // A closed curve is periodic: the part may begin before it or end after it.
     for (const double turn : { -this->Length(), 0.0, this->Length() })
     {
       for (std::size_t i = 0; i < this->Lengths.size() && (this->Closed || turn == 0.0); ++i)
@@ -132,6 +133,7 @@ public:
       this->Fixed.front() = this->Fixed.back() = 1;
     }
     constexpr double sharp = 20.0; // degrees
+    // The sharpest bends first: they get the points closest to them.
     for (const double turn : along.Turns(sharp))
     {
       this->FixAt(turn);
@@ -282,6 +284,8 @@ CurvePositions DistributeAlongCurve(
   const double nearest = curve.Closed ? along.Nearest(chain.row(0)) : 0.0;
   CurvePositions best;
   double minimum = std::numeric_limits<double>::infinity();
+  // The chain and the curve may run in opposite directions: the one that moves the points less is
+  // taken.
   for (const double direction : { 1.0, -1.0 })
   {
     const double first = curve.Closed || direction > 0.0 ? nearest : along.Length();

@@ -74,6 +74,13 @@ void KeepLargestPieces(const Eigen::MatrixXi& neighbours, int patches, Eigen::Ve
 
 } // namespace
 
+// 1. Each quad gets the patch closest to its centroid; only the largest piece of each patch is
+//    kept.
+// 2. Other quads are reached from these pieces, closest first, as in Dijkstra's algorithm with the
+//    distance to the patch as key. Each patch thus stays connected.
+// 3. Quads with three edges on another patch join it.
+// 4. MatchCornerValences: points with the rings of the surface's corners.
+// 5. SplitPinches: points at which a patch touches itself.
 Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSurface& boundary,
   const Surface& surface, const SurfaceFeatures& features, const std::vector<Surface>& patches)
 {

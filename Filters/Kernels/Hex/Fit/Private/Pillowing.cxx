@@ -12,6 +12,7 @@ namespace shape
 namespace
 {
 
+/// The stacks of points under the boundary, for SmoothPillows.
 void RememberCopies(const std::vector<int>& copyOf, PatchedBoundary& boundary)
 {
   for (int point = 0; point < static_cast<int>(copyOf.size()); ++point)
@@ -45,6 +46,7 @@ std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads)
       mesh.Points.row(copyOf[point]) = mesh.Points.row(static_cast<Eigen::Index>(point));
     }
   }
+  // All hexahedra withdraw from the boundary to the copies; the new layer fills the gap.
   for (int& point : mesh.Hexahedra.reshaped())
   {
     point = copyOf[point] >= 0 ? copyOf[point] : point;
@@ -55,6 +57,8 @@ std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads)
   {
     for (int k = 0; k < 4; ++k)
     {
+      // Copies below, original points above: seen from outside the quad is counter-clockwise, so
+      // the hexahedron is positive.
       mesh.Hexahedra(cells + q, k) = copyOf[quads(q, k)];
       mesh.Hexahedra(cells + q, k + 4) = quads(q, k);
     }
@@ -62,6 +66,8 @@ std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads)
   return copyOf;
 }
 
+/// Inserts a sheet (Ledoux and Shepherd 2010): the layer is added under the patches, the other
+/// quads take the copies, and the sides of the layer become quads of the adjacent patches.
 void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary& boundary)
 {
   const QuadSurface before(boundary.Quads);

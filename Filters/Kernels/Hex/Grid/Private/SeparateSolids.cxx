@@ -59,6 +59,7 @@ std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress)
   {
     return {};
   }
+  // In ascending order, so that the first solid found around a void is the innermost.
   std::sort(outer.begin(), outer.end(),
     [](const Mesh& a, const Mesh& b)
     { return ComputeEnclosedVolume(a) < ComputeEnclosedVolume(b); });

@@ -76,6 +76,7 @@ void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares,
 {
   const double term = std::exp(sharpness * (1.0 - edges.Scaled));
   sum.Value += term;
+  // With t = exp(k (1 - s)): t' = -k t s', and t'' = k^2 t s' s'^T - k t s''.
   sum.Gradient -= sharpness * term * slope;
   sum.Curvature.noalias() += sharpness * sharpness * term * slope * slope.transpose();
   // For the second derivative of s: near a right angle it is -1 / length^2 across the edge.
@@ -192,6 +193,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
     return false;
   }
   step *= length > longest ? longest / length : 1.0;
+  // The line search takes the first step that lowers the energy after the projection.
   for (double share = 1.0; share > 0.02; share *= 0.4)
   {
     Eigen::Vector3d position = x + share * step;
@@ -287,6 +289,7 @@ void HexSweeps::FindIndependentSets()
     {
       this->IndependentSets.emplace_back();
     }
+    // Fixed points get a set, too, but are not listed: nothing moves them.
     setOf[point] = static_cast<int>(set);
     if (!this->Around[point].empty() && this->Constraint.Freedom(static_cast<int>(point)) > 0)
     {
@@ -315,6 +318,7 @@ void HexSweeps::ForAll(const std::vector<char>& marked, const Progress& progress
   }
 }
 
+/// A step from the same star would fail again. Many points do not move in late sweeps.
 bool HexSweeps::IsAtRest(int point) const
 {
   const int looked = this->LookedAt[point];

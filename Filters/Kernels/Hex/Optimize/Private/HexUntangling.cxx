@@ -13,6 +13,7 @@ namespace shape
 namespace
 {
 
+/// The sizes of the patches: points beyond stay, so a patch that is too small may have no solution.
 constexpr int Rings[] = { 1, 2, 3, 4, 6 };
 /// After this many rounds with little progress the rest is left inverted.
 constexpr int MaximumIdleSteps = 2;
@@ -74,6 +75,8 @@ SimplexPatch PatchOf(const HexMesh& mesh, const std::vector<int>& hexahedra,
   {
     const auto points = mesh.Hexahedra.row(hex);
     const auto gradients =
+      // The size of the reference is the hexahedron's, because the energy's volume term keeps the
+      // volume.
       ComputeHatGradients(ComputeMeanEdgeLength(mesh, hex) * Eigen::Matrix3d::Identity());
     for (int corner = 0; corner < 8; ++corner)
     {
@@ -124,6 +127,8 @@ void Untangle(HexMesh& mesh, const std::vector<int>& hexahedra, const PointConst
 
 } // namespace
 
+// In each round the inverted hexahedra and some rings around them are split into connected patches,
+// and the energy of Garanzha et al. 2021 is minimised in each. The next round takes more rings.
 int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
 {
   const std::vector<std::vector<int>> around = HexahedraAround(mesh);
@@ -156,6 +161,7 @@ int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Pr
       Untangle(mesh, pieces[i], constraint, marked, progress.Part(begin, begin + share));
     }
     values = ComputeScaledJacobians(mesh);
+    // Less than a fifth of the inverted hexahedra repaired: little progress.
     constexpr double worthwhile = 0.8;
     idle = inverted() > worthwhile * before ? idle + 1 : 0;
     if (idle == MaximumIdleSteps)

@@ -19,8 +19,10 @@ namespace shape
 namespace
 {
 
+/// Samples of the search for the best rotation; the best one is refined.
 constexpr int RotationTrials = 400;
 constexpr double MinimumRotationGain = 0.01;
+/// After 13 rounds the reach is at its minimum.
 constexpr int AlignmentRounds = 16;
 constexpr int FlatteningRounds = 6;
 /// The distance along the surface, in edges, over which the rotations that triangles ask for are
@@ -28,8 +30,10 @@ constexpr int FlatteningRounds = 6;
 constexpr double MaximumReach = 8.0, NearestReach = 1.0;
 /// The weight of flatness relative to rigidity, as a multiple of the edge length.
 constexpr double MinimumFlatness = 0.2, MaximumFlatness = 100.0;
+/// Tetrahedra for each task of a parallel loop.
 constexpr int AlignmentGrain = 512;
 
+/// The rotation around a vector by its length.
 Eigen::Matrix3d FromVector(const Eigen::Vector3d& vector)
 {
   const double angle = vector.norm();
@@ -49,6 +53,8 @@ Eigen::Vector3d ToAxis(const Eigen::Vector3d& normal)
                     : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
+/// The minimiser of sum volume |J - R|^2 over the tetrahedra solves a Poisson equation, as in
+/// as-rigid-as-possible deformation.
 /// Finds the shape whose tetrahedra are rotated as given, by linear finite elements.
 class Shape
 {
@@ -171,6 +177,8 @@ Eigen::SparseMatrix<double> Diagonal(const Eigen::VectorXd& values)
   return matrix;
 }
 
+/// The integral of |nx| + |ny| + |nz| over the area, twice; it is least if all normals are along
+/// axes.
 double Misalignment(const Eigen::MatrixXd& vectors, const Eigen::Matrix3d& rotation)
 {
   return (vectors * rotation.transpose()).cwiseAbs().sum();
@@ -233,6 +241,11 @@ Eigen::Matrix3d FindAxisRotation(const Mesh& surface)
     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
+// Gregson et al. 2011, section 4. In each round:
+// 1. Each boundary triangle asks for the smallest rotation of its normal to an axis (Wishes).
+// 2. The rotations are extended smoothly into the solid, by a screened Laplace equation. Its reach
+//    along the surface shrinks, so large parts agree on an axis first.
+// 3. The shape whose tetrahedra are rotated so is found by a Poisson equation.
 Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progress)
 {
   const Shape shape(solid);
@@ -240,6 +253,8 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
   Eigen::VectorXd pointAreas = Eigen::VectorXd::Zero(solid.Points.rows());
   pointAreas.head(solid.SurfacePointCount) = ComputePointAreas(solid.Surface());
   Eigen::VectorXd pin = Eigen::VectorXd::Zero(solid.Points.rows());
+  // The stiffness matrix has the translations as null space: a weak pin to the current positions
+  // removes it.
   pin.array() += 1e-9 * shape.Stiffness.diagonal().mean();
   SparseCholesky poisson;
   const Eigen::SparseMatrix<double> pinned = shape.Stiffness + Diagonal(pin);
@@ -268,6 +283,9 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
   return positions;
 }
 
+// A local-global iteration: the closest rotations are fitted, and then one linear system for each
+// axis, with the flatness of the triangles of that axis, gives the positions. The weight of
+// flatness grows from round to round by a constant factor.
 Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress)
 {

@@ -14,7 +14,9 @@ namespace shape
 namespace
 {
 
+/// The cost of opposite labels on neighbours. It exceeds the sum of all other costs.
 constexpr double Forbidden = 1e6;
+/// A bound only: the loop ends when no label lowers the energy.
 constexpr int MaximumRounds = 20;
 
 /// Returns the cost of two labels on neighbours, relative to the weight of their edge.
@@ -121,6 +123,8 @@ private:
   Eigen::VectorXd Keep, Change;
 };
 
+/// One alpha-expansion (Boykov et al. 2001): the best labelling in which each site either keeps its
+/// label or takes `label`. It is the minimum cut of a network with an arc for each edge.
 Eigen::VectorXi Expanded(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
   const Eigen::VectorXi& labels, int label)
 {
@@ -131,7 +135,10 @@ Eigen::VectorXi Expanded(const Eigen::MatrixXd& costs, const std::vector<LabelEd
   }
   for (const auto& [p, q, weight] : edges)
   {
-    // With 1 for a change: both + (first - both) p + (- first) q + (second + first - both) (1-p) q
+    // The cost of an edge as a function of p and q, which are 1 for a site that changes:
+    // both + (first - both) p - first q + (second + first - both) (1 - p) q.
+    // The last factor is not negative, because current labels of neighbours are never opposite; a
+    // cut represents such a function exactly. The constant `both` changes nothing.
     const double both = PairCost(labels(p), labels(q), weight);
     const double second = PairCost(labels(p), label, weight);
     const double first = PairCost(label, labels(q), weight);
@@ -155,6 +162,8 @@ Eigen::VectorXi SolveGraphCutLabelling(
 {
   Eigen::VectorXi labels = Eigen::VectorXi::Zero(costs.rows());
   double energy = Energy(costs, edges, labels);
+  // Expansions of the six labels in turn, until a whole cycle lowers nothing. A gain below the
+  // rounding of the sums does not count.
   for (int round = 0, unchanged = 0; round < MaximumRounds && unchanged < 6; ++round)
   {
     for (int label = 0; label < 6 && unchanged < 6; ++label)
@@ -176,10 +185,13 @@ Eigen::VectorXi SolveGraphCutLabelling(
 namespace
 {
 
+/// The widths of the two bells of the energy of PolyCut (Livesu et al. 2013, section 3): of the
+/// data term and of the border term.
 constexpr double Fidelity = 0.2, Sharpness = 0.25;
 /// The cost of a border edge at a sharp crease, where it is lowest: a border must not be free.
 constexpr double MinimumBoundaryCost = 1e-3;
 
+/// Close to 1 within the width of 0, close to 0 beyond.
 double Bell(double x, double width)
 {
   return std::exp(-0.5 * (x / width) * (x / width));
@@ -202,10 +214,12 @@ Eigen::VectorXi FindAxisLabels(const WorkingSolid& solid, const Eigen::MatrixXd&
   {
     for (int label = 0; label < 6 && normals.row(f).allFinite(); ++label)
     {
+      // The data term: the deviation of the deformed normal from the label's axis.
       costs(f, label) +=
         areas(f) / area * (1.0 - Bell(normals.row(f).dot(GetLabelAxis(label)) - 1.0, Fidelity));
     }
   }
+  // The border term takes normals of the undeformed solid: its creases stay where they are.
   const std::vector<HalfEdge> sides = SortHalfEdges(solid.Triangles, solid.SurfacePointCount);
   std::vector<LabelEdge> edges;
   double length = 0.0;

@@ -63,6 +63,7 @@ std::vector<Charts::Border> TraceBoundaries(
     }
     boundaries.push_back(std::move(boundary));
   };
+  // Borders that start at a corner first. The edges that remain form closed loops without a corner.
   for (const bool corners : { true, false })
   {
     for (std::size_t i = 0; i < edges.size(); ++i)
@@ -142,12 +143,15 @@ std::vector<ChartFault> FindChartFaults(
   std::vector<ChartFault> faults;
   for (int chart = 0; chart < charts.Count(); ++chart)
   {
+    // The conditions of PolyCut (Livesu et al. 2013): a face of an orthogonal polyhedron has at
+    // least four neighbours.
     if (charts.Neighbours[chart].size() < 4)
     {
       faults.push_back({ Kind::FewNeighbours, chart });
     }
     for (const int other : charts.Neighbours[chart])
     {
+      // Adjacent faces are perpendicular to each other.
       if (other > chart && charts.Labels[chart] / 2 == charts.Labels[other] / 2)
       {
         faults.push_back({ Kind::Opposite, chart, other });
@@ -162,6 +166,8 @@ std::vector<ChartFault> FindChartFaults(
     {
       axes |= 1 << charts.Labels[chart] / 2;
     }
+    // In a simple orthogonal polyhedron (Eppstein and Mumford 2010), one face of each axis meets at
+    // a corner.
     if (around.size() > 3 || (around.size() == 3 && axes != 7))
     {
       faults.push_back({ Kind::Corner, around[0], around[1], static_cast<int>(v) });
@@ -175,6 +181,8 @@ std::vector<ChartFault> FindChartFaults(
     {
       continue;
     }
+    // A border is an edge of the polycube, so it is monotone along the third axis: a reversal is a
+    // turning point of PolyCut.
     const int axis = 3 - first - second;
     const auto at = [&](int v) { return positions(v, axis); };
     const double way = at(boundary.Points.back()) - at(boundary.Points.front());

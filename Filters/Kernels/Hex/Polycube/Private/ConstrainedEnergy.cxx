@@ -16,8 +16,11 @@ namespace shape
 namespace
 {
 
+/// Sums are taken over ranges of this fixed size, so that they do not depend on the number of
+/// threads.
 constexpr int EnergyGrain = 1024;
 /// Tetrahedra are weighted as if they had at least this fraction of the mean volume.
+/// A sliver must resist inversion, too.
 constexpr double MinimumWeight = 0.1;
 
 /// The energy of a solid as a function of its unknown coordinates; each is a block of NewtonSystem.
@@ -110,6 +113,7 @@ public:
     }
     const NewtonSystem::Step step = this->System.Solve({ 1e-10, 1e2 });
     Descent descent{ Eigen::Matrix3Xd::Zero(3, this->Solid.Points.rows()), step.Slope };
+    // Tied coordinates take the same step, and so stay exactly equal; fixed ones take none.
     for (Eigen::Index i = 0; i < this->Tied.Unknowns.size(); ++i)
     {
       const int unknown = this->Tied.Unknowns(i);
@@ -165,6 +169,8 @@ private:
     const EllipticEnergy energy(this->JacobianOf(t, x), epsilon);
     const Eigen::Matrix<double, 4, 3>& hats = this->Hats[t];
     const auto [identity, mixed, rank] = energy.SecondDerivative();
+    // The Jacobian is J = x hats. By the chain rule its second derivative, identity I + mixed (J
+    // C^T + C J^T) + rank C C^T with the cofactors C, becomes one of the twelve coordinates in x.
     const Eigen::Matrix<double, 3, 4> slopes = energy.Gradient() * hats.transpose();
     const Eigen::Matrix<double, 3, 4> jacobian = energy.Jacobian() * hats.transpose();
     const Eigen::Matrix<double, 3, 4> cofactors = energy.Cofactors() * hats.transpose();

@@ -34,6 +34,8 @@ void AddEnds(const Charts& charts, std::set<Pair>& pairs)
     {
       for (const int b : charts.AtPoint[boundary.Points.back()])
       {
+        // An edge of the polycube runs along the axis that neither of its two charts has. The
+        // charts at its ends are perpendicular to it.
         const int axis = charts.Labels[a] / 2;
         if (a != b && axis == charts.Labels[b] / 2 && axis != charts.Labels[boundary.First] / 2 &&
           axis != charts.Labels[boundary.Second] / 2)
@@ -68,6 +70,8 @@ void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::Mat
       }
       const int chart = charts.Of(found->second);
       const Eigen::RowVector3d from =
+        // The ray starts just inside the triangle's centroid and goes inwards, farther than the
+        // solid is wide.
         (0.01 * positions.row(c(k)) + 0.33 * positions.row(c((k + 1) % 4)) +
           0.33 * positions.row(c((k + 2) % 4)) + 0.33 * positions.row(c((k + 3) % 4)));
       const Eigen::RowVector3d to =
@@ -109,6 +113,8 @@ Eigen::VectorXi RoundCharts(const WorkingSolid& solid, const Charts& charts,
       wanted(chart) = positions(v, axis);
     }
   }
+  // In ascending order, each unknown takes the closest integer, but at least one more than every
+  // unknown below it.
   std::map<int, std::vector<int>> below; // for each unknown, the unknowns that must be smaller
   for (const auto& [a, b] : pairs)
   {

@@ -78,6 +78,8 @@ TetrahedralWalk::Position TetrahedralWalk::Go(
     double minimum = 2.0;
     for (int k = 0; k < 4; ++k)
     {
+      // The face by which the line leaves is the first that it crosses. It never goes back through
+      // the face by which it came, where rounding could make the weight negative.
       if (end(k) < -Rounding && this->Neighbours[tetrahedron][k] != entered)
       {
         const double share = begin(k) / (begin(k) - end(k));
@@ -127,6 +129,8 @@ Eigen::Vector3d Centre(const Cell& cell)
   return Eigen::Vector3d(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5) + Offset;
 }
 
+/// Finds the tetrahedra that contain the centre of a cell. A cell occurs once for each sheet of the
+/// map that covers it.
 std::vector<Visit> FindCells(
   const Eigen::MatrixXd& images, const Eigen::MatrixXi& tetrahedra, const TetrahedralWalk& walk)
 {
@@ -192,6 +196,11 @@ int CellBeside(
 
 } // namespace
 
+// 1. FindCells: each visit of a cell's centre by a tetrahedron is one hexahedron.
+// 2. Walks between the centres of adjacent cells find the neighbours of each hexahedron, and their
+//    common corners are merged.
+// 3. A walk from the centre to each corner finds the corner's tetrahedron and its barycentric
+//    coordinates, by which it is mapped back.
 IntegerMapHexesResult ExtractIntegerMapHexahedra(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const Eigen::MatrixXi& tetrahedra)
 {
@@ -251,6 +260,7 @@ IntegerMapHexesResult ExtractIntegerMapHexahedra(
     {
       position(k) = visits[cell].Where[k] + CornerPositions[corner][k];
     }
+    // A corner may lie on the boundary: a walk that rounding ends just before it is clamped to it.
     const auto there = walk.Go(visits[cell].Tetrahedron, Centre(visits[cell].Where), position);
     result.Positions.row(i) = position.transpose();
     result.Tetrahedra(i) = there.Tetrahedron;

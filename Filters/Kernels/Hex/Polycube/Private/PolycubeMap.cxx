@@ -32,7 +32,9 @@ struct Trial
 constexpr Trial Trials[] = { { 1.0, false }, { 0.5, false }, { 0.25, false }, { 1.0, true },
   { 0.4, true } };
 const Eigen::Vector3d Turn(0.5, 0.3, 0.2); ///< axis times angle
+/// Rounds of labelling and flattening, each of which improves the other's input.
 constexpr int Flattenings = 3;
+/// Relabellings with higher costs before the next trial.
 constexpr int Repairs = 2;
 /// A deformation is given up after this many Newton steps without fewer negative tetrahedra.
 constexpr int FirstSteps = 8, Hopeless = 60;
@@ -44,6 +46,7 @@ constexpr double Dearer = 1.0, Forbidden = 50.0;
 constexpr double MaximumGivenUp = 0.03;
 /// A chart is folded if more than this fraction of it is inverted.
 constexpr double Folded = 0.1;
+/// If the rounded charts leave no room, the cells become smaller by this factor.
 constexpr int QuantisationAttempts = 4;
 constexpr double QuantisationShrinkage = 0.75;
 
@@ -66,6 +69,8 @@ double ComputeMeanEdgeLength(const WorkingSolid& solid)
     4.0 / std::sqrt(3.0) * 0.5 * ComputeAreaVectors(solid.Surface()).rowwise().norm().mean());
 }
 
+/// The options of each deformation. Tied coordinates have no fixed points, so the minimiser of
+/// |J|^2 would collapse.
 PatchOptions TiedOptions()
 {
   PatchOptions options;
@@ -109,6 +114,7 @@ std::vector<char> FoldedOver(const Attempt& attempt)
   return turned;
 }
 
+/// The number of inverted triangles of folded charts.
 int CountFolded(const Attempt& attempt)
 {
   const std::vector<char> folded = FoldedOver(attempt);
@@ -120,8 +126,13 @@ Attempt Deform(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress)
 {
   Attempt attempt{ solid, start, labels, FindCharts(solid.Surface(), labels), {}, {}, {}, {} };
+  // 1. One coordinate for each chart.
+  // 2. Surface edges that would become degenerate are split.
+  // 3. Newton's method makes the tetrahedra positive.
   attempt.Tied = ConstrainCharts(attempt.Charts, solid.Points.rows());
+  // A border of triangles zigzags by up to half an edge: that is no reversal.
   attempt.Faults = FindChartFaults(attempt.Charts, start, 0.5 * ComputeMeanEdgeLength(solid));
+  // A triangle with all its corners on one unknown of another axis could not have an area.
   SplitSurfaceEdges(attempt.Solid,
     FindConstrainedEdges(solid.Triangles, attempt.Charts, attempt.Tied), attempt.Positions,
     attempt.Labels);
@@ -129,6 +140,7 @@ Attempt Deform(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   attempt.Tied = ConstrainCharts(attempt.Charts, attempt.Solid.Points.rows());
   Tie(attempt.Tied, attempt.Positions);
   PatchOptions options = TiedOptions();
+  // Most hopeless labels show within a few Newton steps; only promising ones get the full number.
   options.MaximumSteps = FirstSteps;
   attempt.Result =
     MinimizeConstrainedEnergy(attempt.Positions, attempt.Solid, attempt.Tied, options, progress);
@@ -193,6 +205,8 @@ void RaiseCosts(const WorkingSolid& solid, const Eigen::VectorXi& before, const 
   for (Eigen::Index f = 0; f < solid.Triangles.rows(); ++f)
   {
     const auto c = solid.Triangles.row(f);
+    // A small chart with too few neighbours is removed. Elsewhere the label only becomes less
+    // likely.
     if (givenUp[charts.Of(f)])
     {
       costs(f, before(f)) += Forbidden;
@@ -245,6 +259,8 @@ Attempt TryCompactness(const WorkingSolid& solid, const Eigen::MatrixXd& aligned
 /// Moves the charts to integer coordinates. Returns whether every tetrahedron is positive there.
 bool MoveToIntegers(Attempt& attempt, const Progress& progress)
 {
+  // The charts' coordinates become integers at once and are fixed there. The other coordinates
+  // follow by minimising the energy, which untangles what the jump inverted.
   const Eigen::VectorXi numbers =
     RoundCharts(attempt.Solid, attempt.Charts, attempt.Tied, attempt.Positions);
   ConstrainedCoordinates fixed = attempt.Tied;
@@ -286,6 +302,11 @@ std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::Vecto
   return turned;
 }
 
+// 1. BuildWorkingSolid: a coarse tetrahedralisation, rotated to the axes.
+// 2. AlignWithAxes: the normals are turned towards the axes (Gregson et al. 2011).
+// 3. TryCompactness: labels (PolyCut), flattening and one coordinate for each chart, with repairs
+//    of the labels. Further compactnesses are tried until no tetrahedron is negative.
+// 4. MoveToIntegers: the charts move to integer coordinates (RoundCharts).
 PolycubeMap FindPolycubeMap(
   const Surface& surface, const PolycubeMapOptions& options, const Progress& progress)
 {
@@ -304,6 +325,7 @@ PolycubeMap FindPolycubeMap(
   Attempt best;
   best.Result.Negative = std::numeric_limits<int>::max();
   int work = 0;
+  // All trials with the same direction of the axes share the alignment.
   for (const bool turned : { false, true })
   {
     const Eigen::Matrix3d rotation = turned

@@ -27,6 +27,8 @@ namespace
 
 constexpr int WorkingTriangles = 3000;
 constexpr int VoxelFlattenings = 3;
+/// The levels of the distance, in cells, that bound the solid. They are tried in turn until one has
+/// the topology.
 constexpr double Reaches[] = { 0.1, 0.0, 0.25, -0.1 };
 constexpr double CellShrinkage = 0.85;
 constexpr int OffsetTrials = 16;
@@ -52,6 +54,7 @@ Eigen::RowVector3d BestOffset(const Surface& surface, const Eigen::VectorXi& lab
         if (labels(f) / 2 == axis)
         {
           const double position = centroids(f, axis) - offset;
+          // Centroids relative to the closest line of the grid, squared and weighted by area.
           const double off = position - std::round(position);
           sum += areas(f) * off * off;
         }
@@ -66,6 +69,7 @@ Eigen::RowVector3d BestOffset(const Surface& surface, const Eigen::VectorXi& lab
   return best;
 }
 
+/// Samples the signed distance at the centres of cells, on a grid shifted by the offset.
 SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVector3d& offset,
   double size, const Progress& progress)
 {
@@ -94,6 +98,7 @@ SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVecto
   return grid;
 }
 
+/// Returns the cells inside the first level set that has the wanted topology.
 std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wanted)
 {
   for (const double reach : Reaches)
@@ -101,6 +106,7 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wan
     SampledGrid levels = distances;
     levels.Values.array() -= reach * levels.Spacing;
     WellComposedVoxels solid = FindVoxelSolid(levels);
+    // Cells that only meet at an edge or a point have no manifold boundary.
     if (solid.Pinched > 0)
     {
       continue;
@@ -161,11 +167,13 @@ Eigen::MatrixXd Bent(
   return aligned;
 }
 
+/// The deformed tetrahedra, in which the grid's points are located.
 Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
 {
   const Eigen::Index count = solid.Tetrahedra.rows();
   Cells cells;
   cells.Points = positions;
+  // 10: VTK_TETRA.
   cells.Kinds = Eigen::VectorXi::Constant(count, 10);
   cells.Offsets = Eigen::VectorXi::LinSpaced(count + 1, 0, static_cast<int>(4 * count));
   const Eigen::MatrixXi corners = solid.Tetrahedra.transpose();
@@ -175,6 +183,10 @@ Cells TetrahedraAt(const WorkingSolid& solid, const Eigen::MatrixXd& positions)
 
 } // namespace
 
+// 1. The solid is rotated and deformed towards the axes (Bent).
+// 2. A grid is laid into the deformed solid. Its cells become smaller until they have the topology
+//    of the surface.
+// 3. The cells' points are mapped back by the barycentric coordinates in their tetrahedra.
 VoxelPolycube FindVoxelPolycube(
   const Surface& surface, double compactness, int cells, int maximum, const Progress& progress)
 {

@@ -24,6 +24,8 @@ double RegularVolume(double edge)
   return edge * edge * edge / (6.0 * std::sqrt(2.0));
 }
 
+/// Remeshes the surface with triangles of this edge length, smaller ones if the result crosses
+/// itself, and returns the surface itself if no length works.
 Mesh CoarseSurface(const Surface& surface, double length, const Progress& progress)
 {
   for (int attempt = 0; attempt < Attempts; ++attempt, length *= LengthShrinkage)
@@ -158,7 +160,8 @@ std::vector<std::pair<int, int>> EdgesOf(const Eigen::MatrixXi& simplices)
 }
 
 /// Inserts a point into every inner edge and every tetrahedron whose points are all on the
-/// boundary.
+/// boundary. Otherwise flattening the boundary could make such an edge or tetrahedron degenerate,
+/// whatever its inner points do.
 void AddInnerPoints(WorkingSolid& solid)
 {
   const std::vector<std::pair<int, int>> outer = EdgesOf(solid.Triangles);
@@ -200,9 +203,11 @@ Mesh WorkingSolid::Surface(const Eigen::MatrixXd& points) const
 WorkingSolid BuildWorkingSolid(const Surface& surface, int triangles, const Progress& progress)
 {
   const double area = ComputeArea(surface);
+  // The area of an equilateral triangle is sqrt(3) / 4 of its edge squared.
   const double length = std::sqrt(area / triangles * 4.0 / std::sqrt(3.0));
   const Mesh coarse = CoarseSurface(surface, length, progress.Part(0.0, 0.5));
   TetrahedralizeOptions options;
+  // Inner tetrahedra may be larger than those at the surface: only the surface is labelled.
   options.MaximumVolume = 10.0 * RegularVolume(length);
   const TetrahedralizeResult tetrahedra =
     Tetrahedralize(coarse, {}, options, progress.Part(0.5, 0.9));
