@@ -2,8 +2,9 @@
 """Checks the names in the C++ of Filters/ and Plugin/ with clang-tidy: Utilities/lint.py [build folder]
 
 Reads the compiler's commands, so that what is compiled together (CMAKE_UNITY_BUILD) is checked
-together. A translation unit is checked again only if a file of ours that it includes has changed:
-what passed is noted in the build folder."""
+together. A translation unit is checked again only if a file of ours that it includes or its flags have
+changed: what passed is noted in $XDG_CACHE_HOME/shapemap (~/.cache) for all clones, as the compiler's
+cache is."""
 import concurrent.futures
 import hashlib
 import json
@@ -15,7 +16,9 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BUILD = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, 'build'))
-PASSED = os.path.join(BUILD, 'lint', 'passed.json')
+PASSED = os.path.join(os.environ.get('XDG_CACHE_HOME') or os.path.expanduser('~/.cache'),
+                      'shapemap', 'checked-names.json')
+REMEMBERED = 5000  # units, the latest ones
 TIDY = 'clang-tidy-14'
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
@@ -74,22 +77,24 @@ def units():
             continue
         words = shlex.split(entry['command'])
         words = words[next(i for i, word in enumerate(words) if re.search(r'\+\+(-\d+)?$', word)):]
-        key = hashlib.sha256(json.dumps([config, words] + [
-            [p, SOURCES[p]] for p in sorted(ours)]).encode()).hexdigest()
+        facts = json.dumps([config, words] + [[p, SOURCES[p]] for p in sorted(ours)])
+        key = hashlib.sha256(  # the same in every clone
+            facts.replace(BUILD, 'BUILD').replace(ROOT, 'ROOT').encode()).hexdigest()
         kept = [readable(word) for word in words[1:] if word not in ('-Winvalid-pch', path)]
         yield path, kept, entry['directory'], key
 
 
 def check(unit):
     path, words, folder, key = unit
-    result = subprocess.run([TIDY, '--quiet', '--config-file', os.path.join(ROOT, '.clang-tidy'),
-                             '--header-filter', '^%s/(Filters|Plugin)/' % re.escape(ROOT), path, '--'] + words, cwd=folder, capture_output=True, text=True)
+    command = [TIDY, '--quiet', '--config-file', os.path.join(ROOT, '.clang-tidy'),
+               '--header-filter', '^%s/(Filters|Plugin)/' % re.escape(ROOT), path, '--']
+    result = subprocess.run(command + words, cwd=folder, capture_output=True, text=True)
     return key, path, result.returncode, result.stdout + (
         result.stderr if result.returncode else '')
 
 
 def main():
-    passed = set(json.load(open(PASSED))) if os.path.exists(PASSED) else set()
+    passed = dict.fromkeys(json.load(open(PASSED)) if os.path.exists(PASSED) else [])
     todo = list(units())
     assert todo, 'no command compiles a file of Filters/ or Plugin/: configure ' + BUILD
     fresh = [unit for unit in todo if unit[3] not in passed]
@@ -101,10 +106,10 @@ def main():
                 print(path)
                 print(text)
             else:
-                passed.add(key)
+                passed[key] = None
     os.makedirs(os.path.dirname(PASSED), exist_ok=True)
     with open(PASSED, 'w') as file:
-        json.dump(sorted(passed & {unit[3] for unit in todo}), file)
+        json.dump(list(passed)[-REMEMBERED:], file)
     print('%d of %d translation units checked, %d with faults' % (len(fresh), len(todo), failed))
     sys.exit(1 if failed else 0)
 

@@ -9,19 +9,21 @@
 namespace benchmark
 {
 
-/// A surface in OFF format, its polygons cut into triangles, points at the same place joined where
-/// `weld` is set, in a box of longest side 1 around the origin. Throws std::runtime_error.
+/// Reads a surface in OFF format and scales it to a box with longest edge 1 around the origin.
+/// Polygons are divided into triangles; coincident points are merged if `weld` is set. Throws
+/// std::runtime_error.
 shape::Mesh ReadOff(const std::string& path, bool weld);
 
-/// Each triangle in three: its centroid joined with its corners, old edges flipped, old points
-/// smoothed (Kobbelt, "Sqrt(3)-subdivision", 2000). For closed surfaces.
+/// Divides each triangle into three by its centroid, flips the old edges, and smooths the old
+/// points (Kobbelt, "Sqrt(3)-subdivision", 2000). For closed surfaces.
 shape::Mesh Subdivide(const shape::Mesh& mesh);
 
-/// Each triangle in four, at the middles of its edges. values (n x d), of the points; returns those
-/// of the new points, with means at the middles.
+/// Divides each triangle into four at the midpoints of its edges. values (n x d): at the points.
+/// Returns the values at the new points, which are means at the midpoints.
 Eigen::MatrixXd Split(Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
 
-/// Positions in triangles: count x 3 positions with the triangle and the barycentric coordinates.
+/// Positions in triangles: count x 3 coordinates, with the triangle and the barycentric coordinates
+/// of each.
 struct TrianglePositions
 {
   std::vector<int> Triangles;
@@ -29,24 +31,26 @@ struct TrianglePositions
   Eigen::MatrixXd Points;
 };
 
-/// Evenly distributed over each triangle, as many in each: at most `most` in all, of triangles
-/// drawn at random where there are more.
+/// Samples `each` uniformly distributed positions in each triangle. If that exceeds `maximum` in
+/// total, samples `maximum` positions in randomly chosen triangles instead.
 TrianglePositions SampleRandomly(const shape::Mesh& mesh, int each, int maximum, unsigned int seed);
 
-/// What values at the points of `mesh` (n x 3) are at the places, linear in each triangle.
+/// Interpolates values at the points of `mesh` (n x 3) at the given positions, linearly in each
+/// triangle.
 Eigen::MatrixXd Interpolated(
   const shape::Mesh& mesh, const Eigen::MatrixXd& values, const TrianglePositions& positions);
 
-/// `count` points evenly distributed inside a closed, outward facing surface: where the signed
-/// distance says so, and with `winding` also the winding number: once inside one that crosses
-/// itself.
+/// Returns `count` points uniformly distributed inside a closed surface that faces outwards. A
+/// point is inside if the signed distance is negative. With `winding` its winding number must also
+/// be 1, for a surface that intersects itself.
 Eigen::MatrixXd InteriorPoints(
   const shape::Mesh& mesh, int count, unsigned int seed, bool winding = false);
 
 /**
- * Data A: a map that is harmonic in and around the solid, known everywhere: the identity, harmonic
- * polynomials of degree 1 to 4 ((a . y)^d with complex a, a . a = 0; two of each degree for each
- * coordinate) and 8 point charges outside, between 0.2 and 0.5 of the size from the surface.
+ * Data A: a map that is harmonic in and around the solid and known everywhere. It is a sum of the
+ * identity, harmonic polynomials of degree 1 to 4, and the potentials of 8 point charges outside.
+ * The polynomials are (a . y)^d with complex a, a . a = 0; two of each degree for each coordinate.
+ * The charges are between 0.2 and 0.5 of the size away from the surface.
  */
 class HarmonicField
 {
@@ -55,15 +59,15 @@ public:
   Eigen::MatrixXd Evaluate(const Eigen::MatrixXd& points) const;
 
 private:
-  Eigen::MatrixXd Polynomials; ///< one a row: Re a, Im a, weight; degrees and coordinates by turns
+  Eigen::MatrixXd Polynomials; ///< a row for each: Re a, Im a, weight; by degree and coordinate
   Eigen::MatrixXd ChargePositions;
   Eigen::MatrixXd Charges;
 };
 
-/// Data C: a smooth map that is not harmonic: a twist about x, a bend and a dent.
+/// Data C: a smooth, non-harmonic map: a twist about x, a bend and a dent.
 Eigen::MatrixXd Deformed(const Eigen::MatrixXd& points);
 
-/// Data B: the sphere map of a surface by shape::Parameterize, kept in the file `cache`.
+/// Data B: the sphere map of a surface by shape::Parameterize, stored in the file `cache`.
 Eigen::MatrixXd MapToSphere(const shape::Mesh& mesh, const std::string& cache);
 
 } // namespace benchmark

@@ -5,17 +5,19 @@
 namespace benchmark
 {
 
-/// What running something took.
+/// The time and memory that a run took.
 struct Cost
 {
   double Cpu = 0.0; ///< seconds: CpuSeconds
+  /// seconds
   double Wall = 0.0;
-  double MiB = 0.0; ///< the peak above the start; of the largest child process if that is more
+  double MiB = 0.0; ///< peak above the start, or that of the largest child process if it is more
 };
 
-/// Of all threads and of child processes that have ended.
+/// Returns the CPU time in seconds of all threads and of child processes that have ended.
 double CpuSeconds();
 
+/// Runs the method and returns its cost.
 Cost Measure(const std::function<void()>& method);
 
 } // namespace benchmark

@@ -5,37 +5,38 @@
 
 #include <string>
 
-// The Laplace equation by finite elements: what one would do without ShapeMap.
+// The Laplace equation by finite elements: the usual method without ShapeMap.
 namespace benchmark
 {
 
 struct FiniteElementOptions
 {
-  /// The bound on a tetrahedron's volume is such that the mean one becomes about this times smaller
-  /// than 1 / (6 n) of the solid; 0 for no bound.
+  /// The wanted ratio of the solid's volume / (6 n), for n surface points, to the volume of the
+  /// mean tetrahedron; it determines the bound on tetrahedra's volumes. 0: no bound.
   double Refine = 0.0;
-  double RadiusEdgeRatio = 2.0; ///< TetGen's own default
+  double RadiusEdgeRatio = 2.0; ///< TetGen's default
   /// CHOLMOD (supernodal, OpenBLAS), LLT or LDLT (Eigen's simplicial ones), or CG (Eigen's
   /// conjugate gradients with incomplete Cholesky, to 1e-8).
   std::string Solver = "CHOLMOD";
+  /// ordering of CHOLMOD: AMD, METIS or Best (of both)
   std::string Ordering = "AMD"; ///< of CHOLMOD: AMD, METIS or Best (of both)
 };
 
 struct FiniteElementResult
 {
   shape::Cells Solid;         ///< the tetrahedra
-  Eigen::MatrixXd Values;     ///< at their points
-  double SecondsOfMesh = 0.0; ///< CPU
+  Eigen::MatrixXd Values;     ///< values at their points
+  double SecondsOfMesh = 0.0; ///< CPU time
   double SecondsOfFactor = 0.0;
 };
 
 /**
- * The harmonic map with the values given at the points of a closed surface: TetGen's mesh, linear
- * elements, one factorisation for the three coordinates. TetGen keeps the surface's triangles, so
- * the values are linear on each.
+ * Computes the harmonic map with the given values at the points of a closed surface, by TetGen's
+ * mesh, linear elements and one factorisation for the three coordinates. TetGen keeps the surface's
+ * triangles, so the values are linear on each.
  *
- * Assembly goes over the tetrahedra around each point, so nothing is sorted and nothing is summed
- * twice; only the triangle of the matrix that is factorised is made.
+ * Assembly visits the tetrahedra around each point, which requires no sorting and no repeated sums.
+ * Only the triangle of the matrix that is factorised is assembled.
  */
 FiniteElementResult SolveByFiniteElements(
   const shape::Mesh& surface, const Eigen::MatrixXd& values, const FiniteElementOptions& options);

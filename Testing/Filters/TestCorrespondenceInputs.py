@@ -241,7 +241,7 @@ refused += [
     ('two components without landmarks', two, two, None, METHODS,
      ('2 components', 'Landmarks on each')),
     ('triangles apart', soup, pebble, some, METHODS[:3] + METHODS[4:],
-     ('SurfaceA has 384 components', 'merge points at the same place with Clean')),
+     ('SurfaceA has 384 components', 'merge coincident points with Clean')),
     ('one that is inside out', pebble, inside_out, some, METHODS[:-1],
      ('SurfaceB faces inwards and SurfaceA outwards', 'Reverse Sense')),
     ('landmarks far away', pebble, pebble, marks(100 * far, far), METHODS,

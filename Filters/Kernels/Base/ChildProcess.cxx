@@ -33,6 +33,8 @@ int Detach(pid_t parent, int pipeEnd)
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
 #ifdef __linux__
+  // The system kills the child when its parent's thread ends. If that happened before this call,
+  // the child already has another parent.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
   if (getppid() != parent)
@@ -43,6 +45,7 @@ int Detach(pid_t parent, int pipeEnd)
   setrlimit(RLIMIT_CORE, &noCore);
   // Buffered output stays the parent's to print, because the child ends with _exit.
   const int nowhere = open("/dev/null", O_RDWR);
+  // The pipe gets a number above those of the standard streams, which are replaced below.
   const int kept = fcntl(pipeEnd, F_DUPFD, 3);
   for (const int standard : { 0, 1, 2 })
   {
@@ -50,6 +53,7 @@ int Detach(pid_t parent, int pipeEnd)
   }
   rlimit files{ 0, 0 };
   getrlimit(RLIMIT_NOFILE, &files);
+  // The bound limits the time if the system allows millions of files.
   for (int file = 3; file < static_cast<int>(std::min<rlim_t>(files.rlim_cur, 65536)); ++file)
   {
     if (file != kept)
@@ -102,6 +106,7 @@ ChildProcess::ChildProcess(const std::function<void(int pipe)>& body)
       std::string("cannot start a process: ") + std::strerror(error) + "; free some memory");
   }
   this->Pipe = ends[0];
+  // Receive must return to `waiting` even if nothing arrives.
   fcntl(this->Pipe, F_SETFL, O_NONBLOCK);
 }
 

@@ -33,8 +33,8 @@ using Options = CorrespondenceOptions;
 struct Compact
 {
   shape::Surface Surface;
-  std::vector<int> Points;    ///< of the surface given
-  Eigen::VectorXi PositionOf; ///< n: in Points; -1
+  std::vector<int> Points;    ///< their indices in the given surface
+  Eigen::VectorXi PositionOf; ///< n: the index of each point in Points, or -1
 };
 
 Compact Compacted(const Surface& surface, const std::string& name)
@@ -63,7 +63,7 @@ bool HasFewer(const Compact& one, const Compact& other)
   return one.Surface.Points().rows() < other.Surface.Points().rows();
 }
 
-/// The map of all points of the surface given: the others go with the closest of the surface.
+/// The map of all points of the given surface. An unused point is mapped like the closest used one.
 SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Surface& given)
 {
   if (from.Surface.Points().rows() == given.Points().rows())
@@ -89,7 +89,7 @@ SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Surf
   return all;
 }
 
-/// Landmarks that were found are more than the four that an orbifold can have.
+/// Of the landmarks that were found, only the first four are used: an orbifold has no more cones.
 SurfaceMaps ThroughOrbifold(
   const Surface& a, const Surface& b, Landmarks landmarks, bool found, const Progress& progress)
 {
@@ -98,6 +98,7 @@ SurfaceMaps ThroughOrbifold(
   {
     landmarks.resize(maximum);
   }
+  // Of the types with as many cones, these depend least on the mesh (MapThroughOrbifold).
   const OrbifoldType type =
     landmarks.size() == maximum ? OrbifoldType::Rectangle : OrbifoldType::Rhombus;
   OrbifoldMap map =
@@ -105,7 +106,7 @@ SurfaceMaps ThroughOrbifold(
   return { std::move(map.AToB), std::move(map.BToA) };
 }
 
-/// Finds landmarks if none are given, and which surface is a part of the other one.
+/// Finds landmarks if none are given, and decides which surface is a part of the other one.
 void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, Options::PartType part,
   CorrespondenceResult& result, const Progress& progress)
 {
@@ -132,7 +133,7 @@ void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, Options::Pa
     std::sqrt(result.Start.Part == Which::SurfaceB ? ratio / share : ratio * share), share };
 }
 
-/// Of surfaces of which one may be a part of the other one.
+/// The functional map of two surfaces, one of which may be a part of the other one.
 SurfaceMaps Functional(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const Options& options, const SurfacePart& part, const Progress& progress)
 {
@@ -161,17 +162,17 @@ SurfaceMaps Functional(const Surface& a, const Surface& b, const Landmarks& land
   return ComputeFunctionalMap(a, b, landmarks, whole, progress);
 }
 
-/// How many points of a surface the method needs; 0: all.
+/// Returns how many points of a surface the method needs; 0: all.
 int EnoughPoints(const Surface& surface, const Options& options)
 {
   switch (options.Method)
   {
     case Options::MethodType::CommonSphere:
     case Options::MethodType::CommonOrbifold:
-      return 0; // one to one, which only maps of the whole surfaces are
+      return 0; // only maps of the given surfaces are one to one
     case Options::MethodType::ReversibleHarmonic:
     {
-      // Coarse maps are refined: two fifths of the points are as good and half the time.
+      // Coarse maps are refined: two fifths of the points give equal quality in half the time.
       constexpr int minimum = 2000;
       const auto points = static_cast<int>(surface.Points().rows());
       return std::min(options.CoarsePoints, std::max(minimum, points / 5 * 2));
@@ -181,7 +182,7 @@ int EnoughPoints(const Surface& surface, const Options& options)
   }
 }
 
-/// Maps of the fine surfaces. landmarks: of the coarse ones, those used at the end.
+/// Computes the maps of the fine surfaces. landmarks: of the coarse ones; on return, those used.
 SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& options,
   CorrespondenceResult& result, const Progress& whole)
 {
@@ -195,6 +196,8 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     {
       GromovWassersteinOptions own;
       own.Samples = options.Samples;
+      // Landmarks that were found are a guess: they are starts of the coupling, which may correct
+      // them.
       if (result.Found)
       {
         own.Starts = { landmarks };
@@ -234,10 +237,11 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   if (options.Start == Options::StartType::FunctionalMap &&
     result.Part.Which != SurfacePart::WhichType::None)
   {
-    return pair.OnFine(start, lift); // iterations would spread the part over the whole
+    return pair.OnFine(start, lift); // iterations would spread the part over the other surface
   }
   ReversibleHarmonicOptions own;
   own.MaximumIterations = options.MaximumIterations;
+  // Landmarks that were found may be inexact, so they are not pinned.
   own.PinLandmarks = options.PinLandmarks && !result.Found;
   ReversibleHarmonicResult harmonic =
     RefineReversibleHarmonicMap(pair, start, landmarks, own, whole.Part(0.4, 1.0));
@@ -247,6 +251,12 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
 
 } // namespace
 
+// 1. Remove the points that no triangle uses.
+// 2. Without landmarks, find some on coarse versions of the surfaces.
+// 3. Coarsen both surfaces to the size that the method needs, and keep the landmarks as points.
+// 4. With given landmarks, decide whether one surface is a part of the other one (Begin).
+// 5. Compute the maps by the method, and bring them to the given surfaces (Find).
+// 6. Evaluate the maps, and number everything as given.
 CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const CorrespondenceOptions& options, const Progress& progress)
 {
@@ -280,6 +290,8 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   }
   Landmarks kept = own;
   kept.insert(kept.end(), result.Start.Rival.begin(), result.Start.Rival.end());
+  // A second coarsening: the landmarks are known now and must survive, and the number of points is
+  // that of the method.
   const CoarsePair pair(one.Surface, two.Surface, kept,
     EnoughPoints(std::max(one, two, HasFewer).Surface, options), progress.Part(0.35, 0.4));
   result.CoarsePoints =

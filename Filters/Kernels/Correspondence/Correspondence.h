@@ -13,26 +13,28 @@ namespace shape
 
 struct CorrespondenceResult
 {
-  SurfaceMaps Maps; ///< a row for each point, one that no triangle uses goes with the nearest used
-  Landmarks Used;   ///< points of A and B: those given, or found
-  bool Found = false;               ///< whether landmarks were found, not given
-  AutomaticLandmarksResult Start;   ///< where they were
-  SurfacePart Part;                 ///< what is a part, and at what scale
-  int CoarsePoints = 0;             ///< of the larger surface that the method worked on
-  int Iterations = 0;               ///< of ReversibleHarmonic, on these; 0 if it ended at its start
-  double CouplingDistortion = -1.0; ///< of GromovWasserstein: GromovWassersteinResult's Distortion
-  double CouplingError = -1.0;      ///< and its Error
+  /// A row for each point. A point that no triangle uses is mapped like the nearest point that one
+  /// uses.
+  SurfaceMaps Maps;
+  Landmarks Used;                 ///< points of A and B: the given landmarks, or the automatic ones
+  bool Found = false;             ///< whether the landmarks were found automatically
+  AutomaticLandmarksResult Start; ///< the result of FindLandmarks, if they were
+  SurfacePart Part;     ///< which surface is a part of the other one, and the scale between them
+  int CoarsePoints = 0; ///< points of the larger surface that the method was run on
+  int Iterations = 0;   ///< ReversibleHarmonic, on the coarse surfaces; 0 if it returned its start
+  double CouplingDistortion = -1.0; ///< GromovWasserstein: see GromovWassersteinResult::Distortion
+  double CouplingError = -1.0;      ///< GromovWasserstein: see GromovWassersteinResult::Error
   SurfaceMapFacts Facts;
 };
 
 /**
- * Which point of one surface corresponds to which point of another one, both ways, by one of
- * seven methods; each says in its header what surfaces it is for. Without landmarks those of
- * FindLandmarks are used, on surfaces of one component; they are not pinned. CommonOrbifold
- * takes the first four of these.
+ * Computes corresponding points of two surfaces, in both directions, by one of seven methods. The
+ * header of each method says for which surfaces it is suitable. Without landmarks, those of
+ * FindLandmarks are used, which needs surfaces of one component; they are not pinned.
+ * CommonOrbifold uses the first four of them.
  *
- * a, b: consistently oriented 2-manifolds, facing outwards if they are closed; points that no
- * triangle uses are left aside. Throws InvalidInput, SolveFailure, Aborted.
+ * a, b: consistently oriented 2-manifolds, facing outwards if they are closed. Points that no
+ * triangle uses are ignored. Throws InvalidInput, SolveFailure, Aborted.
  */
 CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const CorrespondenceOptions& options = {},

@@ -25,7 +25,9 @@ Triangle2 ImageOf(const ExponentialPatch& patch, int triangle)
   return image;
 }
 
-/// The loop with its points moved to points of the patch that are near, no two to the same one.
+/// Returns the loop with its points moved to nearby points of the patch, no two to the same one.
+/// Points of the loop next to a point of the patch would make thin triangles in the band. Closest
+/// pairs come first; index order makes ties unique.
 Eigen::MatrixXd Snapped(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, double snap)
 {
   struct Pull
@@ -73,9 +75,9 @@ Eigen::MatrixXd Snapped(const ExponentialPatch& patch, const Eigen::MatrixXd& lo
   return snapped;
 }
 
-/// Finds what a loop covers of a patch. Find takes these steps:
+/// Finds the region that a loop covers on a patch. Find takes these steps:
 ///
-/// 1. Look: for each triangle, whether the loop covers it, and which points of the loop lie in it.
+/// 1. Look: finds the triangles that the loop covers, and the points of the loop in each.
 /// 2. ClearPointsOnSides: removes the triangles around points inside an edge of the loop.
 /// 3. MakeRing: removes triangles until the boundary of the removed ones passes no point twice, and
 ///    checks that it ends inside the patch; WalkRing checks that they are a disk.
@@ -121,6 +123,8 @@ private:
   void Look(int triangle)
   {
     Triangle2 image = ImageOf(this->Patch, triangle);
+    // All tests use exact orientation: a decision by rounding would leave a gap or an overlap in
+    // the ring.
     const int turn = EvaluateOrientation(
       Eigen::RowVector2d(image.row(0)), Eigen::RowVector2d(image.row(1)), image.row(2));
     if (turn > 0)
@@ -129,6 +133,8 @@ private:
       this->Gone[triangle] = this->Gone[triangle] || this->Outline.Covers(image);
       return;
     }
+    // A flipped or degenerate triangle: at the loop it is a fault, since the image is not one to
+    // one there. Inside the loop it is removed anyway.
     bool isAtLoop = false;
     if (turn < 0)
     {
@@ -165,8 +171,11 @@ private:
           }
           zeros += turn == 0;
           const Eigen::RowVector2d along = b - a, up = position - a;
+          // The barycentric coordinate of corner k is the area opposite to it. The exact sign
+          // decides; rounding must not make an area negative.
           areas(k) = turn == 0 ? 0.0 : std::max(along.x() * up.y() - along.y() * up.x(), 0.0);
         }
+        // Inside two triangles: the patch covers the plane twice.
         if (zeros == 0 && this->IsInside[side] && this->Result.Fault == CoveredRegionFault::None)
         {
           this->Result.Fault = CoveredRegionFault::Overlaps;
@@ -205,7 +214,7 @@ private:
     this->ClearAround(split);
   }
 
-  /// Removes the triangles around these points; returns whether there was any.
+  /// Removes the triangles around these points; returns whether there were any.
   bool ClearAround(const std::vector<bool>& points)
   {
     bool some = false;
@@ -271,6 +280,8 @@ private:
           }
         }
       }
+      // Removing the triangles around a pinched point may pinch another one, so the search is
+      // repeated. It ends, since each round removes triangles.
     } while (this->Result.Fault == CoveredRegionFault::None && this->ClearAround(pinched));
     if (this->Result.Fault == CoveredRegionFault::None)
     {
@@ -307,6 +318,7 @@ private:
     }
     const auto first =
       std::find_if(next.begin(), next.end(), [](int point) { return point >= 0; }) - next.begin();
+    // A ring without edges: the removed triangles are a closed surface, or there are none.
     if (first == static_cast<std::ptrdiff_t>(next.size()))
     {
       this->Result.Fault = CoveredRegionFault::BeyondPatch;
@@ -321,6 +333,8 @@ private:
     } while (at != first && at >= 0 && static_cast<int>(ring.size()) < sides);
     const auto points = static_cast<int>(std::count(used.begin(), used.end(), true));
     // A disk: one ring, and points - edges + triangles = 1.
+    // Each triangle has three edges, and each inner edge two triangles, so the number of edges is
+    // (3 triangles + sides) / 2.
     if (at != first || static_cast<int>(ring.size()) != sides ||
       points - (3 * triangles + sides) / 2 + triangles != 1)
     {
@@ -360,6 +374,7 @@ CoveredRegion CoveredRegionFinder::Find(
   }
   CoveredRegion footprint =
     Cover(patch, this->Target.Twins(), this->InPatch, Snapped(patch, loop, snap)).Find();
+  // Only the entries that were set are reset: the time does not depend on the size of the target.
   for (const int triangle : patch.Triangles)
   {
     this->InPatch[triangle] = -1;

@@ -11,33 +11,35 @@
 namespace shape
 {
 
-/// Why a loop cannot be placed on a patch.
+/// The reason why a loop cannot be placed on a patch.
 enum class CoveredRegionFault
 {
   None,
-  BeyondPatch,   ///< it leaves the patch, but not the surface
-  LeavesSurface, ///< the boundary of the surface crosses it
-  Flipped,       ///< it crosses triangles that are flipped in the patch's image
-  Overlaps,      ///< two triangles of the patch overlap there
-  NotADisk,      ///< what it covers has a hole or a handle
-  Collapsed      ///< consecutive points of it come to the same point of the surface
+  BeyondPatch,   ///< the loop leaves the patch, but not the surface
+  LeavesSurface, ///< the loop crosses the boundary of the surface
+  Flipped,       ///< the loop crosses triangles that are flipped in the patch's image
+  Overlaps,      ///< the loop crosses two overlapping triangles of the patch
+  NotADisk,      ///< the covered region has a hole or a handle
+  Collapsed      ///< consecutive points of the loop coincide on the surface
 };
 
-/// What a loop in the plane covers of a surface.
+/// The region of a surface that a loop in the plane covers.
 struct CoveredRegion
 {
   CoveredRegionFault Fault = CoveredRegionFault::None;
-  int FlippedAtLoop = 0;      ///< flipped triangles that the loop crosses
-  int Flipped = 0;            ///< these, and other covered triangles that are flipped or degenerate
-  std::vector<int> Triangles; ///< of the surface: to be removed to make room for the loop
-  std::vector<int> Ring;      ///< points of the surface around them, counter-clockwise in the image
-  Eigen::MatrixXd RingImage;  ///< their images in the plane
-  Eigen::MatrixXd Loop;       ///< the loop, its points snapped
-  SurfacePoints Positions;    ///< of the loop's points on the surface
+  int FlippedAtLoop = 0; ///< number of flipped triangles that the loop crosses
+  /// Number of these, and of other covered triangles that are flipped or degenerate.
+  int Flipped = 0;
+  std::vector<int> Triangles; ///< triangles of the surface to remove under the loop
+  /// Points of the surface around these triangles, counter-clockwise in the image.
+  std::vector<int> Ring;
+  Eigen::MatrixXd RingImage; ///< n x 2: the images of these points in the plane
+  Eigen::MatrixXd Loop;      ///< the loop with snapped points
+  SurfacePoints Positions;   ///< positions of the loop's points on the surface
 };
 
-/// Finds what loops cover of one surface: a disk of triangles, so that the band between its ring
-/// and the loop can be triangulated in the plane without points inside.
+/// Finds the regions that loops cover on one surface. Each is a disk of triangles, chosen so that
+/// the band between its ring and the loop can be triangulated in the plane without further points.
 class CoveredRegionFinder
 {
 public:
@@ -45,20 +47,21 @@ public:
   explicit CoveredRegionFinder(const Surface& target);
 
   /**
-   * patch: of that surface. loop: n x 2, a simple polygon of either orientation. Of its points less
-   * than `snap` from a point of the patch, the nearest one is moved there.
+   * Finds the region that a loop covers. patch: of the target. loop: n x 2, a simple polygon of
+   * either orientation. If points of the loop are less than `snap` from a point of the patch, the
+   * nearest of them is moved to that point.
    *
-   * Removed are the triangles that lie within the loop or whose inside an edge of the loop meets;
-   * all triangles around points of the surface that lie inside an edge; and those where the ring
-   * would touch itself. Exact except for snapping. Flipped triangles within the loop do no harm:
-   * they are removed. If the result has a fault, its other members except for the counts are
-   * undefined.
+   * The removed triangles are those inside the loop and those whose interior an edge of the loop
+   * crosses. If a point of the surface lies inside an edge of the loop, all triangles around it are
+   * removed, and so are those at which the ring would touch itself. The result is exact except for
+   * snapping. Flipped triangles inside the loop are simply removed. If the result has a fault, its
+   * other members except for the counts are undefined.
    */
   CoveredRegion Find(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, double snap);
 
 private:
   Surface Target;
-  std::vector<int> InPatch; ///< of each triangle of the surface: its index in the patch, or -1
+  std::vector<int> InPatch; ///< for each triangle of the surface, its index in the patch, or -1
 };
 
 } // namespace shape

@@ -20,7 +20,7 @@ namespace shape
 namespace
 {
 
-/// Adds the fills to the rest; their points and triangles are on no triangle of the surface.
+/// Adds the fills to the rest; their points and triangles have no original triangle.
 void Append(const FilledSurface& filled, DividedPart& rest)
 {
   const Eigen::Index own = rest.Surface.Points.rows(), all = filled.Surface.Points.rows();
@@ -39,8 +39,8 @@ void Append(const FilledSurface& filled, DividedPart& rest)
   rest.Positions.Barycentrics.bottomRows(all - own).setZero();
 }
 
-/// For each point of a loop of the feature, the coincident one of the rest. On a seam, whose points
-/// are duplicates, `loop` keeps one.
+/// Returns, for each point of a loop of the feature, the coincident point of the rest. Of duplicate
+/// points on a seam, `loop` keeps one.
 std::vector<int> PointsAt(
   std::vector<int>& loop, const DividedPart& feature, const DividedPart& rest)
 {
@@ -63,7 +63,10 @@ std::vector<int> PointsAt(
   return points;
 }
 
-/// The feature's base at a loop, if there is a hole of the rest that was filled.
+/// The feature's base at a loop, if the hole in the rest was filled.
+/// Section 4.2 of the paper: the loop is embedded in the parameterization of the fill region, and
+/// the initial frames are taken from this surface. Of several fills, the base is the one that
+/// shares most points with the loop.
 void FindBase(
   const Surface& filled, std::vector<int> loop, CutFeatureResult& result, const Progress& progress)
 {
@@ -91,7 +94,7 @@ void FindBase(
 }
 
 /// Fills the holes that a feature leaves. Even if the loop has many short edges, the number of
-/// triangles is limited to about as many as would be of the surface's own size.
+/// triangles is limited to about that of triangles as large as the surface's.
 FilledSurface Filled(const Surface& rest, const std::vector<std::vector<int>>& loops,
   double meanArea, FillHolesOptions options, const Progress& progress)
 {
@@ -106,6 +109,8 @@ FilledSurface Filled(const Surface& rest, const std::vector<std::vector<int>>& l
                                next = rest.Points().row(loop[i + 1]);
       area += 0.5 * (here - first).cross(next - first);
     }
+    // A triangulation has about half as many inner points as triangles. The area is that of the
+    // loop, projected along its area vector.
     enough = std::max(enough, 0.5 * area.norm() / meanArea + static_cast<double>(loop.size()));
   }
   int& maximum = options.Filler.MaximumPoints;
@@ -138,6 +143,9 @@ void RenumberLoops(const DividedPart& part, std::size_t first, std::vector<Fille
 }
 
 /// Builds the parts of a divided surface, and fills the rest.
+/// Section 4.2 of the paper, "cut": both parts are built, the hole of the rest is filled, and the
+/// feature's loop is embedded in the fill. Pinches of the rest are parted after the fill, which may
+/// use their points.
 void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
   CutFeatureResult& result, const Progress& progress)
 {
@@ -156,6 +164,7 @@ void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
       division.MeanArea(), options.Fill, progress.Part(0.1, 0.6));
     Append(filled, result.Rest);
     result.Holes = std::move(filled.Holes);
+    // The longest loop carries the base; others are inner holes of the feature.
     if (!loops.empty())
     {
       FindBase(filled.Surface, loops.front(), result, progress.Part(0.6, 1.0));
@@ -191,6 +200,7 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
     throw InvalidInput("Loop Index is " + std::to_string(index) + "; there are " +
       std::to_string(count) + " loops, from 0 on, and -1 takes all");
   }
+  // Cutting along a selection needs neither.
   if (!this->Paths)
   {
     this->Locator = std::make_unique<SurfaceLocator>(this->Joined.Surface);
@@ -209,6 +219,10 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
   return loops;
 }
 
+// 1. Trace the curves as shortest paths on the surface (LoopsThrough).
+// 2. Insert them as edges (ImprintCurves).
+// 3. Choose the side of the loops that is the feature (MarkTrianglesOnSide).
+// 4. Divide the surface there, and fill the hole (Divide).
 CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
   const CutFeatureOptions& options, const Progress& progress)
 {
@@ -217,7 +231,7 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
     this->LoopsThrough(curves, options.LoopIndex, progress.Part(0.0, 0.2));
   ImprintedCurves split = ImprintCurves(
     this->Locator->GetSurface(), loops, { options.SnapShare }, progress.Part(0.2, 0.3));
-  // Of a curve that touches itself, the longest part.
+  // Only the longest part of a curve that touches itself is used.
   std::vector<std::vector<int>> chosen;
   std::vector<char> isTaken(loops.size(), 0);
   for (std::size_t i = 0; i < split.Loops.size(); ++i)

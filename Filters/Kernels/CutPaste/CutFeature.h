@@ -22,10 +22,11 @@ namespace shape
 struct CutFeatureOptions
 {
   LoopSide Side = LoopSide::Smaller;
-  int LoopIndex = -1;      ///< of the curve that cuts, from 0 on; -1: all
+  int LoopIndex = -1;      ///< index of the curve to cut along; -1: all curves
   double SnapShare = 0.05; ///< see CurveImprintingOptions
   bool FillHole = true;    ///< whether the hole that the feature leaves is filled
-  FillHolesOptions Fill;   ///< whose triangles become as large as the surface's beside the loop
+  /// The fill's triangles grow to the size of the surface's triangles beside the loop.
+  FillHolesOptions Fill;
 };
 
 /// A feature cut from a surface.
@@ -33,47 +34,49 @@ struct CutFeatureResult
 {
   DividedPart Feature;
   DividedPart Rest;              ///< the rest of the surface and, if FillHole is set, the fills
-  std::vector<FilledHole> Holes; ///< of Rest
-  std::optional<FeatureFootprint>
-    Base; ///< at the feature's longest cut loop, if its hole was filled
+  std::vector<FilledHole> Holes; ///< the filled holes of Rest
+  /// The base of the feature, at its longest cut loop, if its hole was filled.
+  std::optional<FeatureFootprint> Base;
   Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< of the base: the centre of the fill
-  int WeldedPoints = 0;                                 ///< of the surface: see WeldedSurface
-  int Loops = 0;          ///< closed loops of the feature that were cut
-  int LoopsLeftOut = 0;   ///< parts of curves that touch themselves, except the longest
-  double CutLength = 0.0; ///< of all edges between feature and rest
+  int WeldedPoints = 0; ///< number of points of the surface that were welded: see WeldedSurface
+  int Loops = 0;        ///< number of closed loops along which the feature was cut
+  /// Number of ignored parts of curves that touch themselves; the longest part is used.
+  int LoopsLeftOut = 0;
+  double CutLength = 0.0; ///< total length of the edges between feature and rest
 };
 
 /**
- * Cuts features from one surface, along closed curves on it or by its triangles, again and again:
- * section 4.2 of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
- * "To 'cut' a feature surface S, we simply segment it from the base surface based on a fixed
- * boundary loop, and fill the hole [...]. To ensure that the original mesh is recovered if we drop
- * a feature back in the same position, we embed the loop in a parameterization of the fill region,
- * and also take the initial boundary frames from this new surface": the result's Base.
+ * Cuts features from one surface, any number of times, along closed curves on it or along the
+ * border of selected triangles: section 4.2 of Schmidt and Singh, "Drag-and-drop surface
+ * composition" (Graphics Interface 2010). "To 'cut' a feature surface S, we simply segment it from
+ * the base surface based on a fixed boundary loop, and fill the hole [...]. To ensure that the
+ * original mesh is recovered if we drop a feature back in the same position, we embed the loop in a
+ * parameterization of the fill region, and also take the initial boundary frames from this new
+ * surface": the result's Base.
  *
- * Curves may run anywhere: triangles that they cross are split (ImprintCurves). Holes that the
- * surface had remain. If a cut ends at the surface's boundary, there is no hole to fill; a point at
- * which two parts of the result only touch is duplicated. Owns what depends on the surface alone;
- * not for several threads at once.
+ * Curves may have any position on the surface: triangles that they cross are split (ImprintCurves).
+ * Existing holes of the surface remain. If a cut ends at the surface's boundary, there is no hole
+ * to fill. A point at which two parts of the result touch without a common edge is duplicated. The
+ * cutter stores what depends on the surface alone. Not for use by several threads at once.
  */
 class FeatureCutter
 {
 public:
-  /// surface: any triangles; seams are no boundary (WeldedSurface), and triangles with a point
-  /// twice are ignored. Throws InvalidInput if there is no triangle of three positions, an index is
-  /// out of range or a coordinate is not finite; Aborted.
+  /// surface: any triangles. Seams are not treated as boundaries (WeldedSurface), and triangles
+  /// that contain a point twice are ignored. Throws InvalidInput if no triangle has three distinct
+  /// positions, an index is out of range or a coordinate is not finite; Aborted.
   explicit FeatureCutter(const shape::Surface& surface, const Progress& progress = {});
   FeatureCutter(const FeatureCutter&) = delete;
   FeatureCutter& operator=(const FeatureCutter&) = delete;
 
   ///@{
   /**
-   * curves: closed, each k x 3 points on the surface or near it, at least 3, the last joined to the
-   * first. isSelected: m, of each triangle.
+   * Cuts one feature. curves: closed, each with at least 3 points (k x 3) on or near the surface;
+   * the last point is joined to the first. isSelected: m, one for each triangle.
    *
    * Throws InvalidInput if an option or a point is wrong, if a curve encloses nothing or does not
-   * divide the surface, or if the selection has no edge in common with the rest; as SurfaceFiller;
-   * Aborted.
+   * divide the surface, or if the selection has no edge in common with the rest. Throws the
+   * exceptions of SurfaceFiller; Aborted.
    */
   CutFeatureResult Cut(const std::vector<Eigen::MatrixXd>& curves,
     const CutFeatureOptions& options = {}, const Progress& progress = {});
@@ -87,12 +90,12 @@ private:
 
   shape::Surface Surface;
   WeldedSurface Joined;
-  std::unique_ptr<SurfaceLocator> Locator; ///< of Joined, like Paths: made for the first curve
+  /// Of Joined; like Paths, it is created for the first curve.
+  std::unique_ptr<SurfaceLocator> Locator;
   std::unique_ptr<SurfacePaths> Paths;
 };
 
-///@{
-/// Cuts once.
+/// Cuts a single feature from a surface.
 CutFeatureResult CutFeature(const Surface& surface, const std::vector<Eigen::MatrixXd>& curves,
   const CutFeatureOptions& options = {}, const Progress& progress = {});
 CutFeatureResult CutFeature(const Surface& surface, const std::vector<char>& isSelected,

@@ -16,6 +16,8 @@ bool IsSimplePolygon(const Eigen::MatrixXd& polygon)
   }
   try
   {
+    // The triangulation is exact: it throws if edges cross, splits an edge at a point on it, and
+    // merges coincident points. None of these happens to a simple polygon.
     const PlanarTriangulation flat = TriangulateInPlane(polygon, sides);
     return flat.Edges.rows() == corners &&
       flat.SamePoint == Eigen::VectorXi::LinSpaced(corners, 0, corners - 1);

@@ -20,7 +20,7 @@ namespace shape
 namespace
 {
 
-/// The rows of points in a patch; empty if it does not have them all.
+/// Returns the rows of points in a patch; empty if one of them is not in it.
 std::vector<int> RowsOf(const std::vector<int>& points, const ExponentialPatch& patch)
 {
   std::unordered_map<int, int> rows;
@@ -41,7 +41,9 @@ std::vector<int> RowsOf(const std::vector<int>& points, const ExponentialPatch& 
   return found;
 }
 
-/// Whether the loop, pasted where it was cut, returns to its position.
+/// Returns whether the loop returns to its position if it is pasted where it was cut.
+/// Schmidt and Singh, section 4.2, demand it: a feature that is dropped back in its position gives
+/// the original surface. It is tested by pasting, with the same code, the loop only.
 bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::vector<int>& loop,
   const Eigen::RowVector3d& seed)
 {
@@ -60,7 +62,10 @@ bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::ve
   }
 }
 
-/// Flattens the loop conformally, with the smallest patch that suffices; else by the slow method.
+/// Flattens the loop conformally, with the smallest sufficient patch; if none is, by the slow
+/// method.
+/// A larger patch moves the boundary of the map, where it distorts most, away from the loop. The
+/// method with minimum distortion is slow, so it comes last.
 void LayOutConformally(PasteTarget& home, const Eigen::RowVector3d& seed, double radius,
   const std::vector<int>& loop, FeatureFootprint& base, const Progress& progress)
 {
@@ -100,9 +105,11 @@ Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vect
   const Surface part(surface.Points(), surface.Triangles()(triangles, Eigen::all));
   const Eigen::VectorXd areas = part.AreaVectors().rowwise().norm();
   const Eigen::MatrixXd midpoints = ComputeCentroids(part);
+  // Triangles without area have no weight; if all have none, their mean is taken.
   const Eigen::RowVector3d centroid = areas.sum() > 0.0
     ? Eigen::RowVector3d(areas.transpose() * midpoints / areas.sum())
     : Eigen::RowVector3d(midpoints.colwise().mean());
+  // The centroid of a curved fill is not on it.
   return SurfaceLocator(part).FindOne(centroid).Position;
 }
 
@@ -129,6 +136,7 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
     radius = std::max(radius, (filled.Points().row(point) - position.Position).norm());
   }
   // Paths on the surface are longer than straight lines: the patch grows until it has the loop.
+  // The radius grows by 1.5^8 = 26 in total; a loop beyond that is on another component.
   constexpr int rounds = 8;
   for (int round = 0; round < rounds; ++round)
   {
@@ -153,6 +161,8 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
                      "the fill; keep one component with Connectivity");
 }
 
+/// Schmidt and Singh, section 4.2: for an arbitrary feature the loop is embedded in the plane by
+/// the hole filler's technique.
 FeatureFootprint BuildFootprintOnOwnFill(
   const Surface& feature, const std::vector<int>& loop, const Progress& progress)
 {
@@ -160,6 +170,7 @@ FeatureFootprint BuildFootprintOnOwnFill(
   std::vector<int> rim(loop.size());
   std::iota(rim.begin(), rim.end(), 0);
   const TriangleFans fans(feature.Triangles(), feature.Points().rows());
+  // Only the loop and the feature's normals there are given, so the fill continues the feature.
   SurfaceFiller filler(curve, { rim }, { ComputeBoundaryNormals(feature, fans, loop) });
   const FilledSurface filled = filler.Fill({}, progress.Part(0.0, 0.6));
   std::vector<int> triangles(filled.Surface.Triangles.rows());

@@ -14,7 +14,7 @@ namespace shape
 namespace
 {
 
-/// The edges of loops, and which loop each is of.
+/// The edges of loops, and the loop that contains each.
 class LoopEdges
 {
 public:
@@ -37,13 +37,13 @@ public:
           this->Edges.insert({ std::minmax(a, b), { static_cast<int>(l), a < b } });
         if (!isNew)
         {
-          this->Edges.erase(edge); // two loops that share it change nothing there
+          this->Edges.erase(edge); // an edge of two loops separates nothing
         }
       }
     }
   }
 
-  /// nullptr for another edge.
+  /// Returns nullptr for an edge that is on no loop.
   const Edge* Find(const HalfEdge& side) const
   {
     if (this->IsOnLoop[side.Begin] == 0 || this->IsOnLoop[side.End] == 0)
@@ -59,11 +59,14 @@ private:
   std::map<std::pair<int, int>, Edge> Edges;
 };
 
-/// Twice as many items as triangles: those, and their opposites. What is on the same side is one
-/// set.
+/// Disjoint sets of the triangles and their opposites, two items for each triangle. Items on the
+/// same side are in one set.
 class Sides
 {
 public:
+  // Disjoint sets with parity: "same side" merges a triangle with its neighbour, "different sides"
+  // with its neighbour's opposite. A triangle in one set with its own opposite is a contradiction:
+  // the loops do not divide the component.
   Sides(const std::vector<HalfEdge>& edges, const LoopEdges& loops)
     : Count(static_cast<int>(edges.size()) / 3)
     , Same(2 * this->Count)
@@ -92,7 +95,8 @@ private:
   DisjointSets Same, Connected;
 };
 
-/// Of each component with loops: a triangle left of the first one, or the opposite of one right.
+/// For each component with loops, a triangle to the left of its first loop, or the opposite of one
+/// to the right.
 std::map<int, int> LeftTriangles(
   const std::vector<HalfEdge>& edges, const LoopEdges& loops, Sides& sides)
 {
@@ -101,10 +105,12 @@ std::map<int, int> LeftTriangles(
   {
     if (const LoopEdges::Edge* loop = loops.Find(edge))
     {
+      // A triangle is to the left of its own half-edges.
       const bool isLeft = (edge.Begin < edge.End) == loop->IsForward;
       const std::pair<int, int> own(
         loop->Loop, isLeft ? edge.Triangle : sides.Opposite(edge.Triangle));
       const auto [known, isNew] = found.insert({ sides.Component(edge.Triangle), own });
+      // The first loop in the list is the longest, and decides left and right.
       if (!isNew && own.first < known->second.first)
       {
         known->second = own;
@@ -163,6 +169,7 @@ std::vector<char> MarkTrianglesOnSide(
     if (own != areaOf.end() && own->second.HasLeft && own->second.HasRight)
     {
       const Area& area = own->second;
+      // Equal halves: the left one is the smaller, so exactly one side is taken.
       const bool takesLeft = side == LoopSide::Left ||
         (side == LoopSide::Smaller && area.Left <= area.Right) ||
         (side == LoopSide::Larger && area.Left > area.Right);

@@ -51,7 +51,7 @@ BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
     throw InvalidInput("the feature's loop has " + std::to_string(size) + " points, " +
       std::to_string(base.LoopPositions.rows()) + " positions in the plane and " +
       std::to_string(base.Normals.rows()) +
-      " normals; it needs as many of each, and at least 3: "
+      " normals; the numbers must be equal and at least 3: "
       "cut it again");
   }
   Eigen::MatrixXd positions(size, 3);
@@ -63,6 +63,7 @@ BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
 }
 
 /// The maximum angle between one of the rotations and the first, in radians.
+/// Rotations by an angle t apart have the Frobenius distance sqrt(8) sin(t / 2).
 double Spread(const std::vector<Eigen::Matrix3d>& rotations)
 {
   double farthest = 0.0;
@@ -73,7 +74,7 @@ double Spread(const std::vector<Eigen::Matrix3d>& rotations)
   return 2.0 * std::asin(std::min(farthest / std::sqrt(8.0), 1.0));
 }
 
-/// The arrival time of the last point of triangles at the loop.
+/// Returns the maximum arrival time of the points of triangles at the loop.
 double ReachOfRing(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
   const Eigen::VectorXd& times)
 {
@@ -91,6 +92,8 @@ double ReachOfRing(const Mesh& feature, const TriangleFans& fans, const std::vec
   return reach;
 }
 
+/// The angle between the projections to the plane across the tangent: only this part of the
+/// deviation can be corrected by a rotation about the loop.
 Eigen::VectorXd AnglesAcross(
   const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, const Eigen::MatrixXd& tangents)
 {
@@ -106,7 +109,7 @@ Eigen::VectorXd AnglesAcross(
   return angles;
 }
 
-/// How far from the loop SeamNormals acts, in mean edges of the loop.
+/// The distance from the loop within which SeamNormals acts, in mean edges of the loop.
 constexpr double TurningWidth = 4.0;
 
 double MeanSide(const BoundaryHandle& curve)
@@ -148,7 +151,7 @@ FeatureToPaste::FeatureToPaste(const shape::Surface& feature, FeatureFootprint b
   RequireSimple(this->Stand.LoopPositions);
   this->Prepared =
     PrepareDeformation(BuildPointGraph(this->Feature), this->Handle, options, fields, progress);
-  // The midpoints are on chords of the loop, where the front begins.
+  // The midpoints are on chords of the loop, at which the front starts.
   Eigen::VectorXd arrivals = Eigen::VectorXd::Zero(this->Fans.First.size() - 1);
   arrivals.head(this->Feature.Points().rows()) = this->Prepared->Arrivals();
   const Mesh cut{ this->WithMidpoints(this->Feature.Points()), this->Cut.Triangles };
@@ -192,10 +195,14 @@ Eigen::MatrixXd FeatureToPaste::WithMidpoints(const Eigen::MatrixXd& points) con
   return all;
 }
 
+/// The boundary optimisation of section 4.2, which is that of section 4.1: a single angle while the
+/// feature is dragged, one angle for each sample when it is released.
 Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd& normals,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
   constexpr double rigid = 5.0 * M_PI / 180.0;
+  // If all frames rotate alike, the feature moves rigidly and must not change. The normals are
+  // blended up to 5 degrees, so nothing jumps while the feature is dragged.
   const double share = std::min(Spread(pose.Rotations) / rigid, 1.0);
   Eigen::MatrixXd wanted(normals.rows(), 3);
   for (Eigen::Index i = 0; i < wanted.rows(); ++i)
@@ -216,8 +223,8 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   Eigen::MatrixXd deformed = this->WithMidpoints(
     this->Prepared->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.7, 1.0))
       .Points);
-  // A point at a bend of the loop goes to the mean of several positions: further rounds rotate it
-  // by what this leaves.
+  // A point at a bend of the loop goes to the mean of several positions. Further rounds remove the
+  // angle that remains.
   const int rounds = options.Dragging ? 1 : 3;
   for (int round = 0; share > 0.0 && round < rounds; ++round)
   {
@@ -226,13 +233,20 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   return deformed;
 }
 
+// Section 4.2 of the paper:
+// 1. Map the loop to the target by the exponential maps of both (PasteTarget::Land).
+// 2. Deform the feature to follow its loop, with frames that rotate the base's normals to the
+//    target's.
+// 3. Optimise the frames, and remove the remaining angles at the loop (Smoothly).
+// 4. Remove the covered triangles, and join both by the band (JoinFeatureAndTarget).
+// 5. Check that the result is a manifold with the expected Euler number.
 PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
   LoopOnTarget landing =
     target.Land(this->Stand, placement, !options.Dragging, progress.Part(0.0, 0.3));
-  // The offsets within the feature grow with Scale: it is deformed at its own size, to a pose
-  // divided by Scale.
+  // Offsets within the feature grow with Scale, so the feature is deformed at its original size to
+  // a pose divided by Scale.
   HandlePose pose = PoseHandle(this->Handle, landing.Positions / placement.Scale, landing.Normals);
   const Eigen::VectorXd before = AnglesAcross(
     this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),

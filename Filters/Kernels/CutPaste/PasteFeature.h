@@ -20,22 +20,22 @@ struct PasteFeatureOptions
 {
   /// Whether the frames at the loop are optimised so that the feature joins the target smoothly.
   bool OptimizeNormals = true;
-  /// For a feature that is being dragged: one angle for the whole loop is enough, the result is not
-  /// checked, and no smaller scale is searched if the feature does not fit.
+  /// Whether the feature is being dragged. Then one angle for the whole loop is enough, the result
+  /// is not checked, and no smaller scale is searched if the feature does not fit.
   bool Dragging = false;
 };
 
-/// The quantile of values at a share from 0 to 1; 0 if there are none.
+/// Returns the quantile of values at a share from 0 to 1; 0 if there are none.
 double ComputePercentile(const Eigen::VectorXd& values, double share);
 
-/// A feature prepared for being pasted, again and again: see PasteTarget, ShapeDeformation.
+/// A feature prepared for being pasted any number of times: see PasteTarget, ShapeDeformation.
 class FeatureToPaste
 {
 public:
   /**
-   * feature: any triangles; base: of its loop. Throws InvalidInput if the loop is no closed curve
-   * of at least 3 points of the feature, crosses itself in the plane or runs clockwise there, or as
-   * PrepareDeformation does; Aborted.
+   * feature: any triangles; base: of its loop. Throws InvalidInput if the loop is not a closed
+   * curve of at least 3 points of the feature, crosses itself in the plane or runs clockwise there.
+   * Throws the exceptions of PrepareDeformation; Aborted.
    */
   FeatureToPaste(const shape::Surface& feature, FeatureFootprint base,
     const DeformOptions& options = {}, const DeformFields& fields = {},
@@ -46,17 +46,19 @@ public:
    * deformed to follow it, and a band of triangles joins both. Section 4.2 of Schmidt and Singh,
    * "Drag-and-drop surface composition" (Graphics Interface 2010).
    *
-   * The result is a 2-manifold if both were; watertight if the target was and the feature has no
-   * other loop. Pasted where it was cut (Scale 1, no Rotation, on the surface that its base is
-   * from), the feature returns to its position. `Scale` multiplies the deformation's.
+   * The result is a 2-manifold if both inputs are; it is watertight if the target is and the
+   * feature has no other loop. If the feature is pasted where it was cut, it returns to its
+   * position. This requires Scale 1, no Rotation, and the surface of its base. The deformation's
+   * scale is multiplied by `Scale`.
    *
-   * OptimizeNormals rotates the frames (OptimizeBoundaryNormals) so that the feature's normals at
-   * the loop, weighted by angle, become the target's; then the points near the loop by the
-   * remaining angle (SeamNormals, to a distance of 4 mean edges of the loop). If the loop moves as
-   * a rigid body, the feature keeps its angle to the surface; as the frames come to differ by 5
-   * degrees, the target's normals take over.
+   * OptimizeNormals rotates the frames (OptimizeBoundaryNormals) to match the feature's
+   * angle-weighted normals at the loop to those of the target. The remaining angle is removed by
+   * rotating the points near the loop (SeamNormals, to a distance of 4 mean edges of the loop). If
+   * the loop moves as a rigid body, the feature keeps its angle to the surface. The target's
+   * normals take over as the difference between the frames increases to 5 degrees.
    *
-   * Throws as PasteTarget::Land; SolveFailure if the result is not the expected surface; Aborted.
+   * Throws the exceptions of PasteTarget::Land; SolveFailure if the result is not the expected
+   * surface; Aborted.
    */
   PastedFeature PasteOn(PasteTarget& target, const PastePlacement& placement,
     const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
@@ -75,12 +77,12 @@ private:
 
   shape::Surface Feature;
   FeatureFootprint Stand;
-  CutTriangles
-    Cut; ///< the feature's, split at the chords of its loop, so that all can rotate there
-  TriangleFans Fans; ///< of these
+  /// The feature's triangles, split at the chords of its loop so that all of them can rotate there.
+  CutTriangles Cut;
+  TriangleFans Fans; ///< of these triangles
   BoundaryHandle Handle;
-  Eigen::MatrixXd NormalsBefore; ///< at the loop, of the feature at rest
-  double NormalReach;            ///< arrival time of the last point that the normals depend on
+  Eigen::MatrixXd NormalsBefore; ///< at the loop, of the undeformed feature
+  double NormalReach;            ///< maximum arrival time of a point on which the normals depend
   std::unique_ptr<ShapeDeformation> Prepared;
   std::unique_ptr<SeamNormals> Turning;
 };

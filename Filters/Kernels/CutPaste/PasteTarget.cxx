@@ -35,20 +35,20 @@ const Surface& RequireTarget(const Surface& surface)
   return surface;
 }
 
-/// Whether another layout may not have this fault.
+/// Returns whether another layout may avoid this fault.
 bool IsOfLayout(CoveredRegionFault fault)
 {
   return fault == CoveredRegionFault::Flipped || fault == CoveredRegionFault::Overlaps ||
     fault == CoveredRegionFault::Collapsed;
 }
 
-/// The base's x axis, rotated by the least rotation from the base's normal to `normal`.
+/// Returns the base's x axis, rotated by the minimum rotation from the base's normal to `normal`.
 Eigen::RowVector3d TurnedAxis(const FeatureFootprint& base, const Eigen::RowVector3d& normal)
 {
   const Eigen::Vector3d from = base.Normal.transpose(), to = normal.transpose();
   if (from.dot(to) < -1.0 + 1e-12)
   {
-    return base.XAxis; // upside down: about the axis itself
+    return base.XAxis; // opposite normals: the rotation is about the axis itself
   }
   const Eigen::Vector3d turn = from.cross(to), axis = base.XAxis.transpose();
   // Rodrigues' formula for two unit vectors: the identity, bit for bit, if they are the same.
@@ -76,11 +76,11 @@ std::string Reason(const CoveredRegion& cover)
   }
 }
 
-/// Whether an edge of the loop has lost its length: its points are in triangles whose image has no
-/// area.
+/// Returns whether an edge of the loop has collapsed: its points are in triangles whose image has
+/// no area.
 bool IsCollapsed(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& image)
 {
-  constexpr double minimum = 1e-6; // of its length in the plane
+  constexpr double minimum = 1e-6; // relative to its length in the plane
   const Eigen::Index size = positions.rows();
   for (Eigen::Index i = 0; i < size; ++i)
   {
@@ -113,6 +113,8 @@ PasteTarget::PasteTarget(
 {
 }
 
+/// First the layout of the base, if that is conformal; then the exponential map; then, if the fault
+/// is one of the layout, conformal maps of the same patch.
 PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestPoint& seed,
   const PastePlacement& placement, bool quick, const Progress& progress)
 {
@@ -121,12 +123,13 @@ PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestP
     placement.Scale * base.LoopPositions * turn.toRotationMatrix().transpose();
   const Eigen::RowVector3d axis = TurnedAxis(base, this->Map.Normal(seed));
   Trial trial;
-  // Distances on the surface are longer than those in the plane: the patch grows until it has the
-  // loop and the ring around it.
+  // Distances on the surface are longer than those in the plane: the patch grows until it contains
+  // the loop and the ring around it.
+  // Three mean edges, since the ring passes through whole triangles around the loop.
   double radius = 1.1 * loop.rowwise().norm().maxCoeff() + 3.0 * this->MeanEdge;
   if (base.ConformalRadius > 0.0)
   {
-    // Flattened as the base was: on the surface that it was cut from, the loop returns.
+    // Flattened like the base, so that the loop returns on the surface from which it was cut.
     const ExponentialPatch patch =
       this->Map.Around(seed, placement.Scale * base.ConformalRadius, axis, progress);
     trial.Seed = patch.Seed;
@@ -162,6 +165,7 @@ PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestP
 
 void PasteTarget::TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, Trial& trial)
 {
+  // Snapping moves the loop by 2 % of an edge at most.
   trial.Cover = this->Finder.Find(patch, loop, 0.02 * this->MeanEdge);
   if (trial.Cover.Fault == CoveredRegionFault::None &&
     IsCollapsed(this->GetLoopPositions(trial.Cover), trial.Cover.Loop))
@@ -172,6 +176,8 @@ void PasteTarget::TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& lo
   {
     try
     {
+      // Schmidt and Singh, section 4.2: the hole is cut and the seam is triangulated in the plane
+      // of the exponential map.
       trial.Join = TriangulateSeamBand(trial.Cover.Loop, trial.Cover.RingImage);
     }
     catch (const InvalidInput&) // the ring crosses itself or the loop
@@ -198,7 +204,7 @@ CoveredRegionFault PasteTarget::TryConformally(const ExponentialPatch& patch, bo
   {
     this->TryOn(FlattenPatchConformally(this->Surface(), patch, refine, progress), loop, other);
   }
-  catch (const SolveFailure&) // it cannot be flattened: the fault of the other layout stands
+  catch (const SolveFailure&) // it cannot be flattened: report the fault of the other layout
   {
     return CoveredRegionFault::Flipped;
   }
@@ -211,6 +217,8 @@ CoveredRegionFault PasteTarget::TryConformally(const ExponentialPatch& patch, bo
   return other.Cover.Fault;
 }
 
+/// The plane of the base is laid on the target's tangent plane at the seed. Rotation and Scale act
+/// in the plane (Schmidt and Singh, section 4.2).
 LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacement& placement,
   bool search, const Progress& progress)
 {
@@ -229,6 +237,8 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
     {
       PastePlacement smaller = placement;
       double good = 0.0, bad = placement.Scale;
+      // Bisection to 1 / 256 of Scale. The range that fits need not be one interval, so the
+      // proposed scale is one that was tried, less 1 % for rounding.
       for (int step = 0; step < 8; ++step)
       {
         smaller.Scale = (good + bad) / 2.0;

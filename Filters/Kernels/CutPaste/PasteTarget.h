@@ -12,15 +12,16 @@
 namespace shape
 {
 
-/// Where a feature is to be pasted.
+/// The position and size at which a feature is to be pasted.
 struct PastePlacement
 {
-  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< the closest point of the surface counts
-  double Rotation = 0.0;                                ///< degrees, about the outward normal
-  double Scale = 1.0;                                   ///< > 0
+  Eigen::RowVector3d Seed =
+    Eigen::RowVector3d::Zero(); ///< projected to the closest point of the surface
+  double Rotation = 0.0;        ///< degrees, about the outward normal
+  double Scale = 1.0;           ///< > 0
 };
 
-/// How a target is mapped to the plane: by its exponential map, or by one of the two methods of
+/// The map of a target to the plane: its exponential map, or one of the two methods of
 /// FlattenPatchConformally.
 enum class TargetLayout
 {
@@ -33,16 +34,17 @@ enum class TargetLayout
 struct LoopOnTarget
 {
   TargetLayout Layout = TargetLayout::ExponentialMap;
-  TangentFrame Seed;         ///< XAxis: the rotated one of the base, before Rotation
-  Eigen::MatrixXd Positions; ///< n x 3: of the loop's points, on the target
-  Eigen::MatrixXd Normals;   ///< n x 3: unit normals of the target there
-  CoveredRegion Cover;       ///< what the loop covers
+  TangentFrame Seed;         ///< XAxis is that of the base rotated to the seed, without Rotation
+  Eigen::MatrixXd Positions; ///< n x 3: positions of the loop's points on the target
+  Eigen::MatrixXd Normals;   ///< n x 3: unit normals of the target at these positions
+  CoveredRegion Cover;       ///< the region that the loop covers
   SeamBand Join;             ///< the triangles between the loop and the ring of Cover
 };
 
 /**
- * A surface that features are pasted on: owns what depends on it alone, so that dragging a feature
- * across it takes time proportional to what it covers. Not for several threads at once.
+ * A surface on which features are pasted. It stores what depends on the surface alone. Dragging a
+ * feature therefore takes time proportional to the covered region only. Not for use by several
+ * threads at once.
  */
 class PasteTarget
 {
@@ -56,14 +58,14 @@ public:
   int EulerNumber() const { return this->Surface().Topology().EulerNumber; }
 
   /**
-   * Maps the base's loop to the surface through the exponential maps of both: the base's plane is
-   * rotated by the least rotation from its normal to the one at the seed, then by Rotation. So a
-   * base from this very surface returns to its position. If the loop meets flipped or overlapping
-   * triangles of the target's map, a conformal map replaces it.
+   * Maps the base's loop to the surface through the exponential maps of both. The base's plane is
+   * rotated by the minimum rotation from its normal to the normal at the seed, and then by
+   * Rotation. A base that was cut from this surface therefore returns to its position. If the loop
+   * meets flipped or overlapping triangles of the target's map, a conformal map is used instead.
    *
-   * Throws InvalidInput if the loop does not fit there, with the reason and the largest scale that
-   * does. search: whether to find that scale, and to refine a conformal layout; else it is quick.
-   * Aborted.
+   * search: whether to search for the largest scale that fits if the loop does not, and to refine a
+   * conformal layout; false is faster. Throws InvalidInput if the loop does not fit, with the
+   * reason and that scale; Aborted.
    */
   LoopOnTarget Land(const FeatureFootprint& base, const PastePlacement& placement,
     bool search = true, const Progress& progress = {});
@@ -80,7 +82,7 @@ private:
   ExponentialMap Map;
   CoveredRegionFinder Finder;
   double MeanEdge;
-  int LastTriangle = -1; ///< of the seed before: the next one is likely near
+  int LastTriangle = -1; ///< the triangle of the previous seed, which is probably near the next one
 };
 
 } // namespace shape

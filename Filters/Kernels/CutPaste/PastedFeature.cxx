@@ -19,6 +19,8 @@ public:
   }
 
   /// deformed: the feature's deformed points.
+  /// Points: kept ones of the target, the feature's, midpoints of the band. Triangles: kept ones of
+  /// the target, the band, the feature's.
   PastedFeature Make(const Eigen::MatrixXd& deformed)
   {
     PastedFeature result;
@@ -59,6 +61,7 @@ public:
     const auto loop = static_cast<int>(this->Base.Loop.size());
     const auto ring = static_cast<int>(this->Position.Cover.Ring.size());
     const int last = kept + static_cast<int>(deformed.rows());
+    // The band's indices: the loop, then the ring, then its midpoints.
     const auto numberOf = [&](int corner)
     {
       return corner < loop     ? kept + this->Base.Loop[corner]
@@ -90,7 +93,9 @@ public:
   }
 
 private:
-  /// Of each point of the target: its index in the result, or -1. points: those that are kept.
+  /// Returns, for each point of the target, its index in the result, or -1. points: the kept ones.
+  /// Three groups: points strictly inside the region are dropped, points of the ring are kept
+  /// unless a point of the loop coincides with them, all others are kept.
   std::vector<int> Number(std::vector<int>& points) const
   {
     std::vector<int> number(this->Target.Points().rows(), 0);
@@ -105,7 +110,7 @@ private:
     const auto loop = static_cast<int>(this->Base.Loop.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      // A point of the loop replaces those of the ring that lie on it.
+      // A point of the loop replaces coincident points of the ring.
       number[ring[i]] =
         this->Position.Join.RingPoints(static_cast<Eigen::Index>(i)) < loop ? -1 : 0;
     }

@@ -17,12 +17,13 @@ namespace
 
 using Eigen::RowVector3d;
 
-/// A point of the loop with axes along it, into the feature, and upwards.
+/// A point of the loop with three axes: along the loop, into the feature, and upwards.
 struct Hinge
 {
   RowVector3d Position, Along, Inwards, Up;
 
   /// The angle of a point above the tangent plane, in radians.
+  /// Inwards and Up span the plane across the loop; the component along the loop does not matter.
   double AngleOf(const RowVector3d& point) const
   {
     const RowVector3d way = point - this->Position;
@@ -35,11 +36,14 @@ struct Hinge
     const RowVector3d way = point - this->Position;
     const double in = this->Inwards.dot(way), up = this->Up.dot(way);
     const double cosine = std::cos(angle), sine = std::sin(angle);
+    // Only the change is added: an angle of 0 returns the point itself.
     return point + ((cosine - 1.0) * in + sine * up) * this->Inwards +
       ((cosine - 1.0) * up - sine * in) * this->Up;
   }
 };
 
+/// The tangent at a point is the direction from the previous point to the next one, as in equation
+/// 12. Inwards is orthogonal to it and to the target's normal.
 std::vector<Hinge> HingesOf(
   const Eigen::MatrixXd& points, const std::vector<int>& loop, const Eigen::MatrixXd& normals)
 {
@@ -89,8 +93,10 @@ SeamNormals::SeamNormals(const Mesh& feature, const TriangleFans& fans,
   const std::vector<int>& loop, const Eigen::VectorXd& distances, double width)
   : Loop(loop)
 {
+  // Beyond the ring the rotation is already small and smooth; a few samples suffice.
   constexpr int nearest = 6;
   std::vector<int> row(feature.Points.rows(), -1); // in the ring
+  // -1 marks the other points that are not in the ring.
   constexpr int isLoop = -2;
   for (const int point : loop)
   {
@@ -147,6 +153,8 @@ SeamNormals::SeamNormals(const Mesh& feature, const TriangleFans& fans,
   }
 }
 
+/// First the ring, whose triangles determine the normals at the loop; then the points beyond, by
+/// the angles found there, which fade out.
 void SeamNormals::Apply(Eigen::MatrixXd& points, const Eigen::MatrixXd& normals, double share) const
 {
   const std::vector<Hinge> hinges = HingesOf(points, this->Loop, normals);
@@ -208,6 +216,7 @@ SeamBand TriangulateSeamBand(const Eigen::MatrixXd& loop, const Eigen::MatrixXd&
     segments.row(inner + i) << inner + i, inner + (i + 1) % outer;
   }
   PlanarDelaunayOptions options;
+  // The band is inside one of the two polygons, the hole in it inside both.
   options.Keep = PlanarDelaunayOptions::KeepType::Oddly;
   const PlanarTriangulation joined = TriangulateInPlane(points, segments, options);
   SeamBand band{ joined.Triangles, joined.SamePoint.tail(outer), {} };
@@ -236,6 +245,7 @@ Eigen::MatrixXd BlendAtSeam(Eigen::MatrixXd values, const Eigen::MatrixXd& point
     }
     else
     {
+      // Relative to the nearest, so that no weight overflows.
       const Eigen::VectorXd weights = squares(nearest) * squares.cwiseInverse();
       difference = (weights.transpose() * differences) / weights.sum();
     }

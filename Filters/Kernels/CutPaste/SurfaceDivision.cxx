@@ -42,6 +42,8 @@ SurfaceDivision::SurfaceDivision(const shape::Surface& surface, const WeldedSurf
   for (std::size_t i = 0; i + 1 < edges.size(); ++i)
   {
     const HalfEdge &one = edges[i], &other = edges[i + 1];
+    // At an edge with more than two triangles, consecutive ones are compared; an edge is inserted
+    // once.
     if (one.Low() == other.Low() && one.High() == other.High() &&
       this->IsFeature[one.Triangle] != this->IsFeature[other.Triangle] &&
       this->Cut.insert({ one.Low(), one.High() }).second)
@@ -52,6 +54,7 @@ SurfaceDivision::SurfaceDivision(const shape::Surface& surface, const WeldedSurf
   }
 }
 
+/// Of the triangles as given: those that the cut has split are smaller.
 double SurfaceDivision::MeanArea() const
 {
   std::set<int> beside;
@@ -104,8 +107,8 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
 {
   const auto given = static_cast<int>(this->Surface.Points().rows());
   DividedPart part;
-  std::vector<Eigen::RowVector3i> triangles; // of the given points, then of those added
-  // On a seam, whose points are duplicates, a new point is duplicated, too: each side has its own
+  std::vector<Eigen::RowVector3i> triangles; // indices of the given points, then of the added ones
+  // On a seam, a new point is duplicated as the given points are, since both sides have their own
   // data.
   std::map<std::array<int, 3>, int> numberOfAdded;
   std::vector<std::pair<int, SurfacePoint>> added;
@@ -114,6 +117,7 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
     const SurfacePoint position = this->NewPosition(triangle, point);
     const PointSupport support(this->Surface, position);
     const auto [low, high] = std::minmax(support.Points[0], support.Points[1]);
+    // The given edge that contains the point distinguishes the two sides of a seam.
     const auto [found, isNew] =
       numberOfAdded.insert({ { point, low, high }, given + static_cast<int>(added.size()) });
     if (isNew)
@@ -181,6 +185,7 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
 std::vector<std::vector<int>> SurfaceDivision::CutLoops(
   const Mesh& part, const std::vector<int>& ids) const
 {
+  // A part's boundary consists of cut edges and of the boundary that the surface already had.
   std::vector<std::vector<int>> loops = FindBoundaryLoops(part).Loops;
   const auto isOfOldBoundary = [&](const std::vector<int>& loop)
   {
@@ -201,7 +206,7 @@ std::vector<std::vector<int>> SurfaceDivision::CutLoops(
 void SurfaceDivision::PartPinches(DividedPart& part) const
 {
   Mesh& mesh = part.Surface;
-  // Corners at one point are connected across edges that their triangles share.
+  // Corners at one point are connected if their triangles share an edge.
   DisjointSets fans(static_cast<int>(mesh.Triangles.size()));
   const Eigen::MatrixXi whole = MergeSeam(part).Triangles;
   const std::vector<HalfEdge> edges = SortHalfEdges(whole, mesh.Points.rows());
@@ -229,6 +234,7 @@ void SurfaceDivision::PartPinches(DividedPart& part) const
   {
     const int point = mesh.Triangles(corner / 3, corner % 3), fan = fans.Find(corner);
     firstFans[point] = firstFans[point] < 0 ? fan : firstFans[point];
+    // The first fan keeps the point. Pinches of the given surface, away from the cut, stay.
     if (firstFans[point] != fan && this->CutPoints.count(part.Ids[point]) > 0)
     {
       const auto [copy, isNew] = copies.insert({ { fan, point }, static_cast<int>(all.size()) });

@@ -15,38 +15,42 @@ namespace shape
 /// A part of a surface.
 struct DividedPart
 {
-  Mesh Surface;                       ///< points of the surface in their order, then new ones
-  std::vector<int> OriginalPoints;    ///< of each point: the surface's, or -1
-  SurfacePoints Positions;            ///< on the surface; triangle -1: not on it
-  std::vector<int> OriginalTriangles; ///< of each: the one of the surface that contains it, or -1
-  std::vector<int> Ids; ///< of each point: see SurfaceDivision; -1: not on the surface
+  Mesh Surface;                    ///< the points of the surface in their order, then new ones
+  std::vector<int> OriginalPoints; ///< for each point, the original point of the surface, or -1
+  SurfacePoints Positions;         ///< of the points on the surface; triangle -1: not on it
+  /// For each triangle, the original triangle that contains it, or -1.
+  std::vector<int> OriginalTriangles;
+  std::vector<int> Ids; ///< for each point: see SurfaceDivision; -1: not on the surface
 };
 
-/// A part with its seams closed: the same points, but only the first one of those with the same id
-/// is used.
+/// Closes the seams of a part. The points are the same, but only the first of those with the same
+/// id is used.
 Mesh MergeSeam(const DividedPart& part);
 
 /// A surface divided in two along edges, which ImprintCurves may have inserted.
 class SurfaceDivision
 {
 public:
-  /// joined: kept by reference. split: of the joined surface. isFeature: of each of its
-  /// triangles.
+  /// joined: kept by reference. split: the joined surface after the split. isFeature: one for each
+  /// of its triangles.
   SurfaceDivision(const shape::Surface& surface, const WeldedSurface& joined, ImprintedCurves split,
     std::vector<char> isFeature);
 
-  double CutLength() const { return this->Length; } ///< 0: there is one part only
-  double MeanArea() const;                          ///< of the given triangles beside the cut
+  /// The length of the cut; 0 if there is one part only.
+  double CutLength() const { return this->Length; }
+  /// The mean area of the given triangles beside the cut.
+  double MeanArea() const;
 
-  /// The feature or the rest. Ids of its points are those of the joined surface after the split.
+  /// Returns the feature or the rest. Ids of its points are those of the joined surface after the
+  /// split.
   DividedPart PartOf(bool feature) const;
 
-  /// The boundary loops of a part that consist of cut edges only, with the part to the left; the
-  /// longest first. ids: of its points.
+  /// Returns the boundary loops of a part that consist of cut edges only, with the part to the
+  /// left, the longest first. ids: one for each point of the part.
   std::vector<std::vector<int>> CutLoops(const Mesh& part, const std::vector<int>& ids) const;
 
-  /// Duplicates points of the cut at which triangles of a part touch without a common edge; the
-  /// duplicates come last.
+  /// Duplicates each point of the cut at which triangles of a part touch without a common edge. The
+  /// duplicates follow all other points.
   void PartPinches(DividedPart& part) const;
 
 private:

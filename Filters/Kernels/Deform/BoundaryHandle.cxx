@@ -85,13 +85,16 @@ Eigen::Matrix3d MinimumRotation(const Eigen::Vector3d& from, const Eigen::Vector
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
-/// The share of the handle that each sample stands for, so that dense samples count no more.
+/// The share of the handle that each sample represents, so that dense samples get no more weight.
+/// The weight of equation 5 for non-uniform sampling: the sum of the lengths of a sample's
+/// segments. Triangles count by their area; the size of the handle makes the two comparable.
 Eigen::VectorXd Shares(const BoundaryHandle& handle)
 {
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(handle.Positions.rows());
   const double size = ComputeBoxDiagonal(handle.Positions);
   for (const auto& segment : handle.Segments.rowwise())
   {
+    // A length times the size of the handle is an area, like those of its triangles.
     const double length =
       (handle.Positions.row(segment(0)) - handle.Positions.row(segment(1))).norm() * size;
     shares(segment(0)) += length;
@@ -107,7 +110,7 @@ Eigen::VectorXd Shares(const BoundaryHandle& handle)
   return shares;
 }
 
-/// The rotation of the handle as a whole.
+/// The rotation that fits the complete handle best.
 Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& positions)
 {
   const Eigen::VectorXd shares = Shares(handle);
@@ -127,6 +130,7 @@ bool MakeFrame(
   const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal, Eigen::Matrix3d& frame)
 {
   const Eigen::Vector3d across = normal.normalized().cross(tangent.normalized());
+  // The sine of the angle between tangent and normal; below, the frame is decided by rounding.
   if (!(across.norm() > 1e-6))
   {
     return false;
@@ -149,6 +153,9 @@ public:
   {
   }
 
+  // On a curve, the frame of tangent and normal determines the rotation. Without normals, the twist
+  // is that of the whole handle. On surfaces and at branches, the rotation fits the neighbours'
+  // offsets and the normal best.
   Eigen::Matrix3d Of(int sample, const Eigen::Vector3d& normal, const Eigen::Vector3d& moved) const
   {
     const Eigen::Vector3d tangent = this->Near.Tangent(sample, this->Handle.Positions);
@@ -160,6 +167,7 @@ public:
       {
         return to * from.transpose();
       }
+      // A minimum rotation adds no twist about the tangent.
       return MinimumRotation(this->Whole * tangent, along) * this->Whole;
     }
     Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
@@ -171,6 +179,7 @@ public:
       products += (this->Positions.row(j) - this->Positions.row(sample)).transpose() * from;
       size += from.squaredNorm();
     }
+    // The normal has as much influence as all neighbours together.
     products += (size > 0.0 ? size : 1.0) * moved * normal.transpose();
     return FitRotation(products, this->Whole);
   }
@@ -213,7 +222,7 @@ void RequireSize(const Eigen::MatrixXd& rows, Eigen::Index samples, const std::s
   {
     throw InvalidInput("the handle has " + std::to_string(samples) + " points, but its " + name +
       " are " + std::to_string(rows.rows()) + " x " + std::to_string(rows.cols()) +
-      "; give one of three numbers for each");
+      "; give three numbers for each point");
   }
   RequireFinite(rows, "the handle's " + name);
 }
@@ -236,6 +245,7 @@ BoundaryHandle BuildCurveHandle(
 std::vector<int> GetFirstSamples(const BoundaryHandle& handle)
 {
   const PointTree tree(handle.Positions);
+  // Samples at one position differ by rounding only.
   const double tolerance = 1e-9 * ComputeBoxDiagonal(handle.Positions);
   std::vector<int> first;
   for (Eigen::Index i = 0; i < handle.Positions.rows(); ++i)

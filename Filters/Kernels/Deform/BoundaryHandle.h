@@ -8,55 +8,56 @@ namespace shape
 {
 
 /**
- * What a shape is deformed by: a curve, closed or open, a network of curves, a surface, or points,
- * at rest on (or near) the undeformed shape. Its points are called samples.
+ * The handle by which a shape is deformed: a curve, closed or open, a network of curves, a surface,
+ * or points. At rest it is on or near the undeformed shape. Its points are called samples.
  */
 struct BoundaryHandle
 {
   Eigen::MatrixXd Positions; ///< s x 3, in the model's units
-  Eigen::MatrixXi Segments;  ///< l x 2 samples: the curves
-  Eigen::MatrixXi Triangles; ///< m x 3 samples: the surface
+  Eigen::MatrixXi Segments;  ///< l x 2 indices of samples: the curves
+  Eigen::MatrixXi Triangles; ///< m x 3 indices of samples: the surface
   Eigen::MatrixXd Normals;   ///< s x 3, of any length, or no rows
 };
 
-/// Where the samples of a handle go, and how the shape rotates there.
+/// The new positions of a handle's samples, and the rotations of the shape there.
 struct HandlePose
 {
   Eigen::MatrixXd Positions;              ///< s x 3
   std::vector<Eigen::Matrix3d> Rotations; ///< s: x -> R x for columns x
 };
 
-/// A curve through positions (s x 3) in their order; if closed, back to the first one.
+/// Builds a curve through positions (s x 3) in their order; if closed, it returns to the first one.
 BoundaryHandle BuildCurveHandle(
   const Eigen::MatrixXd& positions, bool closed, const Eigen::MatrixXd& normals = {});
 
-/// For each sample, the first one at the same position, within 1e-9 of the diagonal.
+/// Returns, for each sample, the first one at the same position, within 1e-9 of the diagonal.
 std::vector<int> GetFirstSamples(const BoundaryHandle& handle);
 
-/// The direction from the sample before each one to the sample after it (s x 3): the axis that
-/// equation 12 rotates frames about. Not normalised; 0 if a sample is on no curve, or if more than
-/// two segments meet there.
+/// Returns the direction from the previous to the next sample for each sample (s x 3): the axis
+/// about which equation 12 rotates frames. Not normalised; 0 if a sample is on no curve, or if more
+/// than two segments meet there.
 Eigen::MatrixXd ComputeHandleTangents(
   const BoundaryHandle& handle, const Eigen::MatrixXd& positions);
 
 /**
- * The pose of a handle whose samples go to `positions` (s x 3), where the shape's normals are to be
+ * Computes the pose of a handle whose samples go to `positions` (s x 3) and whose normals become
  * `normals` (s x 3; no rows if the handle has none).
  *
  * With normals, each rotation takes the frame of tangent and normal to the new one, exactly along
- * the tangent. Without, it is the rotation P of the handle as a whole (Kabsch 1976) followed by the
- * least rotation that takes P t to the new tangent. On surfaces, at branches of curves and at
- * points without a curve, it is the rotation that fits the neighbours best, P if they do not
- * determine one. All of these are equivariant: of a rigid motion, every rotation is that motion's,
- * except for a straight handle without normals, whose twist is undetermined.
+ * the tangent. Without normals, it is the best rotation P of the complete handle (Kabsch 1976),
+ * followed by the minimum rotation that takes P t to the new tangent. On surfaces, at branches of
+ * curves and at points without a curve, it is the rotation that fits the neighbours best, or P if
+ * they do not determine one. All of these are equivariant: if the motion is rigid, every rotation
+ * is the one of the motion. The exception is a straight handle without normals, whose twist is
+ * undetermined.
  *
- * Throws InvalidInput if sizes differ, a value is not finite, or one of the handle and the target
- * has normals and the other has none.
+ * Throws InvalidInput if sizes differ, a value is not finite, or only one of the handle and the
+ * target has normals.
  */
 HandlePose PoseHandle(const BoundaryHandle& handle, const Eigen::MatrixXd& positions,
   const Eigen::MatrixXd& normals = {});
 
-/// The handle at rest.
+/// Returns the pose of the handle at rest.
 HandlePose GetRestPose(const BoundaryHandle& handle);
 
 /// Rotates each sample's frame by an angle (s, radians) about the tangent of the posed curve, by

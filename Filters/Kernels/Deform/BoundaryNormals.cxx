@@ -17,6 +17,7 @@ using Eigen::RowVector3d;
 
 constexpr double Degree = M_PI / 180.0;
 
+/// A row is a unit vector or zero; a quarter separates the two whatever the rounding.
 bool IsNormal(const RowVector3d& normal)
 {
   return normal.squaredNorm() > 0.25;
@@ -50,6 +51,8 @@ public:
   }
 
   /// One angle for all, or one for each.
+  /// The two stages of section 4.1: a single global angle first, then the vector of angles. The
+  /// paper descends the numerical gradient; here the missing angles are the direction.
   void Search(bool single, const Progress& progress)
   {
     double total = this->TotalAngle();
@@ -62,6 +65,7 @@ public:
         this->SearchAlong(single ? Eigen::VectorXd::Constant(missing.size(), missing.mean())
                                  : this->Smoothed(missing));
       const double left = this->TotalAngle();
+      // The paper's criterion of convergence: a line search gains less than 2 degrees in total.
       if (!isBetter || total - left < this->Options.Enough * Degree)
       {
         return;
@@ -85,6 +89,7 @@ private:
     double Energy = 0.0;
   };
 
+  // N of equation 12: rotate the frames, deform the shape near the handle, estimate its normals.
   State At(const Eigen::VectorXd& angles) const
   {
     State state{ angles, this->Start, {}, 0.0 };
@@ -94,6 +99,7 @@ private:
     {
       if (IsNormal(this->Wanted.row(i)) && IsNormal(state.Normals.row(i)))
       {
+        // Equation 12.
         state.Energy += std::abs(1.0 - state.Normals.row(i).dot(this->Wanted.row(i)));
       }
     }
@@ -102,7 +108,7 @@ private:
 
   Eigen::VectorXd MissingAngles() const { return this->MissingAngles(this->Now); }
 
-  /// The angle by which each frame would have to rotate if it were alone.
+  /// The angle by which each frame would have to rotate if the others did not.
   Eigen::VectorXd MissingAngles(const State& state) const
   {
     Eigen::VectorXd missing = Eigen::VectorXd::Zero(this->Wanted.rows());
@@ -113,6 +119,7 @@ private:
       if (IsNormal(now) && IsNormal(wanted) && IsNormal(axis))
       {
         const RowVector3d across = axis.cross(now);
+        // The signed angle about the tangent; the deviation along the tangent cannot be corrected.
         missing(i) = std::atan2(across.dot(wanted), now.dot(wanted));
       }
     }
@@ -171,6 +178,8 @@ private:
     };
     State first = this->At(begin + this->Share * direction);
     const Eigen::VectorXd gained = missing - this->MissingAngles(first);
+    // The least-squares estimate of the step that corrects all missing angles, if the response is
+    // linear.
     const double along = missing.dot(gained) / gained.squaredNorm();
     if (first.Energy < energy)
     {
@@ -178,6 +187,7 @@ private:
     }
     if (std::isfinite(along) && along > 0.0)
     {
+      // One step is no reliable estimate: its length changes by a limited factor only.
       const double share = this->Share * std::clamp(along, 0.1, 4.0);
       if (accept(share))
       {
@@ -202,7 +212,7 @@ private:
   const BoundaryNormalsOptions& Options;
   Eigen::MatrixXd Tangents;
   State Now;
-  double Share = 1.0; ///< of the missing angles, that a step turned by last
+  double Share = 1.0; ///< of the missing angles that the last step corrected
 };
 
 } // namespace

@@ -13,24 +13,25 @@ namespace shape
 
 struct BoundaryNormalsOptions
 {
-  /// Whether one angle for all samples is enough: for a shape that is being dragged.
+  /// Whether one angle for all samples is enough, as for a shape that is being dragged.
   bool SingleAngle = false;
   /// The maximum number of line searches for the single angle, and again for the samples' angles;
   /// >= 0.
   int LineSearches = 5;
-  /// The search ends when one gains less than this: in degrees, summed over the samples.
+  /// The search stops when a line search gains less than this: in degrees, summed over the samples.
   double Enough = 2.0;
-  /// The distance from the handle up to which the shape is computed, in the model's units: as far
-  /// as its normals at the handle depend on it.
+  /// The distance from the handle up to which the shape is computed, in the model's units. The
+  /// shape's normals at the handle must not depend on points beyond it.
   double Reach = 0.0;
 };
 
 struct BoundaryNormalsResult
 {
-  HandlePose Pose;        ///< the given one, its frames rotated
+  HandlePose Pose;        ///< the given pose with rotated frames
   Eigen::VectorXd Angles; ///< s, radians: see RotateAboutTangents
-  double Before = 0.0; ///< ComputeMeanAngle in degrees between the shape's normals and the wanted
-  double After = 0.0;  ///< ones, before and after
+  /// ComputeMeanAngle in degrees between the shape's normals and the wanted ones, before.
+  double Before = 0.0;
+  double After = 0.0; ///< the same after the optimisation
   int LineSearches = 0;
 };
 
@@ -38,11 +39,12 @@ struct BoundaryNormalsResult
 using NormalsOfShape = std::function<Eigen::MatrixXd(const DeformedShape&)>;
 
 /**
- * Rotates the frames of a posed handle so that the shape has the wanted normals there: equation 12
- * of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010), section 4.1.
- * Each frame rotates about the curve's tangent; first all by one angle, then each by its own. A
- * step goes along the missing signed angles, smoothed along the curves; its length follows from the
- * share of them that it corrects. The sum of |1 - N . n| over the samples never increases.
+ * Rotates the frames of a posed handle to give the shape the wanted normals there: equation 12 of
+ * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010), section 4.1.
+ * Each frame rotates about the curve's tangent; first all by one angle, then each by its own angle.
+ * A step is proportional to the missing signed angles, smoothed along the curves; its length
+ * follows from the share of them that it corrects. The sum of |1 - N . n| over the samples never
+ * increases.
  *
  * handle: curves, for which `deformation` was prepared. wanted: s x 3, unit, or zero for any
  * normal. Throws InvalidInput if sizes differ, Aborted.
@@ -52,8 +54,8 @@ BoundaryNormalsResult OptimizeBoundaryNormals(const ShapeDeformation& deformatio
   const NormalsOfShape& normals, const BoundaryNormalsOptions& options = {},
   const Progress& progress = {});
 
-/// The mean angle in degrees between two fields of unit normals (s x 3) over the rows of which
-/// neither is zero; 0 if there are none.
+/// Returns the mean angle in degrees between two fields of unit normals (s x 3), over the rows in
+/// which neither is zero; 0 if there are none.
 double ComputeMeanAngle(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 } // namespace shape

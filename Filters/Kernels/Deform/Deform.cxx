@@ -24,6 +24,7 @@ std::vector<int> OrderByPosition(const Eigen::MatrixXd& points)
 {
   std::vector<int> order(points.rows());
   std::iota(order.begin(), order.end(), 0);
+  // The index makes the order of coincident points unique.
   const auto key = [&](int i)
   { return std::make_tuple(points(i, 0), points(i, 1), points(i, 2), i); };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
@@ -72,6 +73,8 @@ Field Sorted(const Field& field, const std::vector<int>& order)
 
 } // namespace
 
+/// The order matters, since rotations do not commute: first the rotation that the curve determines,
+/// then the user's.
 HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
   const PoseOptions& options, const PointGraph& graph)
 {
@@ -111,10 +114,12 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
   const PoseOptions& options, const Progress& progress)
 {
   const bool hasShape = this->HasShape(problem.Shape);
+  // Weights depend on the shape and the handle at rest (section 2.3 caches them too); a moved
+  // target takes only the last step.
   this->Fresh = !hasShape || !this->Fits(problem);
   if (this->Fresh)
   {
-    // If this fails or is aborted, nothing fits afterwards.
+    // If this fails or is aborted, nothing can be reused afterwards.
     this->Deformation.reset();
     if (!hasShape)
     {

@@ -23,41 +23,41 @@ struct DeformProblem
   DeformOptions Options;
 };
 
-/// The target of a handle.
+/// The target positions of a handle, with normals and rotations.
 struct HandleTarget
 {
   Eigen::MatrixXd Positions; ///< s x 3
   Eigen::MatrixXd Normals;   ///< s x 3 if the handle has normals, else no rows
-  PrescribedRotations Turns; ///< no rows if none are set
+  PrescribedRotations Turns; ///< prescribed rotations; no rows if there are none
 };
 
-/// The pose of a handle at a target: frames by PoseHandle, then the prescribed rotations, then the
-/// bias. graph: of the shape, for normals that the handle lacks. Throws InvalidInput.
+/// Computes the pose of a handle at a target: frames by PoseHandle, then the prescribed rotations,
+/// then the bias. graph: of the shape, from which missing normals of the handle are taken. Throws
+/// InvalidInput.
 HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
   const PoseOptions& options, const PointGraph& graph);
 
 /**
- * Deforms shapes, and keeps the weights while only the target or the frames there change. Points
- * and elements are sorted first: so the result does not depend on their order, or on their
- * distribution over pieces, except for rounding.
+ * Deforms shapes, and reuses the weights as long as only the target or its frames change. Points
+ * and elements are sorted first. So, except for rounding, the result does not depend on their order
+ * or on their distribution over pieces.
  */
 class Deformer
 {
 public:
-  /// Throws InvalidInput (see BuildPointGraph, PrepareDeformation, PoseHandleAt), Aborted; what it
-  /// keeps stays consistent.
+  /// Deforms a shape. Throws InvalidInput (see BuildPointGraph, PrepareDeformation, PoseHandleAt),
+  /// Aborted; the stored state remains valid.
   DeformedShape Deform(const DeformProblem& problem, const HandleTarget& target,
     const PoseOptions& options = {}, const Progress& progress = {});
 
-  ///@{
-  /// Of the last call: its facts, and whether it had to compute weights.
+  /// The facts of the last call, and whether it had to compute weights.
   const DeformFacts& Facts() const { return this->Deformation->Facts(); }
   bool HasPrepared() const { return this->Fresh; }
   ///@}
 
 private:
   bool HasShape(const ShapeElements& shape) const;
-  /// Whether everything except the shape is the same.
+  /// Returns whether everything except the shape is unchanged.
   bool Fits(const DeformProblem& problem) const;
 
   DeformProblem Problem;

@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-constexpr double LargestPower = 32.0; // beyond, the nearest point alone counts
+constexpr double LargestPower = 32.0; // above this, only the nearest point has an influence
 
 void RequireField(const Eigen::VectorXd& field, Eigen::Index points, const std::string& name)
 {
@@ -87,6 +87,8 @@ void RequireFields(const DeformFields& fields, Eigen::Index points)
   RequireField(fields.Scale, points, "the scale");
 }
 
+/// The parameters of section 2.2, which vary with the distance from the handle, the curvature or a
+/// field of the user.
 PointParameters FindParameters(const PointGraph& shape, const FrontSweep& sweep,
   const DeformOptions& options, const DeformFields& fields)
 {
@@ -99,14 +101,16 @@ PointParameters FindParameters(const PointGraph& shape, const FrontSweep& sweep,
   for (int node = 0; node < all; ++node)
   {
     const double share = last > 0.0 ? sweep.Arrivals[sweep.Ranks[node]] / last : 0.0;
-    const bool own = node < shape.Size(); // else of the handle, which nothing is scaled at
+    const bool own = node < shape.Size(); // otherwise a node of the handle, which is not scaled
     double rigidity = options.Rigidity, scale = options.Scale;
     if (options.RigidityBy == DeformOptions::RigidityByType::Distance)
     {
+      // Geometric interpolation: 1 at the handle, the contrast at the farthest point.
       rigidity *= std::pow(options.RigidityContrast, share);
     }
     else if (byCurvature && own)
     {
+      // Curved regions are less rigid, so they absorb the stretch (section 2.2).
       rigidity *= std::pow(options.RigidityContrast, -curved(node));
     }
     scale *= 1.0 + (options.InnerScale - 1.0) * share;
@@ -119,6 +123,7 @@ PointParameters FindParameters(const PointGraph& shape, const FrontSweep& sweep,
       scale *= fields.Scale(shape.PointOf[node]);
     }
     parameters.Powers(node) =
+      // Rigidity and the power k are inversely related (section 2.2); k = 2 is the standard weight.
       rigidity > 0.0 ? std::min(2.0 / rigidity, LargestPower) : LargestPower;
     parameters.Scales(node) = scale;
   }

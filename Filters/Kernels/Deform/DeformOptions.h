@@ -14,11 +14,11 @@ struct DeformOptions
 {
   enum class MethodType
   {
-    UpwindFront,     ///< each point relative to those just upwind of it (section 2.1)
+    UpwindFront,     ///< each point relative to the points directly upwind (section 2.1)
     BoundaryRelative ///< each point relative to the handle alone (equation 5)
   };
   MethodType Method = MethodType::UpwindFront;
-  /// How rigid the shape is: the power k of equation 4 is 2 / Rigidity, at most 32. > 0.
+  /// The rigidity of the shape: the power k of equation 4 is 2 / Rigidity, at most 32. > 0.
   double Rigidity = 1.0;
   enum class RigidityByType
   {
@@ -28,9 +28,11 @@ struct DeformOptions
   };
   RigidityByType RigidityBy = RigidityByType::Uniform;
   double RigidityContrast = 4.0; ///< > 0
-  double Scale = 1.0;            ///< of the offsets from upwind points to a point; > 0
-  double InnerScale = 1.0;   ///< of the farthest points, times Scale; linear in arrival times; > 0
-  double UpwindRadius = 2.1; ///< r_u in mean edges: larger draws the shape to the handle; > 0
+  double Scale = 1.0;            ///< factor of the offsets from upwind points to a point; > 0
+  /// Scale of the farthest points, times Scale; linear in arrival times; > 0.
+  double InnerScale = 1.0;
+  /// r_u in mean edges: a larger one pulls the shape towards the handle; > 0.
+  double UpwindRadius = 2.1;
   using DistanceType = FrontDistance;
   DistanceType Distance = DistanceType::Euclidean; ///< d of equation 4
   enum class MultiresolutionType
@@ -40,24 +42,24 @@ struct DeformOptions
     Off
   };
   MultiresolutionType Multiresolution = MultiresolutionType::Automatic;
-  bool LaplacianSmoothing = false; ///< afterwards, which spreads the distortion evenly (Fig. 16)
+  bool LaplacianSmoothing = false; ///< afterwards; it spreads the distortion evenly (Fig. 16)
 };
 
 bool operator==(const DeformOptions& a, const DeformOptions& b);
 
-/// Values at the points of a shape, each n or none.
+/// Values at the points of a shape; each has n entries or none.
 struct DeformFields
 {
   Eigen::VectorXd Rigidity; ///< factor of DeformOptions::Rigidity; >= 0
   Eigen::VectorXd Scale;    ///< factor of DeformOptions::Scale; >= 0
-  Eigen::VectorXi Segments; ///< labels: parts that follow one after the other (Fig. 9)
+  Eigen::VectorXi Segments; ///< labels of parts that are deformed one after another (Fig. 9)
 };
 
 /// The parameters of a deformation at each node of a graph.
 struct PointParameters
 {
   Eigen::VectorXd Powers; ///< k of equation 4
-  Eigen::VectorXd Scales; ///< of offsets
+  Eigen::VectorXd Scales; ///< of the offsets
 };
 
 /// Throws InvalidInput if an option is out of range.
@@ -67,8 +69,9 @@ void RequireOptions(const DeformOptions& options);
 /// negative or not finite.
 void RequireFields(const DeformFields& fields, Eigen::Index points);
 
-/// shape: the graph of the points that `fields` belong to; its nodes are the first ones of the
-/// swept graph. Throws InvalidInput (RequireFields).
+/// Computes the parameters of each node of the swept graph. shape: the graph of the points that
+/// `fields` belong to; its nodes are the first ones of the swept graph. Throws InvalidInput
+/// (RequireFields).
 PointParameters FindParameters(const PointGraph& shape, const FrontSweep& sweep,
   const DeformOptions& options, const DeformFields& fields);
 

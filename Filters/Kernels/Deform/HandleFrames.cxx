@@ -20,6 +20,7 @@ namespace shape
 namespace
 {
 
+/// The exponential map of a rotation vector.
 Eigen::Matrix3d TurnBy(const Eigen::Vector3d& turn)
 {
   const double angle = turn.norm();
@@ -58,6 +59,8 @@ std::vector<std::pair<int, int>> HandleLinks(
 
 } // namespace
 
+/// Between the samples where rotations are prescribed, rotation vectors are harmonic on the
+/// handle's graph. Quaternions would lose full turns.
 void AddPrescribedRotations(
   const BoundaryHandle& handle, const PrescribedRotations& turns, HandlePose& pose)
 {
@@ -111,6 +114,7 @@ void AddPrescribedRotations(
   }
 }
 
+/// Section 2.2: interpolation between the original frame and the bias frame by alpha.
 void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
   const PoseOptions& options, HandlePose& pose)
 {
@@ -134,6 +138,7 @@ void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
     const Eigen::Vector3d normal = (pose.Rotations[i] * normals.row(i).transpose()).normalized();
     Eigen::Vector3d axis = normal.cross(direction);
     const double angle = std::atan2(axis.norm(), normal.dot(direction));
+    // The sine of the angle; below, the axis is decided by rounding.
     if (!(axis.norm() > 1e-12))
     {
       // Opposite: all rotations by half a turn are least; the one about the curve does not twist
@@ -154,6 +159,8 @@ Eigen::MatrixXd ComputeHandleNormals(const BoundaryHandle& handle, const PointGr
   }
   const Eigen::RowVector3d centre = handle.Positions.colwise().mean();
   const Eigen::MatrixXd ways = handle.Positions.rowwise() - centre;
+  // The normal of the best plane is the axis of least variance; it is unique unless the handle is
+  // straight.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(ways.transpose() * ways);
   Eigen::RowVector3d plane = Eigen::RowVector3d::Zero();
   if (axes.eigenvalues()(1) > 1e-12 * axes.eigenvalues()(2))
@@ -169,6 +176,7 @@ Eigen::MatrixXd ComputeHandleNormals(const BoundaryHandle& handle, const PointGr
     plane = plane.dot(area) < 0.0 ? Eigen::RowVector3d(-plane) : plane;
   }
   const PointTree tree(shape.Positions);
+  // A handle may lie beside the shape, up to an edge away.
   const double near = 1e-6 * ComputeBoxDiagonal(shape.Positions) + shape.MeanLength;
   Eigen::MatrixXd normals(handle.Positions.rows(), 3);
   for (Eigen::Index i = 0; i < normals.rows(); ++i)

@@ -54,6 +54,7 @@ std::unique_ptr<NodeDeformation> Solve(
   using Type = DeformOptions::MultiresolutionType;
   const int inner = problem.Graph.Size() - static_cast<int>(problem.Sources.size());
   const int base = std::max(minimum, inner / share);
+  // A base that is not smaller than the shape saves nothing.
   const bool coarse = options.Multiresolution == Type::On ||
     (options.Multiresolution == Type::Automatic && inner > few);
   if (!coarse || inner <= base)
@@ -88,11 +89,12 @@ Eigen::VectorXi LabelsOfNodes(
 /// Relative to a much larger or distant handle, the shape would be a single point.
 void RequireNear(const BoundaryHandle& handle, const PointGraph& graph)
 {
+  // With less, differences of coordinates would keep fewer than seven digits.
   constexpr double minimum = 1e-9;
   Eigen::MatrixXd all(handle.Positions.rows() + graph.Positions.rows(), 3);
   all << handle.Positions, graph.Positions;
   const double shape = ComputeLongestBoxEdge(graph.Positions), both = ComputeLongestBoxEdge(all);
-  // AttachHandle reports what is not finite.
+  // AttachHandle reports values that are not finite.
   if (std::isfinite(both) && shape < minimum * both && (shape > 0.0 || both > 1e50))
   {
     std::ostringstream words;
@@ -116,6 +118,11 @@ struct ShapeDeformation::Prepared
   std::unique_ptr<LaplacianSmoothing> Smoothing;
 };
 
+/// 1. Attach the handle: its samples become sources of the graph (AttachHandle).
+/// 2. Link the components that it does not reach (ConnectComponents).
+/// 3. Sweep the front: arrival times (section 2.1).
+/// 4. Evaluate the parameters at each node (section 2.2).
+/// 5. Prepare the weights in full resolution, on a coarse base, or part by part (section 2.3).
 ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle& handle,
   const DeformOptions& options, const DeformFields& fields, const Progress& progress)
   : Impl(std::make_unique<Prepared>())
@@ -176,6 +183,10 @@ const DeformFacts& ShapeDeformation::Facts() const
   return this->Impl->Facts;
 }
 
+// 1. The sources follow the samples of the handle (MoveSources).
+// 2. The front moves the other nodes by the stored weights.
+// 3. Laplacian smoothing, if it is wanted.
+// 4. Points follow their nodes, also those that were welded.
 DeformedShape ShapeDeformation::Deform(
   const HandlePose& pose, double reach, const Progress& progress) const
 {
@@ -183,6 +194,7 @@ DeformedShape ShapeDeformation::Deform(
   RequirePose(own.Handle, pose);
   const NodeTransforms sources = MoveSources(own.Sources, own.Handle, pose, own.Scales);
   constexpr double everywhere = std::numeric_limits<double>::infinity();
+  // Smoothing solves for all nodes at once, so it needs all of them.
   NodeTransforms motions = own.Nodes->Move(sources, own.Smoothing ? everywhere : reach, progress);
   if (own.Smoothing)
   {
@@ -195,7 +207,7 @@ DeformedShape ShapeDeformation::Deform(
     const int node = own.Shape.NodeOf(i);
     result.Rotations[i] = motions.Rotations[node];
     result.Points.row(i) = own.Shape.Points.row(i) + motions.Shifts.col(node).transpose();
-    if (own.Shape.PointOf[node] != i) // welded to another one: it follows that
+    if (own.Shape.PointOf[node] != i) // welded to another node, which it follows
     {
       const Eigen::Matrix3d turn =
         own.Scales(node) * motions.Rotations[node] - Eigen::Matrix3d::Identity();

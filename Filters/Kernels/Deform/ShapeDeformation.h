@@ -17,23 +17,23 @@ namespace shape
 /// Facts about a prepared deformation.
 struct DeformFacts
 {
-  int Islands = 0;       ///< components not connected to the handle, linked where they are nearest
-  int EmptyBands = 0;    ///< points with nothing within UpwindRadius before them
+  int Islands = 0; ///< components not connected to the handle; each is linked at its nearest points
+  int EmptyBands = 0;    ///< points without any point within UpwindRadius before them
   int ZeroWeights = 0;   ///< points for which all upwind weights are 0
   int WeldedPoints = 0;  ///< points that coincide with an earlier one
   int Segments = 0;      ///< connected parts of one label; 0 without labels
-  int BasePoints = 0;    ///< of the coarse shape; 0 in full resolution
-  bool Streamed = false; ///< the weights are too many to be kept
+  int BasePoints = 0;    ///< points of the coarse shape; 0 in full resolution
+  bool Streamed = false; ///< whether the weights are too many to be stored
 };
 
 struct DeformedShape
 {
   Eigen::MatrixXd Points;                 ///< n x 3
-  std::vector<Eigen::Matrix3d> Rotations; ///< n: of the shape at each point
+  std::vector<Eigen::Matrix3d> Rotations; ///< n: rotation of the shape at each point
 };
 
 /**
- * A shape prepared for being deformed by one handle, again and again: it keeps the weights, so that
+ * A shape prepared for being deformed by one handle any number of times. It stores the weights, so
  * a new pose of the handle takes one pass over them.
  *
  * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010), equations 4 to
@@ -41,10 +41,11 @@ struct DeformedShape
  *
  *   phat = sum_j w_j (qhat_j + s R_j (p - q_j)) / sum_j w_j,
  *
- * and rotates by the rotation nearest to sum_j w_j R_j. This is the blend of frames of section 2.1
- * without the frames, since those of inner points cancel. A rigid motion of the handle is that
- * motion of the shape, for any weights; with the handle scaled by s = Scale, that similarity; an
- * unmoved handle returns the points themselves, bit for bit.
+ * and rotates by the rotation nearest to sum_j w_j R_j. This equals the blend of frames of section
+ * 2.1, but needs no frames, since those of inner points cancel. A rigid motion of the handle moves
+ * the shape rigidly, for any weights. If the handle is also scaled by s = Scale, the shape
+ * undergoes that similarity. If the handle does not move, the points are returned unchanged, bit
+ * for bit.
  */
 class ShapeDeformation
 {
@@ -55,10 +56,10 @@ public:
     const Progress& progress = {});
   ~ShapeDeformation();
 
-  /// The shape for a pose of the handle. Points that the front reaches later than `reach`, in the
-  /// model's units, may be left out: their rows are undefined. So a pass over few points is quick,
-  /// for the optimisation of frames (equation 12). Several threads may call it. Throws InvalidInput
-  /// if the pose has another number of samples; Aborted.
+  /// Returns the shape for a pose of the handle. Points that the front reaches later than `reach`,
+  /// in the model's units, may be left out: their rows are undefined. This makes a pass over few
+  /// points fast, for the optimisation of frames (equation 12). Several threads may call it. Throws
+  /// InvalidInput if the pose has another number of samples; Aborted.
   DeformedShape Deform(const HandlePose& pose,
     double reach = std::numeric_limits<double>::infinity(), const Progress& progress = {}) const;
 
@@ -76,8 +77,8 @@ private:
  * Prepares a shape for a handle by the method and at the resolution of the options.
  *
  * graph: of the shape's points (BuildPointGraph). Throws InvalidInput if an option is out of range,
- * a field has another size, the handle has no samples or an invalid one, or the shape is smaller
- * than 1e-9 of the box around it and the handle; Aborted.
+ * a field has another size, or the handle has no samples or an invalid one. Also if the shape is
+ * smaller than 1e-9 of the bounding box of shape and handle. Throws Aborted.
  */
 std::unique_ptr<ShapeDeformation> PrepareDeformation(const PointGraph& graph,
   const BoundaryHandle& handle, const DeformOptions& options = {}, const DeformFields& fields = {},

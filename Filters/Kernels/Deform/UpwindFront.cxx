@@ -12,6 +12,7 @@
 
 namespace shape
 {
+/// f(x, r) = max((1 - x^2 / r^2)^3, 0), section 2.1.
 double EvaluateSmoothFalloff(double x, double radius)
 {
   const double ratio = x / radius;
@@ -21,10 +22,13 @@ double EvaluateSmoothFalloff(double x, double radius)
 
 double EvaluateInverseDistanceWeight(double distance, double power)
 {
+  // Inside the power, epsilon acts at the same distance, a thousandth of a link, whatever the
+  // power.
   const double square = distance * distance + 1e-6;
   return 1.0 / (power == 2.0 ? square : std::pow(square, 0.5 * power));
 }
 
+/// The arrival times of section 2.1, by Dijkstra's algorithm from all sources at once.
 FrontSweep SweepFront(
   const PointGraph& graph, const std::vector<int>& sources, const Progress& progress)
 {
@@ -33,6 +37,7 @@ FrontSweep SweepFront(
   std::vector<double> arrivals(n, never), steps(n, 0.0);
   std::vector<int> parents(n, -1);
   std::vector<char> done(n, 0);
+  // For equal times the queue orders by node, so the ranks are unique.
   using Item = std::pair<double, int>; // arrival, node
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   FrontSweep sweep;
@@ -81,7 +86,7 @@ FrontSweep SweepFront(
   {
     throw InvalidInput("the front does not reach " +
       std::to_string(n - static_cast<int>(sweep.Nodes.size())) +
-      " points; join them to the sources' piece");
+      " points; connect them to the sources");
   }
   sweep.Ranks.resize(n);
   for (int rank = 0; rank < n; ++rank)
@@ -117,19 +122,25 @@ UpwindFront::UpwindFront(const PointGraph& graph, const FrontSweep& sweep,
     this->Positions.col(rank) = graph.Positions.row(node).transpose();
   }
   int end = sweep.Sources;
+  // Omega(p_i) of section 2.1: arrival times in (g_i - r_u, g_i). Ranks are ordered by time, so the
+  // band is a range of ranks.
   for (int rank = sweep.Sources; rank < n; ++rank)
   {
     const double arrival = sweep.Arrivals[rank];
+    // Nodes that arrive at the same time are not upwind of each other.
     end = sweep.Arrivals[end] < arrival ? rank : end;
     // A node that coincides with a source has a step of length 0: the sources are its band anyway.
     this->Ends[rank] = end;
     this->Empty += sweep.Arrivals[end - 1] <= arrival - this->Radius;
+    // A link longer than the radius would leave the band empty. A quarter more gives its start a
+    // weight.
     const auto begin = std::upper_bound(sweep.Arrivals.begin(), sweep.Arrivals.begin() + end - 1,
       arrival - std::max(this->Radius, 1.25 * sweep.Steps[rank]));
     this->Begins[rank] = static_cast<int>(begin - sweep.Arrivals.begin());
   }
 }
 
+/// d of equation 4: Euclidean, or by Dijkstra's algorithm inside the band (end of section 2.1).
 void UpwindFront::FindDistances(int rank, double* distances) const
 {
   const int begin = this->Begins[rank], end = this->Ends[rank];
@@ -177,6 +188,7 @@ bool UpwindFront::Row(int rank, float* weights) const
   const int node = this->Sweep.Nodes[rank];
   const double arrival = this->Sweep.Arrivals[rank];
   const double radius = std::max(this->Radius, 1.25 * this->Sweep.Steps[rank]);
+  // r_n of equation 6, with the shortest link as the nearest point.
   const double nearest = *std::min_element(this->Graph.Lengths.begin() + this->Graph.First[node],
     this->Graph.Lengths.begin() + this->Graph.First[node + 1]);
   std::vector<double> row(count);
@@ -185,6 +197,8 @@ bool UpwindFront::Row(int rank, float* weights) const
   for (int j = 0; j < count; ++j)
   {
     const double before = arrival - this->Sweep.Arrivals[begin + j];
+    // Equation 9: w_arr (equation 7) times w_reg (equation 8, the area of the node) times w
+    // (equation 4).
     row[j] = EvaluateSmoothFalloff(before, radius) *
       (1.0 - EvaluateSmoothFalloff(before, nearest)) * this->Weights[begin + j] *
       EvaluateInverseDistanceWeight(row[j] / this->Graph.MeanLength, this->Powers[rank]);

@@ -11,37 +11,38 @@ namespace shape
 {
 
 /**
- * The arrival times of a front that starts at sources at the nodes of a graph: the lengths of the
- * shortest paths along its links (Dijkstra 1959). Nodes are ranked: the sources first, in the given
- * order, then the others by arrival time, those of equal times by index.
+ * The times at which a front from sources arrives at the nodes of a graph: the lengths of the
+ * shortest paths along its links (Dijkstra 1959). Nodes are ranked: first the sources in the given
+ * order, then the others by arrival time, and by index if times are equal.
  */
 struct FrontSweep
 {
-  std::vector<int> Nodes;       ///< of each rank
-  std::vector<int> Ranks;       ///< of each node
-  std::vector<double> Arrivals; ///< of each rank, increasing; 0 at sources
-  std::vector<int> Parents;     ///< rank of the previous node on the path; -1 at sources
-  std::vector<double> Steps;    ///< length of the link from there; 0 at sources
+  std::vector<int> Nodes;       ///< node of each rank
+  std::vector<int> Ranks;       ///< rank of each node
+  std::vector<double> Arrivals; ///< arrival time of each rank, increasing; 0 at sources
+  std::vector<int> Parents; ///< for each rank, that of the previous node on the path; -1 at sources
+  /// For each rank, length of the link from the previous node; 0 at sources.
+  std::vector<double> Steps;
   int Sources = 0;
 };
 
-/// sources: different nodes. Throws InvalidInput if the front does not reach all nodes
-/// (ConnectComponents first), Aborted.
+/// Sweeps a front over a graph. sources: distinct nodes. Throws InvalidInput if the front does not
+/// reach all nodes (ConnectComponents first), Aborted.
 FrontSweep SweepFront(
   const PointGraph& graph, const std::vector<int>& sources, const Progress& progress = {});
 
-/// w of equation 4, 1 / (d^k + epsilon), with d in mean links and epsilon so small that it only
-/// keeps the weights of coincident points finite; k, `power`, from 0 to 32.
+/// Returns w of equation 4, 1 / (d^k + epsilon), with d in mean links. epsilon is so small that it
+/// only keeps the weights of coincident points finite. power: k, from 0 to 32.
 double EvaluateInverseDistanceWeight(double distance, double power);
 
-/// f of equation 7: from 1 at 0 smoothly to 0 at `radius` and beyond.
+/// Returns f of equation 7, which decreases smoothly from 1 at 0 to 0 at `radius` and beyond.
 double EvaluateSmoothFalloff(double x, double radius);
 
 /// The distance d of equation 4.
 enum class FrontDistance
 {
   Euclidean,
-  Geodesic ///< along links within the band; points without a path there have no weight
+  Geodesic ///< along links within the band; the weight is 0 if there is no path
 };
 
 struct UpwindFrontOptions
@@ -54,20 +55,19 @@ struct UpwindFrontOptions
  * The points upwind of each point on a sweeping front, and their weights: equations 4 and 6 to 9 of
  * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
  *
- * Since nodes are ranked by arrival time, the band upwind of rank i, the nodes that the front met
- * within Radius before it, is one contiguous range of ranks [Begin(i), End(i)), and a row of
- * weights is dense. The band is at least a quarter longer than the link that the front came along,
- * so that it contains the start of that link.
+ * The band upwind of rank i consists of the nodes that the front met within Radius before it. Since
+ * nodes are ranked by arrival time, the band is one contiguous range of ranks [Begin(i), End(i)),
+ * and a row of weights is dense. The band is at least a quarter longer than the link along which
+ * the front arrived, so that it contains the start of that link.
  */
 class UpwindFront
 {
 public:
-  /// graph and sweep must outlive it. powers: n, k of equation 4 for each node, >= 0.
+  /// graph and sweep must outlive this object. powers: n, k of equation 4 for each node, >= 0.
   UpwindFront(const PointGraph& graph, const FrontSweep& sweep, const Eigen::VectorXd& powers,
     const UpwindFrontOptions& options = {});
 
-  ///@{
-  /// The band of a rank that is no source; not empty.
+  /// The band of a rank that is not a source; not empty.
   int Begin(int rank) const { return this->Begins[rank]; }
   int End(int rank) const { return this->Ends[rank]; }
   ///@}
@@ -75,8 +75,9 @@ public:
   /// The number of ranks without any node within Radius before them.
   int EmptyBands() const { return this->Empty; }
 
-  /// The weights of the band of a rank (End - Begin), the largest 1. Returns false if all were 0:
-  /// then the point that the front came from has all the weight. Several threads may call it.
+  /// Computes the weights of the band of a rank (End - Begin); the largest is 1. Returns false if
+  /// all would be 0: then the point from which the front arrived has weight 1, the others 0.
+  /// Several threads may call it.
   bool Row(int rank, float* weights) const;
 
 private:
@@ -89,7 +90,7 @@ private:
   int Empty = 0;
   std::vector<int> Begins, Ends;
   std::vector<double> Powers, Weights; ///< of each rank
-  Eigen::MatrixXd Positions;           ///< of each rank, one a column
+  Eigen::MatrixXd Positions;           ///< a column for each rank
 };
 
 } // namespace shape

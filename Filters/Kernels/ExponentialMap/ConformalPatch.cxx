@@ -24,6 +24,9 @@ std::complex<double> ToComplex(const Eigen::RowVector2d& position)
 }
 
 /// Moves, rotates and scales the positions to match the exponential map around the seed.
+/// The similarity that fits one map to the other best around the seed: with complex numbers, the
+/// ratio of the weighted sums of conj(from) * to and |from|^2. Only its rotation is kept; the scale
+/// is that of all distances.
 void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
 {
   // Both maps are compared near the seed: the nearest points have the largest weights.
@@ -31,6 +34,7 @@ void Align(const ExponentialPatch& patch, Eigen::MatrixXd& positions)
   Eigen::VectorXd weights(near);
   for (Eigen::Index i = 0; i < near; ++i)
   {
+    // A tenth of the farthest one limits the weight of a point at the seed.
     weights(i) = 1.0 / (patch.Distances(i) + 0.1 * patch.Distances(near - 1));
   }
   weights /= weights.sum();
@@ -89,6 +93,9 @@ Eigen::MatrixXd FlatPositions(const Mesh& part, bool refine, const Progress& pro
 
 } // namespace
 
+// 1. Cut the patch to a disk, from the seed outwards (GrowDisk).
+// 2. Flatten the disk (FlatPositions).
+// 3. Rotate, scale and move it to agree with the exponential map at the seed (Align).
 ExponentialPatch FlattenPatchConformally(
   const Surface& surface, const ExponentialPatch& patch, bool refine, const Progress& progress)
 {

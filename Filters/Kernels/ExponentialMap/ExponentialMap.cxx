@@ -34,7 +34,8 @@ void RequireTriangles(const Surface& surface, const ExponentialMapOptions& optio
     options.NormalSmoothing >= 0, "NormalSmoothing", options.NormalSmoothing, "0 or more");
 }
 
-/// Marks the nodes that are ends of an edge with one triangle.
+/// Marks the nodes that are ends of an edge with one triangle. Half-edges are sorted by their
+/// points: those of one edge follow each other.
 std::vector<char> NodesOnLoop(const Surface& welded)
 {
   std::vector<char> onLoop(welded.Points().rows(), 0);
@@ -126,6 +127,7 @@ void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)
   }
 }
 
+/// Triangles with all corners settled: no triangle extends beyond the front.
 void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
 {
   constexpr double flat = 1e-14; // maximum area of a degenerate triangle / its longest squared edge
@@ -222,6 +224,8 @@ RowVector3d ExponentialMap::Normal(const ClosestPoint& position) const
   return normal.normalized();
 }
 
+/// The discrete exponential map (Schmidt, Grimm and Wyvill) in three parts: the frame at the seed,
+/// the front that computes the images (ExponentialFront), and the triangles that it covered.
 ExponentialPatch ExponentialMap::Around(
   const ClosestPoint& seed, double radius, const RowVector3d& xDirection, const Progress& progress)
 {

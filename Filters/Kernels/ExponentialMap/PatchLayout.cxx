@@ -103,6 +103,8 @@ Mesh BuildPatchSurface(const Surface& surface, const ExponentialPatch& patch)
   return { surface.Points()(patch.Points, Eigen::all), patch.Corners };
 }
 
+/// Two overlapping parts of a disk-like image have a boundary: one of its edges runs through the
+/// other part.
 bool IsOverlappingItself(const ExponentialPatch& patch)
 {
   std::vector<char> torn(patch.Corners.rows(), 0);
@@ -176,6 +178,7 @@ ExponentialFacts ComputeExponentialFacts(
     const RowVector2d a = patch.Positions.row(patch.Corners(row, 0));
     const RowVector2d u = patch.Positions.row(patch.Corners(row, 1)) - a,
                       v = patch.Positions.row(patch.Corners(row, 2)) - a;
+    // Positive, since sound triangles are counter-clockwise.
     area += sound(row) ? 0.5 * (u(0) * v(1) - u(1) * v(0)) : 0.0;
   }
   facts.Coverage = area / (M_PI * radius * radius);

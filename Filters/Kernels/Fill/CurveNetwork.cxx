@@ -31,7 +31,7 @@ struct SegmentGraph
   const Eigen::MatrixXd& Points;
   Eigen::MatrixXd Normals;            ///< n x 3: unit, or 0
   std::vector<std::vector<int>> Near; ///< of each point, those that a segment joins to it
-  std::set<CurveSegment> Forward;     ///< in the direction of the first polyline with them
+  std::set<CurveSegment> Forward;     ///< in the direction of the first polyline that contains them
 
   int Size() const { return static_cast<int>(this->Near.size()); }
   bool HasNormal(int point) const { return this->Normals.row(point).squaredNorm() > 0.0; }
@@ -66,6 +66,7 @@ SegmentGraph BuildSegmentGraph(const Eigen::MatrixXd& points,
 }
 
 /// Removes open ends, segment by segment; returns how many segments it has removed.
+/// A segment with an open end bounds no patch. Removing it may open the next one.
 int RemoveOpenEnds(SegmentGraph& graph)
 {
   std::vector<int> ends;
@@ -99,6 +100,7 @@ int RemoveOpenEnds(SegmentGraph& graph)
 }
 
 /// Gives the members of a component that have no normal the mean of their neighbours'.
+/// Values spread from point to point within a pass and from pass to pass, until all are set.
 void SpreadNormals(SegmentGraph& graph, const std::vector<int>& members)
 {
   for (bool changed = true; changed;)
@@ -130,6 +132,7 @@ RowVector3d FitPlaneNormal(const SegmentGraph& graph, const std::vector<int>& me
   }
   offsets.rowwise() -= offsets.colwise().mean().eval();
   const Eigen::JacobiSVD<Eigen::MatrixXd> axes(offsets, Eigen::ComputeThinV);
+  // The thickness of the network relative to its width.
   constexpr double flat = 0.1;
   if (axes.singularValues()(2) > flat * axes.singularValues()(1))
   {
@@ -137,9 +140,10 @@ RowVector3d FitPlaneNormal(const SegmentGraph& graph, const std::vector<int>& me
       members.begin(), members.end(), [&](int point) { return graph.IsBranch(point); });
     throw InvalidInput("three or more curves meet at " + std::to_string(branches) +
       " points (first at point " + std::to_string(first) +
-      "), and they have no normals to tell the patches between them; add point Normals");
+      "), but without normals the patches between them are ambiguous; add point Normals");
   }
   RowVector3d normal = axes.matrixV().col(2).transpose();
+  // The sign of an axis is arbitrary; this rule makes it the same for every order of the points.
   const RowVector3d reversed(normal.z(), normal.y(), normal.x());
   for (const double part : reversed)
   {
@@ -248,6 +252,8 @@ std::vector<CurveSegment> ListSegments(const SegmentGraph& graph)
 
 /// The points of the face to the left of a segment: at each point it turns into the next segment
 /// clockwise. Marks its segments as visited.
+/// The faces of a rotation system: in the counter-clockwise order around a point, the segment
+/// before the one on which the walk arrives is the next one of the face to its left.
 std::vector<int> TraceFace(
   const SegmentGraph& graph, CurveSegment segment, std::set<CurveSegment>& visited)
 {
@@ -293,6 +299,7 @@ double ComputeSignedArea(const SegmentGraph& graph, const std::vector<int>& face
     const RowVector3d from = graph.Points.row(point) - centre;
     const RowVector3d to = graph.Points.row(next) - centre;
     const RowVector3d normal = graph.Normals.row(point) + graph.Normals.row(next);
+    // Half of the cross product is the area, half of the sum the mean normal.
     sum += 0.25 * normal.dot(from.cross(to));
     length += (to - from).norm();
   }
@@ -300,12 +307,14 @@ double ComputeSignedArea(const SegmentGraph& graph, const std::vector<int>& face
 }
 
 /// Whether a face is to be filled. Of the two faces of a closed curve, it is the one that its
-/// normals ask for, else that of its direction.
+/// normals determine, else that of its direction.
 bool IsPatch(const SegmentGraph& graph, const std::vector<int>& face)
 {
   const double area = ComputeSignedArea(graph, face);
   const bool isCurve =
     std::all_of(face.begin(), face.end(), [&](int point) { return graph.Near[point].size() == 2; });
+  // For a circle the value is 1 / (4 pi) = 0.08. Below a thousandth the normals lie in the plane of
+  // the curve and do not determine the sign.
   constexpr double unclear = 1e-3;
   const bool isWanted = isCurve && std::abs(area) < unclear ? RunsForward(graph, face) : area > 0.0;
   return isWanted && face.size() >= 3;
@@ -313,6 +322,10 @@ bool IsPatch(const SegmentGraph& graph, const std::vector<int>& face)
 
 } // namespace
 
+// 1. Join coincident points, and remove open ends.
+// 2. Complete the normals (FillNetworkNormals).
+// 3. Sort the segments around each point by its normal, which determines the faces.
+// 4. Trace each face once; those that run counter-clockwise are loops (IsPatch).
 CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
   const std::vector<std::vector<int>>& polylines, const Eigen::MatrixXd& normals)
 {
@@ -324,8 +337,8 @@ CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
     {
       if (point < 0 || point >= points.rows())
       {
-        throw InvalidInput("a curve names point " + std::to_string(point) + " of " +
-          std::to_string(points.rows()) + "; give points that exist");
+        throw InvalidInput("a curve contains point " + std::to_string(point) + " of " +
+          std::to_string(points.rows()) + "; correct its connectivity");
       }
     }
   }
@@ -350,6 +363,7 @@ CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
       ++network.SkippedFaces;
       continue;
     }
+    // The first point does not depend on the segment at which the walk begins.
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
     network.Loops.push_back(std::move(face));
   }

@@ -20,8 +20,8 @@ namespace
 using Sparse = Eigen::SparseMatrix<double>;
 using Eigen::RowVector3d;
 
-/// Voronoi areas of the points (n), at the loop those of the patch only; at least a tenth of a
-/// third of the triangles around.
+/// Voronoi areas of the points (n); at the loop, within the patch only. Each is at least a tenth of
+/// a third of the area of the triangles around.
 Eigen::VectorXd VoronoiAreas(const Mesh& patch, const TriangleAngles& angles)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(patch.Points.rows());
@@ -30,6 +30,8 @@ Eigen::VectorXd VoronoiAreas(const Mesh& patch, const TriangleAngles& angles)
     for (int k = 0; k < 3; ++k)
     {
       const int from = patch.Triangles(t, (k + 1) % 3), to = patch.Triangles(t, (k + 2) % 3);
+      // A Voronoi area is the sum of cotangent times squared length over 8, of both angles opposite
+      // each edge. It may be negative at obtuse triangles, hence the lower limit.
       const double share = 0.125 * angles.Cotangents(t, k) *
         (patch.Points.row(to) - patch.Points.row(from)).squaredNorm();
       areas(from) += share;
@@ -61,6 +63,7 @@ Geometry Measure(const Mesh& patch, const Eigen::MatrixXd& loopNormals)
   is.Areas = is.Areas.cwiseMax(std::max(minimum, std::numeric_limits<double>::min()));
   is.Normals = ComputeVertexNormals(patch, NormalWeight::Max);
   is.Normals.topRows(loopNormals.rows()) = loopNormals;
+  // The cotangent Laplacian of the positions is 2 H n times the area.
   const Eigen::MatrixXd laplacian = is.Stiffness * patch.Points;
   is.Curvature = laplacian.cwiseProduct(is.Normals).rowwise().sum().cwiseQuotient(2.0 * is.Areas);
   is.SecondForm = Eigen::VectorXd::Zero(points);
@@ -69,6 +72,8 @@ Geometry Measure(const Mesh& patch, const Eigen::MatrixXd& loopNormals)
     for (Sparse::InnerIterator entry(is.Stiffness, column); entry; ++entry)
     {
       const auto row = static_cast<int>(entry.row());
+      // k1^2 + k2^2 is the Dirichlet energy density of the normals. Half of an edge's energy
+      // belongs to each end.
       is.SecondForm(row) -=
         0.5 * entry.value() * (is.Normals.row(row) - is.Normals.row(column)).squaredNorm();
     }
@@ -76,6 +81,7 @@ Geometry Measure(const Mesh& patch, const Eigen::MatrixXd& loopNormals)
   is.SecondForm = is.SecondForm.cwiseQuotient(is.Areas).cwiseMax(0.0);
   std::vector<double> sorted(is.SecondForm.begin(), is.SecondForm.end());
   std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+  // The limit keeps single creased triangles from making the derivative indefinite.
   is.SecondForm = is.SecondForm.cwiseMin(4.0 * sorted[sorted.size() / 2]);
   return is;
 }
@@ -100,12 +106,15 @@ Sparse Inner(const Sparse& all, Eigen::Index loop)
   return all.bottomRightCorner(inner, inner);
 }
 
-/// Solves Newton's equation: how far points move along their normals.
+/// Solves Newton's equation for the movement of points along their normals.
 class NewtonStep
 {
 public:
-  /// cautious: shorter steps, of what is sure to be positive definite. again: with the derivative
-  /// of the last time.
+  /// cautious: take shorter steps, from a matrix that is certainly positive definite. again: reuse
+  /// the last derivative.
+  /// The equation is S H = 0 at the inner points: H is harmonic. A movement u along the normals
+  /// changes H by (M^-1 S u - K u) / 2, with K = k1^2 + k2^2. Newton's equation is therefore
+  /// (S M^-1 S - S K) u = -2 S H. S K is made symmetric, so that a Cholesky factorisation applies.
   Eigen::VectorXd Find(const Geometry& is, Eigen::Index loop, bool cautious, bool again)
   {
     const Eigen::Index inner = is.Areas.size() - loop;
@@ -120,7 +129,7 @@ public:
     const Sparse plain = Inner(bending, loop);
     const Sparse derivative = plain - 0.5 * Inner(squares + turned, loop);
     Eigen::VectorXd step;
-    // Where the surface bends much over its width the derivative may not be positive definite.
+    // If the surface bends strongly over its width, the derivative may not be positive definite.
     if ((cautious || !this->TrySolve(derivative, 2.0 * residual, step)) &&
       !this->TrySolve(plain, 2.0 * residual, step))
     {
@@ -180,6 +189,8 @@ double MeanLoopEdge(const Eigen::MatrixXd& points, Eigen::Index loop)
 
 } // namespace
 
+/// Mixed finite elements: M L = S x - flux defines the Laplacian L, also at the loop, and S L = 0
+/// at the inner points is the equation.
 Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loop)
 {
   const Eigen::Index points = disk.Points.rows(), corners = loop.Points.rows();
@@ -193,7 +204,7 @@ Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loo
   const Sparse stiffness = BuildCotangentStiffness(disk.Triangles, angles.Cotangents, points);
   Eigen::VectorXd masses = ComputeLumpedMasses(disk.Triangles, angles.Areas, points);
   masses = masses.cwiseMax(1e-9 * masses.mean());
-  // What flows over the rim: its conormals, out of the patch, times the length that each point has.
+  // The flux over the boundary: its outward conormals times the length that belongs to each point.
   Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(points, 3);
   for (Eigen::Index i = 0; i < corners; ++i)
   {
@@ -211,6 +222,9 @@ Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loo
   return positions;
 }
 
+/// Newton's method with step control: a step is cut if it bends edges too much (SafeShare), and the
+/// share is halved if steps do not become shorter. Without convergence the best surface met is the
+/// result.
 FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loopNormals,
   const FairSurfaceOptions& options, const Progress& progress)
 {
@@ -221,7 +235,8 @@ FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loo
   double share = 1.0, taken = 1.0, lastLength = minimum;
   const double enough = options.Tolerance * MeanLoopEdge(start.Points, loop);
   NewtonStep newton;
-  bool isNear = false; // so near that the derivative changes hardly any more
+  bool isNear = false; // so near that the derivative hardly changes
+  // The iteration has stalled if two steps in a row at this share do not become shorter.
   constexpr double minimumShare = 0.25;
   int stalls = 0;
   while (!result.Converged && stalls < 2 && result.Iterations < options.MaximumIterations)
@@ -236,15 +251,19 @@ FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loo
       minimum = energy;
       result.Points = patch.Points;
     }
+    // A rise of the energy shows that the derivative misleads: the next step uses the bilaplacian
+    // alone, which is positive definite.
     const Eigen::VectorXd step = newton.Find(is, loop, energy > last, isNear && energy <= last);
     last = energy;
-    // Steps that do not become shorter, as they should by what was taken of the last one, go to and
-    // fro.
+    // Steps that do not become shorter as expected oscillate.
     const double length = step.cwiseAbs().maxCoeff();
+    // After a full step the next one should be at most 70 % as long; after a partial step it may be
+    // longer in proportion.
     const bool goesAstray = length > (1.0 - 0.3 * taken) * lastLength;
     stalls = share == minimumShare && goesAstray ? stalls + 1 : 0;
     share = goesAstray ? std::max(minimumShare, 0.5 * share) : std::min(1.0, 2.0 * share);
     constexpr double nearby = 0.1;
+    // A tenth of an edge.
     isNear = length <= nearby * enough / options.Tolerance && length <= 0.8 * lastLength;
     lastLength = length;
     taken = std::min(share, SafeShare(patch, step, loop));

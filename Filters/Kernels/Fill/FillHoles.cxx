@@ -22,6 +22,7 @@ namespace
 {
 
 /// The order in which Automatic tries them.
+/// From the smoothest to the most robust.
 constexpr std::array<FillMethod, 3> Order = { FillMethod::Fair, FillMethod::Deformation,
   FillMethod::Membrane };
 
@@ -38,7 +39,7 @@ std::string NameOf(FillMethod method)
   }
 }
 
-/// Which hole a triangle fills.
+/// Returns the hole that a triangle fills.
 int OwnerOf(const FilledSurface& filled, int triangle)
 {
   const auto after = std::upper_bound(filled.Holes.begin(), filled.Holes.end(), triangle,
@@ -46,7 +47,7 @@ int OwnerOf(const FilledSurface& filled, int triangle)
   return static_cast<int>(after - filled.Holes.begin()) - 1;
 }
 
-/// For the i-th of `count` equal parts of some work.
+/// The progress of the i-th of `count` equal parts.
 Progress PartOf(const Progress& progress, std::size_t i, std::size_t count)
 {
   const auto all = static_cast<double>(count);
@@ -101,6 +102,8 @@ SurfaceFiller::SurfaceFiller(const shape::Surface& surface,
     options);
 }
 
+/// Fills must not share edges with the surface or with each other: an edge with three triangles is
+/// no manifold.
 void SurfaceFiller::Add(const std::vector<std::vector<int>>& rims,
   const std::function<Eigen::MatrixXd(const std::vector<int>&)>& normals, HoleFillerOptions options)
 {
@@ -165,6 +168,7 @@ FilledSurface SurfaceFiller::Joined(const Hole* last) const
 }
 
 /// Fills a hole by one method; returns whether the result is usable.
+/// Errors name the hole, since a surface may have hundreds.
 bool SurfaceFiller::Try(
   Hole& hole, FillMethod method, const FillHolesOptions& options, const Progress& progress)
 {
@@ -189,8 +193,9 @@ bool SurfaceFiller::Try(
   }
 }
 
-/// Replaces a fill whose first method failed by the best of all: one that did not converge only if
-/// the others have more intersections.
+/// Replaces a fill whose first method failed by the best of all methods. One that did not converge
+/// is used only if the others have more intersections.
+/// The search for intersections stops at the present minimum: a method with more is no candidate.
 void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const Progress& progress)
 {
   std::string reason;
@@ -280,6 +285,10 @@ std::vector<bool> SurfaceFiller::FillEach(const FillHolesOptions& options, const
   return fails;
 }
 
+// 1. Fill each hole by the first method (FillEach).
+// 2. Find the triangles of the fills that intersect each other or the surface.
+// 3. With Automatic, replace these fills by the best of all methods, in two rounds (Replace).
+// 4. Report the intersections that remain.
 FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progress& progress)
 {
   std::vector<bool> fails = this->FillEach(options, progress.Part(0.0, 0.7));
@@ -348,6 +357,7 @@ std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<
 {
   std::vector<int> triangleAt(surface.Points.rows(), -1);
   const int count = holes.empty() ? 0 : holes.front().FirstTriangle;
+  // Backwards, so that the first triangle at each point is the one that stays.
   for (int t = count - 1; t >= 0; --t)
   {
     for (const int point : surface.Triangles.row(t))
@@ -379,6 +389,7 @@ std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<
   return sources;
 }
 
+/// The Dirichlet problem on the fill, with the values at the loop.
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values)
 {

@@ -19,26 +19,27 @@ struct FillHolesOptions
 {
   FillMethod Method = FillMethod::Automatic;
   HoleFillerOptions Filler;
-  DeformOptions Deformation; ///< for the method Deformation; these may be tuned live
+  DeformOptions Deformation; ///< for the method Deformation; may be changed interactively
   PoseOptions Frames;        ///< likewise: a further rotation of the frames at the loops
 };
 
 /// A hole of a surface that was filled.
 struct FilledHole
 {
-  int Number = 0;        ///< of the loop among the given ones
+  int Number = 0;        ///< index of the loop among the given ones
   std::vector<int> Loop; ///< points of the surface, with the fill to the left
-  int FirstPoint = 0;    ///< of the new ones, in the filled surface
+  int FirstPoint = 0;    ///< index of the first new point in the filled surface
   int Points = 0;
-  int FirstTriangle = 0; ///< of the fill, in the filled surface
+  int FirstTriangle = 0; ///< index of the fill's first triangle in the filled surface
   int Triangles = 0;
   FillMethod Method = FillMethod::Fair; ///< never Automatic
-  std::string Reason;                   ///< why this method: words
-  double Nonplanarity = 0.0;            ///< see ComputeNonplanarity, of the loop
+  std::string Reason;                   ///< the reason for this method, in words
+  double Nonplanarity = 0.0;            ///< of the loop: see ComputeNonplanarity
   double DeviationBefore = 0.0;         ///< see HoleFill
   double DeviationAfter = 0.0;
-  int SelfIntersections = 0; ///< pairs of triangles that intersect where they share nothing, one
-                             ///< of them in the fill
+  /// Number of pairs of triangles, at least one of them in the fill, that intersect although they
+  /// share nothing.
+  int SelfIntersections = 0;
 };
 
 struct FilledSurface
@@ -49,31 +50,31 @@ struct FilledSurface
 };
 
 /**
- * Fills holes of a surface, or between curves, once or again with other parameters: then it only
- * recomputes what depends on them.
+ * Fills holes of a surface, or between curves, once or several times with different parameters.
+ * Repeated calls only recompute what depends on the changed parameters.
  *
- * Hole filling as in Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
- * 2010), section 4.1, and by a fair surface, which is much closer to spheres and other round
- * shapes. The edges of a fill are as long as those of its loop. Points on loops and triangles
- * beside them are unchanged: so a manifold stays one, and becomes watertight if all of its loops
- * are filled.
+ * Holes are filled as in Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
+ * 2010), section 4.1, or by a fair surface, which is much closer to spheres and other round shapes.
+ * The edges of a fill are as long as those of its loop. Points on loops and triangles beside them
+ * are unchanged. So a manifold stays one, and becomes watertight if all of its loops are filled.
  */
 class SurfaceFiller
 {
 public:
-  /// loops: of the surface's points, with the surface to the left, as FindBoundaryLoops finds them;
-  /// each of at least 3 points. Throws InvalidInput if an index is out of range or a point is not
-  /// finite.
+  /// loops: of the surface's points, with the surface to the left, as FindBoundaryLoops returns
+  /// them; each has at least 3 points. Throws InvalidInput if an index is out of range or a point
+  /// is not finite.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& loops,
     const HoleFillerOptions& options = {});
 
-  /// rims: loops of the surface's points with the fill to the left; normals: n x 3, of the
-  /// surface's points, zero for that of the membrane. The surface may have no triangles.
+  /// rims: loops of the surface's points with the fill to the left. normals: n x 3, at the
+  /// surface's points; if one is zero, that of the membrane is used. The surface may have no
+  /// triangles.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& rims,
     const Eigen::MatrixXd& normals, const HoleFillerOptions& options = {});
   ~SurfaceFiller();
 
-  /// Fills all of them; options.Filler is ignored here. Throws InvalidInput if an option is out of
+  /// Fills all holes; options.Filler is ignored here. Throws InvalidInput if an option is out of
   /// range, SolveFailure with the loop's first point, Aborted.
   FilledSurface Fill(const FillHolesOptions& options, const Progress& progress = {});
 
@@ -93,7 +94,8 @@ private:
   std::vector<Hole> Holes;
 };
 
-/// Fills all holes of a surface of any triangles (FindBoundaryLoops). Throws as SurfaceFiller does.
+/// Fills all holes of a surface of any triangles (FindBoundaryLoops). Throws the exceptions of
+/// SurfaceFiller.
 FilledSurface FillHoles(
   const Surface& surface, const FillHolesOptions& options = {}, const Progress& progress = {});
 
@@ -101,19 +103,21 @@ FilledSurface FillHoles(
 FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<int>>& loops,
   const FillHolesOptions& options = {}, const Progress& progress = {});
 
-/// The sources of the data on a fill.
+/// The original points and triangles from which the data on a fill are copied.
 struct FillSources
 {
-  std::vector<int> Points;    ///< of each of its points: the nearest one of the loop
-  std::vector<int> Triangles; ///< of each triangle: the nearest one of the surface at the loop
+  std::vector<int> Points; ///< for each of the fill's points, the nearest point of the loop
+  /// For each of its triangles, the nearest triangle of the surface at the loop.
+  std::vector<int> Triangles;
 };
 
-/// The sources of each fill. surface: with the fills, whose triangles come last. A triangle is -1
-/// if the loop has none.
+/// Finds the sources of each fill. surface: with the fills, whose triangles come last. A triangle
+/// is -1 if no triangle is at the loop.
 std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes);
 
-/// Values at a fill's points (hole.Points x d): the harmonic ones with those given at its loop
-/// (SolveHarmonicValues). values: n x d, of all points; only the loop's rows count.
+/// Returns values at a fill's points (hole.Points x d): the harmonic ones with the given values at
+/// the loop (SolveHarmonicValues). values: n x d, of all points; only the rows of the loop are
+/// used.
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values);
 

@@ -21,6 +21,8 @@ const Eigen::MatrixXd NoNormals(0, 3);
 /// Replaces a patch by the membrane with the same layout.
 void Tauten(HolePatch& patch, const Eigen::MatrixXd& loop, const Progress& progress)
 {
+  // The layout is conformal to the membrane, and cotangent weights are conformally invariant: the
+  // first harmonic map is already near.
   constexpr int rounds = 2;
   patch.Surface.Points = SolveMembrane(BuildFlatSurface(patch), loop, rounds, progress);
 }
@@ -58,7 +60,7 @@ HoleFill HoleFiller::Fill(FillMethod method, const DeformOptions& options,
   }
 }
 
-/// The membrane; its normals complete those that the loop lacks.
+/// The membrane; its normals replace those that the loop lacks.
 const HolePatch& HoleFiller::Span(const Progress& progress)
 {
   if (!this->Coarse)
@@ -84,6 +86,7 @@ double HoleFiller::Deviation(const Mesh& patch) const
     ComputePatchBoundaryNormals(patch, this->Border.Points.rows()), this->Border.Normals);
 }
 
+/// Section 4.1 of Schmidt and Singh: membrane, free-boundary map, and deformation of the flat disk.
 HoleFill HoleFiller::Deformation(
   const DeformOptions& options, const PoseOptions& frames, const Progress& progress)
 {
@@ -102,6 +105,7 @@ HoleFill HoleFiller::Deformation(
   return fill;
 }
 
+/// The fair surface that section 4.1 recommends for loops far from a plane (Schneider and Kobbelt).
 HoleFill HoleFiller::Fair(const Progress& progress)
 {
   if (!this->FairFill)
@@ -136,6 +140,7 @@ HoleFill HoleFiller::Membrane(const Progress& progress)
   return *this->MembraneFill;
 }
 
+/// The flat disk is the shape, its outline the handle. Equation 12 is solved once, here.
 HoleDeformation::HoleDeformation(
   HolePatch patch, BoundaryLoop loop, bool optimizeNormals, const Progress& progress)
   : Patch(std::move(patch))
@@ -150,6 +155,7 @@ HoleDeformation::HoleDeformation(
     PrepareDeformation(this->Graph, this->Handle, this->PreparedFor, {}, progress.Part(0.0, 0.5));
   BoundaryNormalsOptions options;
   options.LineSearches = optimizeNormals ? options.LineSearches : 0;
+  // The normals at the loop depend on the triangles beside it only.
   options.Reach = 4.0 * this->Graph.MeanLength;
   this->Frames = OptimizeBoundaryNormals(
     *this->Prepared, this->Handle, PoseHandle(this->Handle, this->Loop.Points, this->Loop.Normals),
@@ -173,6 +179,7 @@ Eigen::MatrixXd HoleDeformation::Points(
   BiasFrames(this->Handle, this->Handle.Normals, frames, pose);
   const double all = std::numeric_limits<double>::infinity();
   Eigen::MatrixXd points = this->Prepared->Deform(pose, all, progress.Part(0.7, 1.0)).Points;
+  // Exact to the last bit, so that the fill joins the surface.
   points.topRows(this->Loop.Points.rows()) = this->Loop.Points;
   return points;
 }

@@ -18,23 +18,24 @@ namespace shape
 {
 
 /**
- * A flat disk prepared for being deformed until its outline is the boundary loop of a hole, again
- * and again with other parameters: section 4.1 of Schmidt and Singh, "Drag-and-drop surface
- * composition" (Graphics Interface 2010).
+ * A flat disk prepared for being deformed until its outline is the boundary loop of a hole. The
+ * deformation can be repeated with other parameters: section 4.1 of Schmidt and Singh,
+ * "Drag-and-drop surface composition" (Graphics Interface 2010).
  *
- * As there, the boundary's frames are optimised once, for the default parameters, and kept when
- * these are changed: so the result depends on the current parameters only, not on earlier ones.
+ * As in the paper, the boundary's frames are optimised once, for the default parameters, and not
+ * again when these change. So the result depends on the current parameters only, not on earlier
+ * ones.
  */
 class HoleDeformation
 {
 public:
-  /// patch: its layout is the disk to be deformed. Throws Aborted.
+  /// patch: its layout is the disk to deform. Throws Aborted.
   HoleDeformation(
     HolePatch patch, BoundaryLoop loop, bool optimizeNormals, const Progress& progress = {});
 
-  /// The deformed positions of the disk's points (n x 3); those on the boundary loop are exact.
-  /// frames: a further rotation of the loop's frames. Throws InvalidInput if an option is out of
-  /// range, Aborted.
+  /// Returns the deformed positions of the disk's points (n x 3); those on the boundary loop are
+  /// exact. frames: a further rotation of the loop's frames. Throws InvalidInput if an option is
+  /// out of range, Aborted.
   Eigen::MatrixXd Points(
     const DeformOptions& options, const PoseOptions& frames, const Progress& progress = {});
 
@@ -55,15 +56,16 @@ private:
   DeformOptions PreparedFor;
 };
 
-/// The normals of a patch at its boundary loop, its first `loop` points: see
+/// Returns the normals of a patch at its boundary loop, its first `loop` points: see
 /// ComputeBoundaryNormals.
 Eigen::MatrixXd ComputePatchBoundaryNormals(const Mesh& patch, Eigen::Index loop);
 
-/// How a hole is filled.
+/// The method by which a hole is filled.
 enum class FillMethod
 {
-  Automatic,   ///< Fair; if that intersects the surface or itself, Deformation, then Membrane; if
-               ///< all do, the one with the fewest intersections
+  /// Fair; if that intersects the surface or itself, Deformation, then Membrane. If all do, the one
+  /// with the fewest intersections.
+  Automatic,
   Deformation, ///< a flat disk deformed until its outline is the loop: HoleDeformation
   Fair,        ///< tangent to the surface, of harmonic mean curvature: SolveFairSurface
   Membrane     ///< of minimal area, with a crease along the loop: SolveMembrane
@@ -71,42 +73,43 @@ enum class FillMethod
 
 struct HoleFillerOptions
 {
-  bool OptimizeNormals = true; ///< of Deformation: HoleDeformation
-  /// Growth of the edge length per distance from the loop; 0: edges as long as on the loop. >= 0
+  bool OptimizeNormals = true; ///< Deformation only: see HoleDeformation
+  /// Growth of the edge length per distance from the loop, >= 0; if 0, edges are as long as on it.
   double EdgeGrowth = 0.0;
-  /// Of new points in a hole, approximately: if more would be needed, edges grow away from the
-  /// loop.
-  /// >= 1
+  /// The approximate maximum number of new points in a hole. If more would be needed, edges grow
+  /// away from the loop. >= 1
   int MaximumPoints = 100000;
-  /// Whether an edge elsewhere joins two points of the loop, given by their indices in it; may be
-  /// empty.
+  /// Returns whether an edge elsewhere joins two points of the loop, given by their indices in it;
+  /// may be empty.
   std::function<bool(int, int)> IsTaken;
 };
 
 /// A surface that fills a hole.
 struct HoleFill
 {
-  Mesh Patch;                   ///< the loop's points first, in order, unchanged
-  double DeviationBefore = 0.0; ///< the mean angle in degrees between its normals at the loop and
-                                ///< the wanted ones: of the membrane or, for Deformation, of the
-                                ///< deformed disk before the frames are optimised
-  double DeviationAfter = 0.0;  ///< the same of the result
-  bool Converged = true;        ///< Fair: whether its iterations did
-  /// Fair: false if the result is useless: its area is more than ten times the membrane's, or it
-  /// did not converge and its normals at the loop are more than 45 degrees from the wanted ones.
+  Mesh Patch; ///< the points of the loop first, in order, unchanged
+  /// The mean angle in degrees between the fill's normals at the loop and the wanted ones: for the
+  /// membrane or, with Deformation, for the deformed disk before the frames are optimised.
+  double DeviationBefore = 0.0;
+  double DeviationAfter = 0.0; ///< the same for the result
+  bool Converged = true;       ///< Fair: whether its iterations converged
+  /// Fair: whether the result is usable. It is unusable if its area is more than ten times the
+  /// membrane's. It is also unusable if it did not converge and its normals at the loop are more
+  /// than 45 degrees from the wanted ones.
   bool IsSound = true;
 };
 
-/// Fills a hole, once or again with other parameters: keeps what does not depend on them.
+/// Fills a hole, once or several times with different parameters; results that do not depend on
+/// them are reused.
 class HoleFiller
 {
 public:
-  /// loop: no two consecutive points coincide; fewer than 3 points are filled by no triangle. A
-  /// zero normal stands for the membrane's there.
+  /// loop: no two consecutive points coincide. If it has fewer than 3 points, the fill is empty.
+  /// If a normal is zero, that of the membrane is used.
   explicit HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options = {});
 
-  /// method: any except Automatic. Throws InvalidInput if an option is out of range, SolveFailure,
-  /// Aborted.
+  /// Fills the hole. method: any except Automatic. Throws InvalidInput if an option is out of
+  /// range, SolveFailure, Aborted.
   HoleFill Fill(FillMethod method, const DeformOptions& options = {},
     const PoseOptions& frames = {}, const Progress& progress = {});
 

@@ -21,6 +21,7 @@ namespace
 using Eigen::RowVector2d;
 using Eigen::RowVector3d;
 
+/// The membrane is an intermediate result: its interior may be coarse.
 constexpr double CoarseGrowth = 0.5;
 
 Eigen::MatrixXd InSpace(const Eigen::MatrixXd& flat)
@@ -32,6 +33,9 @@ Eigen::MatrixXd InSpace(const Eigen::MatrixXd& flat)
 
 /// A point of a triangle that is curved to normals at its corners (one a row): the cubic patch of
 /// Vlachos and others, "Curved PN triangles", 2001.
+/// A control point beside a corner is a third of the way along the edge, projected to the corner's
+/// tangent plane; the middle one is E + (E - V) / 2, with E the mean of the six and V that of the
+/// corners.
 RowVector3d EvaluateCurvedTriangle(
   const Eigen::Matrix3d& corners, const Eigen::Matrix3d& normals, const RowVector3d& barycentric)
 {
@@ -54,7 +58,7 @@ RowVector3d EvaluateCurvedTriangle(
   return position + 6.0 * barycentric.prod() * middle;
 }
 
-/// Values at the points of a triangulated layout, asked for anywhere.
+/// Interpolates values at the points of a triangulated layout at any position.
 class FlatField
 {
 public:
@@ -65,7 +69,7 @@ public:
   {
   }
 
-  /// Linear in the triangle that the place is in; outside of all that of the nearest point.
+  /// Linear in the triangle that contains the position; outside, the value of the nearest point.
   double At(const RowVector2d& position, const Eigen::VectorXd& values) const
   {
     const PlanarPoint found = this->Locator.Find(position);
@@ -73,7 +77,7 @@ public:
                               : found.Barycentric.dot(values(this->Corners(found)));
   }
 
-  /// The same of the points of a surface, its triangles curved to normals.
+  /// The same for the points of a surface whose triangles are curved to normals.
   RowVector3d OnSurface(const RowVector2d& position, const Eigen::MatrixXd& points,
     const Eigen::MatrixXd& normals) const
   {
@@ -102,7 +106,8 @@ private:
   PointTree Tree;
 };
 
-/// By how much another surface of the same triangles is longer around each point (n).
+/// The factor by which edges around each point (n) are longer on another surface with the same
+/// triangles.
 Eigen::VectorXd Stretch(const Mesh& surface, const Mesh& other)
 {
   const Eigen::VectorXd areas = ComputePointAreas(surface), otherAreas = ComputePointAreas(other);
@@ -111,6 +116,7 @@ Eigen::VectorXd Stretch(const Mesh& surface, const Mesh& other)
 }
 
 /// Wanted edge lengths at the points of a surface (n).
+/// Lengths are interpolated geometrically, since edges grow by a factor from triangle to triangle.
 Eigen::VectorXd WantedSizes(const Mesh& surface, const PatchSizes& sizes)
 {
   const Eigen::Index loop = sizes.Loop.size();
@@ -125,6 +131,7 @@ Eigen::VectorXd WantedSizes(const Mesh& surface, const PatchSizes& sizes)
     distances(i) = (surface.Points.row(i) - surface.Points.row(nearest)).norm();
   }
   const auto wanted = [&](double growth) -> Eigen::VectorXd { return even + growth * distances; };
+  // An equilateral grid with edges h has one point per sqrt(3 / 4) h^2.
   const auto count = [&](double growth)
   { return (areas.array() / wanted(growth).array().square()).sum() / std::sqrt(0.75); };
   double growth = sizes.Growth;
@@ -135,8 +142,8 @@ Eigen::VectorXd WantedSizes(const Mesh& surface, const PatchSizes& sizes)
   return wanted(growth);
 }
 
-/// Triangles over an outline, where the layout's field says how long in the layout; and where their
-/// points are on the surface.
+/// Triangles inside an outline, with the edge lengths of a field over the layout; and the positions
+/// of their points on the surface.
 HolePatch Triangulated(const Mesh& surface, const Eigen::MatrixXd& flat,
   const Eigen::VectorXd& wanted, const Eigen::MatrixXd& normals, const PatchSizes& sizes,
   const Progress& progress)
@@ -145,10 +152,12 @@ HolePatch Triangulated(const Mesh& surface, const Eigen::MatrixXd& flat,
   const FlatField field(flat, surface.Triangles);
   Eigen::VectorXd edges =
     wanted.cwiseProduct(Stretch(surface, { InSpace(flat), surface.Triangles }));
-  // The side that suits most points.
+  // The edge length that suits most points.
   const Eigen::ArrayXd counts =
     ComputePointAreas({ InSpace(flat), surface.Triangles }).array() / edges.array().square();
   FlatDiskOptions options;
+  // The grid halves its cells where smaller ones are wanted, so its base should suit most of the
+  // points.
   options.Edge = std::exp((counts * edges.array().log()).sum() / counts.sum());
   options.Growth = 0.1;
   options.Size = [&](const RowVector2d& position) { return field.At(position, edges); };
@@ -180,8 +189,9 @@ Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop)
   {
     sides(i) = (loop.row((i + 1) % count) - loop.row(i)).norm();
   }
+  // A coincident pair of points must not ask for infinitely many triangles.
   sides = sides.cwiseMax(1e-3 * sides.mean());
-  // Four sides before and after each point, the near ones counting more.
+  // Four edges before and after each point, the nearer ones with more weight.
   constexpr int reach = 4;
   Eigen::VectorXd sizes(count);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -198,6 +208,8 @@ Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop)
   return sizes;
 }
 
+// Section 4.1 of Schmidt and Singh, the first steps: the loop on a circle with its edge lengths,
+// interior vertices on a regular triangular grid, Delaunay triangulation, and the membrane.
 HolePatch BuildMembranePatch(
   const Eigen::MatrixXd& loop, const PatchSizes& patchSizes, const Progress& progress)
 {
@@ -209,7 +221,7 @@ HolePatch BuildMembranePatch(
   }
   const Eigen::MatrixXd outline = BuildCircleOutline(sides);
   const Eigen::VectorXd& sizes = patchSizes.Loop;
-  std::vector<double> angles; // of the corners, rising
+  std::vector<double> angles; // of the corners, ascending
   const auto angleOf = [](const RowVector2d& position)
   {
     const double angle = std::atan2(position.y(), position.x());
@@ -233,6 +245,8 @@ HolePatch BuildMembranePatch(
   options.IsOutside = patchSizes.IsOutside;
   const FlatDisk disk = TriangulateDisk(outline, options, progress.Part(0.0, 0.7));
   HolePatch patch{ { InSpace(disk.Points), disk.Triangles }, disk.Points };
+  // Each round minimises the Dirichlet energy over the last surface (Pinkall and Polthier); a few
+  // rounds come near the minimal surface.
   constexpr int rounds = 3;
   patch.Surface.Points = SolveMembrane(patch.Surface, loop, rounds, progress.Part(0.7, 1.0));
   return patch;
@@ -244,6 +258,8 @@ double ComputeMaximumStretch(const Mesh& one, const Mesh& other)
   return std::exp((logs - logs.mean()).abs().maxCoeff());
 }
 
+// Section 4.1, the next step: the free-boundary conformal map of the membrane, which gives the disk
+// nearly the shape of the hole.
 HolePatch RemeshPatch(const HolePatch& patch, const PatchSizes& sizes,
   const Eigen::MatrixXd& loopNormals, const Progress& progress)
 {

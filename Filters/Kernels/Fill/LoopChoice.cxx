@@ -57,12 +57,14 @@ std::vector<int> ChooseLoops(const Eigen::MatrixXd& points,
 
 double ComputeNonplanarity(const Eigen::MatrixXd& points)
 {
+  // Three points always lie in a plane.
   constexpr Eigen::Index planar = 3;
   if (points.rows() <= planar)
   {
     return 0.0;
   }
   const Eigen::MatrixXd ways = points.rowwise() - points.colwise().mean();
+  // The last right singular vector is the normal of the least-squares plane.
   const Eigen::JacobiSVD<Eigen::MatrixXd> axes(ways, Eigen::ComputeThinV);
   const double radius = ways.rowwise().norm().maxCoeff();
   return radius > 0.0 ? (ways * axes.matrixV().col(2)).cwiseAbs().maxCoeff() / (2.0 * radius) : 0.0;
@@ -82,7 +84,7 @@ void RequireLoops(const Eigen::MatrixXd& points, const std::vector<std::vector<i
     {
       if (point < 0 || point >= points.rows())
       {
-        throw InvalidInput("a loop names point " + std::to_string(point) + " of " +
+        throw InvalidInput("a loop contains point " + std::to_string(point) + " of " +
           std::to_string(points.rows()) + "; give points of the surface");
       }
     }

@@ -26,6 +26,7 @@ LoopCorners FindLoopCorners(const std::vector<int>& loop, const Eigen::MatrixXd&
     std::all_of(loop.begin(), loop.end(), [&](int point) { return isSame(point, loop.front()); });
   if (isOnePosition)
   {
+    // A hole without extent: triangles without area close it.
     corners.Points = { loop.front() };
     for (std::size_t i = 1; i + 1 < count; ++i)
     {
@@ -89,6 +90,7 @@ UsedEdges::UsedEdges(const Surface& surface, const std::vector<std::vector<int>>
   }
 }
 
+/// An edge with three triangles would make the surface non-manifold.
 std::function<bool(int, int)> UsedEdges::Of(int loop, const std::vector<int>& corners) const
 {
   const auto isOnBoth = [this, loop](int a, int b)
@@ -118,6 +120,8 @@ std::function<bool(int, int)> FindOuterChords(const BoundaryLoop& loop)
   return [loop](int a, int b)
   {
     constexpr int maximum = 8; // sides
+    // Area over the squared chord, and the cosine between area and normal: beyond these the case is
+    // certain.
     constexpr double flat = 0.01, opposite = -0.3;
     const auto corners = static_cast<int>(loop.Points.rows());
     const int sides = (b - a + corners) % corners;

@@ -44,6 +44,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
 {
   Check(sources, charges, points);
   const double scale = ScaleFor(sources);
+  // Back from scaled coordinates: 1 / r takes the scale as a factor, its gradient the square.
   const double factor = InverseFourPi * (gradient ? scale * scale : scale);
   const Eigen::MatrixXd positions = scale * points;
   const int m = static_cast<int>(sources.rows());
@@ -52,6 +53,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
   const int valuesPerColumn = gradient ? 3 : 1;
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, valuesPerColumn * k);
   Eigen::MatrixXd packed;
+  // InverseDistanceSum takes up to three columns of charges.
   for (int column = 0; column < k; column += 3)
   {
     const int columns = std::min(3, k - column);
@@ -62,6 +64,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
       n, Grain,
       [&](int begin, int end)
       {
+        // Every point adds its terms in the order of the sources.
         for (int first = 0; first < m; first += Pass)
         {
           const SourceSpan span{ first, std::min(first + Pass, m) };

@@ -29,7 +29,8 @@ struct Keyed
   int Id = 0;
 };
 
-/// Sorts by key; equal keys keep the order of their indices.
+/// Sorts by key; equal keys keep the order of their indices. A radix sort: four passes over the 48
+/// bits of a key, each stable.
 void SortByKey(std::vector<Keyed>& items)
 {
   constexpr int bits = 12;
@@ -66,12 +67,17 @@ FmmLatticeOrder OrderOnLattice(const Eigen::MatrixXd& positions, const Lattice& 
         int root = 0;
         for (int c = 0; c < 3; ++c)
         {
+          // Coordinate in units of the cube: its integer part is the cube, its fraction gives the
+          // key.
           const double at = (positions(i, c) - lattice.Origin[c]) / lattice.Side;
           const double cell = std::abs(at - 0.5) < 0.5 + 1e-9 ? 0.0 : std::floor(at);
+          // The number of the last cell that a key can store.
           constexpr double maximum = (1 << FmmLatticeOrder::Halvings) - 1;
+          // Only the root and the cubes that touch it have a number.
           root = std::abs(cell) <= 1.0 && root >= 0 ? 3 * root + 1 + static_cast<int>(cell) : -1;
           const double inside =
             std::clamp(std::ldexp(at - cell, FmmLatticeOrder::Halvings), 0.0, maximum);
+          // The bits of x, y and z alternate: three bits for each subdivision.
           items[i].Key |= Spread(static_cast<std::uint64_t>(inside)) << c;
         }
         roots[i] = static_cast<signed char>(root);
@@ -79,6 +85,8 @@ FmmLatticeOrder OrderOnLattice(const Eigen::MatrixXd& positions, const Lattice& 
     });
   SortByKey(items);
 
+  // A counting sort by cube keeps the order of the keys in each cube. Positions in none of the
+  // cubes come first.
   FmmLatticeOrder order;
   std::vector<int> start(FmmLatticeOrder::Roots + 2, 0);
   for (const Keyed& item : items)

@@ -47,6 +47,7 @@ const Grade Grades[] = {
 /// Returns the first grade that meets the tolerance.
 const Grade& GradeFor(double tolerance)
 {
+  // Grades are sorted by descending tolerance.
   const Grade* grade = std::begin(Grades);
   while (grade + 1 < std::end(Grades) && grade->Tolerance > tolerance)
   {
@@ -97,6 +98,7 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
   }
   const Grade& grade = GradeFor(options.Tolerance);
   const double m = static_cast<double>(sources.rows()), n = static_cast<double>(points.rows());
+  // Compares the costs of both methods, in pairs of the direct sum.
   const bool worth = m * n > grade.SetUp + grade.PerPoint * (m + n);
   if (sources.rows() == 0 || points.rows() == 0 || options.Method == MethodType::Direct ||
     (options.Method == MethodType::Automatic && !worth))
@@ -104,6 +106,8 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
     this->Self->Method = Parts::Positions{ sources, points };
     return;
   }
+  // In single precision the box expansions take half the memory, and a vector register holds twice
+  // as many coefficients.
   if (options.Tolerance >= MinimumSingle)
   {
     this->Self->Method.emplace<1>(sources, points, grade.Effort, progress);
@@ -135,6 +139,7 @@ Eigen::MatrixXd FmmSummation::Parts::Sum(
   }
   const Eigen::Index values = gradients ? 3 : 1;
   Eigen::MatrixXd sums(this->Points, values * charges.cols());
+  // The innermost loops take up to three columns of charges.
   for (Eigen::Index first = 0; first < charges.cols(); first += 3)
   {
     const Eigen::Index count = std::min<Eigen::Index>(3, charges.cols() - first);

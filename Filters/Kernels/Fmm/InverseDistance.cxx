@@ -98,6 +98,7 @@ HWY_INLINE void SumBlock(const InverseDistanceSum& sum, const double* points,
   }
   for (int s = 0; s < sum.SpanCount; ++s)
   {
+    // Each source is read once and broadcast to all lanes.
     const double* source = sum.Sources + sum.Spans[s].Begin * std::ptrdiff_t(3 + Columns);
     const double* const end = sum.Sources + sum.Spans[s].End * std::ptrdiff_t(3 + Columns);
     for (; source != end; source += 3 + Columns)
@@ -111,6 +112,7 @@ HWY_INLINE void SumBlock(const InverseDistanceSum& sum, const double* points,
           InverseRoot<Error>(d, hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x))));
         if constexpr (Gradient)
         {
+          // The gradient of 1 / r is -(y - x) / r^3; the sign is applied at the end.
           const Vector cube = hn::Mul(hn::Mul(inverse, inverse), inverse);
           const Vector along[3] = { hn::Mul(x, cube), hn::Mul(y, cube), hn::Mul(z, cube) };
           for (int c = 0; c < sums; ++c)
@@ -128,6 +130,7 @@ HWY_INLINE void SumBlock(const InverseDistanceSum& sum, const double* points,
       }
     }
   }
+  // The factor of InverseRoot is in each 1 / r, so a gradient has its cube.
   constexpr double factor = RootFactor<Error>;
   const Vector scale = hn::Set(d, Gradient ? -1.0 / (factor * factor * factor) : 1.0 / factor);
   for (int v = 0; v < Vectors; ++v)

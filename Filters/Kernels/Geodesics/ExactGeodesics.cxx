@@ -15,8 +15,9 @@ namespace shape
 namespace
 {
 
-/// windows and points between two progress calls, a few milliseconds
+/// Windows and points between two progress calls: a few milliseconds.
 constexpr int StepsBetween = 4096;
+/// Progress is reported between slices, so that an abort takes effect within a tenth of a second.
 constexpr std::chrono::milliseconds Slice(100);
 
 /// Computes one pair after the other; it can be interrupted within a pair.
@@ -37,6 +38,7 @@ Eigen::VectorXd ComputeExactGeodesics(
   {
     propagation.AddSeed(seeds.Triangles(i), seeds.Barycentrics.row(i));
   }
+  // Mitchell, Mount and Papadimitriou: continuous Dijkstra on windows (WindowPropagation).
   while (!propagation.Run(StepsBetween))
   {
     progress(propagation.Done());
@@ -53,6 +55,8 @@ Eigen::VectorXd ComputeExactGeodesicsBetween(const Surface& surface, const Surfa
   const Eigen::MatrixXi& triangles = surface.Triangles();
   const Eigen::VectorXi& component = surface.Topology().ComponentId;
   Eigen::VectorXd distances(count);
+  // Each worker has its own propagation, which is as large as the surface and is used for one pair
+  // after the other.
   std::vector<Worker> workers(
     std::clamp(GetThreadCount(), 1, std::max(count, 1)), { { surface, frames }, -1 });
   std::atomic<int> taken{ 0 }, done{ 0 };

@@ -19,6 +19,7 @@ std::vector<int> SampleFarthestPoints(const Surface& surface, int count, const P
   const std::shared_ptr<const Graph> edges = GetEdgeGraph(surface);
   while (static_cast<int>(samples.size()) < count)
   {
+    // Only distances that the new sample shortens are visited, which are fewer for each sample.
     LowerDistances(*edges, { { samples.back() }, Eigen::VectorXd::Zero(1) }, nearest);
     Eigen::Index farthest = 0;
     if (nearest.maxCoeff(&farthest) <= 0.0)

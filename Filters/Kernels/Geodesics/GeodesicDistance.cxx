@@ -16,7 +16,8 @@ namespace
 
 using MethodType = GeodesicDistanceOptions::MethodType;
 
-/// The corners of the triangles that contain the positions, and their distances.
+/// The corners of the triangles that contain the positions, and their distances. Edges start at
+/// points: the path from a seed inside a triangle begins with a straight piece to a corner.
 GraphSources CornersAround(const Mesh& mesh, const ClosestPoints& positions)
 {
   GraphSources seeds;

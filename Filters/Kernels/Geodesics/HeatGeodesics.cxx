@@ -82,16 +82,23 @@ HeatGeodesics::HeatGeodesics(const Surface& surface, const Progress& progress)
   for (Eigen::Index t = 0; t < this->Corners.rows(); ++t)
   {
     const double a = lengths(t, 0), b = lengths(t, 1), c = lengths(t, 2);
+    // The law of cosines; the product of sum and difference loses no digits when the edges are
+    // nearly equal.
     const double x = (c * c + (b - a) * (b + a)) / (2.0 * c);
     this->Corners.row(t) << c, x, std::sqrt(std::max(b * b - x * x, 0.0));
   }
   progress(0.2);
+  // Heat decays like exp(-distance / sqrt(time)): at 300 times the root of the time it is 1e-130,
+  // still within double precision.
   constexpr double share = 1.0 / 300.0, rest = 1e-9;
   const Eigen::Index points = surface.Points().rows();
   const Eigen::SparseMatrix<double>& stiffness = this->Laplacian->Stiffness;
   const Eigen::VectorXd& masses = this->Laplacian->Masses;
+  // The extent from one point is at least half of the diameter.
   const double side = std::max(lengths.mean(), share * 2.0 * Extent(surface));
+  // Crane et al.: the time is the square of the mean edge length.
   const double time = side * side;
+  // First step of algorithm 1: the backward Euler step (M + t S) u = delta.
   this->Heat.Factorize(Shifted(stiffness, time, masses));
   progress(0.5);
   // The constant of each component is undetermined; adding a small share of the masses fixes it.
@@ -109,6 +116,8 @@ HeatGeodesics::HeatGeodesics(const Surface& surface, const Progress& progress)
   progress(1.0);
 }
 
+/// Second step of algorithm 1: X = -grad u / |grad u| in each triangle, and its integrated
+/// divergence.
 Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
 {
   Eigen::VectorXd divergence = Eigen::VectorXd::Zero(heat.size());
@@ -141,13 +150,17 @@ Eigen::VectorXd HeatGeodesics::Distances(const SurfacePoints& seeds) const
     seeds, this->Given, Eigen::VectorXd::Ones(seeds.Triangles.size()), this->ComponentId.size()));
 }
 
+/// The three steps of algorithm 1 for all columns: heat, normalised gradient, Poisson equation.
 Eigen::MatrixXd HeatGeodesics::Distances(const Eigen::MatrixXd& seeds) const
 {
   Eigen::MatrixXd heat = this->Heat.Solve(seeds);
   if (this->HeatWithin)
   {
+    // Section 3.4: the mean of Neumann and Dirichlet conditions, since either alone bends the level
+    // sets at the boundary.
     heat = 0.5 * (heat + this->HeatWithin->Solve(this->Inside.asDiagonal() * seeds));
   }
+  // Columns for each task: a column is a pass over all triangles.
   constexpr int grain = 4;
   const int sets = static_cast<int>(seeds.cols());
   ParallelFor(sets, grain,
@@ -158,6 +171,7 @@ Eigen::MatrixXd HeatGeodesics::Distances(const Eigen::MatrixXd& seeds) const
         heat.col(k) = this->Divergence(heat.col(k));
       }
     });
+  // Third step of algorithm 1.
   Eigen::MatrixXd distances = this->Poisson.Solve(heat);
   ParallelFor(sets, grain,
     [&](int begin, int end)
@@ -170,6 +184,7 @@ Eigen::MatrixXd HeatGeodesics::Distances(const Eigen::MatrixXd& seeds) const
   return distances;
 }
 
+/// The Poisson equation determines distances up to a constant in each component.
 void HeatGeodesics::Begin(
   const Eigen::Ref<const Eigen::VectorXd>& seeds, Eigen::Ref<Eigen::VectorXd> distances) const
 {

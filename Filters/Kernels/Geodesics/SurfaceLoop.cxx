@@ -44,7 +44,8 @@ public:
   }
 
   /// Returns the closed path that starts with a polyline and continues over others, each used once.
-  /// If it cannot be closed, its last position is where it cannot continue.
+  /// If it cannot be closed, its last position is where it cannot continue. Greedy: at a branch any
+  /// unused line will do, since each is used once.
   std::vector<int> WayFrom(std::size_t line)
   {
     std::vector<int> way = this->Lines[line];
@@ -129,8 +130,10 @@ SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator
   int guess = -1;
   for (const auto& point : points.rowwise())
   {
+    // Consecutive points are near each other: the last triangle is a good guess.
     const ClosestPoint position = locator.FindOne(point, guess);
     guess = position.Triangle;
+    // A leg of length 0 has no direction.
     if (positions.empty() || positions.back() != position.Position)
     {
       stops.push_back({ position.Triangle, position.Barycentric });

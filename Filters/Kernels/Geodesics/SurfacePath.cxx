@@ -85,6 +85,8 @@ public:
     }
     double best = std::numeric_limits<double>::infinity();
     int last = -1;
+    // A* search over half-edges. The straight distance to the target never exceeds the length of
+    // the path that is left.
     for (int steps = 0; !this->Queue.empty() && this->Queue.top().first < best; ++steps)
     {
       const auto [bound, side] = this->Queue.top();
@@ -152,6 +154,8 @@ private:
     const double near = foot(from), far = foot(this->Target);
     const double height = (from - begin - near * edge).norm();
     const double both = height + (this->Target - begin - far * edge).norm();
+    // Both are unfolded about the edge into one plane, on its two sides: the straight line divides
+    // the edge in the ratio of the heights.
     const double share = both > 0.0 ? near + (far - near) * height / both : near;
     return begin + std::clamp(share, 0.0, 1.0) * edge;
   }
@@ -223,6 +227,10 @@ std::vector<int> SurfacePaths::TrianglesAt(const SurfacePoint& position) const
   return triangles;
 }
 
+// 1. Find a strip of triangles by A* search (StripSearch).
+// 2. Find the shortest path within it in the plane (TriangleStrip::FindPath).
+// 3. Xin and Wang: lead the strip around each point that the path can be shortened around, and
+//    repeat while that makes the path shorter.
 SurfacePath SurfacePaths::Find(
   const SurfacePoint& from, const SurfacePoint& to, const Progress& progress)
 {

@@ -89,12 +89,15 @@ void TriangleStrip::FindPath()
   this->FindTurns();
 }
 
+/// Xin and Wang: a path that turns at a point is shortest only if the angle on the other side is at
+/// least pi, too.
 bool TriangleStrip::LeadAround()
 {
   constexpr double rounding = 1e-9; // tolerance of an angle
   // From last to first, so the indices of half-edges still to be visited do not change.
   bool hasChanged = false;
   auto unchanged = static_cast<int>(this->Sides.size());
+  // A detour replaces the half-edges around a point by those on its other side.
   for (int i = static_cast<int>(this->Turns.size()) - 1; i >= 0; --i)
   {
     const Turn& turn = this->Turns[i];
@@ -179,6 +182,7 @@ RowVector2d TriangleStrip::ApexPosition(
   {
     return begin + RowVector2d(0.0, apex.norm());
   }
+  // The same coordinates along and across the edge as in space, so lengths are kept.
   const RowVector2d along = (end - begin).normalized();
   return begin + (apex.dot(edge) / length) * along +
     (apex.cross(edge).norm() / length) * RowVector2d(-along(1), along(0));
@@ -239,6 +243,7 @@ void TriangleStrip::FindTurns()
   const auto count = static_cast<int>(this->Portals.size());
   for (int i = 0; i < count; ++i)
   {
+    // Consecutive half-edges share a point, on the left or on the right; only the other end is new.
     if (i == 0 || this->End(this->Sides[i]) != this->End(this->Sides[i - 1]))
     {
       funnel.AddLeft(this->Portals[i].Left, i);
@@ -248,6 +253,7 @@ void TriangleStrip::FindTurns()
       funnel.AddRight(this->Portals[i].Right, i);
     }
   }
+  // The target closes the funnel as the end of a last portal.
   funnel.AddLeft(this->ToPosition, count);
   this->Turns.clear();
   this->PathLength = 0.0;
@@ -256,6 +262,7 @@ void TriangleStrip::FindTurns()
   {
     const int side = this->Sides[at.Portal];
     const int point = at.IsLeft ? this->End(side) : this->Begin(side);
+    // A path that turns at a point touches all half-edges of the strip around it.
     int last = at.Portal;
     while (last + 1 < count && this->Touches(this->Sides[last + 1], point))
     {

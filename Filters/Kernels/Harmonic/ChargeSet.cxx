@@ -24,6 +24,7 @@ double ToleranceFor(const ChargeSet& set, double error)
   Eigen::MatrixXd positions(count, 3);
   for (int i = 0; i < count; ++i)
   {
+    // A little inside the charges, which surround the domain.
     positions.row(i) = 0.95 * set.Points.row(i * set.Points.rows() / count) + 0.05 * middle;
   }
   const Eigen::MatrixXd image = SumPotentialsDirectly(set.Points, set.Charges, positions) +
@@ -46,6 +47,7 @@ Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool g
     if (tolerance >= FmmSummationOptions::MinimumTolerance)
     {
       FmmSummationOptions options;
+      // 1e-3 is the loosest grade of FmmSummation; tolerances above 0.1 are rejected.
       options.Tolerance = std::min(tolerance, 1e-3);
       const FmmSummation fast(set.Points, points, options, progress.Part(0.0, 0.3));
       return gradients ? fast.Gradients(set.Charges, progress.Part(0.3, 1.0))
@@ -71,6 +73,7 @@ Eigen::MatrixXd Evaluate(
 Eigen::MatrixXd EvaluateJacobians(
   const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress)
 {
+  // The same error as the default of Evaluate.
   constexpr double error = 1e-10;
   Eigen::MatrixXd values = Sums(set, points, true, error, progress);
   for (int r = 0; r < 3; ++r)
@@ -83,6 +86,7 @@ Eigen::MatrixXd EvaluateJacobians(
   return values;
 }
 
+/// The coefficient matrix A_uv = K(P_u, Q_v) of Li et al. 2010, section 3.3, step 2 (K: eq. 1).
 Eigen::MatrixXd BuildPotentialMatrix(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources, const Progress& progress)
 {

@@ -79,6 +79,8 @@ double NearestOffset(const Surface& boundary, const HarmonicVolumeMapOptions& op
     const double spacing = std::sqrt(area / (options.CollocationRatio * boundary.Points().rows()));
     return std::clamp(1.25 * spacing, 0.01, 0.15);
   }
+  // The option is the distance of the farthest charges; those of MultiLevel's last subset are
+  // nearest.
   return options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot
     ? options.OffsetDistance
     : options.OffsetDistance / ComputeCoarseness(ComputeSubsetCount(boundary, options));
@@ -90,10 +92,19 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   const Eigen::MatrixXd& targets, const VolumeFeatures& features,
   const HarmonicVolumeMapOptions& given, const Progress& progress, AcceleratedSetup* setup)
 {
+  // Outline (Li et al. 2010, section 3.3):
+  // 1. Boundary and images are scaled to a longest side of 1, because thresholds are absolute.
+  // 2. The affine part is fitted. If it meets the tolerance, it is the map.
+  // 3. Charges are fitted to the residual by the chosen method. Every fitted map is harmonic, and
+  //    so is their sum.
+  // 4. Accelerated has no rows for features: further levels of MultiLevel fit them.
+  // 5. The sum is converted to the coordinates of the input.
   RequireValidInput(features, given);
+  // Step 1: unit size.
   const ScaledBoundary scaled = ScaleBoundary(boundary, targets);
   HarmonicVolumeMapOptions options = given;
   options.OffsetDistance = NearestOffset(scaled.Surface, options);
+  // Step 2: the affine part.
   FundamentalSolutionFit problem(scaled, features, options, progress.Part(0.0, 0.05));
   HarmonicVolumeMapResult result;
   result.OffsetDistance = options.OffsetDistance;
@@ -105,19 +116,23 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   }
   else if (options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot)
   {
+    // Step 3: all charges at once.
     SolveSingleShot(problem, options, result, progress.Part(0.05, 1.0));
   }
   else if (options.Method == HarmonicVolumeMapOptions::MethodType::MultiLevel)
   {
+    // Step 3: a sum of maps.
     SolveMultiLevel(problem, options, result, progress.Part(0.05, 1.0));
   }
   else
   {
+    // Step 3: charges close to the boundary.
     AcceleratedSetup own;
     SolveAccelerated(problem, options, setup ? *setup : own, result, progress.Part(0.05, 0.7));
     if (problem.HasFeatures())
     {
-      // The correction for features is smooth near the boundary, so a few distant charges suffice.
+      // Step 4. The correction for features is smooth near the boundary, so a few distant charges
+      // suffice.
       constexpr double maximumCollocations = 6000.0, maximumSources = 8000.0;
       const auto points = static_cast<double>(scaled.Surface.Points().rows());
       HarmonicVolumeMapOptions smooth = options;
@@ -128,6 +143,7 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
       result.OffsetDistance = std::min(near, result.OffsetDistance);
     }
   }
+  // Step 5: the map in the coordinates of the input.
   result.Map = problem.Map();
   result.RMSEFeatures = problem.FeatureError();
   progress(1.0);

@@ -66,6 +66,7 @@ Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress
   {
     const Eigen::RowVector3d position(
       i % counts(0), i / counts(0) % counts(1), i / (counts(0) * counts(1)));
+    // The centres of the cells.
     lattice.row(i) =
       low.array() + (position.array() + 0.5) * (high - low).array() / counts.cast<double>().array();
   }
@@ -111,9 +112,11 @@ InverseMap::InverseMap(const ChargeSet& map, const Surface& domain, double farth
     throw InvalidInput("an option of the inverse map is out of range; Tolerance must be greater "
                        "than 0, MaximumIterations and SeedsAcross at least 1");
   }
+  // Starts of Newton's method inside the domain, and their images.
   this->Seeds = SeedsIn(this->Domain, options.SeedsAcross, progress.Part(0.2, 0.4));
   this->SeedImages = Evaluate(map, this->Seeds, progress.Part(0.4, 0.6));
-  // Maps fold first at the boundary, also in the middle of long triangles.
+  // The sign of the derivative's determinant is compared at seeds and boundary positions. Maps fold
+  // first at the boundary, also in the middle of long triangles.
   constexpr Eigen::Index wanted = 5000;
   const Eigen::MatrixXd onBoundary = SampleRandomly(
     domain, static_cast<int>(std::max(wanted - domain.Points().rows(), Eigen::Index(0))), 1);
@@ -140,6 +143,7 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
   {
     return {};
   }
+  // The start is the boundary position or the seed whose image is nearest to the point.
   const Eigen::RowVector3d onBoundary =
     PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   if (this->Seeds.rows() == 0)
@@ -158,7 +162,15 @@ std::optional<Eigen::RowVector3d> InverseMap::Start(const Eigen::RowVector3d& po
 
 InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progress& progress) const
 {
+  // Outline:
+  // 1. A point outside the boundary's image is left out if the map has no folds.
+  // 2. Starts: the boundary position whose image is closest to the point, and the seeds whose
+  //    images are nearest.
+  // 3. In each attempt Newton's method or continuation runs from the next start of all open points.
+  // 4. A solution counts if it lies in the domain.
+  // 5. Points that remain open are Missed if they lie inside the image, and Outside otherwise.
   const Surface& image = this->Image.GetSurface();
+  // Step 1: which points can have a preimage.
   const SignedDistance::Result at = this->Image.Evaluate(points, progress.Part(0.0, 0.15));
   const Eigen::VectorXd tolerances =
     ComputeDomainTolerances(image, at.Closest, std::numeric_limits<double>::infinity());
@@ -180,6 +192,8 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     PullBack(at.Closest, image.Triangles(), this->Domain.GetSurface().Points());
   const Eigen::MatrixXi nearest =
     Nearest(this->SeedImages, points, MaximumStarts, progress.Part(0.15, 0.2));
+  // Attempt 0 takes the boundary position or the nearest seed, the one with the nearer image.
+  // Attempts 2, 3, ... take the seeds in the order of their images' distances.
   const auto startOf = [&](int i, int attempt) -> Eigen::RowVector3d
   {
     const bool onIt = attempt == 0 &&
@@ -188,12 +202,14 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     return onIt ? onBoundary.row(i) : this->Seeds.row(nearest(i, std::max(0, attempt - 2)));
   };
 
+  // Near a fold the derivative is almost singular and Newton's step almost unbounded: it is cut to
+  // a quarter of the domain's longest side.
   const Limits limits{ this->Options.Tolerance * ComputeLongestBoxEdge(image.Points()),
     0.25 * ComputeLongestBoxEdge(this->Domain.GetSurface().Points()),
     this->Options.MaximumIterations };
   Steps steps(progress.Part(0.2, 1.0));
-  // Attempt 0 starts at the nearest start. Attempts 1 and 2 walk from the boundary and from the
-  // nearest seed. The others start at further seeds, which may lie on the right side of a fold.
+  // Step 3. Attempt 0 starts at the nearest start. Attempts 1 and 2 walk from the boundary and from
+  // the nearest seed. The others start at further seeds, which may lie on the right side of a fold.
   const int attempts = 2 + static_cast<int>(nearest.cols());
   // outside the boundary's image: only folds map there, so walking on a straight line fails
   Indices beyond;
@@ -231,6 +247,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
       search = StartSearch(this->Map, starts, targets, steps.Next());
       IterateNewton(this->Map, search, limits, steps);
     }
+    // Step 4: solutions in the domain.
     const Eigen::VectorXi outside =
       FindPointsOutsideDomain(this->Domain, search.Positions, this->Farthest, steps.Next());
     Indices left;
@@ -252,6 +269,7 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
     }
     open = std::move(left);
   }
+  // Step 5: points without a preimage.
   for (const int i : open)
   {
     if (at.Distances(i) < -tolerances(i))

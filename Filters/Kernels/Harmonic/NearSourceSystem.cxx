@@ -34,6 +34,7 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
   const Eigen::MatrixXd& normals, const Eigen::VectorXd& areas, int perCluster,
   const Progress& progress)
 {
+  // The coarse system is dense: 3000 charges take 72 MB, and time grows with the cube.
   constexpr int fewest = 64, maximum = 3000;
   const int n = static_cast<int>(sites.rows());
   const int wanted = std::clamp(n / perCluster, std::min(fewest, n), maximum);
@@ -45,6 +46,8 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
   level.Clusters.resize(n);
   for (Eigen::Index p = 0; p < count; ++p)
   {
+    // The charge lies on the normal of the site nearest to the cluster's mean: the mean itself may
+    // lie off the surface.
     const Eigen::MatrixXd positions = sites(parts[p], Eigen::all);
     const Eigen::RowVector3d mean = positions.colwise().mean();
     Eigen::Index closest = 0;
@@ -54,6 +57,7 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
     offsets(p) = CoarseOffset * SpacingOfRootArea * std::sqrt(areas(parts[p]).sum());
     level.Clusters(parts[p]).setConstant(static_cast<int>(p));
   }
+  // The offset is half the spacing of the clusters, from the area of each.
   const NearSources placed = InsertNearSources(boundary, centres, directions, offsets, progress);
   level.Sources = placed.Points;
   // A cluster without room for a charge joins the nearest cluster that has one.
@@ -117,9 +121,13 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
 NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
   const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress)
 {
+  // The offset is multiplied by `nearer` up to `steps` times: 0.7^4 = 0.24 is the limit of the
+  // header.
   constexpr double room = 0.6, nearer = 0.7;
   constexpr int steps = 4;
   const Eigen::Index n = sites.rows();
+  // All charges start at their full offset. In each round those that are too close to any part of
+  // the surface move nearer to their site.
   Eigen::VectorXd reached = offsets;
   std::vector<int> open;
   for (int i = 0; i < n; ++i)
@@ -150,6 +158,7 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
       double& offset = reached(open[k]);
       if (!(distances(k) >= room * offset))
       {
+        // 0 means that there is no room for a charge.
         offset *= step < steps ? nearer : 0.0;
         crowded.push_back(open[k]);
       }
@@ -175,8 +184,15 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
 NearSourceSystem::NearSourceSystem(
   const SignedDistance& boundary, const Surface& surface, Effort effort, const Progress& progress)
 {
+  // Outline:
+  // 1. One charge on the normal of each surface point.
+  // 2. Coarse charges farther out, one for each cluster of points.
+  // 3. The rows: values at points and centroids, their weights by quadrature, and the averages that
+  //    the preconditioner reads.
+  // 4. The preconditioner and the fast sums are set up.
   const Eigen::MatrixXd normals = ComputeVertexNormals(surface, NormalWeight::Area);
   const Eigen::VectorXd areas = ComputePointAreas(surface);
+  // Step 1: charges.
   const NearSources near = InsertNearSources(boundary, surface.Points(), normals,
     NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(), progress.Part(0.0, 0.3));
   if (near.Sites.size() == 0)
@@ -186,23 +202,30 @@ NearSourceSystem::NearSourceSystem(
       "or it is folded onto itself; repair the boundary");
   }
   this->WithoutCharge = static_cast<int>(surface.Points().rows() - near.Sites.size());
+  // Offset(): the smallest 1 % are left out, because a few narrow gaps say nothing about the rest.
   Eigen::VectorXd offsets = near.Offsets;
   const auto hundredth = offsets.begin() + offsets.size() / 100;
   std::nth_element(offsets.begin(), hundredth, offsets.end());
   this->NearOffset = *hundredth;
+  // Step 2: coarse charges.
   const CoarseLevel coarse = PositionCoarse(boundary, surface.Points()(near.Sites, Eigen::all),
     normals(near.Sites, Eigen::all), areas(near.Sites), effort == Effort::Little ? 128 : 32,
     progress.Part(0.3, 0.4));
   const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
+  // Step 3: rows and averages.
   this->System.Sites = surface.Points()(near.Sites, Eigen::all);
   this->System.Sources = near.Points;
   this->System.Rows.resize(n + m, 3);
   this->System.Rows << surface.Points(), ComputeCentroids(surface);
   this->System.Tests = HatMeans(surface, near.Sites);
+  // The quadrature of HatMeans: 1 / 12 of each triangle's area at its corners and 3 / 4 at its
+  // centroid. An area vector is twice as long as the area.
   this->System.Weights.resize(n + m);
   this->System.Weights << 0.25 * areas, 0.375 * surface.AreaVectors().rowwise().norm();
   this->AllSources.resize(near.Points.rows() + coarse.Sources.rows(), 3);
   this->AllSources << near.Points, coarse.Sources;
+  // Step 4. With more effort blocks overlap more and all are solved by regularized least squares
+  // (SchwarzOptions).
   SchwarzOptions blocks;
   if (effort != Effort::Little)
   {
@@ -224,6 +247,7 @@ Eigen::MatrixXd NearSourceSystem::Values(
 GmresResult NearSourceSystem::Solve(
   const Eigen::MatrixXd& values, const GmresOptions& options, const Progress& progress) const
 {
+  // Right-preconditioned GMRES in the weighted norm of the rows (Gmres.h).
   return SolveGmres([&](const Eigen::MatrixXd& charges) { return this->Values(charges); },
     [&](const Eigen::MatrixXd& residual) { return this->Preconditioner->Apply(residual); }, values,
     this->System.Weights, options, progress);

@@ -55,12 +55,14 @@ void RequireValidCharges(const PiecewiseCharges& charges)
         "; number regions from 0 without gaps");
     }
   }
-  if (charges.Regions.size() > 0 &&
-    (charges.Regions.maxCoeff() >= count || charges.Regions.minCoeff() < PiecewiseCharges::Void))
+  for (const int region : charges.Regions)
   {
-    throw InvalidInput("a triangle of the map's surface bounds region " +
-      std::to_string(charges.Regions.maxCoeff()) + ", but there are " + std::to_string(count) +
-      " regions; number them from 0, and the walls of voids -1");
+    if (region < PiecewiseCharges::Void || region >= count)
+    {
+      throw InvalidInput("a triangle of the map's surface bounds region " + std::to_string(region) +
+        ", but there are " + std::to_string(count) +
+        " regions; number them from 0, and the walls of voids -1");
+    }
   }
 }
 
@@ -82,6 +84,8 @@ PiecewiseHarmonicMap::PiecewiseHarmonicMap(
 {
   RequireValidCharges(charges);
   const std::string name = "the surface of the Map";
+  // The surfaces are checked and oriented; then each region gets its border, its parent, and the
+  // walls of its voids.
   if (this->Maps.size() > 1)
   {
     // Checked together: no two components may touch.
@@ -118,6 +122,7 @@ void PiecewiseHarmonicMap::FindParents()
       ComputeCentroids(this->Borders[inner]->GetSurface()).topRows(1);
     return this->Borders[outer]->Evaluate(position).Distances(0) < 0.0;
   };
+  // The depth of a region is the number of borders around it. The deepest of them is its parent.
   std::vector<int> depths(count, 0);
   for (int r = 1; r < count; ++r)
   {
@@ -138,12 +143,15 @@ void PiecewiseHarmonicMap::FindParents()
       }
     }
   }
+  // Locate needs outer regions before inner ones.
   std::stable_sort(
     this->Order.begin(), this->Order.end(), [&](int a, int b) { return depths[a] < depths[b]; });
 }
 
 Mesh PiecewiseHarmonicMap::BoundaryOf(int region) const
 {
+  // The surface around the region, the walls of its voids, and the borders of the regions inside
+  // it.
   Mesh boundary = this->Walls[region];
   if (region == 0)
   {
@@ -179,6 +187,8 @@ Mesh PiecewiseHarmonicMap::BoundaryOf(int region) const
 PiecewiseHarmonicMap::Positions PiecewiseHarmonicMap::Locate(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
+  // Borders are visited from the outside inwards. A point starts in region 0 and enters a region if
+  // it is in the region's parent and inside its border.
   const Eigen::Index n = points.rows();
   Positions positions{ Eigen::VectorXi::Zero(n), Eigen::VectorXd::Zero(n),
     Eigen::MatrixXd::Zero(n, 3) };
@@ -188,6 +198,7 @@ PiecewiseHarmonicMap::Positions PiecewiseHarmonicMap::Locate(
     const double next = done + 1.0 / static_cast<double>(this->Order.size());
     const SignedDistance& border = *this->Borders[region];
     const Eigen::MatrixXd& onBorder = border.GetSurface().Points();
+    // Distances are evaluated only in the border's box.
     const RowVector3d low = onBorder.colwise().minCoeff();
     const RowVector3d high = onBorder.colwise().maxCoeff();
     std::vector<int> near;
@@ -210,11 +221,14 @@ PiecewiseHarmonicMap::Positions PiecewiseHarmonicMap::Locate(
         continue;
       }
       positions.Regions(i) = region;
+      // A point of an inner region is no longer in the skin of the outer one.
       positions.Shares(i) = 0.0;
       positions.Slopes.row(i).setZero();
       const double depth = -at.Distances(k), skin = this->Skins(region), u = depth / skin;
       if (depth < skin)
       {
+        // s(u) of the header and its gradient. The gradient is s'(u) / skin times that of the
+        // depth, a unit vector away from the closest position.
         positions.Shares(i) = (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u);
         positions.Slopes.row(i) =
           -6.0 * u * (1.0 - u) / (skin * depth) * (points.row(i) - at.Closest.Positions.row(k));
@@ -264,6 +278,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
   {
     return shape::Evaluate(this->Maps[0], points, progress);
   }
+  // Every map is evaluated once, at all points that need it, and added with its share.
   const Positions positions = this->Locate(points, progress.Part(0.0, 0.3));
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(points.rows(), 3);
   for (int r = 0; r < this->RegionCount(); ++r)
@@ -287,6 +302,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
   {
     return shape::EvaluateJacobians(this->Maps[0], points, progress);
   }
+  // As in Evaluate, with the product rule for the shares.
   const Positions positions = this->Locate(points, progress.Part(0.0, 0.3));
   Eigen::MatrixXd jacobians = Eigen::MatrixXd::Zero(points.rows(), 9);
   for (int r = 0; r < this->RegionCount(); ++r)

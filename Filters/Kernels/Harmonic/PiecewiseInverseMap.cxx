@@ -28,6 +28,12 @@ PiecewiseInverseMap::PiecewiseInverseMap(std::shared_ptr<const PiecewiseHarmonic
 InverseMap::Result PiecewiseInverseMap::Find(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
+  // Outline, for each region from the outermost inwards:
+  // 1. The preimages of all open points under the region's harmonic map are searched.
+  // 2. Newton's method with the complete map continues from them: in a skin, or beyond the border,
+  //    the complete map differs.
+  // 3. A solution counts if its image meets the goal and it lies in the domain. The others stay
+  //    open for the next region.
   if (this->Inverses.size() == 1)
   {
     return this->Inverses.front().Find(points, progress);
@@ -41,6 +47,7 @@ InverseMap::Result PiecewiseInverseMap::Find(
   {
     const double share = 1.0 / static_cast<double>(this->Inverses.size());
     const Progress part = progress.Part(share * r, share * (r + 1));
+    // Step 1: the region's own map.
     const InverseMap::Result own =
       this->Inverses[r].Find(points(open, Eigen::all), part.Part(0.0, 0.8));
     std::vector<int> candidates, left;
@@ -52,6 +59,7 @@ InverseMap::Result PiecewiseInverseMap::Find(
         continue;
       }
       left.push_back(open[k]);
+      // A point that one region missed is Missed, even if it is Outside for the others.
       result.States(open[k]) = std::max(result.States(open[k]), own.States(k));
     }
     Steps steps(part.Part(0.8, 1.0));
@@ -60,9 +68,11 @@ InverseMap::Result PiecewiseInverseMap::Find(
     {
       ids.push_back(open[k]);
     }
+    // Step 2: the complete map.
     Search search = StartSearch(
       *this->Map, own.Points(candidates, Eigen::all), points(ids, Eigen::all), steps.Next());
     IterateNewton(*this->Map, search, { this->Goal, this->MaxStep, this->Iterations }, steps);
+    // Step 3: solutions in the domain.
     const Eigen::VectorXi outside = FindPointsOutsideDomain(
       this->Map->Domain(), search.Positions, this->Map->Farthest(), steps.Next());
     for (std::size_t k = 0; k < ids.size(); ++k)

@@ -47,6 +47,7 @@ Mesh Refined(const Mesh& mesh)
   const auto n = static_cast<int>(mesh.Points.rows());
   const auto midpoint = [&](int a, int b)
   {
+    // The two triangles of an edge share its midpoint.
     const auto [found, isNew] =
       midpoints.try_emplace(std::minmax(a, b), n + static_cast<int>(edges.size()));
     if (isNew)
@@ -106,10 +107,12 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
   {
     for (std::size_t j = i + 1; j < meshes.size(); ++j)
     {
+      // Throws if the two surfaces touch or cross; its result is not needed.
       OrientByNesting(JoinMeshes({ meshes[i], meshes[j] }),
         "the union of " + names[i] + " and " + names[j], progress);
     }
   }
+  // Pieces come from the outside inwards, so the layer around a piece is known.
   const SolidRegions regions(meshes, names, progress);
   const std::vector<SolidRegions::Component>& pieces = regions.Pieces();
   std::vector<Layer> layers;
@@ -146,6 +149,7 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
                          "(Connectivity separates them)");
     }
     Layer layer;
+    // The first piece of a region keeps its number; further pieces are numbered after the surfaces.
     layer.Region = taken[piece.Region] ? next++ : piece.Region;
     taken[piece.Region] = true;
     layer.Parent = parent;
@@ -251,8 +255,16 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   {
     throw InvalidInput("InterfaceRefinement and SkinPerJump must not be negative");
   }
+  // Outline:
+  // 1. The surfaces are divided into layers, from the outside inwards.
+  // 2. Each feature is assigned to the layer that contains it.
+  // 3. For each layer the boundary values are collected: given images, but at its outer border the
+  //    values of the map around it.
+  // 4. The layer's harmonic map is fitted.
+  // 5. The jump between both maps at the border determines the thickness of the skin.
   std::vector<ExactSurface> all{ { boundary, targets, "the Boundary" } };
   all.insert(all.end(), surfaces.begin(), surfaces.end());
+  // Step 1: layers.
   const std::vector<Layer> layers = FindLayers(all, progress.Part(0.0, 0.05));
   const auto count = static_cast<int>(layers.size());
 
@@ -262,6 +274,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   result.Borders.resize(count);
   result.OffsetDistance = 1.0;
   const PiecewiseHarmonicMap positions(result.Charges, progress.Part(0.05, 0.1));
+  // Step 2: features.
   const Eigen::VectorXi featureRegions = positions.RegionsAt(features.Points);
   const double size = ComputeLongestBoxEdge(boundary.Points()),
                targetSize = ComputeLongestBoxEdge(targets);
@@ -272,6 +285,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   {
     const Progress part = progress.Part(0.1 + 0.9 * i / count, 0.1 + 0.9 * (i + 1) / count);
     const Layer& layer = layers[i];
+    // Step 3: boundary values.
     LayerProblem problem{ layer.Around, Select(features, featureRegions, layer.Region), {}, {} };
     const ChargeSet* around =
       layer.Parent < 0 ? nullptr : &result.Charges.Maps[layers[layer.Parent].Region];
@@ -282,12 +296,15 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
         problem.Boundary.Surface = Refined(problem.Boundary.Surface);
       }
       problem.Boundary.Targets = Evaluate(*around, problem.Boundary.Surface.Points);
+      // Positions where the jump is measured, about one for each triangle.
       constexpr int fewest = 2000;
       problem.Positions = SampleRandomly(layer.Around.Surface,
         std::max(fewest, static_cast<int>(layer.Around.Surface.Triangles.rows())), options.Seed);
       problem.Wanted = Evaluate(*around, problem.Positions);
     }
+    // Inner borders and walls of voids have given images.
     Append(problem.Boundary, layer.Within);
+    // Step 4: the fit.
     HarmonicVolumeMapResult& own = result.Layers[layer.Region];
     own = ComputeHarmonicVolumeMap(
       problem.Boundary.Surface, problem.Boundary.Targets, problem.Features, options, part);
@@ -296,9 +313,11 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
     PiecewiseVolumeMapResult::Border& border = result.Borders[layer.Region];
     Mapped surface = layer.Around;
     Append(surface, layer.Parent < 0 ? layer.Voids : Nothing());
+    // Values at an inner border come from the map around it, because the skin blends on the inside.
     border = ErrorsAt(surface, around ? *around : own.Map, targetSize);
     if (around)
     {
+      // Step 5: the skin.
       const Eigen::VectorXd jumps =
         (problem.Wanted - Evaluate(own.Map, problem.Positions)).rowwise().norm() / targetSize;
       border.JumpRMS = std::sqrt(jumps.squaredNorm() / jumps.size());

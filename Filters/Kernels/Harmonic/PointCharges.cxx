@@ -48,6 +48,7 @@ HWY_INLINE void Sum(const double* packed, size_t stride, const double* position,
   {
     entry = hn::Zero(wide);
   }
+  // A lane is a charge; each array of the packed charges is read in whole vectors.
   for (size_t j = 0; j < stride; j += hn::Lanes(wide))
   {
     const Vector away[3] = { hn::Sub(x, hn::LoadU(wide, packed + j)),
@@ -63,6 +64,7 @@ HWY_INLINE void Sum(const double* packed, size_t stride, const double* position,
       field[r] = hn::MulAdd(charge, root, field[r]);
       if (WithDerivative)
       {
+        // The gradient of q / |y - x| is -q (y - x) / |y - x|^3.
         const Vector pull = hn::Mul(charge, cube);
         for (int c = 0; c < 3; ++c)
         {
@@ -126,6 +128,7 @@ PointCharges::PointCharges(const ChargeSet& set)
   this->Stride = static_cast<std::size_t>((count + Lanes - 1) / Lanes * Lanes);
   Eigen::MatrixXd packed = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Stride), 6);
   packed.leftCols<3>().setConstant(Far);
+  // In units of the box, because InverseRoot needs squares in the range of float.
   packed.topLeftCorner(count, 3) = (set.Points.rowwise() - this->Origin) / this->Size;
   packed.topRightCorner(count, 3) = 0.25 * M_1_PI / this->Size * set.Charges;
   this->Packed.assign(packed.data(), packed.data() + packed.size());
@@ -155,6 +158,7 @@ Eigen::Vector3d PointCharges::Evaluate(
   jacobian = this->Affine.leftCols<3>();
   for (int r = 0; r < 3; ++r)
   {
+    // The sums are derivatives by scaled coordinates: the chain rule divides by the box.
     jacobian.row(r) += sums.segment<3>(3 + 3 * r).transpose() / this->Size;
   }
   return sums.head<3>() + this->Affine.leftCols<3>() * position + this->Affine.col(3);

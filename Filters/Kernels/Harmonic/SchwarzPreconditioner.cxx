@@ -140,10 +140,17 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
   , CoarseSources(coarseSources)
   , ClusterMeans(MeansOver(clusters, coarseSources.rows()))
 {
+  // Outline:
+  // 1. Sites are split into blocks of neighbours.
+  // 2. Each block's local system, with the sites around it, is inverted (MakeBlock).
+  // 3. The positions where the blocks read the residual are collected.
+  // 4. The coarse system is inverted (SetUpCoarse).
   const BlasThreads single(false); // the blocks are distributed over the threads
+  // Step 1: blocks.
   const std::vector<std::vector<int>> parts = SplitAtMedians(system.Sites, options.Own);
   const PointRows sites = system.Sites;
   const Tree tree(3, std::cref(sites), 16);
+  // Step 2: local inverses.
   this->Blocks.resize(parts.size());
   ParallelFor(
     static_cast<int>(parts.size()), 1,
@@ -156,6 +163,7 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
       }
     },
     progress.Part(0.0, 0.8));
+  // Steps 3 and 4.
   this->GatherPositions(system);
   this->SetUpCoarse(progress.Part(0.8, 1.0));
 }
@@ -185,6 +193,7 @@ void SchwarzPreconditioner::GatherPositions(const TestedSystem& system)
 
 void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
 {
+  // The coarse charges reproduce the mean residual of each cluster, by regularized least squares.
   const Eigen::Index count = this->CoarseSources.rows();
   Eigen::MatrixXd coarse(count, count); // transposed
   for (Eigen::Index c = 0; c < count; ++c)
@@ -213,6 +222,8 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
   const std::vector<int>& own, const std::vector<int>& around, double maximumAmplification)
 {
   Block block;
+  // The local system has the charges of the block and of the sites around it. Only the rows of the
+  // block are kept: restricted additive Schwarz (Cai and Sarkis 1999).
   block.Own = own;
   std::vector<int> sites = own;
   sites.insert(sites.end(), around.begin(), around.end());
@@ -224,6 +235,8 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
   // The columns of `own` in the transposed inverse are its rows in the inverse.
   if (maximumAmplification > 0.0)
   {
+    // First choice: as many averages as charges, solved directly. Single precision suffices for a
+    // preconditioner.
     const Eigen::MatrixXf potentials = LocalPotentials<float>(sources, positions);
     Eigen::MatrixXf tested = Eigen::MatrixXf::Zero(all, all); // transposed
     for (Eigen::Index i = 0; i < all; ++i)
@@ -236,6 +249,7 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
     }
     const Eigen::MatrixXf inverse =
       tested.partialPivLu().solve(Eigen::MatrixXf::Identity(all, count));
+    // A bound of the charges that the block computes from the potentials of a unit charge.
     if (inverse.colwise().norm().maxCoeff() * tested.rowwise().norm().maxCoeff() <
       maximumAmplification)
     {
@@ -244,8 +258,9 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
       return block;
     }
   }
-  // RMSE inside triangles for ridges 1e-2, 1e-3, 1e-4, 1e-6 (data A of Testing/Benchmarks): turbine
-  // 9.7e-4, 4.6e-4, 5.0e-4, 7.8e-4; cheese 1.5e-3, 2.9e-3, 3.4e-3, 7.6e-2.
+  // Second choice: least squares over the rows themselves, regularized by a ridge. RMSE inside
+  // triangles for ridges 1e-2, 1e-3, 1e-4, 1e-6 (data A of Testing/Benchmarks): turbine 9.7e-4,
+  // 4.6e-4, 5.0e-4, 7.8e-4; cheese 1.5e-3, 2.9e-3, 3.4e-3, 7.6e-2.
   constexpr double ridge = 3e-3;
   const Eigen::MatrixXd potentials = LocalPotentials<double>(sources, positions);
   const Eigen::MatrixXd weighted = potentials * system.Weights(rows).asDiagonal();
@@ -262,16 +277,23 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
 Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) const
 {
   const BlasThreads single(false);
+  // Outline:
+  // 1. The residual at the positions that blocks read: averages around the sites, then single rows.
+  // 2. The coarse charges, from the mean residual of each cluster.
+  // 3. The blocks reduce the remaining residual, independently of each other.
   const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
+  // Step 1: the residual.
   Eigen::MatrixXd left(this->Positions.rows(), residual.cols());
   left.topRows(n) = this->Tests * residual;
   left.bottomRows(left.rows() - n) = residual(this->Rows, Eigen::all);
+  // Step 2: coarse charges.
   Eigen::MatrixXd charges(n + c, residual.cols());
   charges.bottomRows(c) = this->CoarseInverse * (this->ClusterMeans * left.topRows(n));
   // The potential of a coarse charge hardly varies over one average, so it is evaluated at its
   // centre.
   left -= SumPotentialsDirectly(
     this->CoarseSources, charges.bottomRows(c), this->Positions, RootError::Small);
+  // Step 3. Every site belongs to one block, so the blocks write different rows.
   ParallelFor(static_cast<int>(this->Blocks.size()), 16,
     [&](int begin, int end)
     {

@@ -40,11 +40,13 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
   const Surface& boundary = conditions.Boundary;
   VolumeMapResult result;
   result.Targets = conditions.Targets;
+  // Step 1 of the header.
   if (conditions.Target)
   {
     result.TargetDistance = ComputeTargetDistance(
       boundary, conditions.Targets, *conditions.Target, progress.Part(0.0, 0.02));
   }
+  // Step 2: one map of the whole solid.
   HarmonicVolumeMapResult one;
   if (options.FreeBoundary || !options.Exact)
   {
@@ -53,6 +55,7 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
   }
   if (options.FreeBoundary)
   {
+    // Step 3: the boundary slides.
     FreeBoundaryResult slid = SlideBoundary(boundary, result.Targets, *conditions.Target,
       conditions.Features, options.Harmonic, one, progress.Part(0.3, options.Exact ? 0.6 : 1.0));
     result.DistortionBefore = slid.DistortionBefore;
@@ -61,6 +64,7 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
     result.Targets = std::move(slid.Targets);
     one = std::move(slid.Map);
   }
+  // Step 4: one map for each layer.
   result.Map = options.Exact
     ? ComputePiecewiseVolumeMap(boundary, result.Targets, conditions.Surfaces, conditions.Features,
         options.Harmonic, {}, progress.Part(options.FreeBoundary ? 0.6 : 0.02, 1.0))

@@ -50,6 +50,8 @@ Eigen::Vector3d VolumeTransform::Evaluate(
   {
     return this->Charges.front().Evaluate(position, jacobian);
   }
+  // f = (1 - s) f_r + s f_p and its derivative (PiecewiseHarmonicMap.h). The parent's map is needed
+  // in the skin only.
   const PiecewiseHarmonicMap::Positions at = this->Map->Locate(position.transpose());
   const int region = at.Regions(0);
   Eigen::Vector3d value = this->Charges[region].Evaluate(position, jacobian);
@@ -90,7 +92,8 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
     return result;
   }
   // Newton's method as in InverseSearch, but it stops as soon as a full step does not come closer.
-  // The complete search follows.
+  // The complete search follows. It starts once for each region whose image may contain the point,
+  // the outermost first.
   const double goal = this->Inverse->GoalOfMisses();
   bool searched = false;
   for (int region = 0; region < this->Map->RegionCount(); ++region)
@@ -110,6 +113,7 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
       Eigen::Matrix3d nextJacobian;
       const Eigen::Vector3d nextRest = point - this->Evaluate(next, nextJacobian);
       const double miss = nextRest.norm();
+      // Near a regular preimage Newton's method gains much more than a quarter in each step.
       if (!(miss < 0.75 * before))
       {
         break;
@@ -124,6 +128,7 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
       return { position, State::Found, jacobian };
     }
   }
+  // The point is outside the image of every region.
   if (!searched)
   {
     return result;

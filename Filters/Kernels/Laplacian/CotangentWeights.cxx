@@ -15,6 +15,7 @@ constexpr double Slack = 1e-6;
 
 std::array<double, 3> Mollified(std::array<double, 3> sides)
 {
+  // Sharp and Crane 2020, section 4.5, applied to one triangle.
   const double longest = *std::max_element(sides.begin(), sides.end());
   const double excess = sides[0] + sides[1] + sides[2] - 2.0 * longest;
   const double raise = std::max(0.0, Slack * longest - excess);
@@ -65,6 +66,8 @@ TriangleAngles ComputeAnglesFromLengths(const Eigen::MatrixXd& lengths)
       const double a = sides[corner];
       const double b = sides[(corner + 1) % 3];
       const double c = sides[(corner + 2) % 3];
+      // cot = (b^2 + c^2 - a^2) / (4 area), with c^2 - a^2 as a product, which does not cancel. A
+      // triangle without extent is treated as equilateral.
       angles.Cotangents(t, corner) =
         area > 0.0 ? (b * b + (c - a) * (c + a)) / (4.0 * area) : 1.0 / std::sqrt(3.0);
     }
@@ -79,6 +82,7 @@ Eigen::SparseMatrix<double> BuildCotangentStiffness(
   entries.reserve(12 * triangles.rows() + points);
   for (Eigen::Index i = 0; i < points; ++i)
   {
+    // Points without a triangle have a diagonal entry, too.
     entries.emplace_back(i, i, 0.0);
   }
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
@@ -87,6 +91,7 @@ Eigen::SparseMatrix<double> BuildCotangentStiffness(
     {
       const int i = triangles(t, (corner + 1) % 3);
       const int j = triangles(t, (corner + 2) % 3);
+      // Half the cotangent, for the edge opposite the corner, from each of its two triangles.
       const double weight = 0.5 * cotangents(t, corner);
       entries.emplace_back(i, j, -weight);
       entries.emplace_back(j, i, -weight);

@@ -46,6 +46,8 @@ public:
 
   void FlipAll()
   {
+    // Sharp and Crane 2020, section 3.1: as long as an edge is not Delaunay, it is flipped. A flip
+    // can make only the four edges around it non-Delaunay.
     std::vector<int> queue;
     std::vector<char> waits(this->Begins.size(), 1);
     for (int side = static_cast<int>(this->Begins.size()) - 1; side >= 0; --side)
@@ -105,6 +107,8 @@ private:
     {
       sum += length;
     }
+    // Sharp and Crane 2020, section 4.5: one raise for all edges, so lengths of shared edges stay
+    // equal.
     const double slack = DelaunaySlack * sum / static_cast<double>(this->Lengths.size());
     double raise = 0.0;
     for (std::size_t t = 0; t < this->Lengths.size(); t += 3)
@@ -141,6 +145,7 @@ private:
   double Cotangent(int side) const
   {
     const double cosine = this->Cosine(PreviousHalfEdge(side));
+    // The bound keeps a degenerate triangle's cotangent finite.
     return cosine / std::sqrt(std::max(1.0 - cosine * cosine, 1e-24));
   }
 
@@ -162,6 +167,8 @@ private:
     const int twin = this->Twins[side];
     const int bc = NextHalfEdge(side), ca = PreviousHalfEdge(side), ad = NextHalfEdge(twin),
               db = PreviousHalfEdge(twin);
+    // The new edge joins c and d. Its length follows from the law of cosines at a, where both
+    // angles add up: cos(x + y) = cos x cos y - sin x sin y.
     const double cosine = this->Cosine(side), other = this->Cosine(ad);
     const double sines = std::sqrt((1.0 - cosine * cosine) * (1.0 - other * other));
     const double ac = this->Lengths[ca], length = this->Lengths[ad];

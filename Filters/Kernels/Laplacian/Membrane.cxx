@@ -13,7 +13,9 @@ namespace shape
 Eigen::MatrixXd SolveHarmonicValues(const Surface& patch, const Eigen::MatrixXd& loopValues)
 {
   const Eigen::Index points = patch.Points().rows();
-  // minimum weight; that of an edge between equilateral triangles is 0.58
+  // minimum weight; that of an edge between equilateral triangles is 0.58. Cocircular points
+  // have weights of 0, or slightly below by rounding. Positive weights keep each value between
+  // those of the loop.
   constexpr double minimum = 1e-9;
   const Eigen::SparseMatrix<double> stiffness =
     BuildPositiveStiffness(GetIntrinsicLaplacian(patch)->Stiffness, minimum);
@@ -33,6 +35,7 @@ Eigen::MatrixXd SolveMembrane(
   for (int round = 1; round <= rounds; ++round)
   {
     progress(static_cast<double>(round) / (rounds + 1));
+    // Pinkall and Polthier 1993: the harmonic map of the current surface replaces it.
     positions = SolveHarmonicValues(disk.WithPoints(positions), loop);
   }
   return positions;

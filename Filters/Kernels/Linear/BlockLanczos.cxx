@@ -32,6 +32,7 @@ public:
     , Known(known)
     , Tolerance(tolerance)
     , Wanted(wanted)
+    // More Ritz vectors than wanted are kept, so that the last wanted ones converge faster.
     , Kept(wanted + Block)
     , Most(std::max(2 * this->Kept, this->Kept + 8 * Block))
     , Basis(known.rows(), this->Most + Block)
@@ -41,16 +42,23 @@ public:
 
   Eigenpairs Find(const Progress& progress)
   {
+    // Outline (thick-restart Lanczos, Wu and Simon 2000):
+    // 1. A random block, improved by one application of the operator.
+    // 2. The basis is extended by blocks.
+    // 3. Every few blocks the Ritz pairs of the projected operator are tested for convergence.
+    // 4. A full basis is replaced by its best Ritz vectors and the next block; then step 2.
     this->Basis.leftCols(Block) = this->Completed(this->Apply(this->Random(Block)), 0);
     for (int restart = 0; restart < Restarts; ++restart)
     {
       for (bool isFull = false; !isFull;)
       {
         progress(0.99 * std::min(1.0, static_cast<double>(this->Size) / this->Most));
+        // Step 2: the next block.
         this->Extend();
         isFull = this->Size + Block > this->Most;
         if (this->Size >= this->Kept && (isFull || this->Size / Block % Patience == 0))
         {
+          // Step 3: convergence test.
           this->Diagonalise();
           if (this->IsFound())
           {
@@ -59,6 +67,7 @@ public:
           }
         }
       }
+      // Step 4: thick restart.
       this->Restart();
     }
     throw SolveFailure("the eigenvalues were not found in " + std::to_string(Restarts) +
@@ -105,6 +114,7 @@ private:
     constexpr double minimum = 1e-5; // below this, rounding errors grow too much
     for (int again = 0; again < 2; ++again)
     {
+      // Cholesky QR, twice: the second pass removes the rounding error of the first.
       const Eigen::LLT<Eigen::MatrixXd> root(columns.transpose() * columns);
       if (root.info() != Eigen::Success ||
         Eigen::MatrixXd(root.matrixL()).diagonal().minCoeff() < minimum * scale)
@@ -149,6 +159,8 @@ private:
 
   bool IsFound() const
   {
+    // The residual of a Ritz pair lies in the next block alone, so its norm needs no application of
+    // the operator.
     const Eigen::VectorXd residuals =
       (this->Last * this->Vectors.bottomRows(Block)).colwise().norm().transpose();
     return (residuals.head(this->Wanted).array() <=
@@ -164,6 +176,8 @@ private:
     const Eigen::MatrixXd next = this->Basis.middleCols(this->Size, Block);
     this->Basis.leftCols(this->Kept) = best;
     this->Basis.middleCols(this->Kept, Block) = next;
+    // In the basis of Ritz vectors the projected operator is diagonal. Its coupling to the next
+    // block follows when that block is applied.
     this->Projected.setZero();
     this->Projected.diagonal().head(this->Kept) = this->Values.head(this->Kept);
     this->Size = this->Kept;

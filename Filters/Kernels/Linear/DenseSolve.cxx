@@ -28,6 +28,7 @@ SingularValues::SingularValues(Eigen::MatrixXd a)
   const auto columns = static_cast<lapack_int>(this->Reflectors.cols());
   this->Factors.resize(columns);
   const BlasThreads threads(BlasThreads::WorthSharing(columns));
+  // A = Q R, then R = U S V^T. If A is wide, its transpose is factorised.
   const lapack_int factorised = LAPACKE_dgeqrf(
     LAPACK_COL_MAJOR, rows, columns, this->Reflectors.data(), rows, this->Factors.data());
   Eigen::MatrixXd triangle = this->Reflectors.topRows(columns).triangularView<Eigen::Upper>();
@@ -67,6 +68,7 @@ Eigen::MatrixXd SingularValues::Solve(const Eigen::MatrixXd& b, double threshold
   const int rank = this->Rank(threshold);
   const auto inverse = this->S.head(rank).cwiseInverse().asDiagonal();
   const Eigen::Index shorter = this->S.size();
+  // A = (Q U S V^T)^T, so x = Q U S^-1 V^T b.
   if (this->Wide)
   {
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(this->Reflectors.rows(), b.cols());
@@ -74,6 +76,7 @@ Eigen::MatrixXd SingularValues::Solve(const Eigen::MatrixXd& b, double threshold
     this->ApplyQ(x, false);
     return x;
   }
+  // A = Q U S V^T, so x = V S^-1 U^T Q^T b.
   Eigen::MatrixXd c = b;
   this->ApplyQ(c, true);
   return this->Vt.topRows(rank).transpose() *
@@ -87,6 +90,7 @@ Eigen::MatrixXd SingularValues::RightVectors(int first) const
   {
     return this->Vt.bottomRows(count).transpose();
   }
+  // The right singular vectors of a wide matrix are the columns of Q U.
   Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(this->Reflectors.rows(), count);
   vectors.topRows(this->S.size()) = this->U.rightCols(count);
   if (count > 0)

@@ -7,6 +7,7 @@ DirichletProblem::DirichletProblem(
   const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& fixed)
   : Stiffness(stiffness)
 {
+  // The matrix of the inner points; -1 marks fixed ones.
   std::vector<int> row(stiffness.rows(), 0);
   for (const int point : fixed)
   {
@@ -44,6 +45,7 @@ void DirichletProblem::Solve(Eigen::MatrixXd& values, const Eigen::MatrixXd& rig
 {
   if (!this->Inner.empty())
   {
+    // Values at inner points are 0, so the product has only the contribution of the fixed points.
     const Eigen::MatrixXd rest = right - this->Stiffness * values;
     values(this->Inner, Eigen::all) = this->Solver.Solve(rest(this->Inner, Eigen::all));
   }

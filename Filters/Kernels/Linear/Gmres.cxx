@@ -11,6 +11,12 @@ namespace shape
 GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
   const Eigen::VectorXd& weights, const GmresOptions& options, const Progress& progress)
 {
+  // Outline (Saad and Schultz 1986, for the operator A B):
+  // 1. Each iteration applies A B to the last basis vector of every column.
+  // 2. Modified Gram-Schmidt makes the result orthogonal to the basis; the coefficients are a
+  //    column of the Hessenberg matrix.
+  // 3. A small least-squares problem gives the residual of every column.
+  // 4. At the end the solution is B times a combination of the basis.
   const Eigen::Index columns = rightSide.cols();
   const Eigen::VectorXd shares = weights / weights.sum();
   // Mean products over the rows, so a norm is a root mean square.
@@ -49,8 +55,10 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
   {
     const int k = result.Iterations;
     progress(static_cast<double>(k) / maximum);
+    // Step 1: the operator.
     Eigen::MatrixXd next = a(b(basis[k]));
     const Eigen::RowVectorXd before = inner(next, next).cwiseSqrt();
+    // Step 2: orthogonalisation.
     for (int i = 0; i <= k; ++i)
     {
       const Eigen::RowVectorXd product = inner(basis[i], next);
@@ -65,6 +73,8 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
     Eigen::RowVectorXd norms = inner(next, next).cwiseSqrt();
     norms = (norms.array() > rounding * before.array()).select(norms, 0.0);
     basis.push_back(normalized(next, norms));
+    // Step 3. The decomposition also solves columns whose basis has ended, where the matrix is
+    // singular.
     const Eigen::RowVectorXd last = result.Residuals;
     for (Eigen::Index c = 0; c < columns; ++c)
     {
@@ -96,6 +106,7 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
     }
     return sum;
   };
+  // Step 4: the solution.
   result.Solution = b(combined(factors));
   result.Left = combined(rests);
   return result;

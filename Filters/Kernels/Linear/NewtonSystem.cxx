@@ -22,6 +22,8 @@ NewtonSystem::NewtonSystem(const std::vector<int>& widths, std::vector<int> elem
 
 void NewtonSystem::MakePattern()
 {
+  // First the blocks that share an element with each block are found, then the rows of each column,
+  // then the slots.
   const std::size_t blocks = this->First.size() - 1, step = this->Corners;
   std::vector<std::vector<int>> neighbours(blocks);
   for (std::size_t first = 0; first < this->Elements.size(); first += step)
@@ -62,6 +64,7 @@ void NewtonSystem::MakePattern()
   }
   this->Matrix.resizeNonZeros(static_cast<Eigen::Index>(inner.size()));
   std::copy(inner.begin(), inner.end(), this->Matrix.innerIndexPtr());
+  // The position of each element's blocks in the columns of H, so that assembly needs no search.
   this->Slots.assign(this->Elements.size() * step, -1);
   const int count = static_cast<int>(this->Elements.size() / step);
   for (int element = 0; element < count; ++element)
@@ -93,6 +96,7 @@ NewtonSystem::Step NewtonSystem::Solve(const Ridge& ridge)
 {
   // The unknowns are scaled to unit diagonal, so a ridge has the same effect on all of them.
   const Eigen::VectorXd diagonal = this->Matrix.diagonal();
+  // The bound keeps the scale finite for unknowns without curvature.
   const Eigen::VectorXd scale =
     diagonal.array().max(1e-300 + 1e-30 * diagonal.maxCoeff()).sqrt().inverse().matrix();
   for (int column = 0; column < this->Matrix.cols(); ++column)
@@ -104,6 +108,7 @@ NewtonSystem::Step NewtonSystem::Solve(const Ridge& ridge)
   }
   for (double share = ridge.First; share < 1.0; share *= ridge.Factor)
   {
+    // The diagonal is 1, so a share of it is the share itself. Ridges that failed stay added.
     this->Matrix.diagonal().array() += share;
     try
     {

@@ -26,6 +26,7 @@ Eigen::VectorXd Curvatures(
   {
     for (int corner = 0; corner < 3; ++corner)
     {
+      // The angle in (0, pi) with this cotangent.
       curvatures(triangles(t, corner)) -= std::atan2(1.0, laplacian.Angles.Cotangents(t, corner));
     }
   }
@@ -44,6 +45,7 @@ Eigen::MatrixXd ClosedPolygon(const Eigen::VectorXd& lengths, const Eigen::Vecto
     angle += i > 0 ? turns(i) : 0.0;
     directions.row(i) << std::cos(angle), std::sin(angle);
   }
+  // Lagrange multipliers of the condition that the polygon closes: a 2 x 2 system.
   const Eigen::Matrix2d gram = directions.transpose() * lengths.asDiagonal() * directions;
   const Eigen::Vector2d gap = directions.transpose() * lengths;
   const Eigen::VectorXd closed =
@@ -60,8 +62,16 @@ Eigen::MatrixXd ClosedPolygon(const Eigen::VectorXd& lengths, const Eigen::Vecto
 
 Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progress)
 {
+  // Outline (boundary first flattening, Sawhney and Crane 2017):
+  // 1. All loops but the longest are filled. The inner block of the Laplacian is factorised once.
+  // 2. Curvatures of the surface inside, and of its loop.
+  // 3. The Yamabe equation for the logarithm u of the scale, with u = 0 on the loop.
+  // 4. Curvatures of the loop's image: those of the loop plus the flux of u.
+  // 5. A closed polygon with these curvatures and nearly the lengths of the loop.
+  // 6. The harmonic map with this boundary.
   progress(0.0);
   RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne);
+  // Step 1: the Laplacian.
   const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   const std::vector<int>& loop = loops.front();
   const Surface filled = FillWithFans(surface, { loops.begin() + 1, loops.end() });
@@ -72,10 +82,14 @@ Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progr
   const DirichletProblem problem(stiffness, loop);
   progress(0.8);
 
+  // Step 2: curvatures.
   const Eigen::MatrixXd curvatures = Curvatures(*laplacian, points, loop);
+  // Step 3: the Yamabe equation.
   Eigen::MatrixXd scale = Eigen::MatrixXd::Zero(points, 1);
   problem.Solve(scale, -curvatures);
+  // Step 4: curvatures of the image's boundary.
   const Eigen::VectorXd turns = (curvatures + stiffness * scale)(loop, 0);
+  // Step 5: the boundary polygon.
   Eigen::VectorXd lengths(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
@@ -85,6 +99,7 @@ Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progr
   }
   Eigen::MatrixXd image = Eigen::MatrixXd::Zero(points, 2);
   image(loop, Eigen::all) = ClosedPolygon(lengths, turns);
+  // Step 6: the harmonic map.
   problem.Solve(image, Eigen::MatrixXd::Zero(points, 2));
   progress(1.0);
   return image.topRows(surface.Points().rows());

@@ -21,6 +21,7 @@ constexpr double ShortestEdge = 1e-6;
 double HalfTangent(double cotangent)
 {
   const double root = std::hypot(1.0, cotangent);
+  // tan(a / 2) = csc a - cot a. For a positive cotangent this difference would cancel.
   return cotangent > 0.0 ? 1.0 / (root + cotangent) : root - cotangent;
 }
 
@@ -55,6 +56,7 @@ Eigen::SparseMatrix<double> MeanValueMatrix(const Mesh& surface)
     for (int corner = 0; corner < 3; ++corner)
     {
       const int i = surface.Triangles(t, corner);
+      // Floater 2003, equation 2.1: the angle at i contributes to both of its edges.
       const double tangent = HalfTangent(cotangents(t, corner));
       for (const int side : { 1, 2 })
       {
@@ -148,6 +150,8 @@ Eigen::MatrixXd SolveConvexCombination(const Mesh& surface, CombinationWeights w
   const std::vector<int>& fixed, const Eigen::MatrixXd& positions, const Progress& progress)
 {
   progress(0.0);
+  // Points are numbered as free or fixed. The matrix is split into the free rows and columns, and
+  // the right side of the fixed columns.
   std::vector<int> position(surface.Points.rows(), 0);
   Eigen::MatrixXd all(surface.Points.rows(), positions.cols());
   for (std::size_t k = 0; k < fixed.size(); ++k)
@@ -166,6 +170,7 @@ Eigen::MatrixXd SolveConvexCombination(const Mesh& surface, CombinationWeights w
       EquationsOf(MatrixOf(surface, weights), position, count, positions);
     progress(0.3);
     Eigen::MatrixXd free;
+    // Mean value weights are not symmetric, so they need LU instead of Cholesky.
     if (weights == CombinationWeights::MeanValue)
     {
       free = SolveRows(equations);

@@ -91,6 +91,7 @@ std::array<int, 5> Corners(const Eigen::VectorXd& lengths)
     int best = corners[k - 1] + 1;
     for (int i = best + 1; i <= count - 4 + k; ++i)
     {
+      // The corner is the loop's point closest to this share of its length.
       const double quarter = 0.25 * k * lengths(count);
       best = std::abs(lengths(i) - quarter) < std::abs(lengths(best) - quarter) ? i : best;
     }
@@ -171,6 +172,7 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corners = surface.Triangles.row(t);
+    // Triangles without area are treated as flipped.
     if (EvaluateOrientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <=
       0)
     {
@@ -201,9 +203,16 @@ DiskMapResult MapToDisk(
   const Surface& surface, const DiskMapOptions& options, const Progress& progress)
 {
   progress(0.0);
+  // Outline:
+  // 1. The loop starts at the point with the greatest x. The surface is scaled, so the map does not
+  //    depend on its position and size.
+  // 2. The loop is mapped to the outline by arc length.
+  // 3. Every other point is the weighted mean of its neighbours.
+  // 4. Each triangle is checked with exact predicates.
   RequireSurfaceWithBoundary(surface, LoopCount::One);
   progress(0.1);
   DiskMapResult result;
+  // Step 1: the loop.
   result.Loop = FindManifoldBoundaryLoops(surface).front();
   StartAtGreatest(result.Loop, surface.Points());
   const double size = ComputeLongestBoxEdge(surface.Points());
@@ -213,6 +222,7 @@ DiskMapResult MapToDisk(
   const Eigen::VectorXd lengths = ArcLengths(result.Loop, scaled.Points);
   result.LoopLength = size * lengths(result.Loop.size());
 
+  // Step 2: the outline.
   Eigen::MatrixXd positions;
   if (options.Outline == DiskOutline::Circle)
   {
@@ -225,8 +235,10 @@ DiskMapResult MapToDisk(
     positions = OnSquare(lengths, corners);
   }
   progress(0.2);
+  // Step 3: convex combinations.
   const Eigen::MatrixXd image = SolveConvexCombination(
     scaled, options.Weights, result.Loop, positions, progress.Part(0.2, 0.9));
+  // Step 4: no flip.
   RequireNoFlip(surface, image, options.Weights);
   result.Points = Eigen::MatrixXd::Zero(surface.Points().rows(), 3);
   result.Points.leftCols(2) = image;

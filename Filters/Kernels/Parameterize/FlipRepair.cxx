@@ -45,6 +45,7 @@ std::vector<char> OnLoop(const Eigen::MatrixXi& triangles, Eigen::Index points)
 {
   std::vector<char> onLoop(points, 0);
   const std::vector<HalfEdge> sides = SortHalfEdges(triangles, points);
+  // Half-edges of one edge follow each other in the sorted list.
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
     while (end < sides.size() && sides[end].Low() == sides[begin].Low() &&
@@ -160,6 +161,8 @@ private:
     {
       return;
     }
+    // Free points become mean value combinations of their neighbours. The other points of the part
+    // are fixed.
     const Mesh part{ this->Surface.Points(used, Eigen::all),
       this->Triangles(around, Eigen::all).unaryExpr([&](int point) { return own[point]; }) };
     std::vector<int> ownFixed;
@@ -171,6 +174,7 @@ private:
       part, CombinationWeights::MeanValue, ownFixed, this->Positions(fixed, Eigen::all));
     Eigen::MatrixXd moved = this->Positions;
     moved(used, Eigen::all) = solved;
+    // Groups of connected free points move independently: if one fails, the others still move.
     std::vector<char> fails(isFree.size(), 0);
     for (const int t : around)
     {
@@ -208,6 +212,7 @@ int RepairFlips(const Mesh& surface, Eigen::MatrixXd& positions, const std::vect
   for (int round = 0; round < Rounds && !flipped.empty(); ++round)
   {
     progress(static_cast<double>(round) / Rounds);
+    // Round r frees the points of flipped triangles and r rings around them.
     mending.Round(flipped, round);
     flipped = mending.Flipped(positions);
   }

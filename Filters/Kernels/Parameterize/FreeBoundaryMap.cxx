@@ -35,6 +35,7 @@ Eigen::MatrixXd CircularMap(
   const Mesh& surface, const std::vector<std::vector<int>>& loops, const Progress& progress)
 {
   const std::vector<int>& loop = loops.front();
+  // The loop's points are mapped to equal angles. Like uniform weights, this ignores lengths.
   Eigen::MatrixXd positions(loop.size(), 2);
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
@@ -54,6 +55,7 @@ void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
   flat.Points.leftCols(2) = image;
   const Eigen::VectorXd weights = ComputePointAreas(flat);
   image.rowwise() -= (weights.transpose() * image / weights.sum()).eval();
+  // The axes of the second moments; x is the longer one.
   const Eigen::Matrix2d moments = image.transpose() * weights.asDiagonal() * image;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
   constexpr double clear = 1e-6; // relative; smaller values are rounding error
@@ -69,6 +71,7 @@ void Settle(const Eigen::MatrixXi& triangles, Eigen::MatrixXd& image)
     axis = image.row(first).normalized();
   }
   const Eigen::ArrayXd along = (image * axis).array();
+  // The third moment decides the direction of x.
   const double third = (weights.array() * along.cube()).sum() / weights.sum();
   const double sense =
     std::abs(third) > clear * size * size * size ? third : static_cast<double>(along(first));
@@ -84,17 +87,25 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   const Surface& surface, const FreeBoundaryMapOptions& options, const Progress& progress)
 {
   progress(0.0);
+  // Outline:
+  // 1. The surface is scaled to area 1.
+  // 2. The conformal map. It is the result if it flips no triangle and no refinement is requested.
+  // 3. If it flips a triangle, refinement starts from Tutte's map, which flips none.
+  // 4. The image is scaled to area 1 and refined.
+  // 5. It is moved to the standard position, scaled back and checked.
   const double area = ComputeArea(surface);
   if (!(area > 0.0))
   {
     RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne);
     throw InvalidInput("the surface has no area; check its points");
   }
+  // Step 1: area 1.
   Mesh unit = surface;
   unit.Points.rowwise() -= surface.Points().row(0);
   unit.Points /= std::sqrt(area);
 
   FreeBoundaryMapResult result;
+  // Step 2: the conformal map.
   Eigen::MatrixXd image = FlattenConformally(unit, progress.Part(0.0, 0.2));
   const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   for (std::size_t i = 0; i < loops.front().size(); ++i)
@@ -111,6 +122,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   }
   if (!flipped.empty())
   {
+    // Step 3: Tutte's map.
     result.IsConformal = false;
     image = CircularMap(unit, loops, progress.Part(0.2, 0.3));
     flipped = FindInvertedTriangles(surface.Triangles(), image);
@@ -123,6 +135,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
         "Feature");
     }
   }
+  // Step 4: refinement.
   image /= std::sqrt(ComputePlanarArea(surface.Triangles(), image));
   if (options.Refine)
   {
@@ -131,6 +144,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
     image = refined.Points;
     result.Iterations = refined.Iterations;
   }
+  // Step 5. Rounding in the rotation can flip a tiny triangle, so the check comes last.
   Settle(surface.Triangles(), image);
   flipped = FindInvertedTriangles(surface.Triangles(), image);
   if (!flipped.empty())

@@ -37,6 +37,9 @@ LocalTerms TermsAt(const Eigen::MatrixXd& points, const PlanarElements& elements
     {
       for (int t = begin; t < end; ++t)
       {
+        // J = U diag(s) V'. The measure depends on s alone, so its derivative by J is U
+        // diag(gradient) V'. The weights belong to the quadratic form of Rabinovich et al. 2017,
+        // section 3.2, which has the same gradient.
         const PlanarDecomposition parts = DecomposePlanar(elements.Jacobian(t, points));
         const DistortionTerms measure = EvaluateDistortion(distortion, exponent, parts.Singular);
         const double area = elements.Areas()(t);
@@ -99,6 +102,7 @@ public:
   {
     this->Assemble(terms);
     this->Solver.Factorize(this->Matrix);
+    // The second derivative of the forms is twice their matrix.
     return this->Solver.Solve(-0.5 * gradient);
   }
 
@@ -230,7 +234,9 @@ void RequireStart(
 bool Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& steps, double slope,
   const PlanarElements& elements, const InjectiveRefinementOptions& options)
 {
+  // Armijo's rule with the usual small share.
   constexpr double share = 1e-4;
+  // At most 0.8 of the way to the first flip, where the measure is infinite.
   double step = std::min(1.0, 0.8 * elements.LargestStep(points, steps));
   for (int halving = 0; halving < 50; ++halving, step *= 0.5)
   {
@@ -250,6 +256,9 @@ bool Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& step
 InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& system,
   const Eigen::MatrixXd& start, const InjectiveRefinementOptions& options, const Progress& progress)
 {
+  // Each iteration (Rabinovich et al. 2017): the local step computes gradients and weights of all
+  // triangles, the global step solves one linear system for the direction, and a line search bounds
+  // the step so that no triangle flips.
   InjectiveRefinementResult result;
   result.Points = start;
   result.StartEnergy = result.Energy = elements.Energy(start, options.Measure, options.Exponent);
@@ -266,13 +275,16 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
     // The first iterations gain most.
     const double done = 1.0 - 20.0 / (20.0 + result.Iterations);
     progress(done);
+    // Local step.
     const LocalTerms terms = TermsAt(
       result.Points, elements, options.Measure, options.Exponent, progress.Part(done, done));
     const Eigen::VectorXd gradient = system.Gradient(terms);
+    // Global step.
     const Eigen::VectorXd direction = system.Direction(terms, gradient);
     progress(done);
     const double before = result.Energy;
     ++result.Iterations;
+    // Line search. Energy and slope are divided by the area.
     if (!Search(result.Points, result.Energy, system.Spread(direction),
           gradient.dot(direction) / area, elements, options))
     {
@@ -307,6 +319,7 @@ InjectiveRefinementResult RefineInjectively(const Mesh& surface, const Eigen::Ma
   {
     return Descend(elements, system, start, options, progress);
   }
+  // The exponential measure of a bad start may overflow, so SymmetricDirichlet improves it first.
   InjectiveRefinementOptions gentle = options;
   gentle.Measure = Distortion::SymmetricDirichlet;
   const InjectiveRefinementResult first =

@@ -37,6 +37,8 @@ int GetConeCount(OrbifoldType type)
 
 OrbifoldTile BuildOrbifoldTile(OrbifoldType type)
 {
+  // The first and the last leg have an end with one position: their isometries are rotations around
+  // it. Both ends of the Rectangle's middle leg have two positions: its isometry is a translation.
   const double height = std::sqrt(0.75);
   const Complex sixth(0.5, height), third(-0.5, height), quarter(0.0, 1.0), half(-1.0, 0.0);
   OrbifoldTile tile;
@@ -80,6 +82,7 @@ std::vector<PlaneIsometry> ComputeOrbifoldMotions(
   // reached from the identity through isometries within this slack.
   constexpr double slack = 4.0;
   const auto moved = [&](const PlaneIsometry& motion) { return std::abs(motion(centre) - centre); };
+  // A breadth-first search through the group.
   std::vector<PlaneIsometry> found = { PlaneIsometry() };
   for (std::size_t i = 0; i < found.size(); ++i)
   {

@@ -167,6 +167,7 @@ private:
     {
       return;
     }
+    // With p = Turn z + Shift the derivative by z is conj(Turn) w (p - q).
     const Complex back = weight * std::conj(p.Motion.Turn);
     this->AddBlock(p.Unknown, p.Unknown, weight);
     if (q.Unknown >= 0)
@@ -221,11 +222,19 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
   OrbifoldType type, const Progress& progress)
 {
   progress(0.0);
+  // Outline (Aigerman and Lipman 2015):
+  // 1. The surface is cut along a path through the cones, which makes it a disk.
+  // 2. Cones have given positions. A point on the cut has two copies: one is an unknown, the other
+  //    is its image under the leg's isometry.
+  // 3. The Dirichlet energy of all edges, with positive cotangent weights, gives the equations of
+  //    the weighted means.
+  // 4. The solution, checked with exact predicates.
   RequireSphere(surface);
   RequireCones(surface, cones, type);
   OrbifoldImage image;
   image.Cones = cones;
   image.Tile = BuildOrbifoldTile(type);
+  // Step 1: the cut.
   const EdgePath path = FindEdgePathThrough(surface, cones, progress.Part(0.1, 0.2));
   std::vector<std::array<int, 2>> edges;
   for (std::size_t i = 1; i < path.Points.size(); ++i)
@@ -235,7 +244,9 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
   image.Cut = CutAlongEdges(surface, edges);
   progress(0.3);
 
+  // Step 2: the unknowns.
   const auto [positions, unknowns] = GetLoopPositions(image.Cut, path, image.Tile);
+  // Step 3: the equations.
   const Eigen::MatrixXi& triangles = surface.Triangles();
   const Eigen::SparseMatrix<double> weights =
     BuildPositiveStiffness(BuildCotangentStiffness(triangles,
@@ -254,6 +265,7 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
     }
   }
   progress(0.4);
+  // Step 4: the solution.
   const std::vector<Complex> solution = equations.Solve();
   progress(0.9);
   image.Points.resize(static_cast<Eigen::Index>(positions.size()), 2);

@@ -246,10 +246,13 @@ ParameterizeResult Parameterize(const Surface& surface, const Eigen::MatrixXd& l
   const bool isCut = options.Domain == ParameterizeOptions::DomainType::Orbifold;
   const Mesh& mapped = isCut ? result.Cut.Surface : surface.AsMesh();
   const Eigen::MatrixXd& image = isCut ? result.CutPositions : result.Positions;
+  // The mean distortion, weighted by the surface's area: twice the areas serve as weights.
   const Eigen::VectorXd areas = ComputeAreaVectors(mapped).rowwise().norm();
   result.ConformalDistortion = areas.dot(ComputeConformalDistortion(mapped, image)) / areas.sum();
   if (options.Domain != ParameterizeOptions::DomainType::Sphere)
   {
+    // A free boundary has the size of minimum distortion. The other domains have a fixed size, so
+    // the surface is scaled to the image's area.
     const bool hasOwnSize = options.Domain == ParameterizeOptions::DomainType::FreeBoundary;
     const PlanarElements elements(mapped, hasOwnSize ? 1.0 : ScaleTo(image, mapped));
     result.Energy = std::min(

@@ -20,6 +20,7 @@ DistortionTerms SymmetricDirichletTerms(const Vector2d& s)
   DistortionTerms terms{ s.squaredNorm() + s.cwiseInverse().squaredNorm(), {}, {} };
   for (int i = 0; i < 2; ++i)
   {
+    // c = 1, and s - s^-3 = (s - 1) (s + 1) (s^2 + 1) / s^3.
     terms.Gradient(i) = 2.0 * (s(i) - 1.0 / Cubed(s(i)));
     terms.Weights(i) = (s(i) + 1.0) * (s(i) * s(i) + 1.0) / Cubed(s(i));
   }
@@ -52,6 +53,8 @@ DistortionTerms ConformalTerms(const Vector2d& s)
   for (int i = 0; i < 2; ++i)
   {
     const double other = s(1 - i);
+    // With the other value o and c = sqrt(s o): the gradient is (s - o) (s + o) / (o s^2), and (s -
+    // o) / (s - c) = (sqrt s + sqrt o) / sqrt s.
     terms.Gradient(i) = 1.0 / other - other / (s(i) * s(i));
     terms.Weights(i) = roots.sum() * s.sum() / (2.0 * roots(i) * other * s(i) * s(i));
   }
@@ -64,6 +67,7 @@ DistortionTerms LogarithmicTerms(const Vector2d& s)
   for (int i = 0; i < 2; ++i)
   {
     const double apart = s(i) - 1.0;
+    // c = 1; log1p keeps log(s) / (s - 1) accurate near 1, where its limit is 1.
     terms.Gradient(i) = 2.0 * std::log(s(i)) / s(i);
     terms.Weights(i) = apart == 0.0 ? 1.0 : std::log1p(apart) / (s(i) * apart);
   }
@@ -72,6 +76,7 @@ DistortionTerms LogarithmicTerms(const Vector2d& s)
 
 DistortionTerms Exponential(const DistortionTerms& inner, double exponent)
 {
+  // The chain rule: both are multiplied by the derivative of the exponential.
   const double value = std::exp(exponent * inner.Value);
   return { value, exponent * value * inner.Gradient, exponent * value * inner.Weights };
 }
@@ -101,6 +106,7 @@ DistortionTerms EvaluateDistortion(
     case Distortion::ARAP:
       break;
   }
+  // ARAP is a quadratic form already: all weights are 1.
   const Vector2d apart = singular.array() - 1.0;
   return { apart.squaredNorm(), 2.0 * apart, Vector2d::Ones() };
 }

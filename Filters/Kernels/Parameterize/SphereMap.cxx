@@ -85,6 +85,9 @@ public:
 
   void Step(double timeStep)
   {
+    // Kazhdan et al. 2012, equation 9: (M_t + dt L_0) x = M_t x_t. Unlike in mean curvature flow,
+    // the stiffness L_0 is that of the given surface. The flow shrinks the surface, so it is scaled
+    // back to area 1.
     this->Recentre();
     const Eigen::VectorXd masses = ComputePointAreas(this->Moving);
     Eigen::SparseMatrix<double> system = timeStep * this->Stiffness;
@@ -140,6 +143,8 @@ double MeanDistortion(const Mesh& mesh, const TriangleAngles& angles, const Eige
     const Eigen::RowVector3d a = sphere.row(mesh.Triangles(t, 0));
     const Eigen::RowVector3d b = sphere.row(mesh.Triangles(t, 1));
     const Eigen::RowVector3d c = sphere.row(mesh.Triangles(t, 2));
+    // With the triangle's area A: four times the Dirichlet energy, 2 A (s1^2 + s2^2), and four
+    // times the image's area, 4 A s1 s2.
     const double energy = angles.Cotangents(t, 0) * (c - b).squaredNorm() +
       angles.Cotangents(t, 1) * (a - c).squaredNorm() +
       angles.Cotangents(t, 2) * (b - a).squaredNorm();
@@ -155,6 +160,8 @@ Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
   const Eigen::SparseMatrix<double>& stiffness, const SphereMapOptions& options, int& iterations,
   const Progress& progress)
 {
+  // After the first free steps the flow continues from the image on the sphere. It stops when three
+  // steps in a row gain nothing.
   ConformalFlow flow(mesh, stiffness);
   Eigen::MatrixXd best;
   double minimum = std::numeric_limits<double>::infinity();
@@ -223,12 +230,20 @@ int CountFlips(const Mesh& mesh, const Eigen::MatrixXd& sphere)
 bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& options,
   SphereMapResult& result, const Progress& progress)
 {
+  // Outline:
+  // 1. A first image on the sphere, by the flow or by global reinsertion.
+  // 2. It is mirrored if it faces inwards.
+  // 3. It is centred. If triangles are flipped, their points are reinserted and relaxed, and it is
+  //    centred again.
   const int n = static_cast<int>(mesh.Points.rows());
   const TriangleAngles angles = ComputeTriangleAngles(mesh);
   result.Method = method;
   result.Iterations = 0;
   result.Reinserted = 0;
+  // The number of points that may be reinserted. A conformal map with many flipped triangles is
+  // not repaired: the next method is tried.
   int maximum = n;
+  // Step 1: the first image.
   if (method == SphereMapMethod::GlobalReinsertion)
   {
     result.Points =
@@ -248,12 +263,13 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
     }
     result.Points =
       FlowToSphere(mesh, angles, stiffness, options, result.Iterations, progress.Part(0.0, 0.8));
+    // Step 2: orientation.
     if (ComputeSolidAngles(mesh.Triangles, result.Points).sum() < 0.0)
     {
       result.Points = -result.Points;
     }
   }
-  // Centring may flip a triangle again: it preserves circles, but not straight edges.
+  // Step 3. Centring may flip a triangle again: it preserves circles, but not straight edges.
   const Eigen::VectorXd areas = ComputePointAreas(mesh);
   const int rounds = 8;
   for (int round = 0; round < rounds; ++round)
@@ -304,6 +320,7 @@ SphereMapResult MapToSphere(
     {
       continue;
     }
+    // Each method takes half of the remaining progress: usually the first one succeeds.
     const double end = 0.5 * (1.0 + begin);
     try
     {

@@ -42,6 +42,8 @@ double Energy(
 Eigen::RowVector3d NewtonStep(
   const Eigen::MatrixXd& points, const Eigen::RowVector3d& a, const std::vector<StarTriangle>& star)
 {
+  // E = N / D with a quadratic N and, in the tangent plane, a linear D. So E' = (N' - E D') / D and
+  // E'' = (N'' - E' D'^T - D' E'^T) / D.
   Eigen::Matrix<double, 2, 3> tangents;
   tangents.row(0) = a.unitOrthogonal();
   tangents.row(1) = a.cross(Eigen::RowVector3d(tangents.row(0)));
@@ -63,6 +65,7 @@ Eigen::RowVector3d NewtonStep(
       determinant;
   }
   const double trace = hessian.trace();
+  // Almost singular by rounding: a step against the gradient.
   if (!(hessian.determinant() > 1e-12 * trace * trace) || !(trace > 0.0))
   {
     hessian = std::max(std::abs(trace), 1e-300) * Eigen::Matrix2d::Identity();

@@ -16,6 +16,7 @@ bool FacesOutwardsFrom(
   const Eigen::RowVector3d ab = b - a;
   const Eigen::RowVector3d ac = c - a;
   const double determinant = a.dot(ab.cross(ac));
+  // The determinant with absolute values of all products bounds its rounding error.
   const double permanent = std::abs(a(0)) * (std::abs(ab(1) * ac(2)) + std::abs(ab(2) * ac(1))) +
     std::abs(a(1)) * (std::abs(ab(2) * ac(0)) + std::abs(ab(0) * ac(2))) +
     std::abs(a(2)) * (std::abs(ab(0) * ac(1)) + std::abs(ab(1) * ac(0)));
@@ -60,6 +61,7 @@ Eigen::VectorXd ComputeSolidAngles(const Eigen::MatrixXi& triangles, const Eigen
     const Eigen::RowVector3d a = points.row(triangles(t, 0));
     const Eigen::RowVector3d b = points.row(triangles(t, 1));
     const Eigen::RowVector3d c = points.row(triangles(t, 2));
+    // Van Oosterom and Strackee 1983, for unit vectors.
     angles(t) =
       2.0 * std::atan2(ComputeSphericalDeterminant(a, b, c), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
   }

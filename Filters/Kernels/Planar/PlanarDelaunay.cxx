@@ -54,6 +54,7 @@ std::uint64_t AlongCurve(std::uint32_t x, std::uint32_t y)
     const bool isRight = (x & half) != 0, isUpper = (y & half) != 0;
     const unsigned int quarter = isRight ? (isUpper ? 2U : 3U) : (isUpper ? 1U : 0U);
     along = 4 * along + quarter;
+    // The lower quarters of the curve are mirrored at a diagonal.
     if (!isUpper)
     {
       if (isRight)
@@ -96,6 +97,7 @@ std::vector<int> InsertionOrder(const Eigen::MatrixXd& points, const Eigen::Vect
 /// Inserts all points; returns false if they are collinear.
 bool InsertAll(PlanarTriangles& plane, const std::vector<int>& order)
 {
+  // The first triangle needs three points that are not collinear.
   std::size_t third = 2;
   while (third < order.size() && plane.Turn(order[0], order[1], order[third]) == 0)
   {
@@ -139,6 +141,7 @@ void RequireClosed(const Eigen::MatrixXi& segments, const Eigen::VectorXi& first
 /// Returns the winding number of the segments around each triangle.
 std::vector<int> Windings(const PlanarTriangles& plane)
 {
+  // The search starts at the triangles at infinity, which no outline encloses.
   std::vector<int> windings(plane.Sides() / 3, 0);
   std::vector<char> isReached(windings.size(), 0);
   std::vector<int> reached;
@@ -160,6 +163,7 @@ std::vector<int> Windings(const PlanarTriangles& plane)
       if (isReached[beyond] == 0)
       {
         isReached[beyond] = 1;
+        // To the left of an outline the winding number is greater by one than to its right.
         windings[beyond] = windings[triangle] - plane.Mark(side).Winding;
         reached.push_back(beyond);
       }
@@ -227,6 +231,13 @@ void AddEdges(const PlanarTriangles& plane, const Eigen::MatrixXi& segments,
 PlanarTriangulation TriangulateInPlane(const Eigen::MatrixXd& points,
   const Eigen::MatrixXi& segments, const PlanarDelaunayOptions& options)
 {
+  // Outline:
+  // 1. The input is checked; points at the same position become one.
+  // 2. Points are inserted one by one and edges flipped (Lawson 1977), along a curve, so that each
+  //    insertion starts near the last one.
+  // 3. Segments become edges, by flips (Lee and Lin 1986: constrained Delaunay).
+  // 4. Triangles are kept by their winding number.
+  // 5. The edges of each segment are collected.
   RequireSupportedFeatures(points, segments);
   const std::vector<int> first = FindCoincidentPoints(points);
   PlanarTriangulation result{ points, Eigen::MatrixXi(0, 3),
@@ -238,11 +249,13 @@ PlanarTriangulation TriangulateInPlane(const Eigen::MatrixXd& points,
   {
     RequireClosed(segments.topRows(outlines), result.SamePoint, options.Keep);
   }
+  // Step 2: points.
   PlanarTriangles plane(points, options.Metric);
   if (points.rows() < 3 || !InsertAll(plane, InsertionOrder(points, result.SamePoint)))
   {
     return result;
   }
+  // Step 3: segments.
   SegmentRecovery recovery(plane, options.AddCrossings, segments.rows());
   for (int i = 0; i < static_cast<int>(segments.rows()); ++i)
   {
@@ -254,7 +267,9 @@ PlanarTriangulation TriangulateInPlane(const Eigen::MatrixXd& points,
   {
     result.Points.row(i) = plane.Position(i);
   }
+  // Step 4: triangles that are kept.
   result.Triangles = KeptTriangles(plane, options.Keep);
+  // Step 5: edges of the segments.
   AddEdges(plane, segments, recovery, result);
   return result;
 }

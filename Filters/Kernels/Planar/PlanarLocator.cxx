@@ -22,7 +22,8 @@ PlanarLocator::PlanarLocator(
     this->Lower = points.colwise().minCoeff();
     this->Upper = points.colwise().maxCoeff();
   }
-  // About as many square cells as triangles.
+  // About as many square cells as triangles. The bound on the shape limits their number if all
+  // points lie nearly on a line.
   const RowVector2d size = this->Upper - this->Lower;
   const double longest = size.maxCoeff();
   if (longest > 0.0)
@@ -67,6 +68,7 @@ PlanarLocator::PlanarLocator(
   {
     counts[t] = counts[t] && EvaluateOrientation(corner(t, 0), corner(t, 1), corner(t, 2)) > 0;
   }
+  // Triangles are counted for each cell, then listed, cell by cell and ascending.
   this->First.assign(this->Cells[0] * this->Cells[1] + 1, 0);
   forEachCell([&](int cell, int) { ++this->First[cell + 1]; });
   for (std::size_t i = 1; i < this->First.size(); ++i)
@@ -104,6 +106,7 @@ PlanarPoint PlanarLocator::Find(const RowVector2d& position) const
     const RowVector2d a = this->Points.row(this->Triangles(triangle, 0)),
                       b = this->Points.row(this->Triangles(triangle, 1)),
                       c = this->Points.row(this->Triangles(triangle, 2));
+    // Triangles of a cell ascend, so the first that contains the position has the lowest number.
     if (EvaluateOrientation(a, b, position) >= 0 && EvaluateOrientation(b, c, position) >= 0 &&
       EvaluateOrientation(c, a, position) >= 0)
     {
@@ -111,6 +114,7 @@ PlanarPoint PlanarLocator::Find(const RowVector2d& position) const
       { return std::max(0.0, u(0) * v(1) - u(1) * v(0)); };
       const Eigen::RowVector3d areas(area(b - position, c - position),
         area(c - position, a - position), area(a - position, b - position));
+      // The choice of the triangle is exact; the barycentric coordinates are rounded.
       found.Triangle = triangle;
       found.Barycentric = areas / areas.sum();
       return found;

@@ -35,6 +35,7 @@ int PlanarOutline::Bin(double y) const
 
 int PlanarOutline::Side(const Eigen::RowVector2d& position) const
 {
+  // The parity of the number of edges that the ray to the right crosses.
   bool inside = false, on = false;
   this->ForEachNear(position, { this->High.x(), position.y() },
     [&](int side)
@@ -66,6 +67,7 @@ bool PlanarOutline::Crosses(const Eigen::Matrix<double, 3, 2>& triangle) const
 
 bool PlanarOutline::Covers(const Eigen::Matrix<double, 3, 2>& triangle) const
 {
+  // If no edge intersects the triangle, all its positions are on one side of the outline.
   return this->Crosses(triangle) || this->Side(triangle.colwise().mean()) > 0;
 }
 

@@ -56,6 +56,9 @@ std::vector<int> ChainOf(const std::array<int, 2>& chord, const PlanarTriangulat
 TriangleSplit SplitTriangle(const Eigen::Matrix3d& corners, const Eigen::MatrixXd& points,
   int outline, const std::vector<std::array<int, 2>>& chords)
 {
+  // The triangle's boundary and the chords are segments of a constrained Delaunay triangulation.
+  // Coordinates are barycentric, where positions on the boundary are exact; the metric makes the
+  // triangles well shaped in space.
   const auto count = static_cast<int>(chords.size());
   Eigen::MatrixXi segments(outline + count, 2);
   for (int i = 0; i < outline; ++i)
@@ -80,6 +83,7 @@ TriangleSplit SplitTriangle(const Eigen::Matrix3d& corners, const Eigen::MatrixX
     const Eigen::RowVector2d position = plane.Points.row(points.rows() + i);
     split.Added.row(i) << 1.0 - position.sum(), position;
   }
+  // Chains of edges: a boundary segment must stay one edge, and a chord may have crossings.
   Eigen::Index first = 0;
   for (int i = 0; i < outline + count; ++i)
   {

@@ -17,6 +17,9 @@ struct CornerTable
 
 const CornerTable& TableOf(CellShape shape)
 {
+  // For affine images of the regular cells, the determinant at a corner is three times the volume
+  // of a pyramid, twice the volume of a wedge, and the volume of a hexahedron. The share divides by
+  // this factor and by the number of corners.
   static const CornerTable triangle{ { { 0, 1, 2, -1 } }, 1.0 / 2.0 };
   static const CornerTable tetrahedron{ { { 0, 1, 2, 3 } }, 1.0 / 6.0 };
   static const CornerTable pyramid{

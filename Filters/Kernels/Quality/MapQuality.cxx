@@ -94,6 +94,7 @@ public:
     {
       const Eigen::MatrixXd& from = this->OnSphere ? this->Points : this->Around;
       reference = from.row(triangle[0]) + from.row(triangle[1]) + from.row(triangle[2]);
+      // The triangle itself has contributed at its three corners.
       reference -= this->OnSphere ? Eigen::RowVector3d::Zero().eval() : (3.0 * area).eval();
     }
     return area.dot(reference) < 0.0 ? -1.0 : 1.0;
@@ -109,6 +110,7 @@ private:
 /// Computes the measures from |J|^2, |adj J|^2, det J and the sum of the signed singular values.
 Measures FromInvariants(int d, double square, double adjugate, double determinant, double trace)
 {
+  // |J^-1|^2 = |adj J|^2 / det^2, and the sum of (s_i - 1)^2 is |J|^2 - 2 sum s_i + d.
   const double size = std::abs(determinant);
   Measures measures;
   measures << determinant, 0.5 * square, square + adjugate / (size * size),
@@ -129,6 +131,7 @@ Measures OfTriangle(const Eigen::Matrix3d& source, const Eigen::Matrix3d& image,
     (image.col(1) - u.dot(v) / square * image.col(0)) * (std::sqrt(square) / u.cross(v).norm());
   const double norm = first.squaredNorm() + second.squaredNorm();
   const double determinant = sign * first.cross(second).norm();
+  // In two dimensions |adj J| = |J|, and (s_1 + s_2)^2 = |J|^2 + 2 det.
   return FromInvariants(
     2, norm, norm, determinant, std::sqrt(std::max(0.0, norm + 2.0 * determinant)));
 }
@@ -148,6 +151,7 @@ Measures OfTetrahedron(const Eigen::Matrix3d& source, const Eigen::Matrix3d& ima
   {
     values = svd.singularValues();
   }
+  // The smallest singular value carries the sign of the determinant.
   values(2) = determinant < 0.0 ? -values(2) : values(2);
   return FromInvariants(3, jacobian.squaredNorm(), adjugate, determinant, values.sum());
 }

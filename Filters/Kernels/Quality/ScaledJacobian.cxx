@@ -13,6 +13,7 @@ namespace
 
 double Scaled(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c)
 {
+  // The determinant of the edges at unit length. An edge without length is the worst case.
   const double lengths = a.norm() * b.norm() * c.norm();
   return lengths > 0.0 ? std::clamp(a.dot(b.cross(c)) / lengths, -1.0, 1.0) : -1.0;
 }
@@ -29,6 +30,7 @@ double ComputeScaledJacobian(const Eigen::Matrix<double, 8, 3>& corners)
     { return corners.row(ends[k]) - corners.row(corner); };
     minimum = std::min(minimum, Scaled(edge(0), edge(1), edge(2)));
   }
+  // At the centre the edges are replaced by the axes between opposite faces.
   const auto between = [&](const int* low, const int* high)
   {
     Eigen::RowVector3d axis = Eigen::RowVector3d::Zero();

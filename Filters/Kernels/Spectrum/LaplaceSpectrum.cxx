@@ -40,6 +40,7 @@ public:
     progress(0.0);
     constexpr int few = 600; // up to this many points, all eigenpairs are found as quickly
     const auto points = static_cast<int>(this->Masses().size());
+    // The first pair is known: the constant function.
     this->Values = Eigen::VectorXd::Zero(1);
     this->Vectors = this->Shares.cwiseSqrt();
     if (points <= std::max(few, 3 * pairs))
@@ -65,6 +66,7 @@ public:
 private:
   void FindDensely(int pairs)
   {
+    // M^-1/2 L M^-1/2 has the same eigenvalues and is symmetric.
     const Eigen::VectorXd inverse = this->Shares.cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(
       inverse.asDiagonal() * Eigen::MatrixXd(this->Laplacian->Stiffness) * inverse.asDiagonal());
@@ -75,6 +77,8 @@ private:
   void FindByLanczos(int pairs, double tolerance, const Progress& progress)
   {
     constexpr double shift = 1.0; // less than the first eigenvalue, unless the surface has a neck
+    // Shift and invert: the smallest eigenvalues lambda become the largest ones, 1 / (lambda +
+    // shift).
     Eigen::SparseMatrix<double> shifted = this->Laplacian->Stiffness;
     shifted.diagonal() += shift * this->Shares;
     SparseCholesky factor;
@@ -143,6 +147,8 @@ std::vector<ComponentSpectrum> FindEnough(
     wanted.push_back(1 + static_cast<int>(std::ceil(pairs * part.Masses().sum() / area)));
   }
   double begin = 0.0;
+  // A component has enough pairs if its largest eigenvalue is at least the largest one needed.
+  // Otherwise the number of its pairs is doubled.
   while (found != wanted)
   {
     const double step = 0.5 * (1.0 - begin) / static_cast<double>(parts.size());
@@ -203,6 +209,10 @@ LaplaceSpectrum SolveLaplaceEigenproblem(
   const Surface& surface, int pairs, const Progress& progress, double tolerance)
 {
   progress(0.0);
+  // Outline:
+  // 1. Each component is solved separately, with enough pairs.
+  // 2. The pairs of all components are sorted; the smallest are kept.
+  // 3. The sign of each eigenfunction is made independent of the solver.
   const Topology topology = RequireManifold(surface, "the surface");
   const auto used = static_cast<int>((topology.ComponentId.array() >= 0).count());
   if (pairs < 1 || pairs > used)
@@ -211,6 +221,7 @@ LaplaceSpectrum SolveLaplaceEigenproblem(
       "; it must be at least 1 and at most the number of points that triangles use, " +
       std::to_string(used));
   }
+  // Step 1: the pairs of each component.
   const std::vector<ComponentSpectrum> parts =
     FindEnough(SplitIntoComponents(surface, used), pairs, tolerance, progress.Part(0.0, 0.95));
   const std::vector<std::vector<int>> pointsOf = PointsOfComponents(topology);
@@ -224,11 +235,13 @@ LaplaceSpectrum SolveLaplaceEigenproblem(
     spectrum.Masses(pointsOf[c]) = parts[c].Masses();
     functions.push_back(parts[c].Eigenfunctions());
   }
+  // Step 2: the smallest pairs.
   const std::vector<Position> positions = InOrder(parts);
   for (int k = 0; k < pairs; ++k)
   {
     const Position& position = positions[k];
     const auto function = functions[position.Component].col(position.Column);
+    // Step 3: the sign.
     Eigen::Index largest = 0;
     function.cwiseAbs().maxCoeff(&largest);
     spectrum.Eigenvalues(k) = position.Value;

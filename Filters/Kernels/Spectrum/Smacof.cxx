@@ -42,6 +42,8 @@ double Transform(
     const auto wanted = distances.col(j).head(j).array();
     products += 2.0 * (wanted * now.head(j)).sum();
     lengths += 2.0 * squares.head(j).sum();
+    // Row j of the Guttman transform is the sum over i of wanted / current distance times
+    // (x_j - x_i), divided by the number of points. It does not change if all positions are scaled.
     // The direction between points at the same position is undefined; their term is 0.
     ratios.head(j) = (now.head(j) > 0.0).select(wanted / now.head(j), 0.0);
     for (Eigen::Index k = 0; k < dimensions; ++k)
@@ -52,6 +54,7 @@ double Transform(
     }
   }
   transformed /= static_cast<double>(count);
+  // The stress sum (wanted - a now)^2 is minimal for a = products / lengths.
   if (lengths <= 0.0)
   {
     return distances.squaredNorm();
@@ -64,6 +67,7 @@ double Transform(
 Eigen::MatrixXd Majorised(
   const Eigen::MatrixXd& distances, const SmacofOptions& options, const Progress& progress)
 {
+  // Classical scaling gives the start.
   const Eigen::MatrixXd squares = distances.array().square();
   const Eigen::RowVectorXd means = squares.colwise().mean();
   Eigen::MatrixXd positions =
@@ -99,6 +103,7 @@ EmbeddedSamples EmbedSamples(
   const std::vector<int> points =
     SampleFarthestPoints(surface, options.Samples, progress.Part(0.0, 0.2));
   const Eigen::MatrixXd all = ComputeHeatDistances(surface, points, progress.Part(0.2, 0.7));
+  // Computed distances are not exactly symmetric, so the mean of both directions is used.
   const Eigen::MatrixXd between = all(points, Eigen::all);
   return { points,
     Majorised(0.5 * (between + between.transpose()), options, progress.Part(0.7, 1.0)) };
@@ -110,6 +115,8 @@ Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSampl
   const std::shared_ptr<const IntrinsicLaplacian> laplacian = GetIntrinsicLaplacian(surface);
   const Eigen::SparseMatrix<double>& stiffness = laplacian->Stiffness;
   const Eigen::VectorXd& masses = laplacian->Masses;
+  // The smoothness energy X' L M^-1 L X (Rustamov 2011); its minimum with given samples is a linear
+  // system for the other points.
   const Eigen::VectorXd inverse = (masses.array() > 0.0).select(1.0 / masses.array(), 0.0);
   const Eigen::SparseMatrix<double> energy = stiffness * inverse.asDiagonal() * stiffness;
 
@@ -134,6 +141,7 @@ Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSampl
   {
     return result;
   }
+  // The given positions move to the right side.
   const Eigen::MatrixXd load = -(energy * result);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(energy.nonZeros());

@@ -25,6 +25,7 @@ SpectralAnalysis ComputeLaplaceSpectrum(
   analysis.WaveKernel = ComputeWaveKernelSignature(analysis.Spectrum);
   if (!isSpectral)
   {
+    // The default of EmbedByClassicalMds.
     constexpr int samples = 500;
     analysis.Embedding =
       EmbedByClassicalMds(surface, options.EmbeddingDimensions, samples, progress.Part(share, 1.0));

@@ -37,6 +37,8 @@ double Between(double first, double last, int i, int count)
 Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
+  // exp(-4 ln 10) = 1e-4. So at the first time the last eigenfunction has decayed to 1e-4, and at
+  // the last time the first one that is not constant.
   const double reach = 4.0 * std::log(10.0);
   const double first = std::log(reach / spectrum.Eigenvalues.tail(1)(0)),
                last = std::log(reach / spectrum.Eigenvalues(zeros));
@@ -46,6 +48,7 @@ Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
     weights.col(i) =
       (-std::exp(Between(first, last, i, times)) * spectrum.Eigenvalues).array().exp();
   }
+  // Sun et al. 2009: divided by the heat trace.
   weights.array().rowwise() /= weights.colwise().sum().array().eval();
   return weights;
 }
@@ -54,6 +57,7 @@ Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
 Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
+  // Aubry et al. 2011, equation 6: a normal distribution of the logarithm of the energy.
   const Eigen::ArrayXd logarithms =
     spectrum.Eigenvalues.tail(spectrum.Eigenvalues.size() - zeros).array().log();
   const double first = logarithms(0), last = logarithms.tail(1)(0);
@@ -100,6 +104,7 @@ Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceSpectrum& spectrum, int point
 Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, dimensions);
+  // Rustamov 2007, section 4.
   return spectrum.Eigenfunctions.middleCols(zeros, dimensions) *
     spectrum.Eigenvalues.segment(zeros, dimensions).cwiseSqrt().cwiseInverse().asDiagonal();
 }

@@ -64,6 +64,7 @@ std::string vtkShapeAlgorithm::GetLabel()
 std::string vtkShapeAlgorithm::LabelOf(const std::string& className)
 {
   std::string label;
+  // Without "vtk".
   for (const char letter : className.substr(3))
   {
     if (!label.empty() && std::isupper(static_cast<unsigned char>(letter)))
@@ -117,6 +118,8 @@ int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
   {
     info->Append(INPUT_REQUIRED_DATA_TYPE(), type.c_str());
   }
+  // Accepted by every port: the default composite executive would run the filter once for each
+  // block.
   info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(INPUT_IS_OPTIONAL(), declared.Use != PortUse::Required);
   info->Set(INPUT_IS_REPEATABLE(), declared.Use == PortUse::OptionalRepeatable);
@@ -130,6 +133,7 @@ int vtkShapeAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+/// The passes of the pipeline: create the outputs, describe them, request the inputs, compute.
 vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -228,12 +232,14 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
     std::string type = this->OutputTypes[port];
     if (type.empty())
     {
-      // Without an input the pipeline stops after this, and says so.
+      // Without an input the pipeline stops after this, with a message.
       const auto points = this->MovedOutputs.count(port) ? vtkShapeComposite::Points::Moved
                                                          : vtkShapeComposite::Points::Kept;
+      // The type is known only now: that of an output like an input follows from the input's.
       type = input ? vtkShapeComposite::FindOutputType(input, points) : "vtkPolyData";
     }
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    // An output of the right type is kept, so that views and links to it remain valid.
     if (!output || type != output->GetClassName())
     {
       vtkSmartPointer<vtkDataObject> created;
@@ -252,11 +258,14 @@ void vtkShapeAlgorithm::PrepareInputs()
     const InputPort& declared = this->InputPorts[port];
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
+      // A selection may be empty, and is gathered with the surface that it marks.
       if (declared.Data == PortData::Selection)
       {
         continue;
       }
       vtkDataObject* input = this->GetInputDataObject(port, i);
+      // Empty means empty on all processes: one that has no piece must still take part in the
+      // collectives.
       if (vtkShapeGather::CountPoints(input, this->Controller) == 0)
       {
         throw shape::InvalidInput(
@@ -289,7 +298,7 @@ shape::Progress vtkShapeAlgorithm::MakeProgress()
   return shape::Progress(
     [this](double fraction)
     {
-      // Progress only rises: what is done is done, even where a part was estimated wrongly.
+      // Progress never decreases, even if a part was estimated wrongly.
       this->UpdateProgress(std::clamp(fraction, this->GetProgress(), 1.0));
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
       return !this->CheckAbort();
@@ -304,6 +313,7 @@ void vtkShapeAlgorithm::AddCount(int port, const std::string& name, double own)
   this->Counts.push_back({ port, name, own });
 }
 
+/// After the processes have agreed on success: the sum is a collective.
 void vtkShapeAlgorithm::WriteCounts(vtkInformationVector* outputs)
 {
   for (Count& count : this->Counts)
@@ -336,10 +346,12 @@ void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
   }
 }
 
+/// The only place that catches the exceptions of kernels and wrappers. After it, all processes
+/// agree on failure, before the next collective.
 int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
 {
   bool stopped = true;
-  std::string message; // stays empty where the user stopped it
+  std::string message; // empty if the user stopped it
   try
   {
     this->UpdateProgress(0.0);
@@ -361,6 +373,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   {
     message = error.what();
   }
+  // Gathered inputs are copies as large as the inputs.
   this->GatheredInputs.clear();
   vtkShapeGather::AgreeOnFailure(this->Controller, stopped, message);
   if (!stopped)
@@ -371,8 +384,10 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
+    // No partial output.
     vtkDataObject::GetData(outputs, port)->Initialize();
   }
+  // An abort by the user is no error.
   if (message.empty())
   {
     return 1;

@@ -2,8 +2,8 @@
  * @class   vtkShapeAlgorithm
  * @brief   base of every ShapeMap filter
  *
- * A filter declares its ports in its constructor and overrides Execute. This class does the rest:
- * port information, output types, progress, abort, errors, distributed inputs.
+ * A filter declares its ports in its constructor and overrides Execute. This class handles port
+ * information, output types, progress, abort, errors and distributed inputs.
  *
  * - A Pieces port gives Execute the data of this process. A Whole port gives it the complete data:
  *   blocks and the pieces of all processes are gathered into one vtkPolyData or
@@ -13,8 +13,8 @@
  * - Execute throws shape::InvalidInput or shape::SolveFailure. Each becomes one error event whose
  *   text starts with the label of the filter. All outputs are empty, and the request fails. If one
  *   process fails, all of them do.
- * - An output like an input has its type.
- * - An output with points of its own keeps no measure of the geometry of its inputs: see
+ * - An output that is declared like an input has the type of that input.
+ * - An output whose points differ from its inputs' keeps no measure of their geometry: see
  *   vtkShapeMeasures.
  */
 #ifndef vtkShapeAlgorithm_h
@@ -35,7 +35,7 @@ class vtkMultiProcessController;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-/// Set/Get a field of this->`options` that is a number, a truth value or a small vector of them.
+/// Set/Get a field of this->`options` that is a number, a Boolean or a small vector of them.
 #define vtkShapeOptionOf(options, name, type)                                                      \
   virtual void Set##name(type value)                                                               \
   {                                                                                                \
@@ -108,12 +108,13 @@ public:
   std::string GetLabel();
   static std::string LabelOf(const std::string& className);
 
-  /// What an input port is called, in errors and in ParaView: "Domain".
+  /// The name of an input port in errors and in ParaView, such as "Domain".
   std::string GetInputName(int port);
 
   ///@{
-  /// The processes whose pieces belong together; the global controller at first. With nullptr, or
-  /// with one process, nothing is communicated; else every process must update the filter.
+  /// The processes that hold pieces of the same data; initially those of the global controller.
+  /// With nullptr, or with one process, nothing is communicated. Otherwise every process must
+  /// update the filter.
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
@@ -127,11 +128,11 @@ protected:
 
   enum class PortData
   {
-    Pieces,       ///< this process's part, also composite
+    Pieces,       ///< the part of this process, which may be composite
     Whole,        ///< one vtkPolyData with the data of every block and process
     WholeSurface, ///< the same, with coincident points of several pieces merged
-    WholeGrid,    ///< one vtkUnstructuredGrid, of solid cells, too
-    Selection     ///< a vtkSelection, or cells extracted by one, which may be none
+    WholeGrid,    ///< one vtkUnstructuredGrid, which may contain solid cells
+    Selection     ///< a vtkSelection, or the cells that it extracted; may be empty
   };
   enum class PortUse
   {
@@ -146,34 +147,36 @@ protected:
   /// Appends an output port of a class.
   void DeclareOutput(const std::string& type);
   ///@{
-  /// Appends an output port like an input, the first if none is named, whose points are kept, or
-  /// moved: then image data and rectilinear grids become structured grids.
+  /// Appends an output port with the type of an input (by default the first).
+  /// DeclareOutputLikeInput keeps the points. DeclareMovedOutput moves those of the first input,
+  /// which turns image data and rectilinear grids into structured grids.
   void DeclareOutputLikeInput(int input = 0);
   void DeclareMovedOutput();
   ///@}
 
-  /// Says which measures Execute computes of the outputs. Other measures on an output with points
-  /// of its own are the inputs', and are removed or computed again after Execute.
+  /// Declares which measures of the outputs Execute computes. If the points of an output differ
+  /// from the inputs', other measures on it describe the inputs. They are removed or computed again
+  /// after Execute.
   void DeclareMeasures(const std::set<std::string>& names);
 
-  /// During Execute: field data of an output, the sum of the processes' numbers. Every process
-  /// calls it for the same facts in the same order.
+  /// Adds the sum of the processes' numbers to the field data of an output. Called during Execute,
+  /// by every process for the same names in the same order.
   void AddCount(int port, const std::string& name, double own);
 
-  /// Computes the outputs from inputs that are there and have points. Throws shape::InvalidInput,
-  /// shape::SolveFailure, shape::Aborted.
+  /// Computes the outputs. All required inputs are present and have points. Throws
+  /// shape::InvalidInput, shape::SolveFailure, shape::Aborted.
   virtual void Execute(const shape::Progress& progress) = 0;
 
   ///@{
-  /// For filters that know time: what the outputs offer (TIME_RANGE), called before anything is
-  /// made; and what the inputs are asked for (UPDATE_TIME_STEP). The pipeline's own answer, which
-  /// hands everything through, is there already.
+  /// For filters that depend on time. DescribeOutputs sets the times of the outputs (TIME_RANGE)
+  /// before any data are computed. RequestInputs sets the times requested from the inputs
+  /// (UPDATE_TIME_STEP). The defaults of the pipeline, which passes everything on, are already set.
   virtual void DescribeOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   virtual void RequestInputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   ///@}
 
-  /// A Whole input, and for each point that this process has, its index in the whole; or a
-  /// WholeGrid one.
+  /// The complete data of an input: Data and, for each point of this process, its index in Data
+  /// (OwnPoints); or Grid for a WholeGrid port.
   struct GatheredInput
   {
     vtkSmartPointer<vtkPolyData> Data;
@@ -192,12 +195,12 @@ private:
 
   struct InputPort;
   struct Count;
-  /// The outputs have every time that an input has: the pipeline hands on those of the first port
-  /// alone, and would not run a filter again for the times of another.
+  /// Gives the outputs the times of all inputs. The pipeline passes on those of the first port
+  /// only, and would not run a filter again for the times of another port.
   void OfferTimes(vtkInformationVector** inputs, vtkInformationVector* outputs);
   int CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  /// Asks a grid on another port than the first for this process's part of its own extent: the
-  /// pipeline would ask it for the extent of the output, which is the first input's.
+  /// Requests this process's part of the extent of each grid that is not on the first port. By
+  /// default the pipeline would request the extent of the output, which is that of the first input.
   void RequestOwnExtents(vtkInformationVector** inputs);
   int Run(vtkInformationVector* outputs);
   void WriteCounts(vtkInformationVector* outputs);
@@ -207,7 +210,7 @@ private:
 
   std::vector<InputPort> InputPorts;
   std::vector<std::string> OutputTypes; ///< empty: like an input
-  std::map<int, int> LikeInput;         ///< which input, for outputs that are not like the first
+  std::map<int, int> LikeInput;         ///< input of each output that is not like the first input
   std::set<int> MovedOutputs;
   std::set<std::string> MadeMeasures;
   std::vector<std::vector<GatheredInput>> GatheredInputs;

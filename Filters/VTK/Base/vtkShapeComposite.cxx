@@ -49,6 +49,7 @@ std::string vtkShapeComposite::FindOutputType(vtkDataObject* input, Points point
 {
   if (vtkCompositeDataSet::SafeDownCast(input))
   {
+    // Other composites, such as AMR, cannot hold structured or moved grids.
     return vtkDataObjectTree::SafeDownCast(input) ? input->GetClassName() : "vtkMultiBlockDataSet";
   }
   const bool keeps = points == Points::Kept || vtkPointSet::SafeDownCast(input);
@@ -58,6 +59,7 @@ std::string vtkShapeComposite::FindOutputType(vtkDataObject* input, Points point
 void vtkShapeComposite::Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output)
 {
   auto* moved = vtkPointSet::SafeDownCast(output);
+  // Images and rectilinear grids have no points of their own: moved, they are structured grids.
   if (auto* image = vtkImageData::SafeDownCast(input))
   {
     vtkStructuredGrid::SafeDownCast(output)->SetExtent(image->GetExtent());
@@ -88,6 +90,7 @@ void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Poi
     return;
   }
   auto* tree = vtkDataObjectTree::SafeDownCast(output);
+  // Otherwise the blocks are numbered in the order of traversal.
   const bool sameTree = input->IsA(output->GetClassName());
   if (sameTree)
   {
@@ -99,6 +102,7 @@ void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Poi
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
     auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
+    // Tables and other blocks without points cannot pass through a filter of points.
     if (!leaf)
     {
       throw shape::InvalidInput(std::string("a block is a ") +
@@ -141,6 +145,7 @@ void vtkShapeComposite::AddPointFields(
         vtkNew<vtkIdTypeArray> ids;
         ids->SetName(field.Name.c_str());
         ids->SetNumberOfTuples(count);
+        // Doubles represent all ids up to 2^53 exactly.
         std::transform(own.col(0).begin(), own.col(0).end(), ids->GetPointer(0),
           [](double id) { return static_cast<vtkIdType>(id); });
         to->GetPointData()->AddArray(ids);

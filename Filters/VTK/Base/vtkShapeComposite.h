@@ -9,47 +9,48 @@
 class vtkDataObject;
 class vtkDataSet;
 
-/// The data sets in a data object, composite or not, and outputs that have the like of them.
+/// Access to the data sets in a data object, composite or not, and outputs with the same structure.
 namespace vtkShapeComposite
 {
 
-/// The data set itself, or the blocks of a composite one that are there.
+/// Returns the data set itself, or the non-empty blocks of a composite one.
 std::vector<vtkDataSet*> Of(vtkDataObject* data);
 
-/// Whether an output like an input keeps its points.
+/// Whether an output keeps the points of its input.
 enum class Points
 {
   Kept,
-  Moved ///< anywhere: image data and rectilinear grids become structured grids
+  Moved ///< to any positions: image data and rectilinear grids become structured grids
 };
 
-/// The class of a data object like `input`; composites that are no trees become multiblocks.
+/// Returns the class of an output like `input`. Composites that are not trees become multiblocks.
 std::string FindOutputType(vtkDataObject* input, Points points);
 
 /**
- * Makes `output` the data set `input` with its points at `points` and its attributes passed on;
- * vtkShapeMeasures removes those that no longer hold. Image data and rectilinear grids become
+ * Copies the data set `input` to `output` with its points at `points`. Attributes are passed on;
+ * vtkShapeMeasures removes those that are no longer valid. Image data and rectilinear grids become
  * structured grids: see vtkShapeAlgorithm.
  */
 void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
 
 /**
- * Makes `output`, a FindOutputType(input, points), like `input`, and calls `fill` with each data
- * set in `input` and the empty one for it in `output`. Throws shape::InvalidInput
- * if a block is no data set.
+ * Gives `output`, a FindOutputType(input, points), the structure of `input`, and calls `fill` with
+ * each data set in `input` and its empty counterpart in `output`. Throws shape::InvalidInput if a
+ * block is not a data set.
  */
 void ForEach(vtkDataObject* input, vtkDataObject* output, Points points,
   const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill);
 
-/// Values of points (n x d), and the name of their array.
+/// Values at points (n x d), and the name of their array.
 struct PointField
 {
   std::string Name;
   Eigen::MatrixXd Values;
-  bool AreIds = false; ///< whole numbers, for an array of vtkIdType; n x 1
+  bool AreIds = false; ///< integers, for an array of vtkIdType; n x 1
 };
 
-/// Makes `output` like `input` with these fields of the points of its blocks, one after the other.
+/// Copies `input` to `output` and adds these fields, which contain the points of all blocks in
+/// order.
 void AddPointFields(
   vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields);
 

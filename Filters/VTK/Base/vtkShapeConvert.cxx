@@ -27,7 +27,9 @@
 namespace
 {
 
-/// A polygon or strip of n points makes n - 2 triangles.
+/// A polygon or strip of n points gives n - 2 triangles.
+/// vtkTriangleFilter drops polygons that it cannot triangulate without an error; the count reveals
+/// them.
 vtkIdType CountTriangles(vtkPolyData* surface)
 {
   vtkIdType count = 0;
@@ -41,7 +43,8 @@ vtkIdType CountTriangles(vtkPolyData* surface)
   return count;
 }
 
-/// The shape whose corners a cell type has; a voxel has a hexahedron's, in another order.
+/// Returns the shape whose corners a cell type has; a voxel has those of a hexahedron, in another
+/// order.
 bool ShapeOf(int cellType, shape::CellShape& shape)
 {
   switch (cellType)
@@ -67,7 +70,7 @@ bool ShapeOf(int cellType, shape::CellShape& shape)
   }
 }
 
-/// Adds the triangles or tetrahedra that a cell is cut into.
+/// Adds the triangles or tetrahedra into which a cell is divided.
 void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
 {
   const int corners = cell->GetCellDimension() + 1;
@@ -154,6 +157,7 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
   return cells;
 }
 
+/// VTK numbers the corners of pixels and voxels row by row, those of quads and hexahedra around.
 void vtkShapeConvert::ReorderVoxels(shape::Cells& cells)
 {
   for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
@@ -196,6 +200,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
   vtkDataSet* data, const std::string& name, const shape::Progress& progress)
 {
   if (data->GetNumberOfPoints() > std::numeric_limits<int>::max() ||
+    // A cell has up to eight corners, and their number must fit into an int.
     data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
   {
     throw shape::InvalidInput(name +
@@ -216,6 +221,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
     if (ShapeOf(type, shape))
     {
       data->GetCellPoints(cell, ids);
+      // A hexahedron has the most corners of these shapes.
       int points[8];
       std::copy(ids->begin(), ids->end(), points);
       if (type == VTK_VOXEL)
@@ -227,6 +233,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
     }
     else
     {
+      // Polygons, quadratic and other cells are divided by VTK itself.
       data->GetCell(cell, generic);
       AddTriangulated(generic, cells);
     }
@@ -238,6 +245,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
 Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name)
 {
+  // A process or block without points may have no arrays.
   if (data->GetNumberOfPoints() == 0)
   {
     return Eigen::MatrixXd(0, components);

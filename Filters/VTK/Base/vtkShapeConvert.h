@@ -19,58 +19,59 @@ class vtkPolyData;
 class vtkUnstructuredGrid;
 
 /**
- * The only conversion of VTK data sets to kernel types and back. `name` is what an error calls
- * the data: "the boundary".
+ * The only conversion of VTK data sets to kernel types and back. `name` denotes the data in errors,
+ * for example "the boundary".
  */
 namespace vtkShapeConvert
 {
 
-/// The surface's polygons and strips as triangles over the same points. Throws shape::InvalidInput
-/// if a polygon cannot be triangulated.
+/// Converts the surface's polygons and strips to triangles over the same points. Throws
+/// shape::InvalidInput if a polygon cannot be triangulated.
 shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
 
-/// The points of each of its lines and polylines, by their ids.
+/// Returns the point ids of each line and polyline.
 std::vector<std::vector<int>> ToLines(vtkPolyData* data);
 
-/// The grid's cells, of any kinds. Throws shape::InvalidInput if there are too many to number.
+/// Converts the grid's cells, of any type. Throws shape::InvalidInput if there are too many to
+/// number.
 shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
 
-/// Makes voxels hexahedra and pixels quadrilaterals.
+/// Converts voxels to hexahedra and pixels to quadrilaterals.
 void ReorderVoxels(shape::Cells& cells);
 
-/// The points of any data set (n x 3). Throws shape::InvalidInput if there are too many.
+/// Returns the points of any data set (n x 3). Throws shape::InvalidInput if there are too many.
 Eigen::MatrixXd ToPoints(vtkDataSet* data);
 
-/// The cells in order, over the same points: tetrahedra, pyramids, wedges, hexahedra, voxels and
-/// triangles by their corners, every other surface or solid cell by the simplices that it is cut
-/// into. Points and lines have none. Throws shape::InvalidInput if there are too many points,
+/// Converts the cells in order, over the same points. Tetrahedra, pyramids, wedges, hexahedra,
+/// voxels and triangles are given by their corners. Any other surface or solid cell is divided into
+/// simplices. Points and lines have none. Throws shape::InvalidInput if there are too many points,
 /// shape::Aborted.
 shape::CellSimplices ToSimplices(
   vtkDataSet* data, const std::string& name, const shape::Progress& progress = {});
 
-/// A point array (n x components); an empty block, or an empty piece of what other processes have,
-/// may lack its arrays. Throws shape::InvalidInput if it is missing or has another number of
-/// components or tuples; the message lists the arrays that are there.
+/// Returns a point array (n x components). An empty block, or an empty piece of distributed data,
+/// may lack its arrays. Throws shape::InvalidInput if the array is missing or has another number of
+/// components or tuples; the message lists the existing arrays.
 Eigen::MatrixXd ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name);
 
-/// Rows of `values` as tuples.
+/// Returns an array whose tuples are the rows of `values`.
 vtkSmartPointer<vtkDoubleArray> ToArray(const Eigen::MatrixXd& values, const std::string& array);
 
-/// Entries of `values` as tuples of one component.
+/// Returns an array of one component with the entries of `values`.
 vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std::string& array);
 
-/// Rows `rows` of `values`, in order.
+/// Returns the given rows of `values`, in order.
 Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows);
 
-/// Whether an array has values that can be averaged (of fractions, or colours), and no numbers or
-/// names of something.
+/// Returns whether the values of an array can be averaged (floating-point numbers or colours), in
+/// contrast to numbers or names that identify something.
 bool AreValues(vtkAbstractArray* array);
 
-/// A mesh as a surface.
+/// Converts a mesh to a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);
 
-/// Field data: one number, or words.
+/// Adds field data: one number or one string.
 void AddFact(vtkDataObject* output, const std::string& name, double value);
 void AddFact(vtkDataObject* output, const std::string& name, const std::string& words);
 

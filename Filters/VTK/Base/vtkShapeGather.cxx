@@ -36,7 +36,9 @@ bool IsParallel(vtkMultiProcessController* controller)
   return controller && controller->GetNumberOfProcesses() > 1;
 }
 
-/// The surface without ghost cells; its points stay as they are.
+/// Returns the surface without ghost cells; its points are unchanged.
+/// Points stay, also those that only ghost cells use, since they are the points of this process's
+/// output.
 vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
 {
   auto kept = vtkSmartPointer<vtkPolyData>::New();
@@ -65,7 +67,7 @@ vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
   return kept;
 }
 
-/// For each point the first one at its place, or itself.
+/// Returns, for each point, the first coincident one, which may be the point itself.
 std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
 {
   std::vector<vtkIdType> first(data->GetNumberOfPoints());
@@ -75,12 +77,15 @@ std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
     vtkNew<vtkStaticPointLocator> locator;
     locator->SetDataSet(data);
     locator->BuildLocator();
+    // Only exact copies are merged: they are the copies that a distributed surface has along the
+    // borders of its pieces.
     locator->MergePoints(0.0, first.data());
   }
   return first;
 }
 
-/// One surface of several. pointMap: for each point of the inputs, in order, its point in it.
+/// Merges several surfaces into one. pointMap: for each point of the inputs, in order, its index in
+/// the result.
 vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces,
   bool weld, std::vector<vtkIdType>& pointMap)
 {
@@ -107,6 +112,7 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
   for (std::size_t i = 0; i < firstCoincident.size(); ++i)
   {
     vtkIdType& position = pointMap[firstCoincident[i]];
+    // The first one's data are kept.
     if (position == -1)
     {
       const auto point = static_cast<vtkIdType>(i);
@@ -128,14 +134,14 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
     merged->InsertNextCell(all->GetCellType(cell), corners);
   }
   merged->GetCellData()->ShallowCopy(all->GetCellData());
-  // Pieces of one thing say the same about it; processes without a part of it may say nothing.
+  // All pieces of one data set have the same field data; processes without a piece may have none.
   const auto first = std::find_if(pieces.begin(), pieces.end(),
     [](vtkPolyData* piece) { return piece->GetNumberOfPoints() > 0; });
   merged->GetFieldData()->ShallowCopy((first == pieces.end() ? pieces[0] : *first)->GetFieldData());
   return merged;
 }
 
-/// The blocks, which must be surfaces.
+/// Returns the blocks, which must be surfaces.
 std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const std::string& name)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
@@ -164,7 +170,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const st
   return surfaces;
 }
 
-/// One grid of several data sets, without those that have no point.
+/// Merges several data sets into one grid; those without points are left out.
 vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& pieces)
 {
   vtkNew<vtkAppendFilter> append;
@@ -185,11 +191,12 @@ vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& piece
   return merged;
 }
 
-/// One data set as a grid, with what is not changed shared: for filters that run while a handle is
-/// dragged.
+/// Returns one data set as a grid that shares all unchanged arrays, for filters that run while a
+/// handle is dragged.
 vtkSmartPointer<vtkUnstructuredGrid> ToGrid(vtkDataSet* data)
 {
   auto* surface = vtkPolyData::SafeDownCast(data);
+  // Vertices, lines and strips come in separate arrays, which only the append filter puts in order.
   if (!surface || surface->GetNumberOfPoints() == 0 ||
     surface->GetNumberOfCells() != surface->GetNumberOfPolys())
   {
@@ -221,7 +228,7 @@ void vtkShapeGather::RunOnAllOrFail(
   vtkMultiProcessController* controller, const std::function<void()>& work)
 {
   bool failed = true;
-  std::string message; // stays empty where the user stopped it
+  std::string message; // empty if the user stopped it
   try
   {
     work();
@@ -238,6 +245,7 @@ void vtkShapeGather::RunOnAllOrFail(
   {
     message = error.what();
   }
+  // Before any process waits in the next collective for one that failed.
   AgreeOnFailure(controller, failed, message);
   if (failed && message.empty())
   {
@@ -297,6 +305,10 @@ vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessContro
   return sum;
 }
 
+// 1. Merge the blocks of this process.
+// 2. Send them to process 0, which merges the pieces of all processes.
+// 3. Broadcast the result, and for each point of each piece its index in it.
+// 4. Compose this map with that of step 1.
 vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const std::string& name,
   bool weld, vtkMultiProcessController* controller, std::vector<int>& ownPoints)
 {
@@ -339,6 +351,7 @@ vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const s
     controller->AllGather(&count, counts.data(), 1);
     mapOfAll.resize(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)));
     controller->Broadcast(mapOfAll.data(), static_cast<vtkIdType>(mapOfAll.size()), 0);
+    // The map has the points of all processes in the order of ranks.
     const vtkIdType first = std::accumulate(counts.begin(), counts.begin() + rank, vtkIdType(0));
     for (vtkIdType& point : pointMap)
     {
@@ -362,6 +375,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
       for (vtkDataSet* leaf : vtkShapeComposite::Of(data))
       {
         grids.push_back(ToGrid(leaf));
+        // Ghost cells are cells of another process, which sends them as its own.
         grids.back()->RemoveGhostCells();
         grids.back()->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
         grids.back()->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
@@ -381,13 +395,14 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
         {
           pieces.push_back(vtkDataSet::SafeDownCast(piece));
         }
-        whole = Merge(pieces); // empty but on the first process
+        whole = Merge(pieces); // empty except on the first process
       });
     controller->Broadcast(whole.Get(), 0);
   }
   return whole;
 }
 
+/// The failure of the lowest rank counts; its message is sent to the others.
 void vtkShapeGather::AgreeOnFailure(
   vtkMultiProcessController* controller, bool& failed, std::string& message)
 {

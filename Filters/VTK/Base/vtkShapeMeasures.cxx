@@ -57,10 +57,11 @@ const std::set<std::string> RealMeasures = {
   "Embedding"
 };
 
-/// Measures that are counts or yes and no.
+/// Measures that are counts or Booleans.
 const std::set<std::string> IntegerMeasures = { "Degenerate", "Flipped", "Inverted", "Torn" };
 
-/// What an array is a measure of; empty if it is none. Active normals may have any name.
+/// Returns the measure that an array contains; empty if it is none. Active normals may have any
+/// name.
 std::string MeasureOf(vtkFieldData* data, vtkAbstractArray* array)
 {
   auto* attributes = vtkDataSetAttributes::SafeDownCast(data);
@@ -71,11 +72,12 @@ std::string MeasureOf(vtkFieldData* data, vtkAbstractArray* array)
   const std::string name = array->GetName() ? array->GetName() : "";
   const int type = array->GetDataType();
   const bool isReal = type == VTK_DOUBLE || type == VTK_FLOAT;
+  // Arrays with the same names and other types are the user's own.
   return (isReal && RealMeasures.count(name)) || IntegerMeasures.count(name) ? name : "";
 }
 
-/// The filter whose fact this is, HexRemesh for HexRemesh.CellSize; empty if it is none of
-/// ShapeMap's.
+/// Returns the filter that wrote a fact, HexRemesh for HexRemesh.CellSize; empty if it is not one
+/// of ShapeMap.
 std::string FilterOf(const std::string& fact)
 {
   static const std::set<std::string> filters = []
@@ -92,7 +94,7 @@ std::string FilterOf(const std::string& fact)
   return prefix != fact && filters.count(prefix) ? prefix : "";
 }
 
-/// "Mesh Hexahedron Quality": what vtkMeshQuality sums up in the field data.
+/// "Mesh Hexahedron Quality": the summary that vtkMeshQuality writes to the field data.
 bool IsQualitySummary(const std::string& name)
 {
   const std::string begin = "Mesh ", end = " Quality";
@@ -134,15 +136,18 @@ Parts PartsOf(const std::vector<vtkDataObject*>& inputs)
   return parts;
 }
 
-/// Removes the measures that the filter did not make, and returns which they are.
+/// Removes the measures that the filter did not compute, and returns their names.
 std::vector<std::string> Remove(
   const vtkShapeMeasures::Filter& filter, const Parts& inherited, vtkFieldData* data)
 {
   std::vector<std::string> removed;
+  // Backwards, since arrays are removed on the way.
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
     const std::string measure = MeasureOf(data, array);
+    // A measure of the new points is either computed by the filter or stale; an inherited array is
+    // the input's, even if the filter computes that measure.
     if (!measure.empty() && (inherited.count(array) || !filter.Made.count(measure)))
     {
       removed.push_back(measure);
@@ -152,7 +157,7 @@ std::vector<std::string> Remove(
   return removed;
 }
 
-/// Removes the facts of other filters, and of this one's last use.
+/// Removes the facts of other filters, and those of an earlier run of this filter.
 void RemoveFacts(const vtkShapeMeasures::Filter& filter, const Parts& inherited, vtkFieldData* data)
 {
   Remove(filter, inherited, data);
@@ -200,6 +205,7 @@ const std::vector<std::string>& vtkShapeMeasures::NamesOfHexahedra()
 void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtkDataSet* hexahedra)
 {
   auto cells = vtkSmartPointer<vtkDataSet>::Take(hexahedra->NewInstance());
+  // Without arrays, so that vtkMeshQuality copies none.
   cells->CopyStructure(hexahedra);
   for (const auto& [name, set] : OfHexahedra)
   {
@@ -217,6 +223,7 @@ void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtk
   }
 }
 
+/// Measures of cells that VTK can compute again, those of hexahedra, are; others are removed.
 void vtkShapeMeasures::Renew(const Filter& filter, vtkDataObject* output)
 {
   const Parts inherited = PartsOf(filter.Inputs);
@@ -224,6 +231,7 @@ void vtkShapeMeasures::Renew(const Filter& filter, vtkDataObject* output)
   for (vtkDataSet* leaf : vtkShapeComposite::Of(output))
   {
     auto* points = vtkPointSet::SafeDownCast(leaf);
+    // Shared points did not move: all measures of them are still true.
     if (!points || inherited.count(points->GetPoints()))
     {
       continue;

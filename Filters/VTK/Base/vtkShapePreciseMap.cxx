@@ -17,6 +17,7 @@
 
 bool vtkShapePreciseMap::Has(vtkDataSet* data, const std::string& mapArray)
 {
+  // The cell and the weights belong to TargetPosition only, not to another map array.
   return mapArray == Position && data->GetPointData()->HasArray(Cell.c_str()) &&
     data->GetPointData()->HasArray(Barycentric.c_str());
 }
@@ -27,10 +28,12 @@ shape::NumberedSurface vtkShapePreciseMap::ToSurface(vtkPolyData* surface, const
     static_cast<int>(surface->GetNumberOfVerts() + surface->GetNumberOfLines()), {} };
   numbered.Cells.resize(numbered.Surface.Triangles.rows());
   int triangle = 0, cell = numbered.First;
+  // The order of vtkPolyData's cell ids: vertices, lines, polygons, strips.
   for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
   {
     for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
     {
+      // A cell of n points gives n - 2 triangles.
       for (vtkIdType k = 2; k < cells->GetCellSize(i); ++k)
       {
         numbered.Cells(triangle++) = cell;
@@ -46,7 +49,7 @@ shape::NumberedSurface vtkShapePreciseMap::ToSurface(
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(grid->GetPoints());
   surface->AllocateEstimate(grid->GetNumberOfCells(), 3);
-  // Blocks come one after the other, each with its vertices, lines, polygons and strips.
+  // Blocks follow each other, each with its vertices, lines, polygons and strips.
   std::vector<int> ofKind[4];
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)

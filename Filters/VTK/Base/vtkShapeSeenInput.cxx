@@ -64,7 +64,7 @@ bool AreSame(vtkFieldData* a, vtkFieldData* b)
   return areSame;
 }
 
-/// With the parts that arrays play.
+/// Includes the attribute types of the arrays.
 bool AreSame(vtkDataSetAttributes* a, vtkDataSetAttributes* b)
 {
   int rolesOfA[vtkDataSetAttributes::NUM_ATTRIBUTES];
@@ -93,6 +93,9 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
 
 } // namespace
 
+/// With one process, the identity and the modification time of the input are enough. With several,
+/// these change on some processes only, and the gathered data are new objects each time; so the
+/// data themselves are compared, which gives the same answer everywhere.
 bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* whole)
 {
   vtkMultiProcessController* controller = filter.GetController();
@@ -107,6 +110,7 @@ bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* 
     return !isSame;
   }
   vtkDataObject* data = filter.GetInputDataObject(port, 0);
+  // A composite does not become newer when one of its blocks is modified.
   vtkMTimeType time = data->GetMTime();
   for (vtkDataSet* leaf : vtkShapeComposite::Of(data))
   {

@@ -39,7 +39,7 @@ void SetMarks(vtkDataSet* data, const std::vector<char>& marks)
   data->GetCellData()->AddArray(array);
 }
 
-/// The parts of a selection that are meant for this process.
+/// Returns the parts of a selection that refer to this process.
 vtkSmartPointer<vtkSelection> Own(vtkSelection* selection, vtkMultiProcessController* controller)
 {
   const int process = controller ? controller->GetLocalProcessId() : 0;
@@ -48,6 +48,7 @@ vtkSmartPointer<vtkSelection> Own(vtkSelection* selection, vtkMultiProcessContro
   for (int i = static_cast<int>(own->GetNumberOfNodes()) - 1; i >= 0; --i)
   {
     vtkInformation* properties = own->GetNode(i)->GetProperties();
+    // Without a process, or with -1, a node refers to all of them.
     if (properties->Has(vtkSelectionNode::PROCESS_ID()) &&
       properties->Get(vtkSelectionNode::PROCESS_ID()) >= 0 &&
       properties->Get(vtkSelectionNode::PROCESS_ID()) != process)
@@ -58,8 +59,9 @@ vtkSmartPointer<vtkSelection> Own(vtkSelection* selection, vtkMultiProcessContro
   return own;
 }
 
-/// From what vtkExtractSelection says of a block: marks of its cells, or of its points. A block
-/// that the selection does not name is empty.
+/// Converts the result of vtkExtractSelection for a block: marks of its cells, or of its points. A
+/// block that the selection does not contain is empty.
+/// A selection of points selects the cells all of whose points it contains.
 std::vector<char> MarksOf(vtkDataSet* data, vtkIdType count)
 {
   const char* name = "vtkInsidedness";
@@ -92,6 +94,7 @@ std::vector<char> MarksOf(vtkDataSet* data, vtkIdType count)
 vtkSmartPointer<vtkDataObject> ByQuery(vtkDataObject* surface, vtkSelection* selection)
 {
   vtkNew<vtkExtractSelection> extract;
+  // The result keeps all cells and marks the selected ones, so blocks and cell ids stay.
   extract->PreserveTopologyOn();
   extract->SetInputDataObject(0, surface);
   extract->SetInputDataObject(1, selection);
@@ -123,7 +126,8 @@ std::vector<char> MarksOfExtracted(vtkDataSet* extracted, vtkIdType cells)
   return marks;
 }
 
-/// The data sets of a tree at the places of those of another; nullptr where there is none.
+/// Returns the data sets of a tree at the positions of those of another tree; nullptr if there is
+/// none.
 std::vector<vtkDataSet*> LeavesLike(vtkDataObject* like, vtkDataObject* data)
 {
   auto* tree = vtkCompositeDataSet::SafeDownCast(like);

@@ -7,7 +7,7 @@
 class vtkDataObject;
 class vtkMultiProcessController;
 
-/// The cells that a selection names.
+/// The cells of a selection.
 namespace vtkShapeSelectedCells
 {
 
@@ -15,11 +15,11 @@ namespace vtkShapeSelectedCells
 inline const std::string Name = "vtkShapeSelected";
 
 /**
- * Surfaces with the array Name, in the same tree of blocks: this process's part of what was
- * selected from.
+ * Returns a copy of this process's part of `surface`, with the same tree of blocks, and adds the
+ * array Name.
  *
- * selection: a vtkSelection, of cells, or of points: then cells whose points are all selected; or
- * cells that were extracted, with the array vtkOriginalCellIds, block by block. Throws
+ * selection: a vtkSelection of cells; or one of points, which selects the cells whose points are
+ * all selected; or extracted cells with the array vtkOriginalCellIds, block by block. Throws
  * shape::InvalidInput if it is something else. No process waits for another.
  */
 vtkSmartPointer<vtkDataObject> Mark(

@@ -34,13 +34,15 @@
 namespace
 {
 
-/// For each new point, the weights of the input's points in it: parents may be new points, too.
+/// Computes the weights of the input's points in each new point; its parents may also be new
+/// points.
 std::vector<std::map<int, double>> WeightsOf(
   const std::vector<std::array<int, 4>>& parents, int originalPoints)
 {
   std::vector<std::map<int, double>> weights(parents.size());
   for (std::size_t i = 0; i < parents.size(); ++i)
   {
+    // A new point is the mean of its parents, which are earlier points: one pass is enough.
     double count = 0.0;
     for (const int parent : parents[i])
     {
@@ -109,6 +111,7 @@ shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& n
       case VTK_WEDGE:
       case VTK_HEXAHEDRON:
         break;
+      // The untangling energy is defined for linear solid cells only.
       default:
         throw shape::InvalidInput(name + " has a " +
           vtkCellTypes::GetClassNameFromTypeId(cells.Kinds(cell)) + " (cell " +
@@ -173,6 +176,7 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
       positions.row(i) += weight * sources.row(point);
     }
     to->InterpolatePoint(from, i, parents, shares.data());
+    // A new point has no original.
     pointIds->SetValue(i, -1);
   }
   to->AddArray(pointIds);
@@ -213,6 +217,8 @@ void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessContro
   }
 }
 
+/// The moved output is the start, the domain the rest shape. Cells may be split, so the output is
+/// written anew with arrays interpolated from its own.
 std::pair<int, int> vtkShapeSolid::MakeFoldFree(vtkDataObject* domain, vtkDataObject* moved,
   const shape::Mesh& boundary, const Eigen::MatrixXd& targets,
   vtkMultiProcessController* controller, const shape::Progress& progress)

@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkShapeCorrespondence);
 namespace
 {
 
-/// Positions that correspond, one a row.
+/// Corresponding positions, one in each row.
 struct Partners
 {
   std::vector<Eigen::RowVector3d> OnA, OnB;
@@ -41,7 +41,9 @@ double ComputeMeanEdgeLength(const shape::Mesh& mesh)
   return sum / 3.0;
 }
 
-/// The points of the landmarks, and places between them along lines.
+/// Returns the points of the landmarks, and positions between them along lines.
+/// Lines are sampled at the mean edge length of the surface: coarser samples leave points between
+/// them free, finer ones fall on the same points.
 Partners ReadPartners(vtkUnstructuredGrid* given, double step)
 {
   const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(given);
@@ -62,7 +64,7 @@ Partners ReadPartners(vtkUnstructuredGrid* given, double step)
     vtkIdList* points = given->GetCell(cell)->GetPointIds();
     for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
     {
-      constexpr double maximum = 10000.0; // of a segment, whatever the surface
+      constexpr double maximum = 10000.0; // points on a segment
       const vtkIdType p = points->GetId(i - 1), q = points->GetId(i);
       const int pieces = static_cast<int>(
         std::clamp(std::ceil((positions.row(q) - positions.row(p)).norm() / step), 1.0, maximum));
@@ -98,6 +100,8 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
   this->DeclareOutputLikeInput(1);
 }
 
+/// Every process computes the same maps from the gathered surfaces, and writes the rows of its own
+/// points.
 void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
 {
   const shape::Surface a = vtkShapeConvert::ToMesh(this->GetGatheredInput(0).Data, "SurfaceA"),
@@ -146,6 +150,7 @@ void vtkShapeCorrespondence::WriteMap(
 {
   const GatheredInput& whole = this->GetGatheredInput(port);
   vtkPolyData* target = this->GetGatheredInput(otherPort).Data;
+  // Cell ids of polygons follow those of vertices and lines.
   const auto before = static_cast<double>(target->GetNumberOfVerts() + target->GetNumberOfLines());
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };

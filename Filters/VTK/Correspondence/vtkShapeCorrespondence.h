@@ -9,8 +9,9 @@
  *   own back.
  * - Landmarks (optional): points and polylines on SurfaceA with the point array `TargetPosition`
  *   on SurfaceB. Each point is moved to the nearest point of its surface. If two reach the same
- *   point, the first counts. Polylines are sampled at the mean edge length of SurfaceA. Without
- *   this input the filter finds landmarks (shape::FindLandmarks) on surfaces of one component.
+ *   point, only the first is used. Polylines are sampled at the mean edge length of SurfaceA.
+ *   Without this input the filter finds landmarks (shape::FindLandmarks) on surfaces of one
+ *   component.
  *
  * Outputs: SurfaceA and SurfaceB with the precise map onto the other one, the point arrays
  * - `TargetPosition` (double, 3).
@@ -25,17 +26,18 @@
  *   shape::AutomaticLandmarksResult; otherwise -1.
  * - .DirichletEnergy, .RoundTrip, .ReversedArea: shape::SurfaceMapFacts.
  * - .Part: 1 if SurfaceA is taken as a part of SurfaceB, 2 if SurfaceB is a part of SurfaceA,
- *   otherwise 0. .Scale: lengths on SurfaceB divided by those on SurfaceA. .PartShare: share of
- *   the area of the whole. See shape::SurfacePart.
- * - .CoverageOfA, .CoverageOfB: shares of area that have a partner: what the round trip returns.
- * - .Mirrored: 1 if the map exchanges left and right, of all or of protrusions: ReversedArea
- *   exceeds 0.3.
+ *   otherwise 0. .Scale: lengths on SurfaceB divided by those on SurfaceA. .PartShare: area of the
+ *   part divided by that of the other surface. See shape::SurfacePart.
+ * - .CoverageOfA, .CoverageOfB: shares of area that have a partner: points that the round trip
+ *   returns to within a 50th of the root of the area.
+ * - .Mirrored: 1 if ReversedArea exceeds 0.3, that is, if the map exchanges left and right, on all
+ *   of the surface or on protrusions.
  * - .CouplingDistortion, .CouplingError: of GromovWasserstein, otherwise -1. The first measures
  *   how well samples preserve their distances, the second how far masses are from their prescribed
  *   weights.
  * - .CoarsePoints: number of points of the larger surface on which the method worked.
- * - .Iterations: of ReversibleHarmonic, otherwise 0. It is 0, too, if a part is mapped into the
- *   whole by the initial functional map, which iterations would spread.
+ * - .Iterations: of ReversibleHarmonic, otherwise 0. It is also 0 if one surface is a part: the
+ *   initial functional map is then the result, since iterations would spread it.
  *
  * A sparse factorisation cannot be interrupted, so an abort takes effect at its end.
  *

@@ -47,6 +47,7 @@ void vtkShapeMapDifference::Execute(const shape::Progress& progress)
     vtkShapeConvert::ToPointArray(whole.Data, this->MapArray, 3, "SurfaceA");
   shape::RequireFinite(images, "the map array '" + this->MapArray + "' of SurfaceA");
   shape::RequireManifold(second, "SurfaceB");
+  // A precise map names the triangles; other map arrays give positions, which are projected.
   const bool precise = vtkShapePreciseMap::Has(whole.Data, this->MapArray);
   shape::SurfacePoints map;
   if (precise)
@@ -76,7 +77,7 @@ void vtkShapeMapDifference::Execute(const shape::Progress& progress)
     vtkShapeConvert::ToArray(result.Conformal.Eigenvalues, "MapDifference.ConformalEigenvalues"));
   vtkShapeConvert::AddFact(output, "MapDifference.UndeterminedFunctions", result.Undetermined);
   vtkShapeConvert::AddFact(output, "MapDifference.PreciseMap", precise ? 1.0 : 0.0);
-  // Every process has the same operators: one of them hands them on.
+  // Every process has the same operators: one of them outputs them.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
     auto* table = vtkTable::SafeDownCast(this->GetOutputDataObject(1));

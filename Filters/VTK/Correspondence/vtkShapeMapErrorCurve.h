@@ -7,7 +7,7 @@
  * - Target: the surface that the map leads to. It may have the map array of the map back to Input.
  * - Truth: any data set whose points are positions on Input and whose map array gives their true
  *   images on Target. An array with the name SymmetryArray gives the images under a symmetry of
- *   the shape. Errors are then measured to both truths as a whole, and those with the smaller mean
+ *   the shape. Errors are then measured to each of the two truths, and those with the smaller mean
  *   are reported.
  * Blocks and distributed pieces of each are joined first.
  *
@@ -21,8 +21,8 @@
  *   LargestError).
  * - .Unit: the length by which errors were divided.
  * - .Mirrored: 1 if errors are measured to the symmetric truth.
- * - .UnreachedPlaces: points on another component than their truth. They are in no row, but count
- *   in Share.
+ * - .UnreachedPlaces: points mapped to another component than their truth. They have no row, but
+ *   are included in the total of Share.
  * - .LargestGap: maximum distance of a point of Truth from its surface, in their units.
  * - .Coverage: share of the area of Target that is nearer to the image than a hundredth of the
  *   root of the area.

@@ -24,7 +24,7 @@
 
 vtkStandardNewMacro(vtkShapeCutFeature);
 
-/// What depends on the input alone, and the outputs before a refusal.
+/// The data that depend on the input only, and the last outputs before a refusal.
 struct vtkShapeCutFeature::Kept
 {
   vtkShapeSeenInput Input;
@@ -100,6 +100,8 @@ std::vector<char> SelectedTriangles(vtkPolyData* marked, const Eigen::VectorXi& 
 
 } // namespace
 
+/// While a loop is dragged, an invalid one must not empty the view: the last result stays, with the
+/// reason as a fact.
 void vtkShapeCutFeature::Execute(const shape::Progress& progress)
 {
   vtkSmartPointer<vtkPolyData> marked;
@@ -113,9 +115,11 @@ void vtkShapeCutFeature::Execute(const shape::Progress& progress)
           this->GetInputDataObject(0, 0), this->GetInputDataObject(2, 0), this->GetController());
       });
     std::vector<int> ownPoints;
+    // The marks of all processes, gathered like the Input itself, so that cells have the same
+    // order.
     marked = vtkShapeGather::Gather(own, "Input", true, this->GetController(), ownPoints);
   }
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;
@@ -164,6 +168,7 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
   Kept& kept = *this->Cache;
+  // A new loop on the same surface uses the stored search structures.
   if (kept.Input.IsNew(*this, 0, this->GetGatheredInput(0).Data) || !kept.Cutter)
   {
     kept.Cutter.reset();
@@ -174,6 +179,7 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
       std::make_unique<shape::FeatureCutter>(kept.Numbered.Surface, progress.Part(0.0, 0.1));
   }
   shape::CutFeatureOptions options = this->Options;
+  // Filling takes longer than a drag step may; it follows on release.
   options.FillHole = options.FillHole && !this->Dragging;
   shape::CutFeatureResult cut;
   if (marked)
@@ -204,6 +210,8 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
     auto* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
     const bool isAlone =
       !this->GetController() || this->GetController()->GetNumberOfProcesses() == 1;
+    // The input itself keeps its arrays and cells as they are; the gathered one stands for
+    // composite and distributed data.
     rest->ShallowCopy(input && isAlone ? input : surface);
   }
   vtkShapeCutParts::AddFacts(cut, feature);

@@ -20,7 +20,7 @@
  * If KeepOriginal is on, the rest is the unchanged Input without further arrays. In parallel the
  * first process has both.
  *
- * The feature carries the base on which it stood, so that vtkShapePasteFeature can return it to
+ * The feature stores the base on which it stood, so that vtkShapePasteFeature can return it to
  * its position (shape::FeatureFootprint). Its longest filled loop has the point arrays, 0
  * elsewhere
  * - `LoopCoordinates` (double, 3): u, v, 0 in an exponential map of the filled rest around the
@@ -33,13 +33,13 @@
  * - .ReturnsInPlace: 1 if the loop returns to its position when it is pasted there.
  *
  * Field data of both outputs, with the prefix CutFeature
- * - .Loops: closed loops that were cut. .LoopsLeftOut: parts of a curve that touches itself, of
- *   which only the longest cuts.
+ * - .Loops: closed loops that were cut. .LoopsLeftOut: unused parts of curves that touch
+ *   themselves; the longest part is used.
  * - .CutLength, .FeatureArea, .WeldedPoints, .Holes: number of filled holes.
  * - .Refused, .Refusal: 1 and the reason if Dragging is on and the loop cannot be cut. The outputs
  *   are then the last valid ones.
  *
- * Everything that depends only on Input is kept while the loop changes.
+ * Everything that depends only on Input is reused while the loop changes.
  *
  * The mathematics: shape::CutFeature.
  */

@@ -31,8 +31,8 @@ namespace
 using shape::DividedPart;
 using shape::FilledHole;
 
-/// What points of the surface, or places on it, have: on an edge the mean of values; of what is
-/// none, that of the nearest corner.
+/// Interpolates an array at points of the surface or positions on it. Data that cannot be averaged
+/// are those of the nearest corner.
 void InterpolateArray(
   const DividedPart& part, const shape::Mesh& mesh, vtkAbstractArray* from, vtkAbstractArray* to)
 {
@@ -66,7 +66,7 @@ void InterpolateArray(
   }
 }
 
-/// All arrays, with the parts that they play.
+/// Interpolates all arrays and keeps their attribute types.
 void InterpolatePoints(
   const DividedPart& part, const shape::Mesh& mesh, vtkPointData* from, vtkPointData* to)
 {
@@ -75,7 +75,7 @@ void InterpolatePoints(
     vtkAbstractArray* array = from->GetAbstractArray(i);
     if (array == from->GetGlobalIds())
     {
-      continue; // new points have none of their own
+      continue; // new points have no ids
     }
     auto own = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
     own->SetName(array->GetName());
@@ -106,7 +106,9 @@ void AddOriginals(const DividedPart& part, vtkPointData* data)
   data->AddArray(ids);
 }
 
-/// Writes a part and, where there are some, its fills.
+/// Writes a part and its fills, if it has any.
+/// Points of the cut: interpolated. Points of a fill: harmonic. Triangles: the data of the cell
+/// that contains them; of a fill, those of the nearest cell at the loop.
 void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
   const shape::NumberedSurface& numbered, vtkPolyData* surface, vtkPolyData* output)
 {
@@ -126,6 +128,7 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
       vtkAbstractArray* array = points->GetAbstractArray(a);
       for (int i = 0; i < hole.Points; ++i)
       {
+        // Data that cannot be averaged, such as labels and strings; numbers are replaced below.
         array->InsertTuple(hole.FirstPoint + i, fill.Points[i], array);
       }
     }
@@ -134,6 +137,7 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
       sources[hole.FirstTriangle + t] = part.OriginalTriangles[fill.Triangles[t]];
     }
   }
+  // Numbers are continued harmonically into the fill.
   vtkShapeFillValues::Continue(part.Surface, holes, points);
   for (std::size_t t = 0; t < sources.size(); ++t)
   {
@@ -146,6 +150,7 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
     data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     if (!holes.empty())
     {
+      // The fill has no normals, and those of the loop have changed.
       data->RemoveArray("Normals");
     }
   }

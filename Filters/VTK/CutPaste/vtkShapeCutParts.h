@@ -5,22 +5,23 @@
 
 class vtkPolyData;
 
-/// A feature that was cut, and the rest of the surface, as data.
+/// Conversion of a cut feature and the rest of the surface to data.
 namespace vtkShapeCutParts
 {
 
 /**
- * Writes both with the arrays of points and cells of `surface`: new points have what lies between
- * the corners of the triangle that they are in. On fills, floating-point values continue
- * smoothly from the boundary loop (shape::ExtendValuesOntoFill), other data are those of the
- * nearest point or cell at it, and `Normals` are dropped. Adds `OriginalPointId` (vtkIdType; -1:
- * new), to the rest the cell array `Filled`, and to the feature what it stood on: see
- * vtkShapeCutFeature. numbered: the surface's triangles.
+ * Writes both with the arrays of points and cells of `surface`. The values at new points are
+ * interpolated from the corners of the triangle that contains them. On fills, floating-point values
+ * continue smoothly from the boundary loop (shape::ExtendValuesOntoFill). Other data are those of
+ * the nearest point or cell at the loop, and `Normals` are dropped. Adds `OriginalPointId`
+ * (vtkIdType; -1: new) to both, the cell array `Filled` to the rest, and the base to the feature:
+ * see vtkShapeCutFeature. numbered: the surface's triangles.
  */
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);
 
-/// Field data of both: Loops, LoopsLeftOut, CutLength, FeatureArea, Holes, WeldedPoints.
+/// Adds field data to one of the outputs: Loops, LoopsLeftOut, CutLength, FeatureArea, Holes,
+/// WeldedPoints.
 void AddFacts(const shape::CutFeatureResult& cut, vtkPolyData* output);
 
 } // namespace vtkShapeCutParts

@@ -23,7 +23,7 @@ namespace
 
 const std::string Positions = "LoopCoordinates", Normals = "LoopNormal", Facts = "CutFeature.";
 
-/// Numbers of the field data, where they are there.
+/// Returns numbers of the field data, if they exist.
 std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& name, int count)
 {
   vtkDataArray* values = data->GetFieldData()->GetArray((Facts + name).c_str());
@@ -39,7 +39,7 @@ std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& nam
   return numbers;
 }
 
-/// The array at the feature's points; none where it is not there.
+/// Returns the array at the feature's points; empty if it does not exist.
 Eigen::MatrixXd LoopArray(
   vtkPolyData* data, const std::string& name, const std::vector<int>& points)
 {
@@ -48,7 +48,7 @@ Eigen::MatrixXd LoopArray(
     : Eigen::MatrixXd(0, 3);
 }
 
-/// Whether all of a loop was cut and filled.
+/// Returns whether all of a loop was cut and filled.
 bool WasCut(const std::vector<int>& loop, const Eigen::MatrixXd& normals)
 {
   return normals.rows() > 0 &&
@@ -71,6 +71,7 @@ std::vector<int> ChooseLoop(const shape::Mesh& feature, const Eigen::MatrixXd& n
   }
   const auto wasCut = std::find_if(loops.begin(), loops.end(),
     [&](const std::vector<int>& loop) { return WasCut(loop, normals); });
+  // By default the loop at which the feature was cut, even if another one is longer.
   return index == 0 && wasCut != loops.end() ? *wasCut : loops[index];
 }
 
@@ -83,7 +84,8 @@ void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData*
     return;
   }
   const shape::FeatureFootprint& base = *cut.Base;
-  std::map<int, Eigen::Index> rows; // of the loop, by the place on the surface
+  // By position, since points on a seam are duplicated and all copies must carry the base.
+  std::map<int, Eigen::Index> rows; // of the loop, by the position on the surface
   for (std::size_t i = 0; i < base.Loop.size(); ++i)
   {
     rows[cut.Feature.Ids[base.Loop[i]]] = static_cast<Eigen::Index>(i);
@@ -119,6 +121,7 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
   const Eigen::MatrixXd positions = LoopArray(data, Positions, points);
   Eigen::MatrixXd normals = LoopArray(data, Normals, points);
   const auto normal = Fact(data, "SeedNormal", 3), axis = Fact(data, "SeedDirection", 3);
+  // A base is used as a whole or not at all.
   if (positions.rows() == 0 || !normal || !axis)
   {
     normals.resize(0, 3);
@@ -126,6 +129,7 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
   const std::vector<int> loop = ChooseLoop(surface, normals, loopIndex);
   if (!WasCut(loop, normals))
   {
+    // A feature from elsewhere, or a loop that was not filled.
     return { shape::BuildFootprintOnOwnFill(surface, loop, progress), true };
   }
   const auto radius = Fact(data, "ConformalRadius", 1), refined = Fact(data, "Refined", 1);

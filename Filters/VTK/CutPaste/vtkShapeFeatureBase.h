@@ -7,27 +7,28 @@
 class vtkPolyData;
 
 /**
- * What a feature stood on where it was cut, as data: the point arrays `LoopCoordinates` and
- * `LoopNormal` and the field data CutFeature.Seed, .SeedNormal, .SeedDirection,
- * .ConformalRadius, .Refined and .ReturnsInPlace: see vtkShapeCutFeature.
+ * Conversion of the base of a feature, on which it stood when it was cut, to data and back. The
+ * data are the point arrays `LoopCoordinates` and `LoopNormal` and the field data CutFeature.Seed,
+ * .SeedNormal, .SeedDirection, .ConformalRadius, .Refined and .ReturnsInPlace: see
+ * vtkShapeCutFeature.
  */
 namespace vtkShapeFeatureBase
 {
 
-/// Writes that of a cut that has one. At a seam, whose points are doubled, all of them have it.
+/// Writes the base of a cut, if it has one. All duplicate points of a seam get the same values.
 void Write(const shape::CutFeatureResult& cut, vtkPolyData* feature);
 
-/// A feature that is to be set down again.
+/// A feature to be pasted.
 struct Feature
 {
   shape::FeatureFootprint Base;
-  bool HasOwnFill; ///< whether nothing is known of what it stood on
+  bool HasOwnFill; ///< whether the base is unknown and a fill of the feature's loop replaces it
 };
 
 /**
- * The feature's base at one of its loops. surface: its triangles; points: of each of their points,
- * the one of `data`. loopIndex: the longest of the loops being 0, or the one that was cut. Throws
- * shape::InvalidInput if there is no such loop, and as shape::BuildFootprintOnOwnFill;
+ * Returns the feature's base at one of its loops. surface: its triangles. points: for each point of
+ * the surface, that of `data`. loopIndex: 0 for the longest loop, or the one that was cut. Throws
+ * shape::InvalidInput if there is no such loop, the exceptions of shape::BuildFootprintOnOwnFill,
  * shape::Aborted.
  */
 Feature Read(vtkPolyData* data, const shape::Mesh& surface, const std::vector<int>& points,

@@ -38,7 +38,7 @@ const char* NameOf(shape::TargetLayout layout)
 
 } // namespace
 
-/// What depends on one input alone.
+/// The data that depend on one input only.
 struct vtkShapePasteFeature::Kept
 {
   vtkShapeSeenInput FeatureInput, TargetInput;
@@ -49,7 +49,7 @@ struct vtkShapePasteFeature::Kept
   std::unique_ptr<shape::PasteTarget> Position;
   bool HasOwnFill = false;
   int NonManifold = 0;            ///< edges and points of the feature
-  vtkNew<vtkPolyData> LastResult; ///< empty while there was none
+  vtkNew<vtkPolyData> LastResult; ///< empty if there was none
 };
 
 vtkShapePasteFeature::vtkShapePasteFeature()
@@ -64,7 +64,7 @@ vtkShapePasteFeature::~vtkShapePasteFeature() = default;
 
 void vtkShapePasteFeature::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;
@@ -83,7 +83,7 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
     {
       throw;
     }
-    // The mouse will find a better place: until then the last one stays.
+    // Until the mouse reaches a valid position, the last result is kept.
     output->ShallowCopy(this->Cache->LastResult);
     vtkShapeConvert::AddFact(output, "PasteFeature.Refused", 1.0);
     vtkShapeConvert::AddFact(output, "PasteFeature.Refusal", refusal.what());
@@ -92,6 +92,7 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
   this->Cache->LastResult->ShallowCopy(output);
 }
 
+/// The feature's weights do not depend on the target nor on the placement: dragging reuses them.
 void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;

@@ -4,7 +4,7 @@
  *
  * Inputs
  * - Feature: triangles around an open loop, such as the first output of vtkShapeCutFeature, which
- *   carries the base on which it stood. Without that base the hole at the loop is filled
+ *   stores the base on which it stood. Without that base the hole at the loop is filled
  *   (shape::FillHole), and the feature stands on the fill. Away from the loop the feature may be
  *   non-manifold.
  * - Target: an oriented 2-manifold, open or closed.
@@ -32,7 +32,7 @@
  * - .FlippedTriangles: triangles of the target below the feature that its layout in the plane
  *   flips.
  *
- * Everything that depends only on the feature, or only on the target, is kept while the position
+ * Everything that depends only on the feature, or only on the target, is reused while the position
  * changes. In parallel the first process has the result.
  *
  * The mathematics: shape::FeatureToPaste, shape::PasteTarget.

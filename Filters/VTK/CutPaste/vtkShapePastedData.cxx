@@ -25,8 +25,8 @@
 namespace
 {
 
-/// Where tuples of the result come from: the first of them from one part, the others from the next,
-/// and the last ones from between two of these.
+/// The sources of the result's tuples: the first are from one part, the next from the other, and
+/// the last are between two of these.
 struct Sources
 {
   std::vector<vtkIdType> First;
@@ -40,8 +40,8 @@ bool AreAlike(vtkAbstractArray* one, vtkAbstractArray* other)
     one->GetNumberOfComponents() == other->GetNumberOfComponents();
 }
 
-/// Copies tuples `from` of an array to the result from `at` on; zeros, or nothing for words, where
-/// there is no array.
+/// Copies tuples `from` of an array to the result from `at` on. Without the array, they are zeros
+/// or empty strings.
 void CopyTuples(
   vtkAbstractArray* values, const std::vector<vtkIdType>& from, vtkIdType at, vtkAbstractArray* to)
 {
@@ -65,13 +65,14 @@ void CopyTuples(
   }
 }
 
-/// All arrays of both parts, for the result's tuples.
+/// Copies all arrays of both parts to the result's tuples.
 void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sources& sources,
   vtkDataSetAttributes* result)
 {
   const auto append = [&](vtkAbstractArray* like, vtkAbstractArray* one, vtkAbstractArray* other)
   {
     const std::string name = like->GetName() ? like->GetName() : "";
+    // Arrays without a name cannot be paired; ghosts and global ids are no longer true.
     if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
       like == first->GetGlobalIds() || like == second->GetGlobalIds() ||
       result->HasArray(name.c_str()))
@@ -92,12 +93,14 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
     vtkAbstractArray* array = first->GetAbstractArray(i);
     vtkAbstractArray* other =
       array->GetName() ? second->GetAbstractArray(array->GetName()) : nullptr;
+    // An array of one part only, or with another type, is zero on the other part.
     append(array, array, AreAlike(array, other) ? other : nullptr);
   }
   for (int i = 0; i < second->GetNumberOfArrays(); ++i)
   {
     append(second->GetAbstractArray(i), nullptr, second->GetAbstractArray(i));
   }
+  // Not normals: those of the feature have been rotated with it.
   for (const int role : { vtkDataSetAttributes::SCALARS, vtkDataSetAttributes::VECTORS,
          vtkDataSetAttributes::TCOORDS, vtkDataSetAttributes::TENSORS })
   {
@@ -109,7 +112,7 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
   }
 }
 
-/// Fills the tuples between two others: with their mean, or what the first of them has.
+/// Sets each tuple between two others to their mean, or to the first if there is no mean.
 void FillMiddles(const Sources& sources, vtkDataSetAttributes* result)
 {
   const auto first = static_cast<vtkIdType>(sources.First.size() + sources.Second.size());
@@ -131,7 +134,7 @@ void FillMiddles(const Sources& sources, vtkDataSetAttributes* result)
   }
 }
 
-/// What an array has at these points.
+/// Returns the values of an array at these points.
 Eigen::MatrixXd ToMatrix(vtkDataArray* array, const std::vector<int>& points)
 {
   Eigen::MatrixXd values(static_cast<Eigen::Index>(points.size()), array->GetNumberOfComponents());
@@ -145,7 +148,7 @@ Eigen::MatrixXd ToMatrix(vtkDataArray* array, const std::vector<int>& points)
   return values;
 }
 
-/// Blends what both parts have, where it is no number of something.
+/// Blends the arrays that both parts have, unless they identify something.
 void Blend(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature,
   const vtkShapePastedData::Part& target, const vtkShapePastedData::Part& featurePart, double width,
   vtkPointData* result)
@@ -167,6 +170,7 @@ void Blend(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feat
     {
       continue;
     }
+    // Colours are blended as numbers and rounded.
     const bool isColour = array->GetDataType() == VTK_UNSIGNED_CHAR;
     Eigen::MatrixXd values = ToMatrix(own, featurePart.Points);
     const Eigen::MatrixXd differences =
@@ -203,7 +207,8 @@ std::vector<vtkIdType> CellsUnderBand(
   std::vector<vtkIdType> cells;
   for (Eigen::Index t = 0; t < pasted.Position.Join.Triangles.rows(); ++t)
   {
-    const int corner = pasted.Position.Join.Triangles.row(t).minCoeff(); // the loop's come first
+    const int corner =
+      pasted.Position.Join.Triangles.row(t).minCoeff(); // the indices of the loop are the lowest
     const int triangle =
       corner < loop ? cover.Positions.Triangles(corner) : around.at(cover.Ring[corner - loop]);
     cells.push_back(target.Cells(triangle));

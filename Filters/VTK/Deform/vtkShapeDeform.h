@@ -15,10 +15,10 @@
  *     there, and its image. Without them the frames are estimated by one rule that rotates with
  *     the shape.
  *   - `FrameRotation` (double, 3; optional, with `FrameSet`): rotations of the frames as axis
- *     times radians. They hold where `FrameSet` is not 0 and are interpolated along the curve
- *     between.
+ *     times radians. They apply at points with a non-zero `FrameSet` and are interpolated along the
+ *     curve in between.
  *
- * Output: Input, moved, with the point array `SourcePosition` (double, 3). Normals of points
+ * Output: the deformed Input with the point array `SourcePosition` (double, 3). Normals of points
  * rotate, and normals of cells are dropped. A rigid motion of the handle moves the shape rigidly.
  * If the handle is scaled by Scale, the shape follows that similarity. A handle at rest leaves the
  * shape unchanged.
@@ -29,8 +29,8 @@
  *   upwind points all have weight 0.
  * - .WeldedPoints. .Segments: connected parts of one value of SegmentArray.
  * - .BasePoints: points of the coarse shape, 0 if none is used.
- * - .Streamed: 1 if the weights are too many to be kept. .Prepared: 1 if the weights were computed
- *   in this run, 0 if only the handle's new position or the frames changed.
+ * - .Streamed: 1 if the weights are too many to be stored. .Prepared: 1 if the weights were
+ *   computed in this run, 0 if only the handle's new position or the frames changed.
  *
  * The mathematics: shape::Deformer, shape::ShapeDeformation.
  */
@@ -81,7 +81,7 @@ private:
 
   std::string RigidityArray = "None", ScaleArray = "None", SegmentArray = "None";
   shape::PoseOptions Frames;
-  std::unique_ptr<shape::Deformer> Deformer; ///< keeps the weights
+  std::unique_ptr<shape::Deformer> Deformer; ///< stores the weights
 };
 
 #endif

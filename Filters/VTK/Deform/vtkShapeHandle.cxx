@@ -29,7 +29,7 @@
 namespace
 {
 
-/// The lines of a grid, as pairs of points one after the other.
+/// Returns the lines of a grid as consecutive pairs of points.
 Eigen::MatrixXi LinesOf(vtkUnstructuredGrid* grid)
 {
   std::vector<int> ends;
@@ -41,11 +41,12 @@ Eigen::MatrixXi LinesOf(vtkUnstructuredGrid* grid)
     const int type = grid->GetCellType(i);
     if (type == VTK_TRIANGLE || type == VTK_TETRA || type == VTK_HEXAHEDRON)
     {
-      continue; // what there are most of, without a look at each
+      continue; // the most frequent cells, skipped without a look at each
     }
     grid->GetCell(i, cell);
     if (cell->GetCellDimension() == 1)
     {
+      // Also divides polylines and quadratic lines into segments.
       cell->Triangulate(0, ids, positions);
       std::transform(ids->begin(), ids->end() - ids->GetNumberOfIds() % 2, std::back_inserter(ends),
         [](vtkIdType id) { return static_cast<int>(id); });
@@ -87,8 +88,8 @@ int ToLabel(vtkDataArray* values, vtkIdType i)
   return static_cast<int>(label);
 }
 
-/// Which point of the whole is at each place: pieces and blocks find theirs so, as points at one
-/// place move as one.
+/// Finds the points of the complete shape by position. Pieces and blocks find their points in this
+/// way, since coincident points move as one.
 class PointsByPosition
 {
 public:
@@ -100,7 +101,7 @@ public:
   std::vector<int> Find(const Eigen::MatrixXd& own)
   {
     std::vector<int> found(own.rows());
-    if (own.rows() == this->Points.rows() && own == this->Points) // neither blocks nor processes
+    if (own.rows() == this->Points.rows() && own == this->Points) // a single block on one process
     {
       for (std::size_t i = 0; i < found.size(); ++i)
       {
@@ -137,10 +138,11 @@ private:
   }
 
   const Eigen::MatrixXd& Points;
+  // Exact positions suffice: the whole was gathered from these points without arithmetic.
   std::map<std::array<double, 3>, int> Positions;
 };
 
-/// The normals of a data set's points, turned with them.
+/// Adds the point normals of a data set, rotated with the points.
 void AddTurnedNormals(vtkDataSet* from, const std::vector<int>& rows,
   const std::vector<Eigen::Matrix3d>& rotations, vtkDataSet* to)
 {
@@ -155,6 +157,8 @@ void AddTurnedNormals(vtkDataSet* from, const std::vector<int>& rows,
   {
     Eigen::Vector3d normal;
     normals->GetTuple(i, normal.data());
+    // The rotation of the frame, not the inverse transpose of a derivative: shapes without
+    // triangles have rotations, too.
     turned.row(i) = (rotations[rows[i]] * normal).transpose();
   }
   const auto array =
@@ -189,6 +193,7 @@ Eigen::VectorXi vtkShapeHandle::ToLabels(vtkUnstructuredGrid* grid, const std::s
   {
     return vtkShapeConvert::ToPointArray(grid, array, 1, "the Input").col(0).cast<int>();
   }
+  // A point gets the label of most of its cells; of equally many, the lowest.
   std::vector<std::map<int, int>> around(points);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)

@@ -7,18 +7,18 @@
 class vtkDataObject;
 class vtkUnstructuredGrid;
 
-/// What is deformed, and by what, as vtkShapeDeform reads them.
+/// Conversion of the shape and the handle of vtkShapeDeform.
 namespace vtkShapeHandle
 {
 
-/// The points and cells of a grid of any kinds: lines, triangles and tetrahedra, into which other
-/// cells are cut. Throws shape::InvalidInput, shape::Aborted.
+/// Returns the points and cells of a grid of any type, as lines, triangles and tetrahedra. Other
+/// cells are divided into these. Throws shape::InvalidInput, shape::Aborted.
 shape::ShapeElements ToElements(
   vtkUnstructuredGrid* grid, const std::string& name, const shape::Progress& progress = {});
 
-/// Labels of the points by a point array of one component, or a cell array: then the most
-/// frequent one of the cells around a point, the lowest of several. Throws shape::InvalidInput if
-/// there is neither.
+/// Returns labels of the points from a point array or a cell array of one component. With a cell
+/// array, a point gets the most frequent label of the cells around it, or the lowest of several.
+/// Throws shape::InvalidInput if there is neither array.
 Eigen::VectorXi ToLabels(vtkUnstructuredGrid* grid, const std::string& array);
 
 struct Boundary
@@ -31,8 +31,9 @@ struct Boundary
 /// `FrameSet`. Throws shape::InvalidInput.
 Boundary Read(vtkUnstructuredGrid* boundary);
 
-/// Makes `output` like `input`, a part of the shape with the points `whole`, as they were deformed:
-/// with the point array `SourcePosition`, and normals of points turned. Throws shape::InvalidInput.
+/// Writes the deformed `input`, which is a part of the shape, to `output`. whole: the points of the
+/// complete shape before the deformation; deformed: the complete shape. Adds the point array
+/// `SourcePosition`, and rotates point normals. Throws shape::InvalidInput.
 void Write(vtkDataObject* input, const Eigen::MatrixXd& whole, const shape::DeformedShape& deformed,
   vtkDataObject* output);
 

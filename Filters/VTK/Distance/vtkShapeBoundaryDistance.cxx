@@ -25,6 +25,7 @@ void vtkShapeBoundaryDistance::Execute(const shape::Progress& progress)
   const shape::Mesh surface =
     vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Surface");
   progress(0.1);
+  // One search structure for all blocks.
   const shape::BoundaryDistance distance(surface, this->Options, progress.Part(0.1, 0.3));
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   const double share =

@@ -35,6 +35,7 @@ vtkShapeExponentialMap::~vtkShapeExponentialMap() = default;
 vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
+  // The map's structures do not depend on the seed: while it is dragged they are reused.
   const bool isNew = kept.Input.IsNew(*this, 0, this->GetGatheredInput(0).Data);
   if (isNew || !kept.Map || kept.Options.NormalSmoothing != this->Options.NormalSmoothing ||
     kept.Options.UpwindAverage != this->Options.UpwindAverage)
@@ -51,7 +52,7 @@ vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progre
 
 void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

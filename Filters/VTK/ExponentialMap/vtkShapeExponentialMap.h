@@ -3,11 +3,11 @@
  * @brief   flatten the part of a surface around a seed
  *
  * Input: a surface, open or closed, also non-manifold. Polygons are triangulated internally, and
- * coincident points count as one. Blocks and distributed pieces are joined first. In parallel the
- * first process has the patch.
+ * coincident points are treated as one. Blocks and distributed pieces are joined first. In parallel
+ * the first process has the patch.
  *
- * Output: the patch, that is the triangles whose points the front reaches within Radius, with the
- * data of their points and cells and the point arrays
+ * Output: the patch, which consists of the triangles whose points the front reaches within Radius.
+ * It has the data of their points and cells, and the point arrays
  * - `ExponentialMap` (double, 2): texture coordinates. The seed is at (0.5, 0.5), and the disk of
  *   the radius fills the square.
  * - `TargetPosition` (double, 3): the same in the units of the surface, with z = 0 and the seed at
@@ -16,7 +16,7 @@
  * and the cell arrays
  * - `Flipped`, `Torn` (int, 0 or 1). Torn: the image is more than twice as long as the triangle,
  *   because the front met itself behind a protrusion.
- * - `ConformalDistortion`, `SymmetricDirichlet`: as of vtkShapeMapQuality.
+ * - `ConformalDistortion`, `SymmetricDirichlet`: as defined in vtkShapeMapQuality.
  *
  * Field data, with the prefix ExponentialMap
  * - .Seed, .SeedNormal, .XAxis (3 numbers each): origin of the patch, its normal, and the
@@ -30,8 +30,8 @@
  * - .Overlaps: 1 if parts of the image overlap. .ReachesRim: 1 if the patch ends at a boundary of
  *   the surface.
  *
- * Everything that depends only on the surface, NormalSmoothing and UpwindAverage is kept. A new
- * seed or radius takes time for the patch alone.
+ * Everything that depends only on the surface, NormalSmoothing and UpwindAverage is reused. A new
+ * seed or radius takes time for the patch only.
  *
  * The mathematics: shape::ExponentialMap, shape::FlattenPatch.
  */
@@ -73,7 +73,7 @@ private:
   void operator=(const vtkShapeExponentialMap&) = delete;
 
   struct Kept;
-  /// The map of the surface as it is now.
+  /// Returns the map of the current surface.
   Kept& Update(const shape::Progress& progress);
 
   double Seed[3] = { 0.0, 0.0, 0.0 };

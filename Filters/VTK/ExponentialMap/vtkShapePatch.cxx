@@ -46,6 +46,7 @@ void WritePointData(const shape::PatchLayout& layout, vtkPolyData* surface, vtkP
   flat.leftCols(2) = patch.Positions;
   fields->AddArray(vtkShapeConvert::ToArray(flat, "TargetPosition"));
   fields->AddArray(vtkShapeConvert::ToArray(patch.Distances, "GeodesicDistance"));
+  // The disk of the given radius fills the unit square of the texture.
   const Eigen::MatrixXd texture = (patch.Positions.array() / (2.0 * layout.Radius) + 0.5).matrix();
   fields->SetTCoords(vtkShapeConvert::ToArray(texture, "ExponentialMap"));
 }

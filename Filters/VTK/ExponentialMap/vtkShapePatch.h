@@ -6,13 +6,13 @@
 
 class vtkPolyData;
 
-/// A flattened patch as data.
+/// Conversion of a flattened patch to data.
 namespace vtkShapePatch
 {
 
-/// Makes `output` the patch of a surface with the data of its points and cells, the arrays and the
-/// field data of vtkShapeExponentialMap. mesh: the surface's triangles; cells: of which of its
-/// cells each is a part.
+/// Writes the patch of a surface to `output`, with the data of its points and cells, and the arrays
+/// and field data of vtkShapeExponentialMap. mesh: the surface's triangles; cells: the cell of the
+/// surface that each triangle is a part of.
 void Write(const shape::PatchLayout& layout, const shape::Mesh& mesh, vtkPolyData* surface,
   const Eigen::VectorXi& cells, vtkPolyData* output);
 

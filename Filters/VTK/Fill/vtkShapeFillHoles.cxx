@@ -22,13 +22,13 @@
 
 vtkStandardNewMacro(vtkShapeFillHoles);
 
-/// What depends on the input and the choice of loops, and what these were.
+/// The data that depend on the input and the choice of loops, and the last values of both.
 struct vtkShapeFillHoles::Kept
 {
   shape::NumberedSurface Surface;
-  shape::CurveNetwork Curves;  ///< where there are no polygons
-  shape::BoundaryLoops Border; ///< else
-  std::vector<int> Chosen;     ///< loops, or rims, by number
+  shape::CurveNetwork Curves;  ///< if there are no polygons
+  shape::BoundaryLoops Border; ///< otherwise
+  std::vector<int> Chosen;     ///< indices of loops or rims
   shape::HoleFillerOptions Options;
   std::unique_ptr<shape::SurfaceFiller> Filler;
 };
@@ -135,6 +135,8 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   }
   progress(0.6);
   Kept& kept = *this->Cache;
+  // The prepared fills are kept as long as geometry, loops and sizes are the same: deformation
+  // parameters then change in real time.
   const bool isSame = kept.Filler && AreSame(surface, kept.Surface.Surface) &&
     fresh.Chosen == kept.Chosen && AreSame(this->Fill.Filler, kept.Options) &&
     fresh.Curves.Loops == kept.Curves.Loops &&
@@ -157,14 +159,17 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   }
   else
   {
-    kept.Surface = std::move(fresh.Surface); // its cells may have other numbers
+    kept.Surface = std::move(fresh.Surface); // its cells may be numbered differently
   }
   progress(1.0);
 }
 
+// 1. Find and choose the loops; reuse the prepared fills if these are the same (Prepare).
+// 2. Fill the holes.
+// 3. Write geometry, data and facts (vtkShapeFilledData).
 void vtkShapeFillHoles::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

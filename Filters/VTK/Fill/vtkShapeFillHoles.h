@@ -19,17 +19,17 @@
  * interrupted, so an abort takes effect at its end.
  *
  * Field data, with the prefix FillHoles
- * - .Loops: number found. .UnclosedSides: boundary edges in no closed loop.
+ * - .Loops: number of loops found. .UnclosedSides: boundary edges in no closed loop.
  * - .LooseSegments, .SkippedFaces: of curves, see shape::CurveNetwork.
  * and a tuple for each filled loop
- * - .Loop: its number, 0 for the longest. .LoopPoints. .Method and .Reason (strings).
+ * - .Loop: number of the loop, 0 for the longest. .LoopPoints. .Method and .Reason (strings).
  * - .Nonplanarity: maximum distance of the loop from its plane, divided by its diameter.
  * - .NormalDeviationBefore, .NormalDeviationAfter: mean angle between the normals of the fill at
  *   the loop and the prescribed ones, in degrees. Before: of the membrane, or before the frames
  *   are optimised.
  * - .SelfIntersections: pairs of triangles that intersect without a shared point, at least one of
  *   them of the fill.
- * - .Points, .Triangles: new ones.
+ * - .Points, .Triangles: numbers of new points and triangles.
  *
  * The mathematics: shape::SurfaceFiller.
  */

@@ -14,16 +14,17 @@
 namespace
 {
 
-/// A component of an array.
+/// Returns a component of an array.
 using Column = std::pair<vtkDataArray*, int>;
 
+/// Colours are bytes, from 0 to 255.
 double ValueFor(const vtkDataArray* array, double value)
 {
   return array->GetDataType() == VTK_UNSIGNED_CHAR ? std::clamp(std::round(value), 0.0, 255.0)
                                                    : value;
 }
 
-/// values: room for those of all points.
+/// values: has space for those of all points.
 void ContinueColumns(const shape::Mesh& surface, const shape::FilledHole& hole,
   const std::vector<Column>& columns, Eigen::MatrixXd& values)
 {

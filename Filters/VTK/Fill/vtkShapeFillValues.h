@@ -8,13 +8,13 @@
 class vtkDataArray;
 class vtkDataSetAttributes;
 
-/// Data of the points of fills.
+/// Point data of fills.
 namespace vtkShapeFillValues
 {
 
-/// Carries a surface's values (vtkShapeConvert::AreValues) on from the boundary loops of its fills:
-/// see shape::ExtendValuesOntoFill. points: tuples for the fills, too; those of bytes, which are
-/// colours, are rounded. leftOut: an array that stays as it is, or nullptr.
+/// Extends a surface's values (vtkShapeConvert::AreValues) from the boundary loops onto the fills:
+/// see shape::ExtendValuesOntoFill. points: arrays with tuples for the points of the fills as well;
+/// bytes, which are colours, are rounded. leftOut: an array that is not changed, or nullptr.
 void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,
   vtkDataSetAttributes* points, const vtkDataArray* leftOut = nullptr);
 

@@ -30,10 +30,11 @@ namespace
 using shape::FilledHole;
 using shape::FilledSurface;
 
-/// The input's points, to the bit, and those of the fills.
+/// Writes the input's points, bit for bit, and those of the fills.
 void WritePoints(const FilledSurface& filled, vtkPolyData* input, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
+  // The input's type, so that its coordinates keep their bits.
   points->SetDataType(input->GetPoints()->GetDataType());
   points->DeepCopy(input->GetPoints());
   const vtkIdType old = input->GetNumberOfPoints();
@@ -45,7 +46,8 @@ void WritePoints(const FilledSurface& filled, vtkPolyData* input, vtkPolyData* o
   output->SetPoints(points);
 }
 
-/// The input's cells, with the fills' triangles behind its polygons; returns where they begin.
+/// Writes the input's cells, with the fills' triangles after its polygons. Returns the index of the
+/// first of these.
 vtkIdType WriteCells(
   const FilledSurface& filled, Eigen::Index first, vtkPolyData* input, vtkPolyData* output)
 {
@@ -89,7 +91,7 @@ void WritePointData(const FilledSurface& filled, const std::vector<shape::FillSo
   const vtkIdType old = input->GetNumberOfPoints();
   vtkPointData* data = output->GetPointData();
   data->CopyAllOn();
-  data->CopyGlobalIdsOff(); // fills have none of their own
+  data->CopyGlobalIdsOff(); // fills have no global ids
   data->CopyAllocate(input->GetPointData(), filled.Surface.Points.rows());
   data->CopyData(input->GetPointData(), 0, old, 0);
   for (std::size_t i = 0; i < sources.size(); ++i)
@@ -119,6 +121,7 @@ void WriteCellData(const FilledSurface& filled, const std::vector<shape::FillSou
   data->CopyGlobalIdsOff();
   data->CopyAllocate(input->GetCellData(), output->GetNumberOfCells());
   data->CopyData(input->GetCellData(), 0, begin, 0);
+  // Strips come after the polygons, so the new triangles push them back.
   data->CopyData(input->GetCellData(), begin + count, input->GetNumberOfCells() - begin, begin);
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
@@ -132,6 +135,7 @@ void WriteCellData(const FilledSurface& filled, const std::vector<shape::FillSou
       }
       else
       {
+        // Between curves there is no cell to copy from.
         data->NullData(cell);
       }
     }

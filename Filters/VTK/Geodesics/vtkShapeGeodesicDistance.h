@@ -13,8 +13,8 @@
  * surface), -1 on components without a seed. Field data: GeodesicDistance.UnreachedPoints, the
  * number of these points.
  *
- * Heat computes two or three factorisations. A factorisation cannot be interrupted, so an abort
- * takes effect at its end.
+ * Method Heat computes two or three factorisations. A factorisation cannot be interrupted, so an
+ * abort takes effect at its end.
  *
  * The mathematics: shape::ComputeGeodesicDistance.
  */

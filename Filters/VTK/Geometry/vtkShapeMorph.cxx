@@ -40,6 +40,7 @@ void vtkShapeMorph::DescribeOutputs(vtkInformationVector**, vtkInformationVector
   info->Set(Pipeline::TIME_RANGE(), range, 2);
 }
 
+/// The output's time is the parameter of the morph; the input is always read at its own first time.
 void vtkShapeMorph::RequestInputs(vtkInformationVector** inputs, vtkInformationVector*)
 {
   vtkInformation* info = inputs[0]->GetInformationObject(0);

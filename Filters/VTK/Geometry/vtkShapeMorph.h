@@ -10,9 +10,9 @@
  *
  * Output: the same data moved, with `SourcePosition` (double, 3), the position at t = 0. Image
  * data and rectilinear grids become structured grids. Point normals are dropped. The time range is
- * [0, 1], and each time in it can be requested. Earlier times and no time give t = 0, later times
- * t = 1. It is listed in 41 steps, which the player of ParaView uses by default. If the input has
- * time steps, the first one is used.
+ * [0, 1], and each time in it can be requested. An earlier time, or no time, gives t = 0, and a
+ * later time gives t = 1. The range is listed in 41 steps, which the player of ParaView uses by
+ * default. If the input has time steps, the first one is used.
  *
  * The mathematics is the formula above: there is no kernel.
  */

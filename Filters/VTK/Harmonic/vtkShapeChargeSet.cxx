@@ -30,7 +30,8 @@ namespace
 
 using Affine = Eigen::Matrix<double, 3, 4>;
 
-/// [A b] of each region: 3 tuples of 4 where there is one, else a tuple of 12 for each.
+/// Reads [A b] of each region: 3 tuples of 4 if there is one region, otherwise a tuple of 12 for
+/// each.
 std::vector<Affine> ReadAffines(vtkPolyData* data, const std::string& name)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray("Affine");
@@ -56,7 +57,7 @@ std::vector<Affine> ReadAffines(vtkPolyData* data, const std::string& name)
   return affines;
 }
 
-/// RegionId at the points; 0 where there is no such array and one region.
+/// Returns RegionId at the points; 0 if there is no such array and one region.
 std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& name)
 {
   std::vector<int> ids(data->GetNumberOfPoints(), 0);
@@ -78,7 +79,8 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
   return ids;
 }
 
-/// Half the minimum distance of a charge to the surface; without charges the map holds everywhere.
+/// Returns half the minimum distance of a charge from the surface. Without charges the map is valid
+/// everywhere.
 double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Surface& surface)
 {
   return charges.rows() > 0
@@ -86,7 +88,9 @@ double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Surface& sur
     : shape::ComputeLongestBoxEdge(surface.Points());
 }
 
-/// The rows of a charge set that carry a charge.
+/// Returns the rows of a charge set that have a charge.
+/// Charges that are 0 contribute nothing; this also distinguishes sources from points of
+/// the surface.
 std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
 {
   std::vector<int> rows;
@@ -159,6 +163,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
   contents.Surface =
     shape::Surface(vtkShapeConvert::Rows(all.Points, corners), std::move(triangles));
   shape::RequireClosedSurface(contents.Surface, "the surface of " + name);
+  // One region needs no labels.
   if (count > 1)
   {
     contents.Regions = all.Triangles.col(0).unaryExpr([&](int point) { return regions[point]; });
@@ -173,6 +178,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
     }
   }
   vtkDataArray* offset = data->GetFieldData()->GetArray("HarmonicVolumeMap.OffsetDistance");
+  // Charge sets that other programs wrote have no such fact.
   contents.Farthest = offset && offset->GetNumberOfTuples() > 0
     ? shape::ComputeFarthest(offset->GetComponent(0, 0), contents.Surface.Points())
     : MeasuredMaximum(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
@@ -186,7 +192,7 @@ void vtkShapeChargeSet::Share(
   {
     return;
   }
-  // All as real numbers, which hold indices exactly.
+  // All as doubles, which represent indices exactly.
   Eigen::MatrixXd sizes(1, 2);
   sizes << static_cast<double>(charges.Maps.size()), charges.Farthest;
   vtkShapeGather::Share(controller, sizes);
@@ -222,7 +228,7 @@ void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* o
     sources.push_back(ChargedRows(map.Charges));
     count += static_cast<int>(sources.back().size());
   }
-  // The charges come first, region by region, then the surface's points, which carry no charge.
+  // The charges come first, region by region, then the surface's points, which have no charge.
   shape::Mesh mesh{ Eigen::MatrixXd(count + set.Surface.Points().rows(), 3),
     set.Surface.Triangles().array() + count };
   mesh.Points.bottomRows(set.Surface.Points().rows()) = set.Surface.Points();
@@ -279,6 +285,7 @@ std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataO
       vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
       for (Eigen::Index i = 0; i < sources.rows(); ++i)
       {
+        // Points that belong to another process are counted there.
         const bool own =
           !ghosts || (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0;
         counts[positions.OutsideDomain(i)] += own;

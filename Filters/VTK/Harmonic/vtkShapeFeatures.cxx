@@ -14,15 +14,16 @@
 namespace
 {
 
-/// The points of a curve, by their ids.
+/// The ids of the points of a curve.
 using Path = std::vector<int>;
 
 std::vector<Path> Paths(vtkPolyData* data)
 {
   std::vector<Path> paths;
-  bool open = false; // whether the last one is made of lines of two points
+  bool open = false; // whether the last curve consists of lines of two points
   for (const Path& path : vtkShapeConvert::ToLines(data))
   {
+    // Many readers and filters write a polyline as separate segments; consecutive ones are joined.
     if (open && path.size() == 2 && paths.back().back() == path.front())
     {
       paths.back().push_back(path.back());
@@ -151,6 +152,8 @@ shape::VolumeFeatures vtkShapeFeatures::Read(const std::vector<vtkPolyData*>& fe
   return all;
 }
 
+/// Surfaces are met exactly as boundaries of regions; points and curves remain least-squares
+/// constraints.
 vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPolyData*>& features,
   const std::vector<vtkPolyData*>& targets, const std::string& mapArray)
 {

@@ -7,29 +7,29 @@
 
 class vtkPolyData;
 
-/// The features of a harmonic volume map as data: points, curves or surfaces whose positions in the
-/// target are known.
+/// Conversion of the features of a harmonic volume map: points, curves or surfaces whose positions
+/// in the target are known.
 namespace vtkShapeFeatures
 {
 
 /**
- * The points of `features`, their images and weights.
+ * Returns the points of `features`, their images and weights.
  *
- * A feature with the point array `mapArray` brings its own images. The i-th of those without is
- * paired with the i-th of `targets`: its curves with that one's curves by arc length, with points
- * between where they are more than `longestStep` apart; or, where it has no curves, its points with
- * that one's points by order. Lines of two points that follow each other end to end are one curve.
+ * If a feature has the point array `mapArray`, that contains its images. The i-th feature without
+ * it is paired with the i-th of `targets`. Curves are paired with curves by arc length; points are
+ * added if they are more than `longestStep` apart. Features without curves are paired point by
+ * point, in order. Lines of two points that are connected end to end form one curve.
  *
- * `Weight` (1 component) at the features' points, where it is there, else `defaultWeight`.
+ * The weights are the point array `Weight` (1 component) if it exists, otherwise `defaultWeight`.
  *
- * Throws shape::InvalidInput if a feature is left without a partner, partners do not match, a
- * weight is not greater than 0, or a number is not finite.
+ * Throws shape::InvalidInput if a feature has no partner, partners do not match, a weight is not
+ * greater than 0, or a number is not finite.
  */
 shape::VolumeFeatures Read(const std::vector<vtkPolyData*>& features,
   const std::vector<vtkPolyData*>& targets, const std::string& mapArray, double defaultWeight,
   double longestStep);
 
-/// Features that are to be met exactly, and those that are not, with the targets left for them.
+/// Features that are matched exactly (Surfaces), and the other features with their targets.
 struct Split
 {
   std::vector<shape::ExactSurface> Surfaces;
@@ -37,11 +37,11 @@ struct Split
 };
 
 /**
- * Takes the surfaces out: features with polygons, whose images are `mapArray` or the points of
- * their target by order. What is left must carry `Weight`.
+ * Separates the surfaces from the other features. Surfaces are features with polygons; their images
+ * are `mapArray` or the points of their target in order. The other features must have `Weight`.
  *
- * Throws shape::InvalidInput if points or curves have no `Weight`, which would ask for them to
- * be met exactly, and as Read does.
+ * Throws shape::InvalidInput if points or curves have no `Weight`, since they would then have to be
+ * matched exactly. Throws the exceptions of Read.
  */
 Split TakeSurfaces(const std::vector<vtkPolyData*>& features,
   const std::vector<vtkPolyData*>& targets, const std::string& mapArray);

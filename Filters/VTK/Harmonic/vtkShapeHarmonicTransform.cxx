@@ -27,17 +27,18 @@ vtkStandardNewMacro(vtkShapeHarmonicTransform);
 namespace
 {
 
-/// The inverse; the matrix itself where there is none.
+/// Returns the inverse, or the matrix itself if it is singular.
 Eigen::Matrix3d Inverted(const Eigen::Matrix3d& matrix)
 {
   const Eigen::Matrix3d inverse = matrix.inverse();
   return inverse.allFinite() ? inverse : matrix;
 }
 
-/// A normal at a point where the map has this derivative.
+/// Transforms a normal at a point at which the map has this derivative.
 Eigen::Vector3d TurnedNormal(const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& normal)
 {
-  // J^-T n = cof(J) n / det(J), which is finite before it is normalised, however flat the map is.
+  // J^-T n = cof(J) n / det(J), which is finite before it is normalised, even if the map is nearly
+  // singular.
   Eigen::Matrix3d cofactors;
   for (int r = 0; r < 3; ++r)
   {
@@ -107,6 +108,7 @@ vtkAbstractTransform* vtkShapeHarmonicTransform::MakeTransform()
   return vtkShapeHarmonicTransform::New();
 }
 
+/// A filter that uses the transform must run again when the charges' pipeline is modified.
 vtkMTimeType vtkShapeHarmonicTransform::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -140,6 +142,7 @@ void vtkShapeHarmonicTransform::InternalDeepCopy(vtkAbstractTransform* transform
   }
 }
 
+/// A transform cannot return an error: without a valid map it reports one and leaves all points.
 void vtkShapeHarmonicTransform::InternalUpdate()
 {
   if (this->Producer)
@@ -148,6 +151,7 @@ void vtkShapeHarmonicTransform::InternalUpdate()
   }
   vtkPolyData* charges = this->GetChargeSet();
   const bool inverted = this->InverseFlag != 0;
+  // Building the map takes long: it is reused as long as the charges are the same.
   if (this->Map && charges == this->MappedCharges && charges->GetMTime() == this->MappedTime &&
     (this->MapHasInverse || !inverted))
   {
@@ -239,7 +243,7 @@ void vtkShapeHarmonicTransform::InverseTransformDerivative(
   this->Transform<false, double>(in, out, derivative);
 }
 
-/// Points at their new places, and the derivative of the transformation there.
+/// Computes the new positions of points, and the derivative of the transformation there.
 struct vtkShapeHarmonicTransform::Many
 {
   std::vector<Eigen::Vector3d> Positions;
@@ -269,6 +273,7 @@ vtkShapeHarmonicTransform::Many vtkShapeHarmonicTransform::TransformMany(vtkPoin
       this->Map ? results[i] : shape::VolumeTransform::Result{ rows.row(i).transpose() };
     this->NotInverted += result.State == shape::InverseMap::State::Missed;
     many.Positions.push_back(result.Position);
+    // Backward returns the derivative of the map itself at the position found.
     many.Derivatives.push_back(this->InverseFlag ? Inverted(result.Jacobian) : result.Jacobian);
   }
   return many;

@@ -3,8 +3,8 @@
  * @brief   a harmonic volume map as a transformation of space, with its derivative and inverse
  *
  * Works with every user of vtkAbstractTransform. The transform filters of VTK rotate normals and
- * vectors with the map. The reslice filter vtkImageReslice moves images: it asks where the value
- * at a position comes from, so it takes the inverse.
+ * vectors with the map. The reslice filter vtkImageReslice moves images: it needs the position from
+ * which a value comes, so it takes the inverse.
  *
  *   carried = vtkImageReslice(); carried.SetInputData(image)
  *   transform = vtkShapeHarmonicTransform(); transform.SetChargeSetData(charges)
@@ -49,14 +49,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The charge set: a filter's output, which is brought up to date, or data.
+  /// The charge set: the output of a filter, which is updated, or data.
   virtual void SetChargeSetConnection(vtkAlgorithmOutput* charges);
   virtual void SetChargeSetData(vtkPolyData* charges);
   virtual vtkPolyData* GetChargeSet();
   ///@}
 
-  /// How many preimages were not found since the last update: points that lie inside the image of
-  /// the domain's boundary and keep their position. Each inversion of the same point counts.
+  /// The number of preimages not found since the last update. These are points that lie inside the
+  /// image of the domain's boundary and keep their position. Each inversion of the same point
+  /// counts.
   virtual vtkIdType GetNotInverted() { return this->NotInverted; }
 
   vtkAbstractTransform* MakeTransform() override;
@@ -102,8 +103,8 @@ private:
   vtkSmartPointer<vtkAlgorithm> Producer; ///< of the charge set
   int Port = 0;
   std::shared_ptr<const shape::VolumeTransform> Map; ///< empty: every point keeps its position
-  vtkSmartPointer<vtkPolyData> MappedCharges;        ///< what Map was made from
-  vtkMTimeType MappedTime = 0;                       ///< when that was modified
+  vtkSmartPointer<vtkPolyData> MappedCharges;        ///< the data from which Map was built
+  vtkMTimeType MappedTime = 0;                       ///< modification time of these data
   bool MapHasInverse = false;
   std::atomic<vtkIdType> NotInverted{ 0 };
 };

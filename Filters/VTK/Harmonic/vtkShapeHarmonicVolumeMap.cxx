@@ -31,8 +31,8 @@ vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
   : Setup(std::make_shared<shape::AcceleratedSetup>())
 {
   this->DeclareInput("Domain", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
-  // Any data set, although a surface is needed: ParaView offers the filter in its menu only where
-  // the selection suits the input that comes first in the alphabet, and users select the solid.
+  // Any data set, although a surface is needed: ParaView only enables the filter if the selection
+  // is valid for the alphabetically first input, and users select the solid.
   this->DeclareInput("Boundary", PortData::WholeSurface, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("Features", PortData::Whole, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareInput(
@@ -67,10 +67,11 @@ void vtkShapeHarmonicVolumeMap::RemoveAllTargetFeatures()
 namespace
 {
 
-/// Between the points of a curve that is matched, as a share of the longest side of the boundary.
+/// The maximum distance of points on a matched curve, relative to the longest edge of the
+/// boundary's bounding box.
 constexpr double LongestStep = 0.01;
 
-/// What the names of the facts begin with.
+/// The prefix of the names of the facts.
 const std::string Facts = vtkShapeVolumeMapFacts::Prefix;
 
 } // namespace
@@ -126,6 +127,10 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   return result;
 }
 
+// 1. Check the domain on every process, and solve for the map on the first one.
+// 2. Send the charges and the facts to all processes.
+// 3. Each process moves its own pieces by them.
+// 4. With FoldFree, untangle the moved solid.
 void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
 {
   vtkMultiProcessController* controller = this->GetController();
@@ -168,7 +173,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);
   }
 
-  // One process hands the charges on; the others say the same facts about them.
+  // One process outputs the charges; the others output the same facts about them.
   auto* charges = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
   if (first)
   {

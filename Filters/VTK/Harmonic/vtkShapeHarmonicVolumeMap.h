@@ -143,7 +143,8 @@ private:
   vtkShapeHarmonicVolumeMap(const vtkShapeHarmonicVolumeMap&) = delete;
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
 
-  /// The map of the whole inputs; the facts about it become field data of `facts`.
+  /// Computes the map of the gathered inputs; the facts about it are added to the field data of
+  /// `facts`.
   shape::VolumeMapResult Solve(vtkPolyData* facts, const shape::Progress& progress);
 
   std::string MapArray = "TargetPosition";

@@ -49,7 +49,7 @@ const char* Word(shape::HarmonicVolumeMapResult::Stop reason)
   return "Levels";
 }
 
-/// Errors at the borders, an entry for each region.
+/// Adds the errors at the boundaries of the regions, an entry for each region.
 void AddBorders(
   const std::vector<shape::PiecewiseVolumeMapResult::Border>& boundaries, vtkDataObject* output)
 {
@@ -106,6 +106,7 @@ void vtkShapeVolumeMapFacts::AddFacts(const shape::PiecewiseVolumeMapResult& res
     iterations += layer.Iterations;
     refined += layer.RefinedPoints;
     without += layer.PointsWithoutCharge;
+    // The tolerance counts as reached only if it is in all layers.
     reason = layer.Reason == Stop::Tolerance ? reason : layer.Reason;
   }
   const std::pair<const char*, double> facts[] = { { "RMSEVertices", boundary.RMSEVertices },

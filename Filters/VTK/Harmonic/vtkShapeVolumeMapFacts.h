@@ -7,19 +7,19 @@
 class vtkDataObject;
 class vtkTable;
 
-/// What a harmonic volume map says about itself.
+/// Facts about a harmonic volume map.
 namespace vtkShapeVolumeMapFacts
 {
 
-/// What the names of the facts begin with.
+/// The prefix of the names of the facts.
 inline constexpr const char* Prefix = "HarmonicVolumeMap.";
 
-/// A row for each level of each region's map, with the columns that vtkShapeHarmonicVolumeMap
-/// names.
+/// Writes a row for each level of each region's map, with the columns that
+/// vtkShapeHarmonicVolumeMap documents.
 void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult>& regions, vtkTable* output);
 
-/// Field data: errors, what the method did and why it stopped; with `boundaries` an entry for each
-/// region: the residual at the surface around it.
+/// Adds field data: the errors, the choices of the method, and the reason why it stopped. With
+/// `boundaries`, adds an entry for each region: the residual at the surface around it.
 void AddFacts(const shape::PiecewiseVolumeMapResult& result,
   shape::HarmonicVolumeMapOptions::MethodType method, bool boundaries, vtkDataObject* output);
 

@@ -27,6 +27,7 @@ vtkShapeHexRemesh::vtkShapeHexRemesh()
     "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareOutput("vtkPolyData");
+  // These are new: they belong to the hexahedra, not to the input.
   std::set<std::string> measures = { "Distance" };
   measures.insert(
     vtkShapeMeasures::NamesOfHexahedra().begin(), vtkShapeMeasures::NamesOfHexahedra().end());
@@ -46,8 +47,8 @@ void vtkShapeHexRemesh::RemoveAllInnerSurfaces()
 namespace
 {
 
-/// Polygons are cut into triangles at their places on the surface, as Shape Polycube cuts them: on
-/// the polycube one may lie around an edge.
+/// Polygons are triangulated by their positions on the surface, as by Shape Polycube: on the
+/// polycube a polygon may be bent around an edge.
 shape::GivenPolycube ToPolycube(vtkPolyData* data)
 {
   const Eigen::MatrixXd sources =
@@ -87,7 +88,7 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
 
 void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

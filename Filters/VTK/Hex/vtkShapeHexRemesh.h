@@ -17,8 +17,8 @@
  *
  * Output 0: hexahedra (vtkUnstructuredGrid) with the cell arrays
  * - `ScaledJacobian` (double): Verdict's, 1 for a box.
- * - `RegionId` (int): i + 1 inside inner surface i, the innermost one, counted from 0; otherwise
- *   0.
+ * - `RegionId` (int): i + 1 inside inner surface i, counted from 0, otherwise 0. Inside several
+ *   surfaces, the innermost one determines it.
  * - `Jacobian`, `Volume`, `EdgeRatio` (longest to shortest edge), `MaxAspectFrobenius` (1 for a
  *   cube).
  * - `EquiangleSkew` (0 for a box, 1 if an angle of a face is 0 or 180 degrees).
@@ -28,13 +28,13 @@
  * Output 1: the boundary quads, then the quads between regions, which face out of the inner
  * surface (vtkPolyData). The points are those of the hexahedra that they use, numbered by
  * `OriginalPointId`. The cell arrays are
- * - `Patch` (int): quads of one number lie between creases.
+ * - `Patch` (int): number of the patch between creases to which the quad belongs.
  * - `Interface` (int): 0 on the boundary, i + 1 on inner surface i.
- * - `Distance` (double): of the centre of the quad from its surface.
+ * - `Distance` (double): distance of the centre of the quad from its surface.
  * In parallel the first process has both.
  *
  * Field data of both, with the prefix HexRemesh
- * - .Method ("Polycube" or "Grid"), .Reason (for that one), .Hexahedra, .CellSize, .Regions.
+ * - .Method ("Polycube" or "Grid"), .Reason (for this choice), .Hexahedra, .CellSize, .Regions.
  * - .MinimumScaledJacobian, .MeanScaledJacobian, .ScaledJacobianHistogram (20 counts of hexahedra,
  *   for [0, 0.05), ..., [0.95, 1]).
  * - .Distance: the larger one-sided Hausdorff distance between the boundary and the surface.
@@ -45,12 +45,13 @@
  *   .InnerCreasesKept: 0 if an inner surface has creases.
  * - .CreaseDistance: the larger one-sided Hausdorff distance between the creases of the surface
  *   and those of the boundary, or to the boundary if none is kept.
- * - .CreaseShare: length of the creases that the method sought, as a share of that of all edges as
- *   sharp as a crease. It is less than 1 if some end inside a patch, or bound patches smaller than
- *   4 cells. It is 0 if less than two thirds of the length bounds patches of a thousandth of the
- *   area, which is noise. A greater FeatureAngle may find a real crease of a scan.
- * - .ReleasedPoints: boundary points off the surface, where hexahedra on it would be inverted or
- *   stay bad.
+ * - .CreaseShare: length of the creases that the method tries to keep, as a share of that of all
+ *   edges as sharp as a crease. It is less than 1 if some end inside a patch, or bound patches
+ *   smaller than 4 cells. It is 0 if less than two thirds of the length bounds patches larger than
+ *   a thousandth of the area: the rest is noise. A greater FeatureAngle may find a real crease of
+ *   a scan.
+ * - .ReleasedPoints: boundary points that were moved off the surface because hexahedra would
+ *   otherwise be inverted or of bad quality.
  * - .Crossings: pairs of triangles of the surface that intersect.
  * - .EulerNumber, .Components: of the boundary.
  * - Minimum, mean and maximum of each further measure, such as .Volume.

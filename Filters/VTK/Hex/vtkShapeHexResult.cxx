@@ -50,7 +50,7 @@ vtkSmartPointer<vtkPoints> ToVtkPoints(const Eigen::MatrixXd& points)
   return result;
 }
 
-/// Distances of the quads' middles to a surface.
+/// Computes the distances of the quads' centres from a surface.
 Eigen::VectorXd Distances(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const shape::Surface& surface)
 {
@@ -62,7 +62,7 @@ Eigen::VectorXd Distances(
   return shape::SurfaceLocator(surface).Find(midpoints).Distances;
 }
 
-/// Verdict's measures but for the scaled Jacobian, of which the kernel takes care.
+/// Verdict's measures except for the scaled Jacobian, which the kernel computes.
 std::vector<std::string> Measures()
 {
   std::vector<std::string> names = vtkShapeMeasures::NamesOfHexahedra();
@@ -70,7 +70,7 @@ std::vector<std::string> Measures()
   return names;
 }
 
-/// How many scaled Jacobians lie in each twentieth of [0, 1].
+/// Counts the scaled Jacobians in each twentieth of [0, 1].
 vtkSmartPointer<vtkIntArray> Histogram(const shape::HexMesh& solid)
 {
   constexpr int bins = 20;
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkIntArray> Histogram(const shape::HexMesh& solid)
   return vtkShapeConvert::ToIntegers(counts, "HexRemesh.ScaledJacobianHistogram");
 }
 
-/// The least, the mean and the greatest of an array's values.
+/// Computes the minimum, mean and maximum of an array's values.
 vtkSmartPointer<vtkDoubleArray> Summary(vtkDataArray* values, const std::string& name)
 {
   Eigen::RowVector3d sums = Eigen::RowVector3d::Zero();
@@ -101,7 +101,7 @@ vtkSmartPointer<vtkDoubleArray> Summary(vtkDataArray* values, const std::string&
   return summary;
 }
 
-/// The share of quads that are at most 1.2 times as large as wanted, and the median ratio.
+/// Computes the share of quads that are at most 1.2 times as large as wanted, and the median ratio.
 void AddSizeFacts(const Eigen::VectorXd& ratios, vtkDataObject* output)
 {
   std::vector<double> sorted(ratios.begin(), ratios.end());
@@ -125,6 +125,7 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
   vtkShapeMeasures::AddToHexahedra(Measures(), output);
 }
 
+/// The outer quads first, then those of each interface, with points numbered anew.
 void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
   const shape::Surface& surface, const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output)
 {

@@ -8,17 +8,19 @@ class vtkDataObject;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-/// What Shape Hex Remesh puts out, with the arrays and facts that vtkShapeHexRemesh names.
+/// The outputs of Shape Hex Remesh, with the arrays and facts that vtkShapeHexRemesh documents.
 namespace vtkShapeHexResult
 {
 
+/// Writes the hexahedra with their cell arrays.
 void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
 
-/// The quads of the boundary, then those of the interfaces. innerSurfaces: one for each of these.
+/// Writes the quads of the boundary, then those of the interfaces. innerSurfaces: one for each
+/// interface.
 void WriteBoundary(const shape::HexRemeshResult& result, const shape::Surface& surface,
   const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output);
 
-/// Field data. hexahedra: as they are written.
+/// Adds the field data. hexahedra: as written by WriteHexahedra.
 void AddFacts(
   const shape::HexRemeshResult& result, vtkUnstructuredGrid* hexahedra, vtkDataObject* output);
 

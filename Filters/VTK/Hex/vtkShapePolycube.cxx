@@ -23,7 +23,7 @@ vtkShapePolycube::vtkShapePolycube()
 namespace
 {
 
-/// The labels of cells whose points are at these places.
+/// Returns the labels of cells whose points have these positions.
 vtkSmartPointer<vtkIntArray> Labels(vtkDataSet* data, const Eigen::MatrixXd& places)
 {
   Eigen::VectorXi labels(data->GetNumberOfCells());
@@ -47,9 +47,10 @@ void vtkShapePolycube::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  // Every process computes the same result, and writes the rows of its own points.
   const shape::PolycubeResult map = shape::BuildPolycube(mesh, this->Options, progress);
 
-  // This process's points come block by block.
+  // The points of this process are ordered by block.
   const Eigen::MatrixXd positions = vtkShapeConvert::Rows(map.Positions, whole.OwnPoints);
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   vtkDataObject* surface = this->GetOutputDataObject(0);

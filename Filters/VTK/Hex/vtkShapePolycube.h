@@ -16,8 +16,9 @@
  *   No triangle is flipped, and each lies in a plane orthogonal to its axis. The polycube may
  *   overlap itself.
  *
- * Field data of both: Polycube.Charts, .Corners (of the polycube), .EdgeLength (that was used),
- * .Distortion (of the map inside the solid, the mean elliptic energy: 1 without distortion).
+ * Field data of both: Polycube.Charts, .Corners (of the polycube),
+ * .EdgeLength (the one used), .Distortion (the mean elliptic energy of the map inside the solid: 1
+ * without distortion).
  *
  * If no polycube is found, the error names the charts that prevent it. TetGen is required, and
  * runs in its own process. A single library call takes up to a second, and an abort takes effect

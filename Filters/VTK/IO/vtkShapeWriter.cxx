@@ -118,6 +118,7 @@ shape::MeshSets vtkShapeWriter::ReadInput(const shape::Progress& progress)
 void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progress& progress)
 {
   const auto why = [] { return " (" + std::generic_category().message(errno) + "); "; };
+  // Streams do not report why they failed; the system call beneath them does.
   errno = 0;
   std::ofstream file(this->FileName);
   if (!file)
@@ -128,7 +129,7 @@ void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progre
   }
   try
   {
-    file.imbue(std::locale::classic()); // else thousands may be grouped
+    file.imbue(std::locale::classic()); // otherwise digits may be grouped
     this->WriteText(file, sets, progress);
     file.close();
     if (!file)
@@ -142,6 +143,7 @@ void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progre
   {
     file.close();
     std::error_code ignored;
+    // A partial file is removed, but never a device or a pipe.
     if (std::filesystem::is_regular_file(this->FileName, ignored))
     {
       std::filesystem::remove(this->FileName, ignored);

@@ -6,8 +6,8 @@
  * tetrahedra, pyramids, wedges and hexahedra (or voxels), mixed. Other cells are errors. Ghost
  * cells are ignored. Each point is written, even if no cell uses it.
  *
- * The writer writes the data of this process. In ParaView the pieces of all processes are gathered
- * on the first one before, and coincident points of several pieces become one.
+ * The writer writes the data of this process. In ParaView the pieces of all processes are first
+ * gathered on one process, and coincident points of several pieces become one.
  *
  * If a file is incomplete because the disk is full or the user stopped, it is removed.
  *

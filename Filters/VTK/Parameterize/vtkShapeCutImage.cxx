@@ -19,6 +19,7 @@
 namespace
 {
 
+/// The lowest point first: the same triangle may begin at another corner.
 std::array<int, 3> Turned(std::array<int, 3> points)
 {
   std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
@@ -46,7 +47,7 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
   const shape::Mesh own = vtkShapeConvert::ToMesh(block, "the surface");
   // The same triangles with the points of the cut surface.
   shape::Mesh cut{ {}, Eigen::MatrixXi(own.Triangles.rows(), 3) };
-  std::map<int, int> ownOf; // of the cut surface's points here, the block's points
+  std::map<int, int> ownOf; // the block's points by those of the cut surface
   for (Eigen::Index t = 0; t < own.Triangles.rows(); ++t)
   {
     std::array<int, 3> points{};

@@ -39,7 +39,7 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
   vtkShapeComposite::AddPointFields(input, surface, { { "TargetPosition", positions } });
   const bool isCut = !map.Cut.Originals.empty();
   const vtkShapeCutImage cut(mesh, map.Cut, map.CutPositions);
-  vtkIdType first = 0; // of this process's points, which come block by block
+  vtkIdType first = 0; // of this process's points, which are ordered by block
   vtkShapeComposite::ForEach(input, image, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {

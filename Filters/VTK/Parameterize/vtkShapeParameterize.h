@@ -13,13 +13,15 @@
  * Outputs
  * - 0: the same surface with the point array `TargetPosition` (double, 3).
  * - 1: the image: the same triangles at their target positions with `SourcePosition`. The image on
- *   an orbifold is cut open. Points on the cut have one copy for each position, `OriginalPointId`
- *   is the point of the input, and `TargetPosition` is the position of the copy with its number.
+ *   an orbifold is cut open. Points on the cut have one copy for each position. `OriginalPointId`
+ *   of a copy is its point of the input. `TargetPosition` of that point is the position of the
+ *   copy that has the same number as the point.
  *
  * Field data of both, with the prefix Parameterize
  * - .Method: ConformalFlow for Sphere, or PositiveFlow or GlobalReinsertion, if the former would
- *   flip triangles or AreaWeight > 0 requires the latter. For Disk the weights, for FreeBoundary
- *   BoundaryFirst, for both SymmetricDirichlet if refined. For Orbifold the tile.
+ *   flip triangles or AreaWeight > 0 requires the latter. For Disk it is the weights, and for
+ *   FreeBoundary BoundaryFirst; both become SymmetricDirichlet if the map is refined. For Orbifold
+ *   it is the tile.
  * - .Iterations. .ReinsertedPoints: points that needed a new position to remove flips of the
  *   method.
  * - .FlippedTriangles: 0, because a map that flips a triangle is an error.

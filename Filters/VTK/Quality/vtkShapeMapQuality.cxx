@@ -37,13 +37,13 @@ namespace
 const char* const MeasureNames[shape::MapMeasureCount] = { "JacobianDeterminant", "Dirichlet",
   "SymmetricDirichlet", "ConformalDistortion", "ARAP" };
 
-/// A block's map, ready to be measured.
+/// The map of a block, prepared for evaluation.
 struct Part
 {
   Eigen::MatrixXd Points;
   Eigen::MatrixXd Images;
   shape::CellSimplices Cells;
-  Eigen::VectorXi Own; ///< for each cell 1, or 0 where it is another process's, or hidden
+  Eigen::VectorXi Own; ///< for each cell 1, or 0 if it belongs to another process or is hidden
 };
 
 Eigen::VectorXi OwnCells(vtkDataSet* data)
@@ -73,7 +73,7 @@ Part Prepare(vtkDataSet* data, const std::string& mapArray, const shape::Progres
   return part;
 }
 
-/// The greatest of each over all parts and processes.
+/// Computes the maximum of each over all parts and processes.
 shape::MapExtent ComputeMapExtent(
   const std::vector<Part>& parts, vtkMultiProcessController* controller)
 {
@@ -127,6 +127,8 @@ Eigen::MatrixXd Summary(const shape::MapQualitySums& sums)
   {
     const auto measure = static_cast<shape::MapMeasure>(row);
     const double count =
+      // The share is that of flipped cells for the determinant, and of undefined values for the
+      // others.
       measure == shape::MapMeasure::JacobianDeterminant ? sums.Flipped : sums.Undefined(row);
     summary.row(row) << sums.Minima(row), sums.Mean(measure), sums.Maxima(row), count / sums.Cells;
   }
@@ -167,6 +169,10 @@ void WriteFacts(
 
 } // namespace
 
+// 1. Read all blocks of this process (Prepare).
+// 2. Find the extent of the whole map, on all processes together.
+// 3. Measure block by block, without the ghost cells in the sums.
+// 4. Add up the sums of all processes.
 void vtkShapeMapQuality::Execute(const shape::Progress& progress)
 {
   vtkDataObject* input = this->GetInputDataObject(0, 0);
@@ -189,6 +195,8 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
         });
       progress(0.3);
     });
+  // Whether the map is planar, spherical or spatial must be decided for all blocks and processes
+  // together.
   const shape::MapExtent extent = ComputeMapExtent(parts, controller);
   shape::MapQualitySums sums;
   vtkShapeGather::RunOnAllOrFail(controller,
@@ -215,7 +223,7 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
   }
   const Eigen::MatrixXd summary = Summary(sums);
   WriteFacts(sums, summary, measured);
-  // Every process has the same sums: one of them hands them on.
+  // Every process has the same sums: one of them outputs them.
   if (!controller || controller->GetLocalProcessId() == 0)
   {
     WriteTable(summary, vtkTable::SafeDownCast(this->GetOutputDataObject(1)));

@@ -60,7 +60,7 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(solid.RegionId, "RegionId"));
 }
 
-/// Passes the surface's point data on, and says which of its points each point is.
+/// Passes on the surface's point data, and adds the original point of each point.
 void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surface& mesh,
   vtkPolyData* surface, vtkUnstructuredGrid* output, const shape::Progress& progress)
 {
@@ -72,6 +72,8 @@ void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surfac
       others.push_back(i);
     }
   }
+  // New points have no data of their own: those of the closest position on the surface stand for
+  // them.
   const shape::ClosestPoints closest = shape::SurfaceLocator(mesh).Find(
     vtkShapeConvert::Rows(solid.Points, others), progress.Part(0.0, 0.9));
   vtkPointData* from = surface->GetPointData();
@@ -109,7 +111,7 @@ void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surfac
 
 void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
 {
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;

@@ -14,8 +14,8 @@
  * Output: tetrahedra (vtkUnstructuredGrid). In parallel the first process has all of them. The
  * points of Input come first and in order, except those that no polygon uses and duplicates of
  * earlier ones. Those of the inner surfaces follow, then new ones.
- * - Cell array `RegionId` (int): i + 1 inside inner surface i, the innermost one, counted from 0;
- *   otherwise 0.
+ * - Cell array `RegionId` (int): i + 1 inside inner surface i, counted from 0, otherwise 0. Inside
+ *   several surfaces, the innermost one determines it.
  * - Point array `OriginalPointId` (vtkIdType): the point of Input, or -1.
  * - Point data of Input. Other points get the values at the closest position on the triangles of
  *   Input.

@@ -34,7 +34,7 @@ vtkShapeTransferFields::vtkShapeTransferFields()
 namespace
 {
 
-/// An array of the giver and what the receiver calls it.
+/// An array of the giver and its name at the receiver.
 struct Field
 {
   vtkAbstractArray* Values;
@@ -47,7 +47,8 @@ std::string NameOf(vtkAbstractArray* array)
   return array->GetName() ? array->GetName() : "";
 }
 
-/// The arrays to carry, all but those of points called `left`. taken: names that are not free.
+/// The arrays to transfer: all except the point arrays named `left`. taken: names already in use.
+/// Normals are directions of the giver and not true at the receiver.
 std::vector<Field> FieldsOf(
   vtkDataSet* giver, const std::set<std::string>& left, std::set<std::string> taken)
 {
@@ -65,6 +66,7 @@ std::vector<Field> FieldsOf(
       {
         continue;
       }
+      // The receiver's own array of the same name stays.
       while (name.empty() || taken.count(name))
       {
         name.insert(0, "Giver");
@@ -76,7 +78,7 @@ std::vector<Field> FieldsOf(
   return fields;
 }
 
-/// Gives an array of the receiver whose name another one takes a new one.
+/// Renames an array of the receiver whose name another array takes.
 void SetAside(vtkDataSet* receiver, const std::string& array)
 {
   vtkPointData* attributes = receiver->GetPointData();
@@ -96,7 +98,7 @@ void SetAside(vtkDataSet* receiver, const std::string& array)
   }
 }
 
-/// Adds an array that this filter makes.
+/// Adds an array that this filter computes.
 void Replace(vtkDataSet* receiver, vtkDataArray* made)
 {
   SetAside(receiver, made->GetName());
@@ -128,7 +130,7 @@ void Carry(const std::vector<Field>& fields, const shape::TransferWeights& posit
     weights.clear();
     for (decltype(positions.Weights)::InnerIterator corner(positions.Weights, i); corner; ++corner)
     {
-      if (corner.value() != 0.0) // what does not count may be NaN
+      if (corner.value() != 0.0) // values with weight 0 may be NaN
       {
         corners->InsertNextId(corner.col());
         weights.push_back(corner.value());
@@ -137,6 +139,7 @@ void Carry(const std::vector<Field>& fields, const shape::TransferWeights& posit
     for (std::size_t f = 0; f < fields.size(); ++f)
     {
       const int type = fields[f].Values->GetDataType();
+      // Integers are labels or ids, which have no mean.
       if (!fields[f].OfCells && (type == VTK_FLOAT || type == VTK_DOUBLE))
       {
         carried[f]->InterpolateTuple(i, corners, fields[f].Values, weights.data());
@@ -154,8 +157,8 @@ void Carry(const std::vector<Field>& fields, const shape::TransferWeights& posit
   }
 }
 
-/// The precise map that the points carry; none where it was made for another surface. numbered: the
-/// giver's, which is made where it is not there yet.
+/// Returns the precise map of the points; none if it was computed for another surface. numbered:
+/// the giver's triangles, which are computed if they are still missing.
 std::optional<shape::SurfacePoints> FittingMap(vtkDataSet* from, vtkUnstructuredGrid* giver,
   double tolerance, std::optional<shape::NumberedSurface>& numbered)
 {
@@ -173,7 +176,7 @@ std::optional<shape::SurfacePoints> FittingMap(vtkDataSet* from, vtkUnstructured
   }
 }
 
-/// How many points are marked, those left out that another process has, too.
+/// Counts the marked points, without those that also belong to another process.
 int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
 {
   int count = 0;
@@ -188,12 +191,16 @@ int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
 
 } // namespace
 
+// 1. Build the search structure of the giver: at its positions, or at their images for Push.
+// 2. Locate the receiver's positions, or their images for Pull: by the precise map if it has one.
+// 3. Interpolate the giver's arrays there.
+// 4. Replace the map array of the receiver by the composed map.
 void vtkShapeTransferFields::Execute(const shape::Progress& progress)
 {
   const bool push = this->Options.Direction == shape::TransferFieldsOptions::DirectionType::Push;
   vtkUnstructuredGrid* giver = this->GetGatheredInput(1).Grid;
   const Eigen::MatrixXd giverPoints = vtkShapeConvert::ToPoints(giver);
-  // What the receiver's map array becomes: interpolated from this.
+  // The receiver's new map array is interpolated from this one.
   Eigen::MatrixXd newMap;
   Eigen::MatrixXd giverMap;
   vtkDataArray* second = giver->GetPointData()->GetArray(this->MapArray.c_str());
@@ -212,7 +219,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
     this->Options, progress.Part(0.05, 0.2));
 
   vtkDataObject* input = this->GetInputDataObject(0, 0);
-  // The map array that is made here takes the place of the receiver's; a precise map belongs to it.
+  // The new map array replaces that of the receiver, and with it the precise map.
   std::set<std::string> replaced;
   if (newMap.size() > 0)
   {
@@ -233,7 +240,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   }
   const std::vector<Field> fields = FieldsOf(giver, replaced, std::move(taken));
 
-  std::optional<shape::NumberedSurface> numbered; // where a block has a precise map
+  std::optional<shape::NumberedSurface> numbered; // if a block has a precise map
   vtkIdType outsidePoints = 0, precisePoints = 0;
   double done = 0.2;
   const double share =
@@ -253,6 +260,8 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       std::optional<shape::SurfacePoints> precise;
       if (!push && vtkShapePreciseMap::Has(from, this->MapArray))
       {
+        // The triangles of a precise map need no search, and are right where the giver touches
+        // itself.
         precise = FittingMap(from, giver, this->Options.Tolerance, numbered);
       }
       const shape::TransferWeights found = precise

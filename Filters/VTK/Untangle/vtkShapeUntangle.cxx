@@ -28,8 +28,8 @@ vtkShapeUntangle::vtkShapeUntangle()
 namespace
 {
 
-/// Cells of several pieces hang together where points have the same places in both shapes: each is
-/// replaced by the first of them, and the others are left without cells.
+/// Merges points that coincide in both shapes, which connects the cells of several pieces. Each is
+/// replaced by the first of them, and the others are then used by no cell.
 void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
 {
   std::map<std::array<double, 6>, int> firsts;
@@ -50,7 +50,8 @@ void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
   }
 }
 
-/// A point that was joined to another is where that one is.
+/// Moves a point that was merged into another to the position of that one.
+/// They are used by no cell, so the untangling left them behind.
 void Follow(const shape::Cells& before, const shape::Cells& joined, Eigen::MatrixXd& points)
 {
   for (Eigen::Index i = 0; i < before.Corners.size(); ++i)
@@ -64,7 +65,7 @@ void Follow(const shape::Cells& before, const shape::Cells& joined, Eigen::Matri
 void vtkShapeUntangle::Execute(const shape::Progress& progress)
 {
   vtkShapeSolid::RequireDataSets(this->GetInputDataObject(0, 0));
-  // Every process has all of the input, and one of them does the work.
+  // Every process has the complete input, and one of them computes the result.
   vtkMultiProcessController* controller = this->GetController();
   if (controller && controller->GetLocalProcessId() != 0)
   {
@@ -90,6 +91,7 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   }
   shape::Cells cells = given;
   progress(0.05);
+  // Within one data set, coincident points may belong to faces that are separate on purpose.
   const bool inPieces = vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) ||
     (controller && controller->GetNumberOfProcesses() > 1);
   if (inPieces)
@@ -104,6 +106,7 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   }
 
   Eigen::MatrixXd sources = rest.rows() > 0 ? rest : given.Points;
+  // The output of a map already has the positions it came from; they remain the origin.
   if (rest.rows() == 0 && input->GetPointData()->HasArray("SourcePosition"))
   {
     sources = vtkShapeConvert::ToPointArray(input, "SourcePosition", 3, "the Input");

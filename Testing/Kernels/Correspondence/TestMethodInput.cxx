@@ -99,7 +99,7 @@ TEST(MethodInput, TrianglesThatDoNotHangTogetherAreTooManyComponents)
     soup.Triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
   }
   ExpectRefused(soup, sphere, { Method::HeatKernel },
-    { "SurfaceA has 320 components", "merge points at the same place with Clean" });
+    { "SurfaceA has 320 components", "merge coincident points with Clean" });
 }
 
 TEST(MethodInput, LandmarksMustBeAsManyAsTheMethodTakes)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace
 {
@@ -142,6 +143,26 @@ TEST(PiecewiseHarmonicMap, AVoidBelongsToTheRegionAroundIt)
   const Eigen::Index sphere = Sphere(1.0, 3).Triangles.rows();
   EXPECT_EQ(map.BoundaryOf(0).Triangles.rows(), 2 * sphere);
   EXPECT_EQ(map.BoundaryOf(1).Triangles.rows(), sphere + hole.Triangles.rows());
+}
+
+TEST(PiecewiseHarmonicMap, NamesTheRegionThatIsOutOfRange)
+{
+  for (const int region : { -2, 2 })
+  {
+    shape::PiecewiseCharges charges = Nested(0.1, 0.0);
+    charges.Regions(3) = region;
+    std::string message;
+    try
+    {
+      shape::PiecewiseHarmonicMap{ charges };
+    }
+    catch (const shape::InvalidInput& error)
+    {
+      message = error.what();
+    }
+    EXPECT_NE(message.find("bounds region " + std::to_string(region) + ","), std::string::npos)
+      << message;
+  }
 }
 
 TEST(PiecewiseHarmonicMap, RefusesWhatIsIncomplete)

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-// What the tests of closed curves share.
+// Functions shared by the tests of closed curves.
 namespace shapetest
 {
 
-/// middle + cos(t) u + sin(t) v at `count` places, none of them at t = 0.
+/// Returns middle + cos(t) u + sin(t) v at `count` values of t, none of them 0.
 inline Eigen::MatrixXd Circle(const Eigen::RowVector3d& middle, const Eigen::RowVector3d& u,
   const Eigen::RowVector3d& v, int count)
 {
@@ -21,7 +21,7 @@ inline Eigen::MatrixXd Circle(const Eigen::RowVector3d& middle, const Eigen::Row
   return points;
 }
 
-/// The area within a planar polygon (n x 2); negative where it runs clockwise.
+/// Returns the area of a planar polygon (n x 2); negative if it runs clockwise.
 inline double PolygonArea(const Eigen::MatrixXd& polygon)
 {
   double twice = 0.0;

@@ -11,11 +11,11 @@
 #include <cmath>
 #include <vector>
 
-// What the tests of deformations share.
+// Functions shared by the tests of deformations.
 namespace shapetest
 {
 
-/// A bumpy cap over the unit disk: its rim is the border.
+/// Returns a bumpy cap over the unit disk. Its boundary is that of the disk.
 inline shape::Mesh Cap(int rings)
 {
   shape::Mesh cap = FlatDisk(rings);
@@ -27,8 +27,8 @@ inline shape::Mesh Cap(int rings)
   return cap;
 }
 
-/// An open tube of radius 1 around the z axis from 0 to `height`, in `around` x `along` quads of
-/// two triangles each; point j + around i is at height i.
+/// Returns an open tube of radius 1 around the z axis from 0 to `height`. It consists of `around` x
+/// `along` quads of two triangles each; point j + around i is at height i.
 inline shape::Mesh Tube(int around, int along, double height)
 {
   shape::Mesh tube{ Eigen::MatrixXd(around * (along + 1), 3),
@@ -53,7 +53,8 @@ inline shape::Mesh Tube(int around, int along, double height)
   return tube;
 }
 
-/// The box [-1, 1] x [-1, 1] x [0, height] in cells x cells x layers cubes of six tetrahedra each.
+/// Returns the box [-1, 1] x [-1, 1] x [0, height] as cells x cells x layers cubes of six
+/// tetrahedra each.
 inline shape::ShapeElements Block(int cells, int layers, double height)
 {
   const auto at = [&](int i, int j, int k) { return i + (cells + 1) * (j + (cells + 1) * k); };
@@ -85,7 +86,7 @@ inline shape::ShapeElements Block(int cells, int layers, double height)
   return block;
 }
 
-/// The longest border as a handle.
+/// Returns the longest boundary loop as a handle.
 inline shape::BoundaryHandle LoopOf(const shape::Mesh& surface)
 {
   const std::vector<int> loop = shape::FindManifoldBoundaryLoops(surface).front();
@@ -103,7 +104,7 @@ inline Eigen::MatrixXd Moved(const Eigen::MatrixXd& points, const Eigen::Matrix3
   return (scale * points * turn.transpose()).rowwise() + shift;
 }
 
-/// The places bent about the y axis as a strip on a cylinder of this radius: x becomes an angle.
+/// Bends positions about the y axis like a strip on a cylinder of this radius: x becomes an angle.
 inline Eigen::MatrixXd Bent(Eigen::MatrixXd positions, double radius)
 {
   for (auto row : positions.rowwise())

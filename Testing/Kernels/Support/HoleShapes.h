@@ -12,11 +12,11 @@
 #include <functional>
 #include <vector>
 
-// What the tests of filled holes share.
+// Functions shared by the tests of filled holes.
 namespace shapetest
 {
 
-/// Without the triangles whose centroid something holds for.
+/// Returns the mesh without the triangles for whose centroid `isRemoved` is true.
 inline shape::Mesh Without(
   shape::Mesh mesh, const std::function<bool(const Eigen::RowVector3d&)>& isRemoved)
 {
@@ -38,7 +38,7 @@ inline Eigen::RowVector3d CapAxis()
   return Eigen::RowVector3d(0.3, -0.5, 0.8).normalized();
 }
 
-/// The unit sphere without a cap of this half-angle around CapAxis.
+/// Returns the unit sphere without a cap of this half-angle around CapAxis.
 inline shape::Mesh SphereWithoutCap(int level, double degrees)
 {
   return Without(shapetest::Icosphere(level),
@@ -46,8 +46,8 @@ inline shape::Mesh SphereWithoutCap(int level, double degrees)
     { return position.normalized().dot(CapAxis()) > std::cos(degrees * M_PI / 180.0); });
 }
 
-/// Two rows of quads beside a closed curve, the curve moved by away(i) and twice that: the curve is
-/// the left border, its first point is point 0.
+/// Returns two rows of quads beside a closed curve; their points are the curve moved by away(i) and
+/// by twice that. The curve is the left boundary, and its first point is point 0.
 inline shape::Mesh Ribbon(const Eigen::MatrixXd& curve, const Eigen::MatrixXd& away)
 {
   const auto count = static_cast<int>(curve.rows());
@@ -66,7 +66,7 @@ inline shape::Mesh Ribbon(const Eigen::MatrixXd& curve, const Eigen::MatrixXd& a
   return ribbon;
 }
 
-/// The loop of a surface that begins at point 0.
+/// Returns the boundary loop that starts at point 0, or nothing if there is none.
 inline std::vector<std::vector<int>> LoopOfPointZero(const shape::Mesh& mesh)
 {
   for (const std::vector<int>& loop : shape::FindBoundaryLoops(mesh).Loops)
@@ -79,7 +79,8 @@ inline std::vector<std::vector<int>> LoopOfPointZero(const shape::Mesh& mesh)
   return {};
 }
 
-/// What every fill must keep: the input to the bit, and a manifold.
+/// Checks the properties of every fill: the input is unchanged, bit for bit, and the result is a
+/// manifold.
 inline void ExpectSound(
   const shape::Mesh& before, const shape::FilledSurface& filled, int openLoops, int euler)
 {
@@ -91,7 +92,7 @@ inline void ExpectSound(
   EXPECT_EQ(topology.EulerNumber, euler);
 }
 
-/// Of all fills.
+/// Returns the number of self-intersections of all fills.
 inline int Crossings(const shape::FilledSurface& filled)
 {
   int count = 0;

@@ -12,12 +12,12 @@
 #include <random>
 #include <vector>
 
-// Surfaces whose correspondence is known.
+// Surfaces with known correspondence.
 namespace shapetest
 {
 
-/// A sphere with five bumps of different height, none of which lies where its mirror image does.
-/// The triangles are those of an icosphere that `turn` rotates first; the shape stays.
+/// Returns a sphere with five bumps of different height, without mirror symmetry. The triangles are
+/// those of an icosphere that is rotated by `turn` first; the shape does not depend on it.
 inline shape::Mesh BumpySphere(int level, const Eigen::Matrix3d& turn)
 {
   shape::Mesh mesh = Icosphere(level);
@@ -37,7 +37,7 @@ inline shape::Mesh BumpySphere(int level, const Eigen::Matrix3d& turn)
   return mesh;
 }
 
-/// A smooth shape of no symmetry, from a mesh of the unit sphere.
+/// Returns a smooth shape without symmetry, from a mesh of the unit sphere.
 inline shape::Mesh Pebble(shape::Mesh mesh)
 {
   for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
@@ -54,11 +54,11 @@ inline Eigen::Matrix3d Rotation(double angle, const Eigen::Vector3d& axis)
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-/// The same surface with its points and triangles in another order.
+/// A surface with its points and triangles in another order.
 struct Renumbered
 {
   shape::Mesh Mesh;
-  Eigen::VectorXi NewOf; ///< n: where each old point is
+  Eigen::VectorXi NewOf; ///< n: the new index of each old point
 };
 
 inline Renumbered Renumber(const shape::Mesh& mesh, unsigned int seed)
@@ -84,7 +84,7 @@ inline Renumbered Renumber(const shape::Mesh& mesh, unsigned int seed)
   return result;
 }
 
-/// The mirror image across x = 0, facing outwards as before.
+/// Returns the mirror image across x = 0, which faces outwards if the mesh does.
 inline shape::Mesh Mirrored(shape::Mesh mesh)
 {
   mesh.Points.col(0) *= -1.0;
@@ -92,7 +92,8 @@ inline shape::Mesh Mirrored(shape::Mesh mesh)
   return mesh;
 }
 
-/// How far in space points are taken from `wanted` (n x 3), over the longest side of `other`.
+/// Returns the distance in space of each point's image from `wanted` (n x 3), divided by the
+/// longest edge of the bounding box of `other`.
 inline Eigen::VectorXd MapErrors(
   const shape::SurfacePoints& map, const shape::Mesh& other, const Eigen::MatrixXd& wanted)
 {
@@ -100,7 +101,7 @@ inline Eigen::VectorXd MapErrors(
     shape::ComputeLongestBoxEdge(other.Points);
 }
 
-/// What lies above a height, and where its points are in the mesh given.
+/// The part of a mesh above a height, and the original indices of its points.
 struct Cut
 {
   shape::Mesh Surface;

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-// What the tests of refused input share.
+// Functions shared by the tests of refused input.
 namespace shapetest
 {
 
-/// What a call says when it throws an Error; nothing if it throws none.
+/// Returns the message of the Error that a call throws; empty if it throws none.
 template <class Error = shape::InvalidInput>
 std::string Refusal(const std::function<void()>& call)
 {
@@ -30,7 +30,7 @@ std::string Refusal(const std::function<void()>& call)
   return {};
 }
 
-/// Whether a refusal has all of these words: the fact and the remedy.
+/// Checks that a refusal contains all of these words: the fact and the remedy.
 inline testing::AssertionResult HasWords(
   const std::string& refusal, const std::vector<std::string>& words)
 {
@@ -47,12 +47,12 @@ inline testing::AssertionResult HasWords(
   return testing::AssertionSuccess();
 }
 
-/// EXPECT_REFUSED(statement, word, ...): it throws InvalidInput with all of the words.
+/// EXPECT_REFUSED(statement, word, ...) expects an InvalidInput that contains all of the words.
 #define EXPECT_REFUSED(statement, ...)                                                             \
   EXPECT_TRUE(shapetest::HasWords(                                                                 \
     shapetest::Refusal([&] { static_cast<void>(statement); }), { __VA_ARGS__ }))
 
-/// A row of a table of refusals: an option, a value that it cannot have, and words of the message.
+/// A row of a table of refusals: an option, an invalid value of it, and words of the message.
 template <class Options>
 struct RefusedOption
 {
@@ -69,7 +69,7 @@ struct RefusedOption
   std::vector<std::string> Words;
 };
 
-/// The call refuses good options when one of them is replaced by that of a row.
+/// Expects that the call refuses good options if one of them is replaced by that of a row.
 template <class Options>
 void ExpectRefused(const std::function<void(const Options&)>& call, const Options& good,
   const std::vector<RefusedOption<Options>>& table)

@@ -7,11 +7,11 @@
 #include <functional>
 #include <vector>
 
-// Meshes that the tests of the writers share.
+// Meshes shared by the tests of the writers.
 namespace shapetest
 {
 
-/// Cells one by one.
+/// Builds cells one at a time.
 class CellList
 {
 public:
@@ -36,7 +36,8 @@ private:
   std::vector<int> Kinds, Offsets = { 0 }, Corners;
 };
 
-/// The unit cubes of a block of counts cells that `inside` takes, as hexahedra over its lattice.
+/// Returns, as hexahedra, the unit cubes for which `inside` is true in a block of counts cells. The
+/// points are those of the complete lattice.
 inline shape::Cells Cubes(
   const std::array<int, 3>& counts, const std::function<bool(int, int, int)>& inside)
 {
@@ -69,17 +70,17 @@ inline bool Everywhere(int, int, int)
   return true;
 }
 
-/// A hexahedron, and on its sides a pyramid, a wedge (numbered so that 0, 1, 2 are
-/// counter-clockwise seen from 3, 4, 5) and, on the pyramid, a tetrahedron; their volumes are 1,
-/// 1/3, 1/2 and 1/6.
+/// Returns a hexahedron with a pyramid and a wedge on its faces, and a tetrahedron on the pyramid.
+/// Their volumes are 1, 1/3, 1/2 and 1/6. Points 0, 1, 2 of the wedge are counter-clockwise seen
+/// from 3, 4, 5.
 inline shape::Cells OneOfEach()
 {
   Eigen::MatrixXd points(13, 3);
   points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1, // the cube
     0, 0, 2,                                                                        // its apex
     2, 0, 0, 2, 1, 0, // the wedge's far edge
-    1, 0, 2,          // the tetrahedron's end
-    5, 5, 5;          // a point that no cell has
+    1, 0, 2,          // the tetrahedron's apex
+    5, 5, 5;          // a point that no cell uses
   CellList cells;
   cells.Add(shape::cell_kind::Hexahedron, { 0, 1, 2, 3, 4, 5, 6, 7 });
   cells.Add(shape::cell_kind::Pyramid, { 4, 5, 6, 7, 8 });

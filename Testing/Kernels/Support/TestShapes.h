@@ -5,29 +5,30 @@
 #include <string>
 #include <vector>
 
-// Surfaces that the kernel tests share.
+// Surfaces shared by the kernel tests.
 namespace shapetest
 {
 
-/// The unit sphere: an icosahedron whose triangles are split into four `level` times.
-/// 12, 42, 162, 642, 2562, 10242 points.
+/// Returns the unit sphere: an icosahedron whose triangles are split into four `level` times. It
+/// has 12, 42, 162, 642, 2562, 10242 points for levels 0 to 5.
 shape::Mesh Icosphere(int level);
 
-/// A torus around the z axis, `around` x `across` quads in two triangles each.
+/// Returns a torus around the z axis with `around` x `across` quads of two triangles each.
 shape::Mesh Torus(double majorRadius, double minorRadius, int around, int across);
 
-/// The unit disk in z = 0 as rings of 6, 12, 18, ... points around the middle; the outer one last,
-/// from (1, 0) on.
+/// Returns the unit disk in z = 0 as rings of 6, 12, 18, ... points around the middle. The outer
+/// ring is last and starts at (1, 0).
 shape::Mesh FlatDisk(int rings);
 
-/// [-1, 1] x [-1, 1] in cells x cells quads of two triangles each, whose diagonals leave no corner
-/// alone; inner points moved by up to `shake` cells.
+/// Returns [-1, 1] x [-1, 1] as cells x cells quads of two triangles each. Each corner of the
+/// square belongs to two triangles. Inner points are moved by up to `shake` cells.
 shape::Mesh FlatSquare(int cells, double shake);
 
-/// A prism over a polygon in the plane z = 0, 1 high, its polygons as fans around point 0.
+/// Returns a prism of height 1 over a polygon in the plane z = 0. Its polygons are fans around
+/// point 0.
 shape::Mesh Prism(const std::vector<Eigen::RowVector2d>& outline);
 
-/// A triangle mesh in OFF format. Throws std::runtime_error where the file cannot be read.
+/// Reads a triangle mesh in OFF format. Throws std::runtime_error if the file cannot be read.
 shape::Mesh ReadOff(const std::string& path);
 
 } // namespace shapetest

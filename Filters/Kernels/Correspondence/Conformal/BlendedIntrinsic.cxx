@@ -31,11 +31,11 @@ namespace
 struct RoundSurface
 {
   Mesh Sphere;               ///< with fans in the holes
-  SphereMapMethod Method;    ///< that gave it
+  SphereMapMethod Method;    ///< the method that computed the map
   ComplexPoints Points;      ///< of the sphere
-  Eigen::VectorXd LogScales; ///< logarithms of the surface's area over the sphere's, around each
-  Eigen::MatrixXd Embedding; ///< n x d: straight distances are those along it, of area 1
-  Eigen::VectorXd Areas;     ///< of all points but the fans': the sum is 1
+  Eigen::VectorXd LogScales; ///< log(area on the surface / area on the sphere) around each
+  Eigen::MatrixXd Embedding; ///< n x d: straight distances are geodesic ones, for area 1
+  Eigen::VectorXd Areas;     ///< of all points except those of the fans; the sum is 1
 };
 
 /// Returns whether the surface has a boundary.
@@ -52,7 +52,9 @@ bool RequireGenusZero(const Surface& surface, const std::string& name)
   return topology.BoundaryLoops > 0;
 }
 
-/// first: the method that is tried first.
+/// first: the method to try first.
+/// The work for one surface: its conformal map to the sphere, the area scale of that map, and the
+/// positions in which images are averaged.
 RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Progress& progress)
 {
   RoundSurface round;
@@ -71,11 +73,14 @@ RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Prog
   Eigen::VectorXd onSphere = Eigen::VectorXd::Zero(closed.Points().rows());
   for (Eigen::Index t = 0; t < angles.size(); ++t)
   {
+    // A point gets a third of each solid angle around it, as it gets a third of each triangle's
+    // area.
     for (const int corner : closed.Triangles().row(t))
     {
       onSphere(corner) += angles(t) / 3.0;
     }
   }
+  // A point without area has no logarithm; the limit keeps its scale finite.
   constexpr double tiny = 1e-300;
   round.LogScales =
     ComputePointAreas(closed).array().max(tiny).log() - onSphere.array().max(tiny).log();
@@ -84,6 +89,7 @@ RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Prog
   round.Embedding.setZero(closed.Points().rows(), scaling.Dimensions);
   round.Embedding.topRows(surface.Points().rows()) =
     EmbedBySmacof(unit, scaling, progress.Part(0.6, 1.0));
+  // The centre of a fan is not on the surface; it is embedded at the mean of its loop.
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
     round.Embedding.row(surface.Points().rows() + static_cast<Eigen::Index>(k)) =
@@ -92,7 +98,7 @@ RoundSurface MakeRound(const Surface& surface, SphereMapMethod first, const Prog
   return round;
 }
 
-/// Where a conformal map takes points, and how much it is trusted there.
+/// The images of points under a conformal map, and the trust in the map there.
 struct Images
 {
   Eigen::MatrixXd Positions; ///< in the target's embedding
@@ -104,15 +110,20 @@ Images ImagesOf(const RoundSurface& from, const std::vector<int>& points, const 
 {
   const ComplexPoints own = from.Points(points, Eigen::all);
   const ClosestPoints positions = locator.Find(ToSphere(ApplyMoebiusTransform(own, moebius)));
+  // The map from A to B is: A to its sphere, the Moebius transform, B's sphere to B. The logarithms
+  // of the three area scales add up.
   const Eigen::VectorXd scales = ComputeLogAreaScales(own, moebius) - from.LogScales(points) +
     PullBack(positions, to.Sphere.Triangles, to.LogScales);
+  // An isometry has scale 1 and trust 1 / cosh(0) = 1.
   return { PullBack(positions, to.Sphere.Triangles, to.Embedding),
     scales.array().cosh().inverse() };
 }
 
-/// Every three of `count` landmarks, or some that are evenly spread over them.
+/// All triples of `count` landmarks, or evenly spread ones if there are too many.
+/// Each generates one candidate map.
 std::vector<std::vector<int>> Triples(int count)
 {
+  // 25 landmarks already have 2300 triples, and each map is evaluated at all samples.
   constexpr std::size_t maximum = 300;
   std::vector<std::vector<int>> all, some;
   for (int i = 0; i < count; ++i)
@@ -125,6 +136,7 @@ std::vector<std::vector<int>> Triples(int count)
       }
     }
   }
+  // A constant stride through the lexicographic order reaches all landmarks.
   const std::size_t stride = std::max<std::size_t>(1, (all.size() + maximum - 1) / maximum);
   for (std::size_t t = 0; t < all.size(); t += stride)
   {
@@ -133,7 +145,7 @@ std::vector<std::vector<int>> Triples(int count)
   return some;
 }
 
-/// The Moebius maps of triples of landmarks that are three points on both spheres.
+/// The Moebius maps of the triples of landmarks that are distinct on both spheres.
 std::vector<Eigen::Matrix2cd> MapsOfTriples(
   const RoundSurface& a, const RoundSurface& b, const Landmarks& landmarks)
 {
@@ -152,7 +164,9 @@ std::vector<Eigen::Matrix2cd> MapsOfTriples(
   return maps;
 }
 
-/// The leading eigenvector, which is not negative, of how well maps agree.
+/// The leading eigenvector of the agreements between maps, which has no negative entries.
+/// By Perron and Frobenius: the matrix has no negative entry. The sign that the solver returns is
+/// arbitrary, hence the absolute values (section 4 of the paper).
 Eigen::VectorXd WeightsOf(
   const std::vector<Images>& images, const Eigen::VectorXd& areas, double agreement)
 {
@@ -174,13 +188,15 @@ Eigen::VectorXd WeightsOf(
   return pairs.eigenvectors().rightCols(1).cwiseAbs();
 }
 
-/// The best of the maps by how they agree at samples, with their weights.
+/// The maps that agree best at samples, with their weights.
 struct Blend
 {
   std::vector<Eigen::Matrix2cd> Maps;
   Eigen::VectorXd Weights;
 };
 
+/// Second step of the paper, section 4: the agreement of all candidates, each with all others, and
+/// their weights.
 Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator& locator,
   const std::vector<Eigen::Matrix2cd>& maps, const std::vector<int>& samples,
   const BlendedIntrinsicOptions& options, const Progress& progress)
@@ -191,6 +207,7 @@ Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator&
     progress(static_cast<double>(images.size()) / static_cast<double>(maps.size()));
     images.push_back(ImagesOf(a, samples, b, locator, moebius));
   }
+  // Farthest-point samples are evenly spread, so each represents the same area.
   const Eigen::VectorXd areas =
     Eigen::VectorXd::Constant(static_cast<Eigen::Index>(samples.size()), 1.0 / samples.size());
   const Eigen::VectorXd weights = WeightsOf(images, areas, options.Agreement);
@@ -209,6 +226,7 @@ Blend Choose(const RoundSurface& a, const RoundSurface& b, const SurfaceLocator&
 }
 
 /// The positions nearest to the mean images of all points.
+/// Third step of the paper, section 5: the blend. Only the trust varies from point to point.
 SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Surface& target,
   const SurfaceLocator& locator, const Blend& blend, const Progress& progress)
 {
@@ -219,17 +237,25 @@ SurfacePoints Blended(const RoundSurface& from, const RoundSurface& to, const Su
   for (std::size_t k = 0; k < blend.Maps.size(); ++k)
   {
     progress(0.7 * static_cast<double>(k) / static_cast<double>(blend.Maps.size()));
+    // One map at a time: storing the images under all maps would need memory for 60 embeddings.
     const Images images = ImagesOf(from, points, to, locator, blend.Maps[k]);
     const Eigen::VectorXd own = blend.Weights(static_cast<Eigen::Index>(k)) * images.Trust;
     sums += own.asDiagonal() * images.Positions;
     weights += own;
   }
+  // The mean of images is not on the embedded surface in general; it is projected there.
   return FindNearestSurfacePoints(weights.cwiseInverse().asDiagonal() * sums, target.Triangles(),
     to.Embedding.topRows(to.Areas.size()), progress.Part(0.7, 1.0));
 }
 
 } // namespace
 
+// Kim, Lipman and Funkhouser's algorithm:
+// 1. Map both surfaces conformally to the sphere (MakeRound).
+// 2. For triples of landmarks, compute the Moebius transform between the spheres (MapsOfTriples).
+// 3. Weight the maps by their agreement with each other, and keep the best (Choose).
+// 4. Average the images of each point, weighted by map and by local trust (Blended).
+// 5. Repeat the blend from B to A with the inverse Moebius transforms.
 SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const BlendedIntrinsicOptions& options, const Progress& progress)
 {
@@ -241,12 +267,13 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   if (!landmarks.empty() && landmarks.size() < 3)
   {
     throw InvalidInput("there are " + std::to_string(landmarks.size()) +
-      " landmarks, and three make a map; give three or more, or none to have them found");
+      " landmarks, but a map needs three; give three or more, or none to have them found");
   }
   const Landmarks used =
     landmarks.empty() ? FindLandmarks(a, b, {}, progress.Part(0.0, 0.2)).Pairs : landmarks;
-  // One method for both: the more conformal one fails on one of them by rounding alone where a fan
-  // lies close to what it closes, as on a sheet, and then the two would not agree.
+  // Both surfaces use one method, or their maps would not agree. The more conformal method can fail
+  // on one of them by rounding alone if a fan is close to the surface that it closes, as on a
+  // sheet.
   const SphereMapMethod first =
     isOpenA || isOpenB ? SphereMapMethod::PositiveFlow : SphereMapMethod::ConformalFlow;
   RoundSurface onA = MakeRound(a, first, progress.Part(0.2, 0.4)),
@@ -264,7 +291,7 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   if (maps.empty())
   {
     throw InvalidInput("of the " + std::to_string(used.size()) +
-      " landmarks no three are at three points on both surfaces; give some that are apart");
+      " landmarks no three are distinct points on both surfaces; give three that are apart");
   }
   Blend blend = Choose(onA, onB, locatorB, maps, SampleFarthestPoints(a, options.Samples), options,
     progress.Part(0.7, 0.8));
@@ -272,6 +299,7 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   result.AToB = Blended(onA, onB, b, locatorB, blend, progress.Part(0.8, 0.9));
   for (Eigen::Matrix2cd& moebius : blend.Maps)
   {
+    // The same maps with the same weights serve both directions, so the two results are consistent.
     moebius = moebius.inverse().eval();
   }
   result.BToA = Blended(onB, onA, a, locatorA, blend, progress.Part(0.9, 1.0));

@@ -25,7 +25,7 @@ Mesh FlatMesh(const OrbifoldImage& image)
   return flat;
 }
 
-/// How far the image reaches from its tile's first cone.
+/// Returns the maximum distance of the image from its tile's first cone.
 double ReachOf(const OrbifoldImage& image)
 {
   const Complex first = image.Tile.There.front();
@@ -35,9 +35,12 @@ double ReachOf(const OrbifoldImage& image)
     .maxCoeff();
 }
 
-/// Weights of corners but for rounding are none.
+/// Sets weights that differ from 0 by rounding only to 0.
+/// A point on an edge or at a vertex then has its exact support, which does not depend on the
+/// triangle in which it was found.
 Eigen::RowVector3d Snapped(Eigen::RowVector3d barycentric)
 {
+  // Far above the rounding of the search, far below a visible distance.
   constexpr double minimum = 1e-9;
   barycentric = (barycentric.array() < minimum).select(0.0, barycentric);
   return barycentric / barycentric.sum();
@@ -65,6 +68,8 @@ OrbifoldImage ImageOf(const std::string& name, const Surface& surface,
 OrbifoldLocator::OrbifoldLocator(OrbifoldImage image, double reach)
   : Image(std::move(image))
   , Reach(reach)
+  // Enough motions: the position is within reach of the first cone, and so is the image within its
+  // own reach; no other motion can bring them together.
   , Motions(ComputeOrbifoldMotions(
       this->Image.Tile, this->Image.Tile.There.front(), reach + ReachOf(this->Image)))
   , Flat(FlatMesh(this->Image))
@@ -101,11 +106,16 @@ SurfacePoints OrbifoldLocator::Find(
         {
           const Complex moved = motion(Complex(positions(i, 0), positions(i, 1)));
           const Eigen::RowVector3d position(moved.real(), moved.imag(), 0.0);
+          // Most motions take the position away from the tile; the box rejects them before the
+          // search.
           if ((position.head<2>().array() < low.array()).any() ||
             (position.head<2>().array() > high.array()).any())
           {
             continue;
           }
+          // Images of the tile cover the plane without overlap: in exact arithmetic one motion
+          // brings the position into it. Rounding may leave a gap at the border; the closest image
+          // is taken then.
           const ClosestPoint closest = this->Flat.FindOne(position, best.Triangle);
           best = closest.Distance < best.Distance ? closest : best;
           if (best.Distance <= TileRounding)
@@ -123,10 +133,13 @@ SurfacePoints OrbifoldLocator::Find(
 
 Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index points)
 {
-  // Copies come after all points.
+  // Copies of points follow all original points.
   return image.Points.topRows(points);
 }
 
+// Aigerman and Lipman, section 5: both surfaces are laid out on the same orbifold. A point of A
+// goes to the point of B with the same position on the orbifold, that is, up to a motion in the
+// plane.
 OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress)
 {

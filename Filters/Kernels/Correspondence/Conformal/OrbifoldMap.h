@@ -11,45 +11,50 @@
 namespace shape
 {
 
-/// Finds positions of the plane on a surface that was laid out on the tile of an orbifold: the
-/// images of the tile under the orbifold's motions cover the plane, so each is on the surface once.
+/// Finds positions of the plane on a surface that was laid out on the tile of an orbifold. The
+/// images of the tile under the orbifold's motions cover the plane, so each position has one image
+/// on the surface.
 class OrbifoldLocator
 {
 public:
-  /// reach: how far from the tile's first cone the positions may be.
+  /// reach: the maximum distance of the positions from the tile's first cone.
   OrbifoldLocator(OrbifoldImage image, double reach);
 
-  /// positions: n x 2. A corner that a position coincides with up to rounding gets all the weight;
-  /// so does a cone. Throws InvalidInput if a position is out of reach, Aborted.
+  /// Returns the point of the surface at each position (n x 2). If a position coincides with a
+  /// corner or a cone up to rounding, that corner has weight 1. Throws InvalidInput if a
+  /// position is out of reach, Aborted.
   SurfacePoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:
   OrbifoldImage Image;
   double Reach;
-  std::vector<PlaneIsometry> Motions; ///< all that bring a position within reach to the image
+  /// All motions that bring a position within reach to the image.
+  std::vector<PlaneIsometry> Motions;
   SurfaceLocator Flat;
 };
 
+/// A map between two surfaces, in both directions.
 struct OrbifoldMap
 {
-  SurfacePoints AToB; ///< of the points of A, on triangles of B
+  SurfacePoints AToB; ///< one for each point of A, on triangles of B
+  /// one for each point of B, on triangles of A
   SurfacePoints BToA;
 };
 
 /**
- * The seamless map between two closed surfaces of genus 0 through their images on one orbifold
- * (Aigerman and Lipman 2015, section 5): one to one, orientation kept, cones of A to those of B in
- * their order. Where an image's cut runs does not matter. With three cones the map is the only one
- * of its kind; with four it goes along the shortest paths through the cones of both. The images of
- * two meshes of one shape agree in the limit: at a cone of order k they differ by h^(2 / k), so
- * that Rhombus and Rectangle depend least on the mesh.
+ * Computes the seamless map between two closed surfaces of genus 0 through their images on one
+ * orbifold (Aigerman and Lipman 2015, section 5). The map is one to one, keeps orientation, and
+ * takes the cones of A to those of B in the given order. It does not depend on where the images are
+ * cut. With three cones the map is unique; with four it depends on the shortest paths through the
+ * cones of both surfaces. The images of two meshes of one shape agree in the limit. At a cone of
+ * order k they differ by h^(2 / k), so Rhombus and Rectangle depend least on the mesh.
  *
- * Throws as MapToOrbifold, with the surface's letter; Aborted.
+ * Throws the exceptions of MapToOrbifold, with the surface's letter in the message; Aborted.
  */
 OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress = {});
 
-/// The positions of the uncut surface's points in the image (n x 2), one for each point.
+/// Returns the position in the image (n x 2) of each point of the uncut surface.
 Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index points);
 
 } // namespace shape

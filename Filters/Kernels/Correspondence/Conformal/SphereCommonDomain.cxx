@@ -26,6 +26,7 @@ namespace
 {
 
 constexpr int Grain = 512; // directions
+/// Of barycentric coordinates.
 constexpr double Rounding = 1e-12;
 
 void RequireLandmarks(
@@ -36,13 +37,14 @@ void RequireLandmarks(
     if (point < 0 || point >= surface.Points.rows())
     {
       throw InvalidInput("a landmark of surface " + name + " is point " + std::to_string(point) +
-        ", which it has not; it has " + std::to_string(surface.Points.rows()));
+        ", but the surface has " + std::to_string(surface.Points.rows()) +
+        " points; number points from 0");
     }
   }
   if (std::set<int>(landmarks.begin(), landmarks.end()).size() < landmarks.size())
   {
     throw InvalidInput(
-      "two landmarks of surface " + name + " are the same point; give each a point of its own");
+      "two landmarks of surface " + name + " are the same point; give distinct points");
   }
 }
 
@@ -72,6 +74,8 @@ Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd&
 }
 
 /// The minimum distance between two of them; 2 for one.
+/// It is the width of the Gaussians: much wider ones make the matrix of the landmarks nearly
+/// singular, much narrower ones concentrate the motion at the landmarks.
 double Separation(const Eigen::MatrixXd& positions)
 {
   double minimum = 2.0;
@@ -102,7 +106,11 @@ bool AllFaceOutwards(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& po
   return FindFlippedTriangles(triangles, points).empty();
 }
 
-/// Takes the landmarks to their goals, all other points with them, and flips no triangle.
+/// Moves the landmarks to their targets, and all other points with them, without a flip.
+/// The rest of the way is divided into steps, and the field is computed anew for each: the
+/// landmarks have moved, and so has the width of the Gaussians. A step that flips a triangle is
+/// undone, the points are relaxed, and half the step is tried. After a success the step may double
+/// again.
 void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::MatrixXd& goals,
   const SphereCommonDomainOptions& options, Eigen::MatrixXd& points, const Progress& progress)
 {
@@ -122,13 +130,17 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
   const Eigen::MatrixXd cotangents = ComputeTriangleAngles(surface).Cotangents;
   double rest = 1.0; // of the way
   double step = 1.0 / options.Steps;
+  // Of the way: ten thousand such steps would be needed to arrive.
   constexpr double minimumStep = 1e-4;
   while (rest > 0.0)
   {
     progress(0.7 * (1.0 - rest));
     const Eigen::MatrixXd at = points(landmarks, Eigen::all);
+    // 1 is the radius of the sphere. The lower limit keeps the exponent finite when two landmarks
+    // nearly coincide.
     const double width = std::min(1.0, std::max(Separation(at), 1e-3));
     const Eigen::MatrixXd kernel = Gaussians(at, at, width);
+    // Radial basis interpolation: the field takes every landmark to its target.
     const Eigen::MatrixXd weights = kernel.ldlt().solve(goals - at);
     const double share = std::min(1.0, step / rest);
     Eigen::MatrixXd trial = points + share * (Gaussians(points, at, width) * weights);
@@ -147,10 +159,13 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
     step *= 0.5;
     if (step < minimumStep)
     {
-      throw SolveFailure("the landmarks of surface A come no nearer to those of surface B than " +
+      throw SolveFailure("landmarks of surface A remain up to " +
         std::to_string((goals - at).rowwise().norm().maxCoeff()) +
-        " on the sphere without a flip; check their order, or leave out those closest together");
+        " away from those of surface B on the sphere, since moving them further would flip a "
+        "triangle; check their order, or leave out those closest together");
     }
+    // Two sweeps move the points out of the way of the landmarks; complete relaxation is left to
+    // the end.
     RelaxOnSphere(points, surface.Triangles, cotangents, movable, 2,
       progress.Part(0.7 * (1.0 - rest), 0.7 * (1.0 - rest)));
   }
@@ -158,7 +173,9 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
     progress.Part(0.7, 1.0));
 }
 
-/// Where a direction passes through a triangle, as weights of its corners; negative beside it.
+/// The barycentric coordinates of the position where a direction meets a triangle; one is negative
+/// if the position is outside.
+/// The determinant of the direction and two corners is proportional to the weight of the third.
 Eigen::RowVector3d WeightsOf(const Eigen::Matrix3d& corners, const Eigen::RowVector3d& direction)
 {
   Eigen::RowVector3d weights;
@@ -186,14 +203,17 @@ SurfacePoints LocateDirections(
       for (int i = begin; i < end; ++i)
       {
         const Eigen::RowVector3d direction = directions.row(i).normalized();
-        // From the closest triangle across the edge that the direction is farthest beyond; walks
-        // that would run in circles end in the triangle that comes closest.
+        // A walk from the closest triangle, across the edge that the direction is farthest beyond.
+        // If it is cyclic, the best triangle met is the result.
         int triangle = locator.FindOne(direction).Triangle;
         double best = -std::numeric_limits<double>::infinity();
+        // The closest triangle is nearly always the one hit or its neighbour; the limit only stops
+        // cycles.
         for (int moves = 0; moves < 200; ++moves)
         {
           const Eigen::RowVector3d weights = WeightsOf(GetCorners(mesh, triangle), direction);
           int out = 0;
+          // The edge opposite the corner with the most negative weight.
           const double minimum = weights.minCoeff(&out);
           if (minimum > best)
           {
@@ -214,6 +234,10 @@ SurfacePoints LocateDirections(
   return map;
 }
 
+// 1. Map both surfaces to the unit sphere.
+// 2. Rotate A's sphere: its landmarks get as near to those of B as a rotation allows.
+// 3. Warp A's sphere until the landmarks coincide, without a flip (Warp).
+// 4. Each point goes to the point of the other surface in the same direction (LocateDirections).
 SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<int>& landmarksA,
   const Surface& b, const std::vector<int>& landmarksB, const SphereCommonDomainOptions& options,
   const Progress& progress)
@@ -225,11 +249,11 @@ SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<in
   {
     throw InvalidInput("surface A has " + std::to_string(landmarksA.size()) +
       " landmarks, surface B " + std::to_string(landmarksB.size()) +
-      "; give as many of the one as of the other, at least one");
+      "; give the same number for both, at least one");
   }
   if ((ComputeEnclosedVolume(a) < 0.0) != (ComputeEnclosedVolume(b) < 0.0))
   {
-    throw InvalidInput("one of the surfaces faces inwards, the other outwards; turn one with "
+    throw InvalidInput("one of the surfaces faces inwards, the other outwards; reverse one with "
                        "Reverse Sense");
   }
   RequireLandmarks(a, landmarksA, "A");

@@ -21,10 +21,10 @@ namespace shape
 namespace
 {
 
-/// Of the largest singular value: the root of the share of areas that counts.
+/// Relative to the largest singular value: the root of the minimum share of area on the image.
 constexpr double MinimumSingularValueRatio = 0.03;
 
-/// Points that triangles use.
+/// Returns the number of points that triangles use.
 int UsedPoints(const Topology& topology)
 {
   return static_cast<int>((topology.ComponentId.array() >= 0).count());
@@ -35,13 +35,13 @@ void RequirePoints(int asked, int points, const std::string& name)
   if (asked > points)
   {
     throw InvalidInput("NumberOfEigenpairs is " + std::to_string(asked) + " and " + name +
-      " has only " + std::to_string(points) + " points; ask for fewer, or subdivide it");
+      " has only " + std::to_string(points) + " points; lower it, or subdivide the surface");
   }
 }
 
-/// The midpoints of a surface's edges, their images by a map of its points, and a third of the
-/// areas beside each: integrals over the surface are sums over these. Functions that are linear in
-/// triangles lose as much there on either surface, which they would not at vertices.
+/// The midpoints of a surface's edges, their images by a map of its points, and a third of the area
+/// of the triangles beside each edge. Integrals over the surface are sums over these. At midpoints,
+/// unlike at vertices, the error for piecewise linear functions is the same on both surfaces.
 struct EdgeSamples
 {
   std::vector<int> Low, High; ///< points
@@ -61,6 +61,8 @@ struct EdgeSamples
         this->High.push_back(edge.High());
         shares.push_back(0.0);
       }
+      // Half-edges are sorted, so both half-edges of an edge follow each other. The rule with the
+      // three midpoints is exact for products of two linear functions.
       shares.back() += areas(edge.Triangle);
     }
     this->Areas =
@@ -69,15 +71,15 @@ struct EdgeSamples
     this->Images = SurfaceLocator(second).Find(this->Midpoints(images), progress);
   }
 
-  /// Means of the values (n x d) at the ends of edges.
+  /// Returns the means of the values (n x d) at the ends of edges.
   Eigen::MatrixXd Midpoints(const Eigen::MatrixXd& values) const
   {
     return 0.5 * (values(this->Low, Eigen::all) + values(this->High, Eigen::all));
   }
 };
 
-/// The eigenvalues of a symmetric matrix with those farthest from 1 in front, and its eigenvectors;
-/// an eigenvalue that is no number above 0 is the farthest.
+/// Computes the eigenvalues of a symmetric matrix, those farthest from 1 first, and its
+/// eigenvectors. An eigenvalue that is not positive is the farthest.
 void Order(const Eigen::MatrixXd& matrix, DifferenceOperator& result, Eigen::MatrixXd& vectors)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
@@ -91,7 +93,8 @@ void Order(const Eigen::MatrixXd& matrix, DifferenceOperator& result, Eigen::Mat
   vectors = solver.eigenvectors()(Eigen::all, order);
 }
 
-/// <d, matrix d> / <d, weights d> with the row d of `functions` at each point; 1 if that is 0.
+/// Returns <d, matrix d> / <d, weights d> for the row d of `functions` at each point; 1 if the
+/// denominator is 0.
 Eigen::VectorXd Around(
   const Eigen::MatrixXd& functions, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& weights)
 {
@@ -108,6 +111,7 @@ Eigen::VectorXd Around(
   return result;
 }
 
+/// Rustamov et al.: the area-based difference is F' F, since both bases are orthonormal.
 DifferenceOperator AreaDifference(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& f)
 {
   DifferenceOperator result;
@@ -120,6 +124,8 @@ DifferenceOperator AreaDifference(const Eigen::MatrixXd& functions, const Eigen:
 }
 
 /// constants: how many of the first eigenvalues are 0.
+/// Rustamov et al.: the conformal difference compares Dirichlet energies, L1^-1 F' L2 F. Constants
+/// have no energy and are left out.
 DifferenceOperator ConformalDifference(const LaplaceSpectrum& first, const LaplaceSpectrum& second,
   const Eigen::MatrixXd& f, Eigen::Index constants)
 {
@@ -137,6 +143,8 @@ DifferenceOperator ConformalDifference(const LaplaceSpectrum& first, const Lapla
   // R has the eigenvalues of L1^-1/2 F' L2 F L1^-1/2.
   const Eigen::VectorXd roots = values.cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd vectors;
+  // R itself is not symmetric; the similar matrix is, and has real eigenvalues and orthogonal
+  // vectors.
   Order(roots.asDiagonal() * varying * roots.asDiagonal(), result, vectors);
   result.Eigenfunctions = functions * (roots.asDiagonal() * vectors);
   return result;
@@ -144,6 +152,10 @@ DifferenceOperator ConformalDifference(const LaplaceSpectrum& first, const Lapla
 
 } // namespace
 
+// 1. The functional map F from A's eigenfunctions to twice as many of B's: least squares over edge
+//    midpoints, weighted by area.
+// 2. The area-based difference F' F.
+// 3. The conformal difference L1^-1 F' L2 F.
 MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
   const SurfacePoints& map, const MapDifferenceOptions& options, const Progress& progress)
 {
@@ -155,12 +167,16 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
     "more than SurfaceA has components, which are " + std::to_string(topology.Components));
   RequirePoints(count, used, "SurfaceA");
   RequirePoints(count, usedThere, "SurfaceB");
+  // Images of A's eigenfunctions contain higher frequencies of B; with only as many functions the
+  // projection would look like a loss of area.
   const int there = std::min({ 2 * count, used, usedThere });
 
   const EdgeSamples samples(first, second, map, progress.Part(0.0, 0.1));
   const LaplaceSpectrum here = SolveLaplaceEigenproblem(first, count, progress.Part(0.1, 0.3)),
                         beyond = SolveLaplaceEigenproblem(second, there, progress.Part(0.3, 0.9));
   const Eigen::VectorXd roots = samples.Areas.cwiseSqrt();
+  // Where the map covers little of B, the system is nearly singular: small singular values are cut
+  // off.
   const SingularValues pulled(
     roots.asDiagonal() * PullBack(samples.Images, second.Triangles(), beyond.Eigenfunctions));
   const double minimum = MinimumSingularValueRatio * pulled.Values()(0);

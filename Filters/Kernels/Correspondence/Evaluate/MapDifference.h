@@ -11,51 +11,52 @@ namespace shape
 
 struct MapDifferenceOptions
 {
-  /// k: functions of the first surface that the operators act on; of the second, twice as many are
-  /// used, or as many as it has points.
+  /// k: number of eigenfunctions of the first surface that the operators act on. Of the second
+  /// surface, 2 k are used, or as many as it has points.
   int NumberOfEigenpairs = 50;
 };
 
-/// What a difference operator does to a surface's functions.
+/// A difference operator on the functions of a surface, and its spectrum.
 struct DifferenceOperator
 {
   Eigen::MatrixXd Matrix; ///< k x k, in the eigenbasis of the first surface
-  /// n: <d, D d> / <d, d> for the function d of this space that is nearest to a point: around it,
-  /// how much longer its functions become by the map.
+  /// n: <d, D d> / <d, d> for the function d of this space that is nearest to a delta at the point.
+  /// It measures by how much the map scales the norms of functions around the point.
   Eigen::VectorXd Field;
-  Eigen::VectorXd Eigenvalues;    ///< those farthest from 1 first, by their logarithm
-  Eigen::MatrixXd Eigenfunctions; ///< n x as many: large where the surfaces differ so much
+  Eigen::VectorXd Eigenvalues;    ///< the farthest from 1 first, by their logarithm
+  Eigen::MatrixXd Eigenfunctions; ///< n x their number: large where the surfaces differ accordingly
 };
 
 struct MapDifferenceResult
 {
-  DifferenceOperator Area; ///< of <f, g> = the integral of f g; Field: the ratio of areas
-  /// Of the integral of grad f . grad g. Field: (s / t + t / s) / 2 for stretches s and t, where
-  /// functions vary as much in all directions; t / s on a part so thin that they vary along it
-  /// only.
+  DifferenceOperator Area; ///< for <f, g> = the integral of f g; Field: the ratio of areas
+  /// For the integral of grad f . grad g. For stretches s and t, Field is (s / t + t / s) / 2 if
+  /// functions vary equally in all directions. On a part so thin that they only vary along it, it
+  /// is t / s.
   DifferenceOperator Conformal;
-  int Undetermined = 0; ///< functions of the second surface that the map says too little of
+  int Undetermined = 0; ///< functions of the second surface that the map does not determine
 };
 
-/// How many eigenfunctions of an operator there are, or k.
+/// The maximum number of eigenfunctions returned for an operator; at most k are.
 inline constexpr int DifferenceEigenfunctions = 10;
 
 /**
- * Where two surfaces differ, as operators on functions of the first (Rustamov et al., "Map-based
- * exploration of intrinsic shape differences and variability", 2013).
+ * Computes where two surfaces differ, as operators on functions of the first one (Rustamov et al.,
+ * "Map-based exploration of intrinsic shape differences and variability", 2013).
  *
  * F takes functions of `first` to `second`: F f is the combination of eigenfunctions of `second`
- * whose values at the images are nearest to f, by least squares in the areas of `first`. Then
- * <f, V g> = <F f, F g> (equation 4 there) and <f, R g> = <F f, F g> with the products of gradients
- * (equation 6): V = F' F, R = L1^+ F' L2 F in the eigenbases, with eigenvalues L1 and L2. V is the
- * identity if the map keeps areas, R if it keeps angles; constants, which have no gradient,
- * are left out of R: their rows and columns are 0.
+ * whose values at the images are nearest to f, by least squares weighted with the areas of `first`.
+ * Then <f, V g> = <F f, F g> (equation 4 of the paper) and, with the products of gradients, <f, R
+ * g> = <F f, F g> (equation 6). In the eigenbases, with eigenvalues L1 and L2, V = F' F and R =
+ * L1^+ F' L2 F. V is the identity if the map keeps areas, R if it keeps angles. Constants have no
+ * gradient: their rows and columns of R are 0.
  *
- * Combinations of which less than a thousandth of the largest share lies on the image, as on a part
- * of `second` that nothing goes to, do not count, and are counted in Undetermined.
+ * Some combinations of eigenfunctions are concentrated where the map reaches nothing, such as on a
+ * part of `second` without a partner. If the share of a combination on the image is less than a
+ * thousandth of the largest such share, it is ignored; Undetermined is their number.
  *
- * first, second: 2-manifolds, open or closed. map: where the points of `first` go. Throws
- * InvalidInput if they are not such ones or have fewer points than NumberOfEigenpairs asks for;
+ * first, second: 2-manifolds, open or closed. map: the images of the points of `first`. Throws
+ * InvalidInput if they are not, or have fewer points than NumberOfEigenpairs requires;
  * SolveFailure, Aborted.
  */
 MapDifferenceResult MapDifference(const Surface& first, const Surface& second,

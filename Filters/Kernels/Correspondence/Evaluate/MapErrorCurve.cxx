@@ -30,7 +30,7 @@ void RequireMap(const Mesh& mesh, const Eigen::MatrixXd& map, const std::string&
   if (map.rows() != mesh.Points.rows() || map.cols() != 3)
   {
     throw InvalidInput("the map of " + name + " has " + std::to_string(map.rows()) +
-      " places for its " + std::to_string(mesh.Points.rows()) + " points; give one for each");
+      " positions for its " + std::to_string(mesh.Points.rows()) + " points; give one for each");
   }
   RequireFinite(map, "the map of " + name);
 }
@@ -39,7 +39,7 @@ void RequireTruth(const GroundTruth& truth)
 {
   if (truth.Positions.rows() == 0)
   {
-    throw InvalidInput("the Truth has no points; give at least one place whose image is known");
+    throw InvalidInput("the Truth has no points; give at least one position whose image is known");
   }
   RequireFinite(truth.Positions, "the Truth");
   RequireFinite(truth.Targets, "the map of the Truth");
@@ -60,7 +60,7 @@ double UnitOf(const Surface& target, NormalisationType normalisation, const Prog
   return 1.0;
 }
 
-/// The distances, in units, in order; those without a path left out.
+/// Returns the finite distances divided by the unit, ascending.
 Eigen::VectorXd Ascending(const Eigen::VectorXd& distances, double unit)
 {
   std::vector<double> finite;
@@ -72,12 +72,14 @@ Eigen::VectorXd Ascending(const Eigen::VectorXd& distances, double unit)
 }
 
 /// The smallest error that at least this share of the errors does not exceed.
+/// The nearest-rank definition: always one of the errors.
 double ComputePercentile(const Eigen::VectorXd& errors, double share)
 {
   const double rank = std::ceil(share * static_cast<double>(errors.size())) - 1.0;
   return errors(std::max<Eigen::Index>(static_cast<Eigen::Index>(rank), 0));
 }
 
+/// Shares are of all positions: those without a finite error never enter the curve.
 void Summarise(MapErrorCurveResult& result, double positions, double largest)
 {
   const Eigen::Index count = result.Errors.size();
@@ -86,6 +88,7 @@ void Summarise(MapErrorCurveResult& result, double positions, double largest)
   result.Median = ComputePercentile(result.Errors, 0.5);
   result.Percentile95 = ComputePercentile(result.Errors, 0.95);
   result.Maximum = result.Errors(count - 1);
+  // The area under a step function: each error raises the curve from there on to the limit.
   result.AreaUnderCurve = (1.0 - result.Errors.array() / largest).max(0.0).sum() / positions;
 }
 
@@ -103,6 +106,8 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
 
   MapErrorCurveResult result;
   result.Unit = UnitOf(target, options.Normalisation, progress.Part(0.0, 0.1));
+  // Kim et al., section 6: the image of each position, the exact geodesic distance from the true
+  // image, and the sorted distances as a cumulative curve.
   const ClosestPoints positions =
     SurfaceLocator(input).Find(truth.Positions, progress.Part(0.1, 0.15));
   const SurfaceLocator locator(target);
@@ -119,6 +124,8 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
   };
   const bool hasMirrored = truth.Mirrored.size() > 0;
   result.Errors = measure(truth.Targets, progress.Part(0.2, hasMirrored ? 0.6 : 1.0));
+  // The better of the two truths for all positions together: intrinsic methods cannot distinguish
+  // them, but a map that mixes both is wrong.
   if (hasMirrored)
   {
     const Eigen::VectorXd mirrored = measure(truth.Mirrored, progress.Part(0.6, 1.0));
@@ -129,7 +136,7 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
   if (result.Errors.size() == 0)
   {
     throw InvalidInput("none of the " + std::to_string(truth.Positions.rows()) +
-      " places of the Truth is mapped to the component of the Target where it should go; check "
+      " positions of the Truth is mapped to the same component as its true image; check "
       "that they belong to these surfaces");
   }
   result.Unreached = static_cast<int>(truth.Positions.rows() - result.Errors.size());
@@ -181,6 +188,7 @@ double ComputeGeodesicDiameter(const Surface& surface, const Progress& progress)
   constexpr int maximumSweeps = 10;
   double longest = 0.0;
   const std::vector<Mesh> components = SplitComponents(surface);
+  // Repeated sweeps: the farthest point of the farthest point, as for the diameter of a tree.
   for (const Mesh& part : components)
   {
     const Surface component(part);

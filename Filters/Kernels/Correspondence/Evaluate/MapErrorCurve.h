@@ -14,70 +14,75 @@ struct MapErrorCurveOptions
   enum class NormalisationType
   {
     None,             ///< errors are in the target's units
-    SquareRootOfArea, ///< of the target
-    GeodesicDiameter  ///< of the target: see GeodesicDiameter
+    SquareRootOfArea, ///< of the target's area
+    GeodesicDiameter  ///< of the target: see ComputeGeodesicDiameter
   };
   NormalisationType Normalisation = NormalisationType::SquareRootOfArea;
-  /// The area under the curve is that up to here, > 0, in the units of Normalisation.
+  /// Upper limit of the area under the curve, in the units of Normalisation; > 0.
   double LargestError = 0.25;
 };
 
-/// Where positions on one surface truly go on another.
+/// Positions on one surface and their true images on another.
 struct GroundTruth
 {
   Eigen::MatrixXd Positions; ///< k x 3, on the first surface
-  Eigen::MatrixXd Targets;   ///< k x 3, on the second
-  Eigen::MatrixXd Mirrored;  ///< k x 3: as true, by a symmetry of the shape; or 0 x 0
+  Eigen::MatrixXd Targets;   ///< k x 3, on the second surface
+  Eigen::MatrixXd Mirrored;  ///< k x 3: equally true images, by a symmetry of the shape; or 0 x 0
 };
 
 struct MapErrorCurveResult
 {
-  Eigen::VectorXd Errors; ///< ascending; of positions from which a path leads to the truth
-  Eigen::VectorXd Shares; ///< as many, of all k positions: whose error is at most this
-  double Mean = 0.0, Median = 0.0, Percentile95 = 0.0, Maximum = 0.0; ///< of Errors
-  /// The mean share over errors from 0 to LargestError: 1 for the true map, at least 0.
+  Eigen::VectorXd Errors; ///< ascending; of the positions whose image is connected to the true one
+  Eigen::VectorXd Shares; ///< equally many: the share of all k positions with at most this error
+  double Mean = 0.0, Median = 0.0, Percentile95 = 0.0, Maximum = 0.0; ///< statistics of Errors
+  /// The mean share over errors from 0 to LargestError, in [0, 1]: 1 for the true map.
   double AreaUnderCurve = 0.0;
-  double Unit = 1.0;       ///< what errors were divided by
-  bool Mirrored = false;   ///< whether they are to the mirrored truth
-  int Unreached = 0;       ///< positions on another component than their truth
-  double LargestGap = 0.0; ///< from a position of the truth to its surface, in their units
+  double Unit = 1.0;     ///< the length that errors were divided by
+  bool Mirrored = false; ///< whether errors are relative to the mirrored truth
+  int Unreached = 0;     ///< positions mapped to another component than the true one
+  /// Maximum distance of the truth's positions from their surface, in model units.
+  double LargestGap = 0.0;
 };
 
 /**
- * How far a map between surfaces is from the true one, as a cumulative curve (Kim,
- * Lipman and Funkhouser, "Blended intrinsic maps", 2011, section 6).
+ * Measures how far a map between surfaces is from the true one, as a cumulative curve (Kim, Lipman
+ * and Funkhouser, "Blended intrinsic maps", 2011, section 6).
  *
- * An error is the length of the shortest path along `target`, exact on the polyhedron
- * (ComputeExactGeodesicsBetween), from the image of a position to the true one. A position is
- * projected to the nearest one on `input`, the map interpolated there, and the result projected to
- * the nearest one on `target`. With a mirrored truth the errors are those to the truth that has the
- * smaller mean, one of the two for all positions: a map that is mirrored in parts has no merit.
+ * An error is the length of the shortest path along `target` from the image of a position to the
+ * true one, exact on the polyhedron (ComputeExactGeodesicsBetween). A position is projected to the
+ * nearest one on `input`, the map is interpolated there, and the result is projected to the nearest
+ * position on `target`. With a mirrored truth, errors are relative to whichever truth has the
+ * smaller mean error, for all positions together. So a map that is mirrored only in parts gains
+ * nothing.
  *
- * input, target: 2-manifolds, open or closed. map: where the points of `input` go (n x 3). truth:
- * at least one position. Throws InvalidInput if they are not such ones, a value is not finite, an
- * option is out of range or no path leads to any truth; Aborted.
+ * input, target: 2-manifolds, open or closed. map: the images of the points of `input` (n x 3).
+ * truth: at least one position. Throws InvalidInput if they are not, a value is not finite, an
+ * option is out of range or no image is connected to its truth; Aborted.
  */
 MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::MatrixXd& map,
   const Surface& target, const GroundTruth& truth, const MapErrorCurveOptions& options = {},
   const Progress& progress = {});
 
 /**
- * How far each point of `input` that a triangle uses comes back from itself by `map` (n x 3) to
- * `target` and `back` (m x 3, of the points of target): exact distances along `input`, divided by
- * the root of its area, ascending; those of positions on another component left out. 0 if the maps
- * are each other's inverses. Arguments and exceptions as above.
+ * Computes the distance between each point of `input` that a triangle uses and its image under both
+ * maps in turn: `map` (n x 3) to `target`, and `back` (m x 3, of the points of target). Distances
+ * are exact along `input`, divided by the root of its area, ascending. Those of points that return
+ * to another component are left out. All are 0 if the maps are inverse to each other. Arguments and
+ * exceptions as above.
  */
 Eigen::VectorXd ComputeRoundTripErrors(const Surface& input, const Eigen::MatrixXd& map,
   const Surface& target, const Eigen::MatrixXd& back, const Progress& progress = {});
 
-/// The share of `target`'s area that the image of `input` lies on: of triangles whose centroid is
-/// at most a hundredth of the root of the area away from the surface of its triangles at `map`.
+/// Returns the share of `target`'s area that the image of `input` covers. A triangle is covered if
+/// its centroid is at most a hundredth of the root of the area from the surface of input's
+/// triangles at `map`.
 double ComputeCoverage(const Surface& input, const Eigen::MatrixXd& map, const Surface& target,
   const Progress& progress = {});
 
-/// The longest of the distances found by going to the farthest point, and from that on, while it is
-/// farther, by exact distances; of the component where it is longest. At most the diameter, which
-/// it mostly is. surface: a 2-manifold with a triangle. Throws Aborted.
+/// Estimates the geodesic diameter: starting from a point, it moves to the farthest point by exact
+/// distances as long as the distance increases. Returns the longest distance of all components,
+/// which is at most the diameter and usually equal to it. surface: a 2-manifold with a triangle.
+/// Throws Aborted.
 double ComputeGeodesicDiameter(const Surface& surface, const Progress& progress = {});
 
 } // namespace shape

@@ -12,7 +12,7 @@ namespace shape
 namespace
 {
 
-/// The straight distance of each point of a surface (n) from where it comes back to by two maps.
+/// The straight distance (n) between each point of a surface and its image under two maps in turn.
 Eigen::VectorXd ReturnDistances(
   const Mesh& mesh, const SurfacePoints& there, const Mesh& other, const SurfacePoints& back)
 {
@@ -22,7 +22,7 @@ Eigen::VectorXd ReturnDistances(
     .norm();
 }
 
-/// The share of the masses of points whose distance is short.
+/// The share of the mass that belongs to points with a short distance.
 double ComputeCoverage(const Eigen::VectorXd& masses, const Eigen::VectorXd& distances)
 {
   constexpr double maximum = 0.02; // of the root of the area
@@ -43,6 +43,7 @@ SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMa
   const Eigen::VectorXd massesB = ComputePointAreas(b);
   const double areaA = masses.sum(), areaB = massesB.sum();
   SurfaceMapFacts facts;
+  // Divided by the target's area, so that a uniform scale of either surface does not matter.
   facts.DirichletEnergy = 0.5 * (images.transpose() * (stiffness * images)).trace() / areaB;
   const Eigen::VectorXd returns = ReturnDistances(a, maps.AToB, b, maps.BToA);
   facts.RoundTrip = masses.dot(returns) / (areaA * std::sqrt(areaA));
@@ -63,6 +64,7 @@ SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMa
     all += weight;
   }
   facts.ReversedArea = all > 0.0 ? reversed / all : 0.0;
+  // Between the values of true and of mirrored maps: see SurfaceMapFacts::Mirrored.
   constexpr double maximum = 0.3;
   facts.Mirrored = facts.ReversedArea > maximum;
   return facts;

@@ -23,15 +23,17 @@ namespace
 
 using Matrices = std::vector<Eigen::MatrixXd>;
 
-/// Of one surface, in its first eigenfunctions.
+/// The operators of one surface in the basis of its first eigenfunctions.
 struct Operators
 {
   Eigen::MatrixXd Coefficients; ///< k x q
   Matrices Products, Turns;     ///< q each, k x k
 };
 
-/// Each triangle in its own plane, the first edge along x: gradients of functions that are linear
-/// in it.
+/// Gradients of piecewise linear functions, in coordinates of each triangle's plane with the first
+/// edge along x.
+/// In its own plane, a triangle's corners are (0, 0), (x1, 0), (x2, y2), so that a gradient takes
+/// two divisions.
 class Gradients
 {
 public:
@@ -47,7 +49,7 @@ public:
                                other = corners.row(2) - corners.row(0);
       const double length = side.norm(), twice = side.cross(other).norm();
       const bool isFlat = twice <= std::numeric_limits<double>::min();
-      // A triangle without area has no gradient and no share of any integral.
+      // A triangle without area has no gradient and contributes to no integral.
       this->Positions.row(t) << (isFlat ? 1.0 : length), (isFlat ? 0.0 : side.dot(other) / length),
         (isFlat ? 1.0 : twice / length);
       this->Areas(t) = isFlat ? 0.0 : 0.5 * twice;
@@ -91,6 +93,8 @@ private:
   Eigen::VectorXd Areas;
 };
 
+/// Coefficients are inner products with the mass-orthonormal eigenfunctions: phi' M f. An operator
+/// T becomes phi' M T phi.
 Operators OperatorsOf(
   const SurfaceDescriptors& given, const FunctionalMapFitOptions& options, const Progress& progress)
 {
@@ -118,12 +122,15 @@ Operators OperatorsOf(
         const Eigen::VectorXd descriptor = descriptors.col(static_cast<Eigen::Index>(i) * stride);
         if (options.DescriptorWeight > 0.0)
         {
+          // P of the header: multiplication by the descriptor (Nogneng and Ovsjanikov).
           result.Products[i] = weighted.transpose() * descriptor.asDiagonal() * functions;
         }
         if (options.OrientationWeight > 0.0)
         {
           // n x grad(f) is (-y, x) of grad(f).
           const Gradients::Components own = gradients.Of(descriptor);
+          // O of the header: the orientation operator of Ren et al., section 4. The integrand is
+          // constant in each triangle except for the test function, which is integrated exactly.
           result.Turns[i] = integrals.transpose() *
             (own.X.col(0).asDiagonal() * ofFunctions.Y - own.Y.col(0).asDiagonal() * ofFunctions.X);
         }
@@ -134,6 +141,8 @@ Operators OperatorsOf(
 }
 
 /// w (|C X - Y C|^2 summed over pairs of operators), and half its gradient.
+/// The sum is |C X_i - Y_i C|^2; half its gradient is C (sum X X') + (sum Y' Y) C minus the two
+/// mixed terms. The first two sums do not depend on C and are computed once.
 class Commutators
 {
 public:
@@ -182,6 +191,9 @@ private:
 
 } // namespace
 
+// The energy of the header is quadratic in C. Its gradient is zero if apply(C) = B A' / q; this
+// linear system is symmetric and positive semidefinite, and is solved by conjugate gradients on
+// matrices.
 Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescriptors& b,
   const FunctionalMapFitOptions& options, const Progress& progress)
 {
@@ -194,6 +206,7 @@ Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescr
   const Eigen::VectorXd valuesA = a.Spectrum.Eigenvalues.head(size),
                         valuesB = b.Spectrum.Eigenvalues.head(size);
   const double largest = std::max(valuesA.maxCoeff(), valuesB.maxCoeff());
+  // |C L1 - L2 C|^2 is diagonal in the entries of C: entry (i, j) has the weight (l1_j - l2_i)^2.
   const Eigen::MatrixXd gaps = options.LaplacianWeight / (largest * largest) *
     (valuesA.transpose().replicate(size, 1) - valuesB.replicate(1, size)).cwiseAbs2();
   const Commutators products(ofA.Products, ofB.Products, options.DescriptorWeight, size),
@@ -206,7 +219,9 @@ Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescr
     return result;
   };
 
+  // The matrices are small (30 x 30 by default): starting threads would take longer than a product.
   const BlasThreads one(false);
+  // The limit and the tolerance suffice, since the refinement improves the map anyway.
   constexpr int maximum = 200;
   constexpr double minimum = 1e-6; // of the right-hand side
   Eigen::MatrixXd map = Eigen::MatrixXd::Zero(size, size), residual = wanted, direction = residual;
@@ -230,7 +245,7 @@ Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescr
 namespace
 {
 
-/// One of the two surfaces with its area made 1.
+/// One of the two surfaces, scaled to area 1.
 struct Side
 {
   shape::Surface Surface;
@@ -248,16 +263,18 @@ struct Side
   }
 };
 
+/// The descriptors are `count` wave kernels, `count` heat kernels, and `count` wave kernels from
+/// each landmark.
 Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int which,
   const FunctionalMapOptions& options, const Progress& progress)
 {
   Side side{ { surface.Points() / std::sqrt(ComputePointAreas(surface).sum()),
                surface.Triangles() },
     {}, {}, {} };
-  constexpr double tolerance = 1e-6; // as good for maps as smaller ones, and found sooner
+  constexpr double tolerance = 1e-6; // smaller ones give no better maps, but take longer
   side.Spectrum = SolveLaplaceEigenproblem(side.Surface, pairs, progress.Part(0.0, 0.7), tolerance);
   const int count = options.Descriptors;
-  // Curves are many landmarks: a few of them tell as much, by their order.
+  // Landmarks along curves are many: a few of them, in order, contain as much information.
   constexpr std::size_t maximum = 12;
   const std::size_t each = std::min(landmarks.size(), maximum);
   side.Descriptors.resize(surface.Points().rows(), count * (2 + each));
@@ -280,6 +297,10 @@ int CountUsedPoints(const Surface& surface, const char* name)
 
 } // namespace
 
+// 1. Compute the spectrum, descriptors and samples of both surfaces, scaled to area 1 (Prepare).
+// 2. Fit a small functional map to the descriptors (FitFunctionalMap).
+// 3. Raise its size step by step (RefineByZoomOut).
+// 4. Map each point to the position with the nearest row of eigenfunctions (Ezuz and Ben-Chen).
 SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options, const Progress& progress)
 {
@@ -298,6 +319,8 @@ SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landm
     one.Sampled(), two.Sampled(), map, landmarks, refinement, progress.Part(0.7, 0.85));
   const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
                         &functionsB = two.Spectrum.Eigenfunctions;
+  // The row of a point's image: with C from B to A, phi_A(x) = C phi_B(image of x), for all
+  // eigenfunctions together.
   return { FindNearestSurfacePoints(functionsA, b.Triangles(), functionsB * maps.BToA.transpose(),
              progress.Part(0.85, 0.92)),
     FindNearestSurfacePoints(

@@ -17,7 +17,7 @@ namespace shape
 namespace
 {
 
-/// Throws InvalidInput if a component has none of `points`.
+/// Throws InvalidInput if a component contains none of `points`.
 void RequireReached(
   const Topology& topology, const std::vector<int>& points, const std::string& name)
 {
@@ -32,12 +32,12 @@ void RequireReached(
     {
       throw InvalidInput(name + " has " + std::to_string(topology.Components) +
         " components, and the one with point " + std::to_string(i) +
-        " has no landmark, so that no heat comes there; give each component one");
+        " has no landmark, so no heat reaches it; give each component one");
     }
   }
 }
 
-/// The spectrum of a surface with its area made 1.
+/// The spectrum of a surface scaled to area 1.
 LaplaceSpectrum UnitSpectrum(const Surface& surface, int pairs, const Progress& progress)
 {
   const double length = std::sqrt(ComputePointAreas(surface).sum());
@@ -45,20 +45,21 @@ LaplaceSpectrum UnitSpectrum(const Surface& surface, int pairs, const Progress& 
     std::min(pairs, static_cast<int>(surface.Points().rows())), progress);
 }
 
-/// The largest and the smallest eigenvalue that is not 0.
+/// The largest and the smallest non-zero eigenvalue.
+/// One eigenvalue is 0 for each component.
 std::array<double, 2> Range(const LaplaceSpectrum& spectrum, const std::string& name)
 {
   const Eigen::Index last = spectrum.Eigenvalues.size() - 1;
   const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
   if (zeros > last)
   {
-    throw InvalidInput("Eigenpairs is " + std::to_string(last + 1) + ", and all of " + name +
-      " are constants on its components; ask for more");
+    throw InvalidInput("Eigenpairs is " + std::to_string(last + 1) +
+      ", but all of these eigenfunctions of " + name + " are constant on its components; raise it");
   }
   return { spectrum.Eigenvalues(last), spectrum.Eigenvalues(zeros) };
 }
 
-/// n x (points times times): the heat that comes from each point at each time.
+/// n x (points * times): the heat received from each of `points` at each time.
 Eigen::MatrixXd Heat(
   const LaplaceSpectrum& spectrum, const std::vector<int>& points, const Eigen::VectorXd& times)
 {
@@ -70,9 +71,10 @@ Eigen::MatrixXd Heat(
   {
     for (const double time : times)
     {
+      // Constant functions are left out: they carry the total heat, which is equal everywhere.
       const Eigen::ArrayXd decay = (values > 0.0).select((-time * values).exp(), 0.0);
       weights.col(at) = decay * functions.row(point).transpose().array();
-      // The eigenfunctions are orthonormal, so that this is the norm of the heat itself.
+      // Since the eigenfunctions are orthonormal, this is the norm of the heat itself.
       const double norm = weights.col(at).norm();
       weights.col(at++) /= norm > 0.0 ? norm : 1.0;
     }
@@ -98,12 +100,16 @@ SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landm
                         spectrumB = UnitSpectrum(b, options.Eigenpairs, progress.Part(0.45, 0.6));
   const auto [largestA, minimumA] = Range(spectrumA, "surface A");
   const auto [largestB, minimumB] = Range(spectrumB, "surface B");
+  // At the first time the highest eigenfunction has decayed to 1e-4; at the last one even the
+  // lowest has. Earlier, the eigenfunctions beyond the last one would count; later, no heat is
+  // left. The times are common to both surfaces, so the rows can be compared.
   const double decay = 4.0 * std::log(10.0);
   const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(options.Times,
     std::log(decay / std::min(largestA, largestB)), std::log(decay / std::max(minimumA, minimumB)))
                                   .array()
                                   .exp();
   const Eigen::MatrixXd heatA = Heat(spectrumA, onA, times), heatB = Heat(spectrumB, onB, times);
+  // Ovsjanikov et al., equation 3: the image of x minimises the difference of heat at all times.
   return { FindNearestSurfacePoints(heatA, b.Triangles(), heatB, progress.Part(0.6, 0.8)),
     FindNearestSurfacePoints(heatB, a.Triangles(), heatA, progress.Part(0.8, 1.0)) };
 }

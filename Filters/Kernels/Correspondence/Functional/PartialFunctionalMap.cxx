@@ -21,7 +21,7 @@ namespace shape
 namespace
 {
 
-/// The number of eigenvalues up to a bound, at least 1.
+/// Returns the number of eigenvalues up to a bound, at least 1.
 Eigen::Index UpTo(const Eigen::VectorXd& eigenvalues, double bound)
 {
   return std::max<Eigen::Index>(1, (eigenvalues.array() <= bound).count());
@@ -38,11 +38,12 @@ Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
 struct Refinement
 {
   const LaplaceSpectrum &OfPart, &OfWhole;
-  const Eigen::MatrixXi& Triangles; ///< of the whole
+  const Eigen::MatrixXi& Triangles; ///< of the full surface
   std::vector<int> Samples, PartLandmarks, WholeLandmarks;
-  double Weight; ///< of each landmark, that of a sample is 1
+  double Weight; ///< of each landmark; the weight of a sample is 1
 
-  /// From values (samples x size) of the whole's eigenfunctions where samples go.
+  /// Fits the map to the values (samples x size) of the full surface's eigenfunctions at the
+  /// images of the samples.
   Eigen::MatrixXd Map(const Eigen::MatrixXd& images) const
   {
     const Eigen::Index size = images.cols();
@@ -55,12 +56,14 @@ struct Refinement
       Stacked(images, this->Weight * wanted), Stacked(functions, this->Weight * there));
   }
 
+  // Rodola et al., section 3: by Weyl's law the part has fewer eigenvalues below the same bound, so
+  // the map has more columns than rows.
   Eigen::Index PartSize(Eigen::Index size) const
   {
     return UpTo(this->OfPart.Eigenvalues, this->OfWhole.Eigenvalues(size - 1));
   }
 
-  /// Where points of the part with these eigenfunctions (q x all) go.
+  /// The images of points of the part with these values of eigenfunctions (q x all).
   SurfacePoints Positions(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& map,
     const Progress& progress = {}) const
   {
@@ -78,17 +81,19 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
   RequireConnected(part, "the part");
   RequireConnected(whole, "the whole");
   RequireLandmarks(landmarks, part, whole);
+  // Distances from two landmarks leave two mirrored positions; a third landmark decides.
   constexpr std::size_t fewest = 3;
   if (landmarks.size() < fewest)
   {
     throw InvalidInput("there are " + std::to_string(landmarks.size()) +
-      " landmarks, too few to find a part in the whole; give at least three, or none");
+      " landmarks, too few to locate a part on the other surface; give at least three, or none");
   }
   RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
   RequireOption(options.Eigenpairs >= 10, "Eigenpairs", options.Eigenpairs, "at least 10");
   RequireOption(options.First >= 3, "First", options.First, "at least 3");
   RequireOption(options.Step >= 1, "Step", options.Step, "at least 1");
   const double length = std::sqrt(ComputePointAreas(whole).sum());
+  // One unit for both: the full surface gets area 1. Eigenvalues are comparable only at one scale.
   const Surface one(part.Points() * (scale / length), part.Triangles()),
     two(whole.Points() / length, whole.Triangles());
   const auto pairsOf = [&](const Surface& surface)
@@ -97,6 +102,8 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
                           SolveLaplaceEigenproblem(one, pairsOf(one), progress.Part(0.0, 0.2)),
                         spectrumTwo =
                           SolveLaplaceEigenproblem(two, pairsOf(two), progress.Part(0.2, 0.4));
+  // As in RefineByZoomOut: landmarks decide where samples are ambiguous, and yield where these
+  // agree.
   constexpr double share = 0.001; // of the samples, for each landmark
   Refinement refinement{ spectrumOne, spectrumTwo, two.Triangles(),
     SampleFarthestPoints(one, options.Samples, progress.Part(0.4, 0.42)), PointsOf(landmarks, 0),
@@ -106,12 +113,16 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
                           one, refinement.PartLandmarks, 1.0, progress.Part(0.42, 0.5)),
                         positionsTwo = EmbedByLandmarks(
                           two, refinement.WholeLandmarks, 1.0, progress.Part(0.5, 0.6));
+  // Step 1: a first map of the samples, from distances to the landmarks.
   const Eigen::VectorXi start =
     FindNearestRows(positionsOne(refinement.Samples, Eigen::all), positionsTwo);
   const Eigen::MatrixXd& functions = spectrumTwo.Eigenfunctions;
   const Eigen::MatrixXd samples = spectrumOne.Eigenfunctions(refinement.Samples, Eigen::all);
   const Eigen::Index last = functions.cols(), first = std::min<Eigen::Index>(options.First, last);
+  // Step 2: the first functional map, fitted to it.
   Eigen::MatrixXd map = refinement.Map(functions(start, Eigen::seqN(0, first)));
+  // Step 3: rectangular ZoomOut. Only samples of the part are mapped; with samples of the full
+  // surface, those outside the part would be forced onto it.
   for (Eigen::Index size = first;; size = std::min<Eigen::Index>(size + options.Step, last))
   {
     progress(0.6 + 0.2 * static_cast<double>(size) / static_cast<double>(last));
@@ -124,6 +135,8 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
   }
   SurfaceMaps maps;
   maps.AToB = refinement.Positions(spectrumOne.Eigenfunctions, map, progress.Part(0.8, 0.9));
+  // Step 4: the map back, by proximity to the images of the part. Constant eigenfunctions do not
+  // separate points and are left out.
   const auto zeros = static_cast<int>((spectrumTwo.Eigenvalues.array() <= 0.0).count());
   const Eigen::MatrixXd embedding =
     ComputeSpectralEmbedding(spectrumTwo, static_cast<int>(last) - zeros);

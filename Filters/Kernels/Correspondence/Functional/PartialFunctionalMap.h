@@ -9,30 +9,32 @@ namespace shape
 
 struct PartialFunctionalMapOptions
 {
-  int Samples = 1000;   ///< points of the part that the refinement uses; >= 10
-  int Eigenpairs = 120; ///< of the whole, at most; >= 10
-  int First = 15;       ///< of the whole, at the start; >= 3
-  int Step = 5;         ///< by which they become more; >= 1
+  int Samples = 1000;   ///< points of the part used by the refinement; >= 10
+  int Eigenpairs = 120; ///< maximum number of eigenfunctions of the full surface; >= 10
+  int First = 15;       ///< eigenfunctions of the full surface at the start; >= 3
+  int Step = 5;         ///< eigenfunctions added in each refinement; >= 1
 };
 
 /**
- * Where a part of a surface that is bent lies on the whole, and the other way.
+ * Computes the map from a bent part of a surface to the full surface, and the map back.
  *
- * Both are taken at one scale, so that the part has fewer eigenfunctions up to a frequency than the
- * whole, about in proportion to its area (Weyl's law); functional maps from the whole to the part
- * are rectangular, with as many rows and columns as the surfaces have eigenvalues up to the same
+ * Both are brought to one scale. The part then has fewer eigenfunctions below a frequency than the
+ * full surface, about in proportion to its area (Weyl's law). Functional maps from the full surface
+ * to the part are therefore rectangular: each side has the number of eigenvalues below the same
  * bound (Rodola, Cosmo, Bronstein, Torsello and Cremers, "Partial functional correspondence", 2017,
- * section 3). They begin with the map of samples by EmbedByLandmarks and are refined as in
- * RefineByZoomOut (Melzi and others 2019, section on partial shapes), from the part's points alone,
- * for those of the whole need not have a partner.
+ * section 3). The start is the map of samples by EmbedByLandmarks. It is refined as in
+ * RefineByZoomOut (Melzi and others 2019, section on partial shapes), but only the points of the
+ * part are used: points of the full surface need not have a partner.
  *
- * The whole's points go to the positions on the part whose images are nearest in the whole's
- * eigenfunctions over the roots of their eigenvalues (ComputeSpectralEmbedding): those in the
- * images to what they are images of, the others near the cut.
+ * Each point of the full surface goes to the position on the part whose image is nearest. Distances
+ * are those of the full surface's eigenfunctions divided by the roots of their eigenvalues
+ * (ComputeSpectralEmbedding). Points inside the part's image return to the points that are mapped
+ * there, and others go near the cut.
  *
- * part, whole: RequireConnected, landmarks: at least three, {point of the part, point of the
- * whole}. scale: lengths on the whole over those on the part. AToB of the result is the part's map,
- * BToA the whole's. Throws InvalidInput, SolveFailure, Aborted.
+ * part, whole: RequireConnected, the part and the full surface. landmarks: at least three, {point
+ * of the part, point of the full surface}. scale: lengths on the full surface divided by those on
+ * the part. In the result, AToB is the map of the part and BToA that of the full surface. Throws
+ * InvalidInput, SolveFailure, Aborted.
  */
 SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whole,
   const Landmarks& landmarks, double scale, const PartialFunctionalMapOptions& options = {},

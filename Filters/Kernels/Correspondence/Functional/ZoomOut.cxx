@@ -11,7 +11,7 @@ namespace shape
 namespace
 {
 
-/// Rows of both surfaces that belong together.
+/// Corresponding rows of both surfaces.
 struct Pairs
 {
   Eigen::MatrixXd OfA, OfB;
@@ -46,23 +46,33 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
     ofA.push_back(pointA);
     ofB.push_back(pointB);
   }
+  // The squared weight of a landmark's row is this share of the number of samples.
   constexpr double share = 0.001; // of the samples, for each landmark
+  // Rows enter the normal equations squared, hence the root.
   const double weight = std::sqrt(share * static_cast<double>(a.Samples.size()));
   const Eigen::MatrixXd functionsA = a.Spectrum.Eigenfunctions(a.Samples, Eigen::all),
                         functionsB = b.Spectrum.Eigenfunctions(b.Samples, Eigen::all),
                         landmarksA = weight * a.Spectrum.Eigenfunctions(ofA, Eigen::all),
                         landmarksB = weight * b.Spectrum.Eigenfunctions(ofB, Eigen::all);
   // A point's row of eigenfunctions on b is its image's row on a times the map's transpose.
+  // The functional map of an isometry is orthogonal, so its transpose is the first guess of the
+  // inverse.
   FunctionalMaps maps{ map, map.transpose() };
   const Eigen::Index first = map.rows(), last = std::max<Eigen::Index>(first, options.Last);
+  // The first pass has the size of the given map and repairs it; each later pass adds Step
+  // functions.
   for (Eigen::Index size = first;; size = std::min<Eigen::Index>(size + options.Step, last))
   {
     progress(last > first ? static_cast<double>(size - first) / (last - first) : 1.0);
     const Eigen::Index now = maps.AToB.rows();
+    // From functional maps to point maps (Melzi et al.): nearest rows, here on triangles instead of
+    // at vertices.
     const SurfacePoints onA = FindNearestSurfacePoints(functionsB.leftCols(now), a.Triangles,
                           a.Spectrum.Eigenfunctions.leftCols(now) * maps.AToB.transpose()),
                         onB = FindNearestSurfacePoints(functionsA.leftCols(now), b.Triangles,
                           b.Spectrum.Eigenfunctions.leftCols(now) * maps.BToA.transpose());
+    // From point maps to functional maps of the next size. Both point maps and the landmarks enter
+    // both fits (MapTree, section 5).
     Pairs pairs{ functionsA.leftCols(size),
       PullBack(onB, b.Triangles, b.Spectrum.Eigenfunctions.leftCols(size)) };
     pairs.Append(PullBack(onA, a.Triangles, a.Spectrum.Eigenfunctions.leftCols(size)),

@@ -20,27 +20,29 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Both surfaces as one of them may be a part of the other one.
+/// Both surfaces under the hypothesis that one of them is a part of the other one, or that none is.
 struct Hypothesis
 {
   FeaturedSurface A, B;
   SurfacePart::WhichType Part;
-  double Length; ///< of the part: the root of its area, where the whole's is 1
+  double Length; ///< the root of the part's area, relative to that of the other surface
 };
 
-/// Of few and of many features, that agree closely or roughly: different ones each time.
+/// Distinct assignments of few and of many features, with a close and a rough agreement.
 std::vector<Landmarks> Candidates(
   const Hypothesis& pair, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
   std::vector<Landmarks> candidates;
   std::set<Landmarks> known;
   double begin = 0.0;
-  // Of a part the mean distance from all of it says nothing of that from the whole.
+  // The mean distance from all of a part is not comparable to that from all of the other surface.
   const bool isPart = pair.Part != SurfacePart::WhichType::None;
   const Eigen::VectorXd levelsA =
     isPart ? Eigen::VectorXd::Ones(pair.A.Remoteness.size()) : pair.A.Remoteness;
   const Eigen::VectorXd levelsB =
     isPart ? Eigen::VectorXd::Ones(pair.B.Remoteness.size()) : pair.B.Remoteness;
+  // Few features give assignments without spurious tips, many give assignments that also fix the
+  // minor extremities. Which are right is unknown, so all are compared by their maps.
   for (const int maximum : { options.Features / 2, 3 * options.Features / 4, options.Features })
   {
     const auto own = Eigen::seqN(0, std::min<Eigen::Index>(maximum, pair.A.Apart.rows()));
@@ -70,8 +72,11 @@ double MeanDifference(
   return a.Weights.dot(differences * a.Weights);
 }
 
-/// The distortion of distances in the map of samples that pairs of features give, both ways or that
-/// of the part, over its length; and in the one that reverses the orientation.
+/// The distortions of the two maps of samples that pairs of features determine: the one that keeps
+/// the orientation, and the one that reverses it. They are means over both directions; for a part,
+/// only those of its own map, relative to its length.
+/// Assignments have too few distances to be compared by these alone; the map of all samples
+/// distinguishes the wrong ones.
 std::array<double, 2> Distortions(const Hypothesis& pair, const Landmarks& pairs)
 {
   const FeaturedSurface &a = pair.A, &b = pair.B;
@@ -99,7 +104,7 @@ std::array<double, 2> Distortions(const Hypothesis& pair, const Landmarks& pairs
   return distortions;
 }
 
-/// Whether half or more of the features of A that both assign go to different ones of B.
+/// Whether at least half of the features of A that both assign go to different features of B.
 bool Contradicts(const Landmarks& pairs, const Landmarks& others)
 {
   int common = 0, different = 0;
@@ -114,7 +119,8 @@ bool Contradicts(const Landmarks& pairs, const Landmarks& others)
   return common > 0 && 2 * different >= common;
 }
 
-/// The best of a hypothesis; the distortions are infinite if no three features agree.
+/// The best result of a hypothesis; its distortions are infinite if no three features agree.
+/// The best candidate has the smallest distortion; its rival is the best one that contradicts it.
 AutomaticLandmarksResult Best(
   const Hypothesis& pair, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
@@ -146,8 +152,10 @@ AutomaticLandmarksResult Best(
       rival = c;
     }
   }
+  // A mirror-symmetric shape has equal distortions up to noise: see MirrorImage.
   constexpr double clear = 0.85;
   result.MirrorImage = result.MirroredDistortion < clear * result.Distortion;
+  // Of equal surfaces both distortions are 0; the ratio is then 1 and the confidence 0.
   constexpr double rounding = 1e-9;
   result.Confidence =
     std::max(0.0, 1.0 - (result.Distortion + rounding) / (result.RivalDistortion + rounding));
@@ -165,10 +173,12 @@ AutomaticLandmarksResult Best(
   return result;
 }
 
-/// The best of one surface as a part of the other one, over shares of its area.
+/// The best result over several shares of the area that one surface may have of the other one's.
 AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurface& b,
   SurfacePart::WhichType which, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
+  // Areas of 85 % down to 0.85^10 = 20 %. A neighbouring share differs by 8 % in length, within the
+  // tolerance of the assignments.
   constexpr double largest = 0.85, factor = 0.85;
   constexpr int count = 10;
   const bool isA = which == SurfacePart::WhichType::SurfaceA;
@@ -182,7 +192,7 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
       options, progress.Part(k / 10.0, (k + 1) / 10.0)));
     best = tried[k].Distortion < tried[best].Distortion ? k : best;
   }
-  // The parabola through three of them has its minimum at a share between.
+  // The minimum of the parabola through three distortions gives a share between them.
   double position = static_cast<double>(best);
   if (best > 0 && best + 1 < tried.size())
   {
@@ -198,6 +208,12 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
 
 } // namespace
 
+// 1. Find features on both surfaces, and samples described relative to them (FindFeatures).
+// 2. For each hypothesis (both complete, A a part of B, B a part of A), find assignments of
+//    features that agree on the distances between them (Candidates).
+// 3. Let each assignment map the samples, and take the one that changes their distances least
+//    (Best).
+// 4. Accept a part only if it explains the distances clearly better than two complete surfaces.
 AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
   const AutomaticLandmarksOptions& options, const Progress& progress)
 {
@@ -229,12 +245,14 @@ AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
       BestPart(onA, onB, Which::SurfaceB, options, progress.Part(0.95, 1.0));
     part = other.Distortion < part.Distortion ? other : part;
   }
-  constexpr double better = 0.7; // to take one for a part
+  // A part has one parameter more, its share, and only one direction is measured, so it always fits
+  // a little better.
+  constexpr double better = 0.7; // factor for accepting a part
   result = part.Distortion < better * result.Distortion ? part : result;
   if (result.Pairs.empty())
   {
-    throw InvalidInput("no three features of surface A are as far apart as three of surface B, so "
-                       "that no landmarks were found; give some");
+    throw InvalidInput("no three features of surface A have the same distances as three of surface "
+                       "B, so no landmarks were found; give some");
   }
   progress(1.0);
   return result;

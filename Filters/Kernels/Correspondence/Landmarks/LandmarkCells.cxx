@@ -8,6 +8,7 @@ namespace shape
 namespace
 {
 
+/// The initial map of Ezuz et al.: all of a landmark's geodesic Voronoi cell goes to its partner.
 SurfacePoints Cells(const Surface& from, const Surface& to, const Landmarks& landmarks, int which,
   const Progress& progress)
 {

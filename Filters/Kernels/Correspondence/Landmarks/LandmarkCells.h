@@ -7,10 +7,9 @@
 namespace shape
 {
 
-/// The map that takes every point to the partner of the landmark nearest to it along its surface,
-/// both ways: a start for methods that refine maps. At least one landmark; if a component has
-/// none, its points go to the first landmark's partner. Throws InvalidInput without landmarks,
-/// SolveFailure, Aborted.
+/// Maps every point to the partner of the nearest landmark along its surface, in both directions: a
+/// start for methods that refine maps. Points of a component without landmarks go to the first
+/// landmark's partner. Throws InvalidInput if there is no landmark, SolveFailure, Aborted.
 SurfaceMaps MapByLandmarkCells(
   const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress = {});
 

@@ -44,16 +44,19 @@ PointGradients GradientsAt(
       continue;
     }
     Eigen::Matrix3Xd gradients =
-      Eigen::Matrix3Xd::Zero(3, functions.cols()); // times twice the area
+      Eigen::Matrix3Xd::Zero(3, functions.cols()); // multiplied by twice the area
     for (int c = 0; c < 3; ++c)
     {
       const Eigen::Vector3d opposite = corners.col((c + 2) % 3) - corners.col((c + 1) % 3);
+      // The gradient of a linear function is the sum over corners of value times n x opposite edge,
+      // over twice the area.
       gradients += (normal / area).cross(opposite) * functions.row(triangle(c));
     }
     for (const int corner : triangle)
     {
       if (position[corner] >= 0)
       {
+        // Weighted by area, as the length of the cross product is.
         at.Normals.col(position[corner]) += normal;
         at.Gradients[position[corner]] += gradients;
       }
@@ -80,6 +83,7 @@ Eigen::MatrixXd ComputeGradientOrientations(
     const Eigen::Matrix3Xd& gradients = at.Gradients[s];
     for (Eigen::Index i = 0; i < features; ++i)
     {
+      // The dot product with n x g_i is the sine of the angle from g_i to g_j.
       const Eigen::Vector3d across = at.Normals.col(s).cross(gradients.col(i));
       turns.row(s).segment(i * features, features) = across.transpose() * gradients;
     }
@@ -90,8 +94,7 @@ Eigen::MatrixXd ComputeGradientOrientations(
 Eigen::MatrixXd EmbedByDistances(const Eigen::MatrixXd& distances, const Eigen::MatrixXd& turns,
   const std::vector<int>& chosen, double turnSign)
 {
-  // A turn of a right angle counts as much as a seventh of the surface's size, the root of its
-  // area.
+  // A right angle has the weight of about a seventh of the surface's size, the root of its area.
   constexpr double weight = 0.15;
   const auto functions = static_cast<int>(std::lround(std::sqrt(turns.cols())));
   const auto count = static_cast<int>(chosen.size());
@@ -105,6 +108,8 @@ Eigen::MatrixXd EmbedByDistances(const Eigen::MatrixXd& distances, const Eigen::
   }
   const auto pairs = static_cast<int>(columns.size());
   Eigen::MatrixXd positions(distances.rows(), count + pairs);
+  // Divided by the roots of their numbers, so that distances of rows do not grow with the number of
+  // landmarks.
   positions.leftCols(count) = distances(Eigen::all, chosen) / std::sqrt(count);
   positions.rightCols(pairs) =
     turnSign * weight / std::sqrt(std::max(pairs, 1)) * turns(Eigen::all, columns);
@@ -125,7 +130,7 @@ Eigen::MatrixXd EmbedByLandmarks(const Surface& surface, const std::vector<int>&
   std::vector<int> all(surface.Points().rows()), chosen(landmarks.size());
   std::iota(all.begin(), all.end(), 0);
   std::iota(chosen.begin(), chosen.end(), 0);
-  constexpr Eigen::Index maximum = 12; // of turns there are as many as the square
+  constexpr Eigen::Index maximum = 12; // the number of orientations grows with the square
   const Eigen::Index count = std::min(maximum, distances.cols());
   return EmbedByDistances(
     distances, ComputeGradientOrientations(surface, distances.leftCols(count), all), chosen, 1.0);

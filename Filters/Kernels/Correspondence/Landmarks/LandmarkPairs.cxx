@@ -13,11 +13,10 @@ namespace shape
 namespace
 {
 
-/// How far positions along lines between landmarks may be off the surface: more means that they
-/// are in other units.
+/// The maximum distance of landmarks from the surface; a larger one means that the units differ.
 constexpr double MaximumDistanceShare = 0.5;
 
-/// For each position the nearest corner of the triangle closest to it.
+/// Returns, for each position, the nearest corner of the closest triangle.
 Eigen::VectorXi NearestPoints(const Surface& surface, const Eigen::MatrixXd& positions,
   const std::string& name, const Progress& progress)
 {
@@ -29,7 +28,7 @@ Eigen::VectorXi NearestPoints(const Surface& surface, const Eigen::MatrixXd& pos
   {
     const auto first = std::find(isFar.begin(), isFar.end(), true) - isFar.begin();
     throw InvalidInput(std::to_string(count) + (count == 1 ? " landmark is" : " landmarks are") +
-      " farther from " + name + " than half its longest side (first landmark " +
+      " farther from " + name + " than half the longest edge of its bounding box (first landmark " +
       std::to_string(first) + "); put Landmarks on SurfaceA and their TargetPosition on SurfaceB");
   }
   return FindNearestCorners(closest, surface.Triangles());
@@ -48,6 +47,7 @@ Landmarks PairLandmarks(const Surface& a, const Eigen::MatrixXd& positionsA, con
   std::set<int> ofA, ofB;
   for (Eigen::Index i = 0; i < onA.size(); ++i)
   {
+    // Two landmarks at one point would contradict each other or count twice; the first one is kept.
     if (ofA.count(onA(i)) == 0 && ofB.count(onB(i)) == 0)
     {
       ofA.insert(onA(i));

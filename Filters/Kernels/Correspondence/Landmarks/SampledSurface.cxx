@@ -13,7 +13,7 @@ namespace
 
 Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::VectorXd& areas)
 {
-  // A sample in a fold may be nearest to nothing, not even itself, for distances are not exact.
+  // A sample in a fold may be nearest to no point, not even itself, since distances are not exact.
   const double minimum = 1e-3 * areas.sum() / static_cast<double>(distances.cols());
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(distances.cols());
   for (Eigen::Index i = 0; i < areas.size(); ++i)
@@ -30,6 +30,7 @@ Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::Vec
 
 Eigen::MatrixXd SampledSurface::Between() const
 {
+  // Heat distances from i to j and from j to i differ slightly.
   const Eigen::MatrixXd one = this->Distances(this->Points, Eigen::all);
   return 0.5 * (one + one.transpose());
 }
@@ -54,6 +55,7 @@ SampledSurface SampleSurface(
   return sampled;
 }
 
+/// Farthest-point samples are nested: the first ones of many are as evenly spread as few ones are.
 SampledSurface GetFirstSamples(
   const SampledSurface& sampled, int count, const Eigen::VectorXd& areas)
 {

@@ -26,7 +26,11 @@ std::optional<CoarseSurface> CoarsenIfLarge(const Surface& surface, const Landma
   return CoarsenSurface(surface, maximum, kept, progress);
 }
 
-/// Where fine points go on the coarse surface of the other one.
+/// The images of fine points on the coarse version of the other surface.
+/// The map is extended linearly: the target of a fine point is the mean of the images of its coarse
+/// triangle's corners. This mean may be off the surface, so it is reached by a walk on the
+/// triangles, which starts at the image of the nearest coarse point and cannot jump to another
+/// sheet.
 SurfacePoints Interpolated(
   const SurfacePoints& map, const CoarseSurface& from, const Surface& to, const Progress& progress)
 {
@@ -55,6 +59,7 @@ int CoarsePair::Side::CoarsePoint(int point) const
     return point;
   }
   const std::vector<int>& points = this->Coarse->Points;
+  // The points kept by coarsening are in increasing order.
   return static_cast<int>(std::lower_bound(points.begin(), points.end(), point) - points.begin());
 }
 
@@ -78,6 +83,7 @@ Landmarks CoarsePair::OnFine(const Landmarks& landmarks) const
   return result;
 }
 
+/// First the fine points of `from`, then their images from the coarse to the fine version of `to`.
 SurfacePoints CoarsePair::Lifted(
   const SurfacePoints& map, const Side& from, const Side& to, const Progress& progress)
 {

@@ -10,14 +10,15 @@
 namespace shape
 {
 
-/// Two surfaces, coarsened if they have more points than methods need to match them: eigenvalues,
-/// distances and iterations take a fraction of the time there, and the maps are carried over to the
-/// fine surfaces.
+/// Two surfaces, coarsened if they have more points than methods need to match them. Eigenvalues,
+/// distances and iterations take a fraction of the time on the coarse surfaces. The maps are then
+/// transferred to the fine surfaces.
 class CoarsePair
 {
 public:
-  /// a, b: as CoarsenSurface takes them. landmarks: points of both, which stay. maximum: about the
-  /// number of points of the coarse surfaces; 0: as they are. Throws InvalidInput, Aborted.
+  /// a, b: as CoarsenSurface requires them. landmarks: points of both, which are kept. maximum: the
+  /// approximate number of points of the coarse surfaces; 0: no coarsening. Throws InvalidInput,
+  /// Aborted.
   CoarsePair(const Surface& a, const Surface& b, const Landmarks& landmarks, int maximum,
     const Progress& progress = {});
 
@@ -30,13 +31,16 @@ public:
   int FinePointOfA(int point) const { return this->One.FinePoint(point); }
   int FinePointOfB(int point) const { return this->Two.FinePoint(point); }
 
-  /// Landmarks of the fine surfaces, as they are on the coarse ones: those given at the start.
+  /// Converts landmarks of the fine surfaces to the coarse ones; each must be one of those given to
+  /// the constructor.
   Landmarks OnCoarse(const Landmarks& landmarks) const;
+  /// Converts landmarks of the coarse surfaces to the fine ones.
   Landmarks OnFine(const Landmarks& landmarks) const;
 
-  /// Maps of the coarse surfaces on the fine ones. The image of a fine point is the position
-  /// nearest to the mean of the images of the corners around its position on the coarse surface,
-  /// found by a walk from there.
+  /// Transfers maps of the coarse surfaces to the fine ones. Let x be the position of a fine point
+  /// in a triangle of its coarse surface. The images of the triangle's corners are averaged with
+  /// the barycentric coordinates of x. The image of the fine point is the position nearest to this
+  /// mean, found by a walk from the image of the corner nearest to x.
   SurfaceMaps OnFine(const SurfaceMaps& maps, const Progress& progress = {}) const;
 
 private:

@@ -13,11 +13,13 @@ namespace shape
 void RequireArea(const Surface& surface, const std::string& name)
 {
   const double area = ComputePointAreas(surface).sum();
+  // All methods divide by the root of the area.
   if (!(area > 0.0 && std::isfinite(area)))
   {
     std::ostringstream longest;
     longest << ComputeLongestBoxEdge(surface.Points());
-    throw InvalidInput(name + " has no area that double precision can hold (its longest side is " +
+    throw InvalidInput(name +
+      " has no area that double precision can represent (the longest edge of its box is " +
       longest.str() + "); scale it or check its coordinates");
   }
 }
@@ -44,8 +46,8 @@ Topology RequireConnected(const Surface& surface, const std::string& name)
   if (topology.Components > 1)
   {
     throw InvalidInput(name + " has " + std::to_string(topology.Components) +
-      " components, between which there are no distances; keep one with Connectivity / Extract "
-      "Largest");
+      " components, and distances between components are undefined; keep one with Connectivity / "
+      "Extract Largest");
   }
   return topology;
 }

@@ -9,22 +9,23 @@
 namespace shape
 {
 
-// What methods that match two surfaces ask of them. `name` is what messages call one: "surface A".
+// The requirements of methods that match two surfaces. `name` denotes a surface in messages, such
+// as
 
-/// Throws InvalidInput unless the surface has an area.
+/// Throws InvalidInput unless the surface has a positive, finite area.
 void RequireArea(const Surface& surface, const std::string& name);
 
-/// Throws InvalidInput unless the surface is a consistently oriented 2-manifold with an area, open
-/// or closed, and a triangle at each point.
+/// Throws InvalidInput unless the surface is a consistently oriented 2-manifold, open or closed,
+/// with a positive area and a triangle at each point.
 Topology RequireWhole(const Surface& surface, const std::string& name);
 
-/// The same, and of one component.
+/// Throws InvalidInput as RequireWhole does, and if the surface has several components.
 Topology RequireConnected(const Surface& surface, const std::string& name);
 
-/// Throws InvalidInput unless landmarks are points of surfaces A and B.
+/// Throws InvalidInput unless the landmarks are points of surfaces A and B.
 void RequireLandmarks(const Landmarks& landmarks, const Surface& a, const Surface& b);
 
-/// The landmarks' points of A (which = 0) or B (1).
+/// Returns the landmarks' points of A (which = 0) or of B (which = 1).
 std::vector<int> PointsOf(const Landmarks& landmarks, int which);
 
 } // namespace shape

@@ -8,14 +8,14 @@
 namespace shape
 {
 
-/// Points that correspond: one of surface A and one of surface B each.
+/// Pairs of corresponding points: {point of surface A, point of surface B}.
 using Landmarks = std::vector<std::array<int, 2>>;
 
-/// Where each point of one surface is on the other one, both ways.
+/// The images of the points of each surface on the other one.
 struct SurfaceMaps
 {
-  SurfacePoints AToB; ///< a row for each point of A, triangles of B
-  SurfacePoints BToA; ///< a row for each point of B, triangles of A
+  SurfacePoints AToB; ///< a row for each point of A, on triangles of B
+  SurfacePoints BToA; ///< a row for each point of B, on triangles of A
 };
 
 } // namespace shape

@@ -15,7 +15,7 @@ namespace shape
 namespace
 {
 
-/// Landmarks at even intervals, at most 12: more tell no more of the scale.
+/// At most 12 landmarks at even intervals: more do not improve the scale.
 Landmarks Some(const Landmarks& landmarks)
 {
   constexpr std::size_t maximum = 12;
@@ -28,6 +28,7 @@ Landmarks Some(const Landmarks& landmarks)
   return some;
 }
 
+/// A few wrong landmarks change a mean, but not a median.
 double Median(std::vector<double> values)
 {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -35,7 +36,7 @@ double Median(std::vector<double> values)
   return *middle;
 }
 
-/// Logarithms of the distances on B over those on A of every two landmarks; at least one.
+/// Logarithms of the ratios of distances on B to those on A, of every two landmarks; at least one.
 std::vector<double> Ratios(
   const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress)
 {
@@ -50,8 +51,9 @@ std::vector<double> Ratios(
   {
     for (Eigen::Index j = 0; j < i; ++j)
     {
+      // Logarithms, so that exchanging A and B only changes the sign.
       const double ratio = std::log((ofB(i, j) + ofB(j, i)) / (ofA(i, j) + ofA(j, i)));
-      if (std::isfinite(ratio)) // two landmarks may be one point
+      if (std::isfinite(ratio)) // two landmarks may be the same point
       {
         ratios.push_back(ratio);
       }
@@ -60,7 +62,7 @@ std::vector<double> Ratios(
   if (ratios.empty())
   {
     throw InvalidInput("no two of the " + std::to_string(landmarks.size()) +
-      " landmarks are different points of both surfaces, so that nothing tells the part's scale; "
+      " landmarks are distinct points on both surfaces, so the part's scale is unknown; "
       "give at least three");
   }
   return ratios;
@@ -80,8 +82,9 @@ SurfacePart MeasurePart(const Surface& a, const Surface& b, const Landmarks& lan
   {
     throw InvalidInput(std::string("surface ") +
       (which == SurfacePart::WhichType::SurfaceA ? "A" : "B") +
-      " is said to be a part, but at the scale of the landmarks it has " +
-      std::to_string(part.Share) + " times the other one's area; set Part to Automatic or None");
+      " is set as the part, but at the scale of the landmarks it has " +
+      std::to_string(part.Share) +
+      " times the area of the other surface; set Part to Automatic or None");
   }
   return part;
 }
@@ -95,6 +98,7 @@ SurfacePart FindPart(
   const Topology &ofA = a.Topology(), &ofB = b.Topology();
   const bool isOpenA = ofA.BoundaryLoops > 0, isOpenB = ofB.BoundaryLoops > 0;
   constexpr std::size_t fewest = 3;
+  // A part of a connected surface has a boundary. The scale needs three landmarks for a median.
   if ((!isOpenA && !isOpenB) || ofA.Components > 1 || ofB.Components > 1 ||
     landmarks.size() < fewest)
   {
@@ -106,8 +110,11 @@ SurfacePart FindPart(
   {
     value = std::abs(value - median);
   }
+  // A larger share cannot be distinguished from two complete surfaces of slightly different size.
   constexpr double maximum = 0.85;
   const bool isA = share < maximum && isOpenA, isB = 1.0 / share < maximum && isOpenB;
+  // The spread of the ratios must be smaller than the change of length that the share means;
+  // otherwise the scale is noise.
   if ((isA || isB) && Median(ratios) < std::abs(0.5 * std::log(share)))
   {
     part = { isA ? Which::SurfaceA : Which::SurfaceB, std::exp(median), isA ? share : 1.0 / share };

@@ -7,26 +7,32 @@
 namespace shape
 {
 
-/// Whether one of two surfaces is a part of the other one, and how large it is there.
+/// Which of two surfaces, if any, is a part of the other one, and how large it is there.
 struct SurfacePart
 {
   enum class WhichType
   {
-    None = 0,     ///< both are whole, or it is not known
+    None = 0,     ///< both are complete, or it is not known
     SurfaceA = 1, ///< A is a part of B
     SurfaceB = 2  ///< B is a part of A
   };
   WhichType Which = WhichType::None;
-  double Scale = 1.0; ///< lengths on B over those on A
-  double Share = 1.0; ///< the part's area over the whole's at this scale; 1 if there is no part
+  double Scale = 1.0; ///< lengths on B divided by those on A
+  /// The part's area divided by the other one's, at this scale; 1 if there is no part.
+  double Share = 1.0;
 };
 
 /**
- * What landmarks say of that. Scale: the median over every two landmarks of their distance along B
- * over that along A. With it a surface is a part if it has a boundary and at most 85 % of the
- * other one's area, and the ratios agree so well that half of them differ less from their median
- * than the root of that share does from 1. With fewer than three landmarks, of two surfaces without
- * boundary or of several components none is a part, and the scale is the root of the areas' ratio.
+ * Decides from landmarks whether one surface is a part of the other one. For every two landmarks,
+ * their distance along B divided by that along A is a ratio; the scale is the median ratio. At this
+ * scale, a surface is a part if all of these are true:
+ *
+ * - it has a boundary;
+ * - it has at most 85 % of the other one's area;
+ * - half of the ratios differ less from their median than the root of that share differs from 1.
+ *
+ * With fewer than three landmarks, without boundaries or with several components, neither surface
+ * is a part, and the scale is the root of the areas' ratio.
  *
  * a, b: RequireWhole; landmarks: RequireLandmarks. Throws InvalidInput if all landmarks are one
  * point, SolveFailure, Aborted.
@@ -34,8 +40,9 @@ struct SurfacePart
 SurfacePart FindPart(
   const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress = {});
 
-/// The same if it is known which one is a part; a, b: RequireConnected. Throws InvalidInput
-/// if the part would have more area than the whole, or if no two landmarks tell the scale.
+/// Computes the scale and the share if it is known which surface is the part; a, b:
+/// RequireConnected. Throws InvalidInput if the part would have more area than the other surface,
+/// or if no two landmarks determine the scale.
 SurfacePart MeasurePart(const Surface& a, const Surface& b, const Landmarks& landmarks,
   SurfacePart::WhichType which, const Progress& progress = {});
 

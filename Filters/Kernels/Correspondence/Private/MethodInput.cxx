@@ -55,25 +55,25 @@ void RequireComponents(const Topology& topology, const std::string& name, bool h
   const auto second = std::find(topology.ComponentId.begin(), topology.ComponentId.end(), 1) -
     topology.ComponentId.begin();
   const std::string fact = name + " has " + Counted(topology.Components, "component") +
-    " (the second begins at point " + std::to_string(second) + "), and ";
+    " (the second begins at point " + std::to_string(second) + "), but ";
   const std::string remedy =
-    ": merge points at the same place with Clean, match the components one by one (Connectivity), ";
+    ": merge coincident points with Clean, match the components one by one (Connectivity), ";
   const bool takesSeveral =
     options.Method == Method::FunctionalMap || options.Method == Method::HeatKernel;
   if (!takesSeveral)
   {
-    throw InvalidInput(fact + NameOf(options.Method) + " matches one with one" + remedy +
+    throw InvalidInput(fact + NameOf(options.Method) + " needs one" + remedy +
       "or take FunctionalMap with Landmarks on each");
   }
   if (!hasLandmarks)
   {
-    throw InvalidInput(fact + "landmarks are found on surfaces of one component" + remedy +
-      "or give Landmarks on each");
+    throw InvalidInput(fact + "landmarks can only be found on surfaces with one component" +
+      remedy + "or give Landmarks on each");
   }
   if (options.Method == Method::FunctionalMap && topology.Components >= options.NumberOfEigenpairs)
   {
     throw InvalidInput(fact + "NumberOfEigenpairs, " + std::to_string(options.NumberOfEigenpairs) +
-      ", tells fewer apart" + remedy + "or raise it");
+      ", must exceed their number" + remedy + "or raise it");
   }
 }
 
@@ -83,20 +83,22 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
   if (needsClosed && topology.BoundaryLoops > 0)
   {
     throw InvalidInput(name + " has " + Counted(topology.BoundaryLoops, "open loop") +
-      " (first at point " + std::to_string(topology.FirstOpenPoint) + "), and " + NameOf(method) +
-      " is for closed surfaces: close it with Fill Holes, merge its duplicate points with Clean, "
+      " (first at point " + std::to_string(topology.FirstOpenPoint) + "), but " + NameOf(method) +
+      " needs closed surfaces: close it with Fill Holes, merge its duplicate points with Clean, "
       "or take ReversibleHarmonic, FunctionalMap or BlendedIntrinsic");
   }
+  // From the Euler number V - E + F = 2 - 2 genus - loops of a connected surface.
   const int genus = (2 - topology.EulerNumber - topology.BoundaryLoops) / 2;
   if ((needsClosed || method == Method::BlendedIntrinsic) && genus > 0)
   {
-    throw InvalidInput(name + " has genus " + std::to_string(genus) + ", and " + NameOf(method) +
-      " is for genus 0: cut its handles and fill the holes, or take ReversibleHarmonic or "
+    throw InvalidInput(name + " has genus " + std::to_string(genus) + ", but " + NameOf(method) +
+      " needs genus 0: cut its handles and fill the holes, or take ReversibleHarmonic or "
       "FunctionalMap");
   }
 }
 
-/// The sign of the volume inside a closed surface; 0 if there is hardly one.
+/// The sign of the volume enclosed by a closed surface; 0 if the volume is negligible.
+/// Below rounding relative to the box, a flat closed surface has no side.
 int SideOf(const Mesh& mesh)
 {
   const double volume = ComputeEnclosedVolume(mesh), size = ComputeLongestBoxEdge(mesh.Points);
@@ -107,11 +109,12 @@ void RequireEnoughLandmarks(const Landmarks& landmarks, Method method)
 {
   const auto count = static_cast<int>(landmarks.size());
   const std::string fact = "there " + std::string(count == 1 ? "is " : "are ") +
-    Counted(count, "landmark") + " on points of their own, and " + NameOf(method);
+    Counted(count, "distinct landmark") + ", but " + NameOf(method);
   if (method == Method::CommonSphere && count < 2)
   {
     throw InvalidInput(fact +
-      " needs two, since spheres turn around one; give two or more, or none to have them found, or "
+      " needs two, since one leaves the sphere free to rotate; give two or more, or none to have "
+      "them found, or "
       "take FunctionalMap or HeatKernel");
   }
   if (method == Method::BlendedIntrinsic && count < 3)
@@ -123,7 +126,7 @@ void RequireEnoughLandmarks(const Landmarks& landmarks, Method method)
   if (method == Method::CommonOrbifold && (count < 3 || count > 4))
   {
     throw InvalidInput(fact +
-      " has as many cones as landmarks; give 3 or 4, or none to have them found, or take "
+      " needs 3 or 4, one for each cone; give 3 or 4, or none to have them found, or take "
       "CommonSphere");
   }
 }
@@ -146,7 +149,7 @@ void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& lan
   {
     throw InvalidInput(std::string(SideOf(a) < 0 ? "SurfaceA faces inwards and SurfaceB"
                                                  : "SurfaceB faces inwards and SurfaceA") +
-      " outwards, so that left would go to right; turn the former over with Reverse Sense");
+      " outwards, which would exchange left and right; reverse the former with Reverse Sense");
   }
   RequireLandmarks(landmarks, a, b);
   if (!landmarks.empty())

@@ -8,18 +8,18 @@ namespace shape
 {
 
 /**
- * Throws InvalidInput, with a method that can, unless the method of `options` can match the
- * surfaces from the landmarks, or from none:
+ * Throws InvalidInput if the method of `options` cannot match the surfaces from the landmarks, or
+ * without any. The message names a method that can. Requirements:
  *
- * - surfaces have an area; of two closed ones both face outwards, or both inwards;
- * - of several components: FunctionalMap and HeatKernel, from landmarks;
- * - open: all but CommonSphere and CommonOrbifold;
- * - of genus 1 or more: all but these two and BlendedIntrinsic;
- * - landmarks are points of the surfaces; CommonOrbifold takes three or four, BlendedIntrinsic
- * three or more.
+ * - surfaces have a positive area; two closed ones both face outwards, or both inwards;
+ * - several components: only FunctionalMap and HeatKernel, with landmarks;
+ * - open surfaces: all methods except CommonSphere and CommonOrbifold;
+ * - genus 1 or more: all methods except these two and BlendedIntrinsic;
+ * - landmarks are points of the surfaces; CommonSphere takes at least two, BlendedIntrinsic at
+ *   least three, CommonOrbifold three or four.
  *
- * a, b: consistently oriented 2-manifolds, open or closed; points that no triangle uses do not
- * count.
+ * a, b: consistently oriented 2-manifolds, open or closed; points that no triangle uses are
+ * ignored.
  */
 void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const CorrespondenceOptions& options);

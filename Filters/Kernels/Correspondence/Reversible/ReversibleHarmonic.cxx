@@ -29,7 +29,7 @@ struct Weights
   double Alpha, Beta;
 };
 
-/// One of the two surfaces, its map onto the other one and the variable that stands for its image.
+/// One of the two surfaces, its map onto the other one, and the variable X for its image.
 class Side
 {
 public:
@@ -47,12 +47,13 @@ public:
     this->FindEntries();
   }
 
+  // The start of half-quadratic splitting: X12 = P12 X2, with which the penalty is 0.
   void Begin(const Side& other)
   {
     this->Image = PullBack(this->Map, other.Triangles, other.Embedding);
   }
 
-  /// Keeps points where they are mapped now.
+  /// Pins points to their current images.
   void Pin(const std::vector<int>& points)
   {
     this->Pinned.assign(this->Masses.size(), 0);
@@ -62,12 +63,15 @@ public:
     }
   }
 
-  /// P: the positions on the other surface nearest to this one's points.
+  /// Updates P: the positions on the other surface nearest to this one's points.
   void Project(const Side& other, const Weights& weights, const Progress& progress)
   {
     const double reversibility = std::sqrt(1.0 - weights.Alpha), penalty = std::sqrt(weights.Beta);
     const Eigen::Index d = this->Embedding.cols();
     Eigen::MatrixXd from(this->Embedding.rows(), 2 * d), to(other.Embedding.rows(), 2 * d);
+    // The two terms of the energy that contain P12 have one minimum for each point: the position of
+    // the other surface nearest to the row [sqrt(1 - alpha) X1, sqrt(beta) X12] among the rows
+    // [sqrt(1 - alpha) X21, sqrt(beta) X2].
     from << reversibility * this->Embedding, penalty * this->Image;
     to << reversibility * other.Image, penalty * other.Embedding;
     if (!this->Tree)
@@ -76,6 +80,7 @@ public:
     }
     else
     {
+      // The rows move only a little in each iteration, so the structure of the tree remains useful.
       this->Tree->Move(to);
     }
     constexpr int grain = 256;
@@ -89,6 +94,7 @@ public:
           {
             continue;
           }
+          // The distance from the previous triangle is a bound that prunes most of the tree.
           const NearestTriangle nearest = this->Tree->Find(from.row(i), this->Map.Triangles(i));
           this->Map.Triangles(i) = nearest.Triangle;
           this->Map.Barycentrics.row(i) = nearest.Barycentric;
@@ -97,7 +103,11 @@ public:
       progress);
   }
 
-  /// X: the minimum of the energy, which is quadratic in it.
+  /// Updates X: the minimum of the energy, which is quadratic in X.
+  /// The system is symmetric and positive definite:
+  ///
+  ///   [alpha W1 + (1 - alpha) P21' M2 P21 + beta M1] X12
+  ///     = (1 - alpha) P21' M2 X2 + beta M1 P12 X2
   void Solve(const Side& other, const Weights& weights)
   {
     Eigen::SparseMatrix<double> matrix = weights.Alpha * this->Stiffness;
@@ -121,6 +131,7 @@ public:
     {
       if (!this->Pinned.empty() && this->Pinned[i] != 0)
       {
+        // A pinned point is held by a strong penalty, which keeps the pattern of the matrix.
         own(i) += PinWeight;
       }
       matrix.coeffRef(i, i) += own(i) > 0.0 ? own(i) : 1.0;
@@ -149,10 +160,11 @@ public:
   Eigen::SparseMatrix<double> Stiffness;
   Eigen::VectorXd Masses;
   SurfacePoints Map;     ///< onto the other surface
-  Eigen::MatrixXd Image; ///< n x d: near to where the map takes points in the other's embedding
+  Eigen::MatrixXd Image; ///< n x d: X, near the images of points in the other's embedding
 
 private:
-  /// P' M P of the other's map has entries between corners of triangles: the stiffness has them.
+  /// P' M P of the other's map only has entries between corners of triangles, as the stiffness has.
+  /// So the pattern is fixed, and each system is assembled by adding to known entries.
   void FindEntries()
   {
     this->Entries.resize(9, this->Triangles.rows());
@@ -174,13 +186,13 @@ private:
   }
 
   static constexpr double PinWeight = 1.0; ///< as much as the whole surface
-  Eigen::MatrixXi Entries; ///< 9 x m: between each triangle's corners, in the stiffness
+  Eigen::MatrixXi Entries; ///< 9 x m: indices in the stiffness of each triangle's pairs of corners
   std::vector<char> Pinned;
   SparseCholesky Factor;
   std::optional<TriangleTree> Tree; ///< of the other surface
 };
 
-/// Keeps the points of landmarks at their partners, which they are mapped to first.
+/// Maps the points of landmarks to their partners and pins them there.
 void Pin(Side& one, Side& two, const SurfaceMaps& partners, const Landmarks& landmarks)
 {
   std::vector<int> ofA, ofB;
@@ -225,6 +237,11 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Surface& a, const Su
     embedded(b, progress.Part(0.15, 0.3)), start, landmarks, options, progress.Part(0.3, 1.0));
 }
 
+// The alternating minimisation of section 5 of the paper, with weights that change in each
+// iteration:
+// 1. P21 by projection, then X21 by a linear system.
+// 2. P12 by projection, then X12 by a linear system.
+// 3. Stop when the energy no longer changes, but not before alpha has reached its final value.
 ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
   const EmbeddedSurface& b, const SurfaceMaps& start, const Landmarks& landmarks,
   const ReversibleHarmonicOptions& options, const Progress& progress)
@@ -254,10 +271,12 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
     const int k = options.FirstIteration + i;
     const Progress part = progress.Part(
       static_cast<double>(i) / options.MaximumIterations, (i + 1.0) / options.MaximumIterations);
+    // Geometric decrease from FirstAlpha to Alpha in AlphaSteps iterations.
     const double rest =
       options.AlphaSteps > 0 ? std::max(0.0, 1.0 - (k - 1.0) / options.AlphaSteps) : 0.0;
     const Weights weights{ options.Alpha * std::pow(options.FirstAlpha / options.Alpha, rest),
       options.BetaStep * std::min(k, options.BetaSteps) };
+    // Each step uses the latest values of the others and so lowers the energy of this iteration.
     two.Project(one, weights, part.Part(0.0, 0.5));
     two.Solve(one, weights);
     one.Project(two, weights, part.Part(0.5, 1.0));
@@ -265,6 +284,7 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
     const double energy = one.Energy(two, weights) + two.Energy(one, weights);
     const double before = result.Energies.empty() ? 0.0 : result.Energies.back();
     result.Energies.push_back(energy);
+    // While alpha changes, energies of two iterations are not comparable.
     if (i > 0 && k > options.AlphaSteps + 1 &&
       std::abs(before - energy) <= options.Tolerance * energy)
     {
@@ -300,6 +320,8 @@ ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   {
     return result;
   }
+  // Coarse points are points of the fine surface: the embedding of the samples is used again and
+  // only extended to more points.
   for (int& point : ofA.Points)
   {
     point = pair.FinePointOfA(point);
@@ -308,7 +330,8 @@ ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   {
     point = pair.FinePointOfB(point);
   }
-  // The last quarter of the steps in which alpha falls: smooth first, then each other's inverse.
+  // The last quarter of the steps in which alpha decreases: the maps are already smooth, and become
+  // inverse to each other.
   ReversibleHarmonicOptions fine = options;
   const int quarter = std::max(1, options.AlphaSteps / 4);
   fine.FirstIteration = std::max(options.FirstIteration, options.AlphaSteps - quarter + 2);

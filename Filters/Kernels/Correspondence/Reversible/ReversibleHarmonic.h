@@ -13,69 +13,76 @@ namespace shape
 
 struct ReversibleHarmonicOptions
 {
-  double Alpha = 2e-5;         ///< the share of the Dirichlet energy; in (0, 1)
-  double FirstAlpha = 3e-2;    ///< where that begins, from which it falls geometrically; < 1
-  int AlphaSteps = 40;         ///< iterations in which it falls; >= 0
-  double BetaStep = 5e-3;      ///< by which the penalty's weight grows in each iteration; > 0
-  int BetaSteps = 100;         ///< iterations after which it stays; >= 1
-  int FirstIteration = 1;      ///< where the weights begin, above 1 on maps refined before; >= 1
+  double Alpha = 2e-5; ///< final weight of the Dirichlet energy; in (0, 1)
+  /// Initial weight of the Dirichlet energy, which decreases geometrically; < 1.
+  double FirstAlpha = 3e-2;
+  int AlphaSteps = 40;    ///< iterations in which that weight decreases; >= 0
+  double BetaStep = 5e-3; ///< increase of the penalty's weight in each iteration; > 0
+  int BetaSteps = 100;    ///< iterations in which the penalty's weight increases; >= 1
+  /// First iteration; above 1 to continue the weights on refined maps; >= 1.
+  int FirstIteration = 1;
   int MaximumIterations = 100; ///< >= 1
-  double Tolerance = 1e-4;     ///< relative change of the energy at which it ends; >= 0
-  bool PinLandmarks = true;    ///< keeps each landmark's image at its partner
-  SmacofOptions Scaling;       ///< the embedding in which straight distances are geodesic ones
+  double Tolerance = 1e-4;     ///< relative change of the energy at which the iteration stops; >= 0
+  bool PinLandmarks = true;    ///< whether each landmark's image stays at its partner
+  /// Options of the embedding, in which straight distances approximate geodesic ones.
+  SmacofOptions Scaling;
 };
 
-/// A surface and positions of its points whose straight distances are nearly geodesic ones.
+/// A surface and an embedding of its points in which straight distances approximate geodesic ones.
 struct EmbeddedSurface
 {
   shape::Surface Surface;
-  Eigen::MatrixXd Embedding; ///< n x d, d <= 32, where the surface's area is 1
+  Eigen::MatrixXd Embedding; ///< n x d, d <= 32; the surface's area is scaled to 1
 };
 
 struct ReversibleHarmonicResult
 {
   SurfaceMaps Maps;
-  std::vector<double> Energies; ///< after each iteration, at that iteration's weight of the penalty
+  /// After each iteration, with that iteration's weight of the penalty.
+  std::vector<double> Energies;
 };
 
 /**
- * Two maps, of each surface onto the other one, that are smooth and nearly each other's inverse
- * (Ezuz, Solomon and Ben-Chen, "Reversible harmonic maps between discrete surfaces", 2019): the
- * minimum of
+ * Computes two maps, from each surface onto the other one, that are smooth and nearly inverse to
+ * each other (Ezuz, Solomon and Ben-Chen, "Reversible harmonic maps between discrete surfaces",
+ * 2019). They minimise
  *
  *   alpha (tr X12' W1 X12 + tr X21' W2 X21)
  *   + (1 - alpha) (|P21 X12 - X2|^2 + |P12 X21 - X1|^2)
  *   + beta (|P12 X2 - X12|^2 + |P21 X1 - X21|^2)
  *
- * with the masses' norms, areas made 1 and X1, X2 the surfaces' own EmbedBySmacof, by turns over
- * P21, X21, P12 and X12 (half-quadratic splitting, section 5 there): the maps P by exact projection
- * on triangles in twice as many dimensions (TriangleTree), the X by one linear system. Negative
- * cotangent weights are raised to 0. Alpha is larger at first: smoother maps move farther in an
- * iteration. The less it ends at, the nearer the maps are to each other's inverse: at 2e-5 round
- * trips on the pairs of CorrespondencePairs.py are a fifth as long as at 5e-4, and the maps no less
- * smooth.
+ * in the norms of the mass matrices, with areas scaled to 1. X1 and X2 are the surfaces'
+ * EmbedBySmacof positions. P21, X21, P12 and X12 are updated in turn (half-quadratic splitting,
+ * section 5 of the paper). Each map P is an exact projection on triangles in twice as many
+ * dimensions (TriangleTree), each X the solution of one linear system. Negative cotangent weights
+ * are raised to 0.
+ *
+ * Alpha is larger at first because smoother maps move farther in an iteration. The smaller its
+ * final value, the closer the maps are to inverses of each other. On the pairs of
+ * CorrespondencePairs.py, the round-trip errors at 2e-5 are a fifth of those at 5e-4, and the maps
+ * are as smooth.
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus. start:
- * maps to begin at, such as LandmarkCells or a FunctionalMap; a mirrored start stays mirrored.
- * Throws InvalidInput, SolveFailure, Aborted.
+ * initial maps, such as those of MapByLandmarkCells or ComputeFunctionalMap; a mirrored start stays
+ * mirrored. Throws InvalidInput, SolveFailure, Aborted.
  */
 ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Surface& a, const Surface& b,
   const SurfaceMaps& start, const Landmarks& landmarks = {},
   const ReversibleHarmonicOptions& options = {}, const Progress& progress = {});
 
-/// The same of surfaces whose embeddings are known. options.Scaling is not used.
+/// The same for surfaces whose embeddings are known. options.Scaling is not used.
 ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
   const EmbeddedSurface& b, const SurfaceMaps& start, const Landmarks& landmarks,
   const ReversibleHarmonicOptions& options = {}, const Progress& progress = {});
 
 /**
- * ReversibleHarmonic of the coarse surfaces of a pair, and if these have fewer points than the
- * fine ones the last quarter of the steps of alpha again, of these, from the maps of the coarse
- * ones: the smooth part of the maps, which takes most iterations, is then found. The embedding's
- * samples are those of the coarse surfaces.
+ * Computes the maps on the coarse surfaces of a pair. If these have fewer points than the fine
+ * ones, it then repeats the last quarter of the alpha steps on the fine surfaces, starting from the
+ * coarse maps. The smooth part of the maps, which takes most iterations, is known by then. The
+ * embeddings use the samples of the coarse surfaces.
  *
- * start: of the coarse surfaces; landmarks: of the coarse ones. Returns the maps of the fine
- * surfaces; Energies are the coarse ones'. Throws InvalidInput, SolveFailure, Aborted.
+ * start, landmarks: of the coarse surfaces. Returns the maps of the fine surfaces; Energies are
+ * those of the coarse ones. Throws InvalidInput, SolveFailure, Aborted.
  */
 ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   const SurfaceMaps& start, const Landmarks& landmarks,

@@ -22,7 +22,7 @@ namespace shape
 namespace
 {
 
-/// The first of the landmarks that share a point.
+/// Returns the landmarks without those that share a point with an earlier one.
 Landmarks Distinct(const Landmarks& landmarks)
 {
   Landmarks distinct;
@@ -37,20 +37,22 @@ Landmarks Distinct(const Landmarks& landmarks)
   return distinct;
 }
 
-/// The longest distance of both.
+/// Returns the longest distance of both.
 double Longest(const SampledSurface& a, const SampledSurface& b)
 {
   return std::max(a.Between().maxCoeff(), b.Between().maxCoeff());
 }
 
-/// Distances in parts of that, and weights that are equal for what is fixed: the first
-/// `fixed` samples of both.
+/// Distances relative to the longest one, and weights. The first `fixed` samples of both are fixed
+/// pairs and have equal weights.
 MetricSpaces Spaces(const SampledSurface& a, const SampledSurface& b, int fixed)
 {
   MetricSpaces spaces{ a.Between(), b.Between(), a.Weights, b.Weights };
   const double longest = Longest(a, b);
   spaces.DistancesA /= longest;
   spaces.DistancesB /= longest;
+  // All of a landmark's mass goes to its partner, so both must have the same. The other weights are
+  // rescaled to keep the sum 1.
   const Eigen::VectorXd means = 0.5 * (a.Weights.head(fixed) + b.Weights.head(fixed));
   for (Eigen::VectorXd* weights : { &spaces.WeightsA, &spaces.WeightsB })
   {
@@ -61,7 +63,7 @@ MetricSpaces Spaces(const SampledSurface& a, const SampledSurface& b, int fixed)
   return spaces;
 }
 
-/// How alike rows are, in logarithms: 0 at most.
+/// The logarithm of the similarity of rows, at most 0.
 Eigen::MatrixXd Likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   constexpr double deviation = 0.05; // of the root of the area
@@ -71,7 +73,9 @@ Eigen::MatrixXd Likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
   return -0.5 / (deviation * deviation) * squares;
 }
 
-/// Where each point of `from` goes, by the masses that go from its samples to those of `to`.
+/// The image of each point of `from`, given the masses from its samples to those of `to`.
+/// The soft functional map of section 4 of the paper: least squares weighted by the mass of each
+/// sample.
 SurfacePoints Spread(const LaplaceSpectrum& from, const std::vector<int>& samples,
   const Surface& target, const LaplaceSpectrum& to, const std::vector<int>& targetSamples,
   const Eigen::MatrixXd& masses, const Progress& progress)
@@ -87,7 +91,7 @@ SurfacePoints Spread(const LaplaceSpectrum& from, const std::vector<int>& sample
     from.Eigenfunctions * map, target.Triangles(), to.Eigenfunctions, progress);
 }
 
-/// What couplings begin with.
+/// The starts of the couplings.
 std::vector<Landmarks> Starts(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const GromovWassersteinOptions& options, const Progress& progress)
 {
@@ -134,12 +138,15 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
       (isFullA ? "A" : "B") + " are landmarks, which leaves none for the other points of surface " +
       (isFullA ? "B" : "A") + "; give fewer, or refine the former");
   }
+  // Distance matrices have few^2 entries and products few^3: a quarter costs a 64th.
   const int few = fixed + std::max(options.Samples / 4, 10);
   const SampledSurface fewA = GetFirstSamples(onA, few, ComputePointAreas(a)),
                        fewB = GetFirstSamples(onB, few, ComputePointAreas(b));
   GromovWassersteinResult result;
   EntropicCoupling coupling;
   coupling.Distortion = std::numeric_limits<double>::infinity();
+  // Coupling on a quarter of the samples, once for each start. The problem is not convex; the
+  // distortion shows which local minimum is better.
   for (std::size_t k = 0; k < starts.size(); ++k)
   {
     const double share = 0.2 / static_cast<double>(starts.size()),
@@ -158,9 +165,13 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   if (onA.Points.size() > fewA.Points.size() || onB.Points.size() > fewB.Points.size())
   {
     const MetricSpaces spaces = Spaces(onA, onB, fixed);
+    // The first samples of all are the few ones, so their masses give the gains DA P DB of all
+    // samples.
     const Eigen::MatrixXd gains = spaces.DistancesA.leftCols(coupling.Masses.rows()) *
       coupling.Masses * spaces.DistancesB.topRows(coupling.Masses.cols());
-    constexpr double more = 8.0; // times the last entropy
+    // The coarse coupling determines the minimum; a high entropy would blur it again.
+    constexpr double more = 8.0; // factor of the last entropy
+    // Iterations for each entropy: the coupling starts near its minimum.
     constexpr int fewer = 3;
     EntropicCouplingOptions last = options.Coupling;
     last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);

@@ -12,10 +12,10 @@ namespace shape
 
 struct GromovWassersteinOptions
 {
-  int Samples = 500;   ///< of each surface, whose distances are compared; >= 10
-  int Eigenpairs = 60; ///< of each surface, in which the map is taken from samples to all; >= 2
+  int Samples = 500;   ///< samples of each surface, whose distances are compared; >= 10
+  int Eigenpairs = 60; ///< of each surface, to extend the map from samples to all points; >= 2
   EntropicCouplingOptions Coupling;
-  /// Without landmarks: pairs, each of which a coupling begins with; none: those of
+  /// Without landmarks: sets of pairs, each the start of one coupling. If empty, those of
   /// FindLandmarks and their rival.
   std::vector<Landmarks> Starts;
 };
@@ -23,31 +23,32 @@ struct GromovWassersteinOptions
 struct GromovWassersteinResult
 {
   SurfaceMaps Maps;
-  /// The root of the mean square of how much two samples' distance and that of what goes to them
-  /// differ, over the root of the area.
+  /// The root mean square difference between the distance of two samples and that of their images,
+  /// divided by the root of the area.
   double Distortion = 0.0;
-  double Error = 0.0; ///< the share of the masses that is not where the samples' weights want it
-  Landmarks Start;    ///< the landmarks or, without, those of the coupling that was taken
+  double Error = 0.0; ///< the share of the mass that does not fit the samples' weights
+  Landmarks Start;    ///< the given landmarks, or those from which the best coupling started
 };
 
 /**
- * Corresponding points of two surfaces by the coupling of samples that keeps distances along the
- * surfaces best (SolveCoupling; Solomon, Peyre, Kim and Sra, "Entropic metric alignment for
- * correspondence problems", 2016), which may be one to many if shapes differ.
+ * Computes corresponding points of two surfaces by the coupling of samples that keeps distances
+ * along the surfaces best (SolveCoupling; Solomon, Peyre, Kim and Sra, "Entropic metric alignment
+ * for correspondence problems", 2016). The coupling may be one to many if the shapes differ.
  *
- * Samples weigh as much as the area that is nearest to them. Entropy falls on a quarter of the
- * samples, and once more, from eight times its last value, on all of them. Landmarks are samples
- * that go to each other; the start is how alike samples lie to them (EmbedByLandmarks). Without
- * landmarks nothing is fixed, and of the couplings of all starts, on a quarter of the samples, the
- * one with the smallest distortion is taken.
+ * The weight of a sample is the area nearest to it. The entropy is first decreased on a quarter of
+ * the samples, and then again, from eight times its last value, on all of them. Landmarks are
+ * samples that are coupled to each other. The start is the similarity of the samples' positions
+ * relative to the landmarks (EmbedByLandmarks). Without landmarks nothing is fixed. Then each start
+ * gives a coupling on a quarter of the samples, and the one with the smallest distortion is used.
  *
- * From the samples to all points: each sample's image is the mean of B's eigenfunctions over what
- * goes there, interpolated by the eigenfunctions of A in least squares ("soft" functional maps,
- * section 4 of the paper); each point goes to a position near its row there
- * (FindNearestSurfacePoints).
+ * The map of samples is extended to all points by "soft" functional maps (section 4 of the paper).
+ * The image of a sample is the mean of B's eigenfunctions over the samples coupled to it. These
+ * images are interpolated by the eigenfunctions of A in least squares. Each point is mapped to a
+ * position near its row there (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus, with a
- * triangle at each point. Sizes may differ. Throws InvalidInput if not, SolveFailure, Aborted.
+ * triangle at each point. Sizes may differ. Throws InvalidInput if they are not, SolveFailure,
+ * Aborted.
  */
 GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const GromovWassersteinOptions& options = {},

@@ -15,6 +15,7 @@ namespace shape
 namespace
 {
 
+/// 0 log 0 is 0.
 double RelativeEntropy(
   const Eigen::MatrixXd& masses, const Eigen::VectorXd& rows, const Eigen::VectorXd& columns)
 {
@@ -46,12 +47,12 @@ void Check(
     start.rows() != spaces.WeightsA.size() || start.cols() != spaces.WeightsB.size() ||
     !(spaces.WeightsA.minCoeff() > 0.0 && spaces.WeightsB.minCoeff() > 0.0))
   {
-    throw InvalidInput("samples must have positive weights, and the start a row for each of A and "
-                       "a column for each of B");
+    throw InvalidInput("samples must have positive weights, and the start must have a row for each "
+                       "sample of A and a column for each sample of B");
   }
 }
 
-/// Lets the samples of fixed pairs go nowhere else.
+/// Couples the samples of fixed pairs to each other only.
 void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
 {
   for (const auto& [i, j] : fixed)
@@ -63,7 +64,7 @@ void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
   }
 }
 
-/// Masses and what they come of.
+/// Masses, and the values from which they were computed.
 struct State
 {
   Eigen::MatrixXd Likeness, Masses, Gains;
@@ -72,6 +73,10 @@ struct State
 
 } // namespace
 
+// Solomon et al., algorithm 1, with continuation in the entropy:
+// 1. The gains of the last masses: DA P DB.
+// 2. The next masses by Sinkhorn's iteration on exp(gains / e), damped if the objective rose.
+// 3. Repeat until the objective stays, then lower e and continue from these masses.
 EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed, const EntropicCouplingOptions& options, const Progress& progress)
 {
@@ -79,6 +84,8 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   const Eigen::VectorXd &rows = spaces.WeightsA, &columns = spaces.WeightsB;
   const BlasThreads several(
     BlasThreads::WorthSharing(static_cast<int>(std::min(rows.size(), columns.size()))));
+  // The part of the objective that depends only on the weights: sum (a - b)^2 = sum a^2 + sum b^2 -
+  // 2 sum a b, and the sums of squares are fixed by the marginals.
   const double own = rows.dot(spaces.DistancesA.cwiseAbs2() * rows) +
     columns.dot(spaces.DistancesB.cwiseAbs2() * columns);
   const auto follow = [&](const State& from, Eigen::MatrixXd likeness)
@@ -91,6 +98,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   };
   EntropicCoupling coupling;
   State state = follow({ {}, {}, {}, Sinkhorn(rows, columns) }, start);
+  // The small number keeps an exact power of Factor from costing one more level by rounding.
   const double span = std::log(options.Entropy / options.FirstEntropy) / std::log(options.Factor);
   const int levels = 1 + static_cast<int>(std::ceil(span - 1e-9));
   double last = options.FirstEntropy;
@@ -98,6 +106,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   {
     const double entropy =
       std::max(options.Entropy, options.FirstEntropy * std::pow(options.Factor, level));
+    // The logarithms are gains / e, so a new e only scales them, and Sinkhorn's factors with them.
     state.Likeness *= last / entropy;
     state.Scaling.Scale(last / entropy);
     last = entropy;
@@ -105,6 +114,8 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
     for (int iteration = 0; iteration < options.Iterations; ++iteration)
     {
       progress((level + static_cast<double>(iteration) / options.Iterations) / levels);
+      // The paper's damping: P^(1 - eta) times the new masses to the power eta, a weighted mean of
+      // logarithms.
       State next = power < 1.0
         ? follow(state, power / entropy * state.Gains + (1.0 - power) * state.Likeness)
         : follow(state, state.Gains / entropy);
@@ -113,7 +124,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
       constexpr double enough = 1e-5, little = 1e-3; // of the objective
       if (objective > before)
       {
-        // A rise as little as what Sinkhorn's tolerance leaves open is the end.
+        // Converged: the rise is within Sinkhorn's tolerance.
         if (objective < before + little * std::abs(before) || power < 0.2)
         {
           break;
@@ -133,17 +144,20 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   }
   coupling.Error = state.Scaling.Error();
   const Eigen::VectorXd ofA = state.Masses.rowwise().sum(), ofB = state.Masses.colwise().sum();
+  // With the masses' own marginals, which differ from the weights by Error; otherwise the sum could
+  // be negative.
   const double squares = ofA.dot(spaces.DistancesA.cwiseAbs2() * ofA) +
     ofB.dot(spaces.DistancesB.cwiseAbs2() * ofB) -
     2.0 * state.Masses.cwiseProduct(state.Gains).sum();
   coupling.Distortion = std::sqrt(std::max(0.0, squares));
   coupling.Masses = std::move(state.Masses);
+  // Of the total mass. If more of it does not fit the weights, the coupling describes no map.
   constexpr double maximum = 0.05;
   if (coupling.Error > maximum)
   {
     throw SolveFailure("the masses of " + std::to_string(rows.size()) + " samples are " +
       std::to_string(coupling.Error) +
-      " of the whole away from their weights; give more landmarks or fewer samples");
+      " of the total away from their weights; give more landmarks or fewer samples");
   }
   progress(1.0);
   return coupling;

@@ -21,6 +21,7 @@ constexpr int Block = 8;
 using Tag = hn::CappedTag<double, Block>;
 
 /// The sums of weights times each of the 15 numbers over blocks of eight samples.
+/// Weights are floats, which halves the memory to read; sums are doubles.
 void SumsFor(const float* weights, const double* values, int blocks, double* sums)
 {
   const Tag d;
@@ -52,6 +53,8 @@ void SumsFor(const float* weights, const double* values, int blocks, double* sum
 }
 
 /// The sum of weights, rounded as that of weights times 1 is above.
+/// So the diagonal of the identity rotation blends to exactly 1, and a shape that does not move
+/// stays as it is.
 double SumFor(const float* weights, int blocks)
 {
   const Tag d;
@@ -135,6 +138,8 @@ void BlendedRows::Clear()
   this->Total = 0;
 }
 
+/// Equation 5 with the sums over the band: qhat, R q and R are summed separately, since each point
+/// applies its own scale to the last two.
 BlendedTransform BlendedRows::Blend(int row, const SampleTransforms& motions) const
 {
   const Row& one = this->Rows[row];

@@ -9,7 +9,7 @@
 namespace shape
 {
 
-/// The 15 numbers of a rigid motion: a sample's new position, its rotated rest position, its
+/// The size of a rigid motion in numbers: a sample's new position, its rotated rest position, its
 /// rotation.
 constexpr int MotionSize = 15;
 
@@ -32,7 +32,7 @@ private:
 struct BlendedTransform
 {
   Eigen::Vector3d Position, Turned;
-  Eigen::Matrix3d Rotation; ///< the mean of rotations, not one itself
+  Eigen::Matrix3d Rotation; ///< the mean of rotations, which is not a rotation
 
   /// The new position of `point` (relative to the centre) with scaled offsets.
   Eigen::Vector3d Apply(const Eigen::Vector3d& point, double scale) const
@@ -41,7 +41,8 @@ struct BlendedTransform
   }
 };
 
-/// The rows of a dense banded matrix of weights: row i has those of samples [begin, begin + count).
+/// The rows of a dense banded matrix of weights: row i contains the weights of samples [begin,
+/// begin + count).
 class BlendedRows
 {
 public:
@@ -51,20 +52,23 @@ public:
   std::size_t Size() const { return this->Total; }
   /// Allocates the weights of all rows.
   void Allocate();
-  /// The weights of a row, >= 0, one of them positive. Different rows may be set at the same time.
+  /// Sets the weights of a row, >= 0, at least one of them positive. Different rows may be set at
+  /// the same time.
   void Set(int row, const float* weights);
   /// Removes all rows, but keeps the memory.
   void Clear();
 
-  /// Blends the motions by a row. Samples that do not move blend to exactly that; else the last
-  /// bits depend on the width of the processor's vectors.
+  /// Blends the motions by a row. Samples that do not move blend to exactly no motion. Otherwise
+  /// the last bits depend on the width of the processor's vectors.
   BlendedTransform Blend(int row, const SampleTransforms& motions) const;
 
 private:
   struct Row
   {
-    std::size_t First;              ///< weight
-    int Block, Blocks, Skip, Count; ///< blocks of eight samples; weights before the first one's
+    std::size_t First; ///< index of the first weight
+    /// The first block of eight samples, the number of blocks, the number of weights before the
+    /// first sample, and the number of weights.
+    int Block, Blocks, Skip, Count;
     double Sum;
   };
   std::vector<Row> Rows;

@@ -12,11 +12,13 @@
 namespace shape
 {
 
+/// Equation 5 with Omega the handle: one row of weights for each node, over all sources.
 BoundaryRelative::BoundaryRelative(NodeProblem problem, const Progress& progress)
   : Problem(std::move(problem))
   , Sweep(SweepFront(this->Problem.Graph, this->Problem.Sources, progress.Part(0.0, 0.1)))
 {
   const Eigen::MatrixXd& positions = this->Problem.Graph.Positions;
+  // Relative to the centre, a shape far from the origin loses no digits.
   const Eigen::RowVector3d centre =
     0.5 * (positions.colwise().minCoeff() + positions.colwise().maxCoeff());
   this->Rests = (positions.rowwise() - centre)(this->Sweep.Nodes, Eigen::all).transpose();
@@ -33,7 +35,7 @@ BoundaryRelative::BoundaryRelative(NodeProblem problem, const Progress& progress
     {
       throw InvalidInput("geodesic distances between " + std::to_string(sources) +
         " points of the handle and " + std::to_string(count) +
-        " of the shape are too many; take Euclidean ones, or turn Multiresolution on");
+        " of the shape are too many; use Euclidean distances, or turn Multiresolution on");
     }
     this->Geodesics.resize(sources, sources + count);
     ParallelFor(
@@ -95,11 +97,14 @@ bool BoundaryRelative::FindRow(int rank, float* weights) const
   double largest = 0.0;
   for (int j = 0; j < sources; ++j)
   {
+    // Equation 4, times the length or area that the source represents, which corrects non-uniform
+    // sampling. Distances are in mean links, so epsilon has no unit.
     row[j] = this->Problem.Graph.Weights(this->Sweep.Nodes[j]) *
       EvaluateInverseDistanceWeight(distances[j] / this->Problem.Graph.MeanLength, power);
     largest = std::max(largest, row[j]);
   }
   const bool some = largest > 0.0;
+  // All weights underflow: the nearest source alone is the limit for large powers.
   if (!some)
   {
     std::fill(row.begin(), row.end(), 0.0);
@@ -107,6 +112,7 @@ bool BoundaryRelative::FindRow(int rank, float* weights) const
   }
   for (int j = 0; j < sources; ++j)
   {
+    // Only ratios matter; the largest weight becomes 1 so that floats neither overflow nor vanish.
     weights[j] = static_cast<float>(row[j] / largest);
   }
   return some;

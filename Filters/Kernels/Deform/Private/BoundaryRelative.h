@@ -7,12 +7,12 @@ namespace shape
 {
 
 /**
- * Boundary-relative deformation: each node relative to the sources alone (equations 4 and 5). Far
- * from them, all sources count alike, and the shape is squashed: upwind-front deformation corrects
- * that.
+ * Boundary-relative deformation: each node is moved relative to the sources alone (equations 4 and
+ * 5). Far from the sources all of them have equal weight, which squashes the shape; upwind-front
+ * deformation avoids that.
  *
- * The weights are those of the sources over the power of the distance, which is Euclidean or along
- * the links of the graph; up to MaximumKeptWeights of them are kept.
+ * A source's weight is divided by the power of its distance, which is Euclidean or along the links
+ * of the graph. Up to MaximumKeptWeights weights are stored.
  */
 class BoundaryRelative : public NodeDeformation
 {
@@ -25,14 +25,15 @@ public:
     const NodeTransforms& sources, double reach, const Progress& progress = {}) const override;
 
 private:
-  /// The distances of a rank from all sources.
+  /// Computes the distances of a rank from all sources.
   void FindDistances(int rank, double* distances) const;
-  /// Returns whether a weight is not 0; else the nearest source has all the weight.
+  /// Computes the weights of a rank. Returns false if all would be 0: then the nearest source has
+  /// weight 1, the others 0.
   bool FindRow(int rank, float* weights) const;
 
   NodeProblem Problem;
   FrontSweep Sweep;
-  Eigen::MatrixXf Geodesics; ///< sources x ranks, or nothing
+  Eigen::MatrixXf Geodesics; ///< sources x ranks, or empty
   BlendedRows Rows;
   Eigen::MatrixXd Rests; ///< 3 x n: the positions by rank, relative to the centre of the graph
 };

@@ -45,6 +45,8 @@ public:
       }
     }
     std::sort(shortest.begin(), shortest.end());
+    // No node takes part in two collapses of a round: else clusters would grow from the shortest
+    // link.
     maximum = std::min(maximum, this->Left / 4 + 1);
     std::vector<char> touched(this->Into.size(), 0);
     int merged = 0;
@@ -75,6 +77,8 @@ public:
   /// A step inwards and a longer one outwards: this smooths without shrinkage.
   void Smooth()
   {
+    // Taubin's lambda | mu smoothing: mu is slightly larger in magnitude than lambda, which keeps
+    // low frequencies.
     for (const double step : { 0.5, -0.53 })
     {
       Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(this->Positions.rows(), 3);
@@ -177,6 +181,7 @@ private:
 
 } // namespace
 
+/// Section 2.3: rounds of collapses and of smoothing, without a metric that preserves detail.
 CoarseShape BuildCoarseShape(
   const PointGraph& graph, const std::vector<int>& kept, int count, const Progress& progress)
 {
@@ -194,6 +199,7 @@ CoarseShape BuildCoarseShape(
     merging.Smooth();
   }
   CoarseShape base = merging.Finish(kept);
+  // The upwind radius is a multiple of it: it must not be smaller than that of the fine shape.
   base.Graph.MeanLength = std::max(ComputeMeanLinkLength(base.Graph), graph.MeanLength);
   progress(1.0);
   return base;

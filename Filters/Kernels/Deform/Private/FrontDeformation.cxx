@@ -9,6 +9,8 @@
 namespace shape
 {
 
+/// Section 2.1 in two passes. The weights of equation 9 depend on the shape at rest only and are
+/// computed in parallel; Move then follows the front.
 FrontDeformation::FrontDeformation(NodeProblem problem, const Progress& progress)
   : Problem(std::move(problem))
   , Sweep(SweepFront(this->Problem.Graph, this->Problem.Sources, progress.Part(0.0, 0.2)))
@@ -33,6 +35,8 @@ void FrontDeformation::KeepWeights(const Progress& progress)
     this->Rows.Add(this->Front.Begin(rank), width);
     widest = std::max(widest, width);
   }
+  // Section 2.3: storage grows as N log^2 N. Weights that do not fit are computed again in each
+  // pass.
   this->Streamed = this->Rows.Size() > this->Problem.MaximumWeights;
   if (!this->Streamed)
   {
@@ -74,11 +78,12 @@ BlendedTransform FrontDeformation::Blend(
   return one.Blend(0, samples);
 }
 
+/// One pass in the order of arrival: the band of a node is already deformed when its turn comes.
 NodeTransforms FrontDeformation::Move(
   const NodeTransforms& sources, double reach, const Progress& progress) const
 {
   const auto n = static_cast<int>(this->Sweep.Nodes.size());
-  // Relative to the centre of the shape, and of the moved sources: a translation costs no digits.
+  // Relative to the centre of the shape and of the moved sources, so a translation costs no digits.
   const Eigen::Vector3d shift = sources.Shifts.rowwise().mean();
   NodeTransforms motions{ Eigen::MatrixXd::Zero(3, n),
     std::vector<Eigen::Matrix3d>(n, Eigen::Matrix3d::Identity()) };
@@ -103,8 +108,10 @@ NodeTransforms FrontDeformation::Move(
     }
     else
     {
+      // Equation 5, with the upwind band as Omega.
       const BlendedTransform blend = this->Blend(rank, samples, one, weights);
       position = blend.Apply(rest, this->Problem.Scales(node));
+      // The normalised linear blend of frames of section 2.1.
       rotation = FitBlendedRotation(blend.Rotation);
       motions.Shifts.col(node) = position - rest + shift;
     }

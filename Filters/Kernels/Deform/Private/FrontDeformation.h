@@ -7,12 +7,12 @@ namespace shape
 {
 
 /**
- * Upwind-front deformation in full resolution: each node relative to those just before it on a
- * front that sweeps from the sources over the graph (equations 5 to 9).
+ * Upwind-front deformation in full resolution: each node is moved relative to the nodes just before
+ * it, on a front that sweeps over the graph from the sources (equations 5 to 9).
  *
- * Bands are ranges of ranks (UpwindFront), so weights are dense rows of floats, kept up to
- * MaximumKeptWeights. The sums over them are in double precision: weights divided by their sum
- * keep rigid motions exact, however they are rounded.
+ * Bands are ranges of ranks (UpwindFront), so weights are dense rows of floats; up to
+ * MaximumKeptWeights of them are stored. Sums over rows are in double precision. Since weights are
+ * divided by their sum, rigid motions stay exact whatever the rounding of the weights.
  */
 class FrontDeformation : public NodeDeformation
 {
@@ -25,7 +25,7 @@ public:
 
 private:
   void KeepWeights(const Progress& progress);
-  /// Blends the motions of the band of a rank. one, weights: memory for a row that is not kept.
+  /// Blends the motions of the band of a rank. one, weights: memory for a row that is not stored.
   BlendedTransform Blend(
     int rank, const SampleTransforms& samples, BlendedRows& one, std::vector<float>& weights) const;
 

@@ -18,13 +18,15 @@ using Eigen::RowVector3d;
 using Eigen::RowVector3i;
 
 /// Half of the triangles around a point of a regular boundary, over the square of their edges.
+/// In a mesh of equilateral triangles with edge h, a boundary vertex has three of them, of area
+/// sqrt(3) / 4 h^2 each, in total 1.3 h^2.
 constexpr double BoundaryRing = 1.3;
 
 void RequireHandle(const BoundaryHandle& handle)
 {
   if (handle.Positions.rows() == 0)
   {
-    throw InvalidInput("the handle has no points; give it some");
+    throw InvalidInput("the handle has no points; add points to it");
   }
   RequireFinite(handle.Positions, "the handle");
   for (const Eigen::MatrixXi* elements : { &handle.Segments, &handle.Triangles })
@@ -71,6 +73,7 @@ HandleAttachment::HandleAttachment(const PointGraph& shape, const BoundaryHandle
   , Handle(handle)
   , Tree(shape.Positions)
   , SampleTree(handle.Positions)
+  // Positions that were stored in single precision differ by up to 1e-7 of the size.
   , Tolerance(
       1e-6 * std::max(ComputeBoxDiagonal(shape.Positions), ComputeBoxDiagonal(handle.Positions)))
   , Step(shape.MeanLength)
@@ -81,8 +84,9 @@ HandleAttachment::HandleAttachment(const PointGraph& shape, const BoundaryHandle
     const double size = ComputeBoxDiagonal(handle.Positions);
     this->Step = size > 0.0 ? size : 1.0;
   }
+  // On a fine shape the tolerance must not reach the next node.
   this->Tolerance = std::min(this->Tolerance, 0.1 * this->Step);
-  // A handle that is much larger than the shape has no more gaps filled than this.
+  // The maximum number of gaps filled, for handles much larger than the shape.
   constexpr double maximum = 20000.0;
   double length = 0.0;
   for (const auto& segment : handle.Segments.rowwise())
@@ -112,7 +116,7 @@ void HandleAttachment::AddSamples(const Progress& progress)
   }
 }
 
-/// The shape's nodes near a segment, which is covered by spheres for that.
+/// Returns the shape's nodes near a segment, searched in spheres that cover it.
 std::vector<int> HandleAttachment::FindNodesNear(
   const RowVector3d& from, const RowVector3d& to) const
 {
@@ -170,6 +174,8 @@ void HandleAttachment::FillGaps(int a, int b, std::vector<SegmentSource>& along)
   std::sort(along.begin(), along.end());
 }
 
+/// Nodes of the shape on the segment become sources first, since new positions are needed only in
+/// the gaps between these.
 void HandleAttachment::AddSegment(int a, int b, bool onCurve)
 {
   const int first = this->OfSample[a], last = this->OfSample[b];
@@ -192,6 +198,8 @@ void HandleAttachment::AddSegment(int a, int b, bool onCurve)
     if (onCurve)
     {
       const double half = 0.5 * (along[k].first - along[k - 1].first) * length;
+      // A source of a curve weighs what a boundary vertex of the shape would: half of the segment
+      // on each side of it, times the width of a ring (w_reg, equation 8).
       this->Weights[p] += BoundaryRing * this->Step * half;
       this->Weights[q] += BoundaryRing * this->Step * half;
     }
@@ -206,6 +214,7 @@ void HandleAttachment::BindNodesInTriangle(const RowVector3i& corners, std::vect
     this->Tree.Within(edges.Origin + (u + v) / 3.0, edges.Longest() + this->Tolerance))
   {
     const RowVector3d w = this->Shape.Positions.row(node) - edges.Origin;
+    // Barycentric coordinates of the projection, from the normal equations of w = s u + t v.
     const double s = (edges.Vv * u.dot(w) - edges.Uv * v.dot(w)) / edges.Determinant;
     const double t = (edges.Uu * v.dot(w) - edges.Uv * u.dot(w)) / edges.Determinant;
     const RowVector3d shares(1.0 - s - t, s, t);
@@ -225,6 +234,7 @@ void HandleAttachment::AddGrid(const RowVector3i& corners, double area, std::vec
   const TriangleEdges edges(this->Handle.Positions, corners);
   const double longest = edges.Longest();
   const int along = this->CountParts(longest);
+  // The height over the longest edge; an equilateral triangle of edge h has the height sqrt(3/4) h.
   const int rows = this->CountParts(2.0 * area / longest / std::sqrt(0.75));
   for (int i = 1; i < rows; ++i)
   {
@@ -251,6 +261,7 @@ void HandleAttachment::AddTriangle(RowVector3i corners)
   const double area = edges.Area(), longest = edges.Longest();
   std::vector<int> sources = { this->OfSample[corners(0)], this->OfSample[corners(1)],
     this->OfSample[corners(2)] };
+  // A triangle without area has no barycentric coordinates; its edges were added before.
   if (area > 1e-9 * longest * longest)
   {
     this->BindNodesInTriangle(corners, sources);
@@ -261,6 +272,8 @@ void HandleAttachment::AddTriangle(RowVector3i corners)
   }
   for (const int source : sources)
   {
+    // w_reg sums whole triangles (equation 8), so each counts three times in total, once for each
+    // corner.
     this->Weights[source] += 3.0 * area / static_cast<double>(sources.size());
   }
 }
@@ -302,9 +315,10 @@ double HandleAttachment::EdgeLength(const RowVector3i& corners, int k) const
     .norm();
 }
 
-/// Into how many parts a length is divided so that no gap is much too long.
+/// Returns the number of parts into which a length is divided to limit the gaps.
 int HandleAttachment::CountParts(double length) const
 {
+  // Parts are then between 0.5 and 1.5 gaps long.
   return static_cast<int>(std::ceil(length / this->Gap - 0.5));
 }
 
@@ -340,10 +354,11 @@ int HandleAttachment::Add(int node, const RowVector3i& samples, const RowVector3
   return static_cast<int>(this->Nodes.size()) - 1;
 }
 
-/// Links a new node with its nearest node of the shape, and with others that are hardly farther.
+/// Links a new node with its nearest node of the shape, and with others at nearly that distance.
 void HandleAttachment::LinkToShape(
   int node, const RowVector3d& position, std::vector<std::pair<int, int>>& links) const
 {
+  // As many as a regular vertex has neighbours.
   constexpr int maximum = 6;
   const std::vector<int> near = this->Tree.Nearest(position, maximum);
   const double nearest = (this->Shape.Positions.row(near.front()) - position).norm();

@@ -13,25 +13,25 @@ namespace shape
 {
 
 /**
- * Gathers the sources of a handle, element by element. Order of calls: AddSamples; then AddSegment
+ * Collects the sources of a handle, element by element. Order of calls: AddSamples; then AddSegment
  * for each segment of a curve and each edge of a triangle; then AddTriangle for each triangle; then
  * Finish, once.
  */
 class HandleAttachment
 {
 public:
-  /// Both are kept by reference. handle: with samples, its elements in range.
+  /// Both are stored by reference. handle: has samples, and its elements are in range.
   HandleAttachment(const PointGraph& shape, const BoundaryHandle& handle);
 
-  /// Makes a source of each sample; of coincident samples, of the first one.
+  /// Makes each sample a source; of coincident samples, only the first.
   void AddSamples(const Progress& progress);
 
-  /// Makes sources of the shape's nodes on a segment, and of new positions between those that are
-  /// too far apart. onCurve: whether they count by the length that each stands for.
+  /// Makes the shape's nodes on a segment sources, and adds new positions between sources that are
+  /// too far apart. onCurve: whether each source is weighted by the length that it represents.
   void AddSegment(int a, int b, bool onCurve);
 
-  /// Makes sources of the shape's nodes inside a triangle or, if there are none and it is large, of
-  /// the nodes of a grid in it.
+  /// Makes the shape's nodes inside a triangle sources. If there are none and the triangle is
+  /// large, adds the nodes of a grid in it instead.
   void AddTriangle(Eigen::RowVector3i corners);
 
   HandleSources Finish();
@@ -59,8 +59,8 @@ private:
   const BoundaryHandle& Handle;
   PointTree Tree, SampleTree;
   double Tolerance, Step;
-  double Gap;                ///< between sources, at most
-  std::vector<int> SourceOf; ///< of the shape's nodes, or -1
+  double Gap;                ///< maximum distance between sources
+  std::vector<int> SourceOf; ///< for each of the shape's nodes, its source or -1
   std::vector<int> OfSample;
   std::vector<int> Nodes;
   std::vector<Eigen::RowVector3i> Samples;
@@ -69,8 +69,8 @@ private:
   std::vector<std::pair<int, int>> Links;
 };
 
-/// Throws InvalidInput if the handle has no samples, a sample that is not finite, or a segment or
-/// triangle out of range; Aborted.
+/// Computes the sources of a handle on a shape. Throws InvalidInput if the handle has no samples, a
+/// sample that is not finite, or a segment or triangle out of range; Aborted.
 HandleSources AttachHandle(
   const PointGraph& shape, const BoundaryHandle& handle, const Progress& progress = {});
 

@@ -23,6 +23,7 @@ NodeTransforms MoveSources(const HandleSources& sources, const BoundaryHandle& h
       shift += share * (pose.Positions.row(sample) - handle.Positions.row(sample));
       blend += share * pose.Rotations[sample];
     }
+    // At a sample the rotation is taken as it is: a fit would change its last bits.
     const bool atSample = sources.Shares(k, 0) == 1.0;
     motions.Rotations.push_back(
       atSample ? pose.Rotations[sources.Samples(k, 0)] : FitBlendedRotation(blend));

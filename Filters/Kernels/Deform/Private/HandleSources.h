@@ -12,27 +12,27 @@ namespace shape
 {
 
 /**
- * The start of the front: a graph with the nodes of a shape and those of its handle, and how the
- * latter follow the handle's samples.
+ * The start of the front: a graph with the nodes of a shape and those of its handle, and the rule
+ * by which the latter follow the handle's samples.
  *
- * A node of the shape is a source if it is within 1e-6 of the diagonal of a sample, a segment or a
- * triangle of the handle. Other samples become new nodes, and so do positions on segments and in
- * triangles that are longer than the mean edge of the shape, so that a coarse handle has no gaps;
- * all of these are linked with the shape's nearest nodes.
+ * A node of the shape is a source if its distance from a sample, a segment or a triangle of the
+ * handle is at most 1e-6 of the diagonal. Other samples become new nodes. So do positions on
+ * segments and in triangles that are longer than the mean edge of the shape, so that a coarse
+ * handle leaves no gaps. All new nodes are linked with the shape's nearest nodes.
  */
 struct HandleSources
 {
-  /// The shape's nodes come first, in their order. Weights of sources are those of the handle
-  /// there: three times the area of its triangles, or of a strip of half a mean edge beside its
-  /// curve; that of new positions on edges of triangles is the square of a mean edge.
+  /// The shape's nodes come first, in their order. The weight of a source is the handle's area
+  /// there. It is three times the area of its triangles, or that of a strip of half a mean edge
+  /// beside its curve. For new positions on edges of triangles it is the square of a mean edge.
   PointGraph Graph;
   std::vector<int> Nodes;  ///< k: the sources
-  Eigen::MatrixXi Samples; ///< k x 3: the samples that a source lies between
-  Eigen::MatrixXd Shares;  ///< k x 3: its barycentric coordinates there
+  Eigen::MatrixXi Samples; ///< k x 3: the samples between which a source lies
+  Eigen::MatrixXd Shares;  ///< k x 3: the source's barycentric coordinates there
 };
 
-/// The motions of the sources of a posed handle, in their order. scales: for each node, of its
-/// offset from the handle, which is tiny.
+/// Returns the motions of the sources of a posed handle, in their order. scales: for each node, the
+/// factor of its offset from the handle, which is tiny.
 NodeTransforms MoveSources(const HandleSources& sources, const BoundaryHandle& handle,
   const HandlePose& pose, const Eigen::VectorXd& scales);
 

@@ -38,14 +38,17 @@ LaplacianSmoothing::LaplacianSmoothing(const NodeProblem& problem)
 {
 }
 
+/// Equation 3 as a post-process (section 5, Fig. 16): the edge vectors are rotated by the rotations
+/// found, and the positions that fit them best are solved for, with the sources fixed.
 void LaplacianSmoothing::Apply(NodeTransforms& motions) const
 {
-  // The unknown is the change: none, to the last bit, if nothing moves.
+  // The unknown is the change, which is exactly 0 if nothing moves.
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(this->Positions.rows(), 3);
   for (const auto& [a, b] : this->Links)
   {
     const Eigen::Vector3d edge = (this->Positions.row(a) - this->Positions.row(b)).transpose();
     const double scale = 0.5 * (this->Scales(a) + this->Scales(b));
+    // An edge rotates like the mean of its ends.
     const Eigen::Matrix3d turn = 0.5 * scale * (motions.Rotations[a] + motions.Rotations[b]);
     const Eigen::Vector3d wanted = turn * edge - edge;
     const Eigen::Vector3d missing = ComputeLinkWeight(this->Positions, a, b) *

@@ -11,19 +11,19 @@
 namespace shape
 {
 
-/// The Laplacian of a graph (n x n) whose links weigh 1 / length: positions is n x 3, and a link is
-/// a pair of different nodes at different positions, listed once.
+/// Builds the Laplacian of a graph (n x n) whose links have the weight 1 / length. positions: n x
+/// 3. links: pairs of distinct nodes at different positions, each listed once.
 Eigen::SparseMatrix<double> BuildGraphLaplacian(
   const Eigen::MatrixXd& positions, const std::vector<std::pair<int, int>>& links);
 
 /**
- * Spreads the distortion of a deformation evenly (Fig. 16): the positions that solve equation 3
- * with the Laplacian vectors of the shape at rest, each turned as the deformation turns there, and
- * with the sources fixed. A rigid motion stays as it is.
+ * Spreads the distortion of a deformation evenly (Fig. 16). The result solves equation 3 with fixed
+ * sources. The Laplacian vectors are those of the shape at rest, each rotated by the deformation's
+ * rotation there. A rigid motion is not changed.
  *
- * Links weigh 1 / length. Each edge vector is turned by the mean of the rotations at both ends.
- * This differs from the turned Laplacian vector where the rotations differ, and makes the matrix
- * symmetric.
+ * Links have the weight 1 / length. Each edge vector is rotated by the mean of the rotations at
+ * both ends. This differs from the rotated Laplacian vector if the rotations differ, and makes the
+ * matrix symmetric.
  */
 class LaplacianSmoothing
 {
@@ -33,7 +33,7 @@ public:
   LaplacianSmoothing(const LaplacianSmoothing&) = delete;
   LaplacianSmoothing& operator=(const LaplacianSmoothing&) = delete;
 
-  /// Moves the nodes that are no sources.
+  /// Moves the nodes that are not sources.
   void Apply(NodeTransforms& motions) const;
 
 private:
@@ -41,7 +41,7 @@ private:
   Eigen::VectorXd Scales;
   std::vector<std::pair<int, int>> Links;
   Eigen::SparseMatrix<double> Laplacian;
-  DirichletProblem Problem; ///< which refers to the Laplacian
+  DirichletProblem Problem; ///< refers to the Laplacian
 };
 
 } // namespace shape

@@ -29,10 +29,13 @@ namespace
 {
 
 /// The number of base nodes that a node is blended from, if none is one of the denser sources.
+/// k of section 2.3: about as many as a node and its ring.
 constexpr double WantedNodes = 8.0;
 
-/// Changes weights so that the weighted mean of offsets (k x 3) is zero in the directions that they
-/// span, or as near to zero as weights that are not negative allow.
+/// Changes weights to make the weighted mean of offsets (k x 3) zero in the directions that they
+/// span, or as close to zero as non-negative weights allow.
+/// Moving least squares: weights times a linear function, chosen for a weighted mean of 0. Equation
+/// 5 then reproduces linear functions along the base. The limit keeps the weights positive.
 void Tilt(const Eigen::MatrixXd& ways, Eigen::VectorXd& weights)
 {
   const Eigen::Vector3d mean = ways.transpose() * weights / weights.sum();
@@ -61,6 +64,10 @@ void Tilt(const Eigen::MatrixXd& ways, Eigen::VectorXd& weights)
 
 } // namespace
 
+/// Section 2.3:
+/// 1. Build the smooth base, which keeps the sources (BuildCoarseShape).
+/// 2. Prepare its deformation by the method in full resolution.
+/// 3. For each node of the shape, find the nearest connected base nodes and their weights (AddRow).
 MultiresolutionDeformation::MultiresolutionDeformation(
   NodeProblem problem, int baseNodes, const NodeSolver& solve, const Progress& progress)
   : Problem(std::move(problem))
@@ -71,7 +78,7 @@ MultiresolutionDeformation::MultiresolutionDeformation(
   PointGraph& graph = this->Coarse.Graph;
   const int n = graph.Size();
   this->Base = n;
-  // The strip beside the handle that its samples stand for is as wide as the links of the base.
+  // The samples represent a strip beside the handle, as wide as the links of the base.
   this->IsSource.assign(n, 0);
   for (const int node : this->Coarse.Sources)
   {
@@ -84,6 +91,7 @@ MultiresolutionDeformation::MultiresolutionDeformation(
   for (int i = 0; i < this->Problem.Graph.Size(); ++i)
   {
     const int node = this->Coarse.BaseOf[i];
+    // Parameters of a base node are the means over the nodes merged into it.
     coarse.Powers(node) += this->Problem.Powers(i);
     coarse.Scales(node) += this->Problem.Scales(i);
     ++counts(node);
@@ -115,6 +123,7 @@ MultiresolutionDeformation::MultiresolutionDeformation(
     this->AddRow(this->Sweep.Nodes[rank], full);
     for (std::size_t k = this->First.back(); k < this->Columns.size(); ++k)
     {
+      // The maximum so far: Move needs the base up to there for all ranks before.
       reach = std::max(reach, sweep.Arrivals[sweep.Ranks[this->Columns[k]]]);
     }
     this->Reaches.push_back(reach);
@@ -126,6 +135,8 @@ MultiresolutionDeformation::MultiresolutionDeformation(
 
 void MultiresolutionDeformation::FindAround()
 {
+  // Connected nodes only: nodes that are near in space, but on another sheet, must not be blended.
+  // Three rings usually contain the nearest 8.
   constexpr int rings = 3;
   constexpr std::size_t enough = 64;
   const PointGraph& graph = this->Coarse.Graph;
@@ -169,7 +180,7 @@ std::vector<MultiresolutionDeformation::Nearby> MultiresolutionDeformation::Find
     nearest.push_back({ (graph.Positions.row(other) - position).norm(), other });
   }
   std::sort(nearest.begin(), nearest.end());
-  // Samples of the handle may be denser than the base: take as many as stand for the same area.
+  // Samples of the handle may be denser than the base: use as many as represent the same area.
   double sum = 0.0;
   std::size_t count = 0;
   while (count < nearest.size() && sum < WantedNodes)
@@ -178,6 +189,7 @@ std::vector<MultiresolutionDeformation::Nearby> MultiresolutionDeformation::Find
     sum += full > 0.0 ? std::min(weight / full, 1.0) : 1.0;
     ++count;
   }
+  // One more, where the weights become 0.
   nearest.resize(std::min(count + 1, nearest.size()));
   return nearest;
 }
@@ -189,9 +201,11 @@ void MultiresolutionDeformation::AddRow(int node, double full)
   const auto count = static_cast<Eigen::Index>(nearest.size());
   Eigen::MatrixXd ways(count, 3);
   Eigen::VectorXd weights(count);
-  // Near the sources only these count, the nearer the more: there the shape is exact.
+  // Near the sources only these have weights, which grow towards them: there the shape is exact.
   const double arrival = this->Sweep.Arrivals[this->Sweep.Ranks[node]];
   const double beyond = 1.0 - EvaluateSmoothFalloff(arrival, graph.MeanLength);
+  // Slightly larger than the last distance, so that the weights are not all 0 if all distances are
+  // equal.
   const double radius = std::max(1.001 * nearest.back().Distance, 1e-6 * graph.MeanLength);
   for (Eigen::Index k = 0; k < count; ++k)
   {

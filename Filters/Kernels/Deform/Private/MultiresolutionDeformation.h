@@ -16,17 +16,19 @@ using NodeSolver =
 
 /**
  * Multiresolution (section 2.3): a coarse, smooth base of the graph (BuildCoarseShape) is deformed
- * in full, and each node of the fine graph relative to the nearest base nodes around the one that
- * it was merged into, by equation 5.
+ * first. Then each node of the fine graph is moved relative to nearby base nodes, those nearest to
+ * the one into which it was merged, by equation 5.
  *
- * These weights decrease to 0 at the first base node that is left out, so that they are continuous.
- * Then they are tilted so that their mean position is the node's own, tangentially to the base: so
- * the shape stretches evenly where the base does. Sources are nodes of the base and stay exact.
+ * The weights decrease to 0 at the first base node that is left out, which makes them continuous.
+ * Then they are tilted, tangentially to the base, to make their mean position equal the node's
+ * position. So the shape stretches evenly where the base does. Sources are nodes of the base and
+ * stay exact.
  */
 class MultiresolutionDeformation : public NodeDeformation
 {
 public:
-  /// baseNodes: their wanted number without the sources. Throws what `solve` throws, Aborted.
+  /// baseNodes: the wanted number of base nodes without the sources. Throws the exceptions of
+  /// `solve`, Aborted.
   MultiresolutionDeformation(
     NodeProblem problem, int baseNodes, const NodeSolver& solve, const Progress& progress = {});
 
@@ -42,13 +44,14 @@ private:
   NodeProblem Problem;
   CoarseShape Coarse;
   std::unique_ptr<NodeDeformation> Inner;
-  FrontSweep Sweep;                     ///< of the fine graph
-  std::vector<std::vector<int>> Around; ///< base nodes near each; while rows are found
-  std::vector<char> IsSource;           ///< of base nodes
-  std::vector<double> Reaches; ///< by rank: the reach in the base that is needed up to there
+  FrontSweep Sweep; ///< of the fine graph
+  /// Base nodes near each base node; only while rows are computed.
+  std::vector<std::vector<int>> Around;
+  std::vector<char> IsSource;  ///< for each base node
+  std::vector<double> Reaches; ///< by rank: the reach in the base that is needed up to that rank
   std::vector<std::size_t> First;
-  std::vector<int> Columns;   ///< base nodes, of each rank that is no source
-  std::vector<float> Weights; ///< some may be negative
+  std::vector<int> Columns;   ///< base nodes for each rank that is not a source
+  std::vector<float> Weights; ///< positive; the largest of a row is 1
   std::vector<double> Sums;
 };
 

@@ -19,18 +19,19 @@ struct NodeTransforms
   std::vector<Eigen::Matrix3d> Rotations;
 };
 
-/// The maximum number of kept weights (512 MiB); if there are more, each pass computes them again.
+/// The maximum number of stored weights (512 MiB). If there are more, each pass computes them
+/// again.
 constexpr std::size_t MaximumKeptWeights = std::size_t(1) << 27;
 
-/// A graph, its sources, which are moved, and how the other nodes follow them.
+/// A graph, its sources, which are moved, and the parameters by which the other nodes follow them.
 struct NodeProblem
 {
   PointGraph Graph;         ///< connected
-  std::vector<int> Sources; ///< different nodes, at least one
+  std::vector<int> Sources; ///< distinct nodes, at least one
   Eigen::VectorXd Powers;   ///< n: k of equation 4
-  Eigen::VectorXd Scales;   ///< n: of the offsets to each node
+  Eigen::VectorXd Scales;   ///< n: factors of the offsets to each node
   UpwindFrontOptions Front;
-  std::size_t MaximumWeights = MaximumKeptWeights; ///< of those that are kept
+  std::size_t MaximumWeights = MaximumKeptWeights; ///< maximum number of stored weights
 };
 
 /// Moves the nodes of a graph with its sources: the interface of all methods and resolutions.
@@ -39,8 +40,8 @@ class NodeDeformation
 public:
   virtual ~NodeDeformation() = default;
 
-  /// The motions of all nodes for given ones of the sources, in their order. Nodes that the front
-  /// reaches later than `reach` may stay. Throws Aborted.
+  /// Returns the motions of all nodes for given motions of the sources, in their order. Nodes that
+  /// the front reaches later than `reach` may stay. Throws Aborted.
   virtual NodeTransforms Move(
     const NodeTransforms& sources, double reach, const Progress& progress = {}) const = 0;
 

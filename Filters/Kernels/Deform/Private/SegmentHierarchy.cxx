@@ -52,6 +52,8 @@ NodeProblem Restricted(
 
 } // namespace
 
+/// Section 2.3, Fig. 9: parts are deformed one after another, from the boundary inwards. The handle
+/// of a part is the layer of nodes next to it in the parts that come before.
 SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& labels,
   const NodeSolver& solve, const Progress& progress)
   : Sources(problem.Sources)
@@ -60,8 +62,10 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
   const PointGraph& graph = problem.Graph;
   const FrontSweep sweep = SweepFront(graph, problem.Sources, progress.Part(0.0, 0.1));
   DisjointSets sets(this->Size);
+  // A part is connected: two regions with the same label are two parts.
   for (const auto& [a, b] : ListLinks(graph))
   {
+    // Sources belong to no part: joined across them, parts of one label would be one.
     const bool free = sweep.Ranks[a] >= sweep.Sources && sweep.Ranks[b] >= sweep.Sources;
     if (free && labels(a) == labels(b))
     {
@@ -92,6 +96,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
       for (int k = graph.First[node]; k < graph.First[node + 1]; ++k)
       {
         const int other = graph.Neighbours[k];
+        // Sources have part -1, so they come before all.
         if (partOf[other] < p && takenBy[other] != p)
         {
           takenBy[other] = p;
@@ -102,7 +107,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
     std::sort(part.Nodes.begin(), part.Nodes.end());
     if (this->Parts.size() == 1)
     {
-      part.Nodes = problem.Sources; // also those that only others of them are next to
+      part.Nodes = problem.Sources; // including those that are only adjacent to other sources
     }
     part.Sources = static_cast<int>(part.Nodes.size());
     part.Nodes.insert(part.Nodes.end(), members[p].begin(), members[p].end());
@@ -117,6 +122,7 @@ SegmentHierarchy::SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& l
   }
 }
 
+/// In the order of arrival: the nodes that drive a part are moved before it.
 NodeTransforms SegmentHierarchy::Move(
   const NodeTransforms& sources, double reach, const Progress& progress) const
 {

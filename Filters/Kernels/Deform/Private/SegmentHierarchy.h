@@ -11,15 +11,16 @@ namespace shape
 {
 
 /**
- * Deformation segment by segment (section 2.3, Fig. 9): each connected part of one label follows
- * the adjacent nodes that the handle or earlier parts move. Parts come in the order in which the
- * front reaches them. So parts that meet on the front, but are not adjacent on the shape, move
- * independently.
+ * Deformation segment by segment (section 2.3, Fig. 9). Each connected part with one label follows
+ * the adjacent nodes that are moved by the handle or by earlier parts. Parts are ordered by the
+ * time at which the front reaches them. So parts that meet on the front, but are not adjacent on
+ * the shape, move independently.
  */
 class SegmentHierarchy : public NodeDeformation
 {
 public:
-  /// labels: of each node; those of sources are ignored. Throws what `solve` throws, Aborted.
+  /// labels: one for each node; those of sources are ignored. Throws the exceptions of `solve`,
+  /// Aborted.
   SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& labels, const NodeSolver& solve,
     const Progress& progress = {});
 
@@ -31,9 +32,9 @@ public:
 private:
   struct Part
   {
-    std::vector<int> Nodes; ///< its sources, then its own
+    std::vector<int> Nodes; ///< the sources of the part, then its other nodes
     int Sources;
-    double Arrival; ///< of the first of its own
+    double Arrival; ///< time at which the front reaches the first of the other nodes
     std::unique_ptr<NodeDeformation> Solution;
   };
 

@@ -28,6 +28,9 @@ ExponentialFront::ExponentialFront(const PointGraph& graph, const Eigen::MatrixX
   }
 }
 
+/// Equation 10 of Schmidt and Singh, with transported axes: the edge is projected to the tangent
+/// plane at `from` and given its full length, and the x axis follows the minimum rotation between
+/// normals.
 EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
   const Sample& from, const Sample& to)
 {
@@ -37,6 +40,7 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
   const double length2 = edge.squaredNorm(), flat2 = flat.squaredNorm();
   const double scale = flat2 > 0.0 ? std::sqrt(length2 / flat2) : 0.0;
   const Vector3d x = from.Axes.row(0).transpose();
+  // Rodrigues' formula for a vector orthogonal to `from.Normal`, without sines and cosines.
   const double turn = x.dot(to.Normal) / std::max(opposite, 1.0 + from.Normal.dot(to.Normal));
   Prediction prediction;
   prediction.Step = scale * flat;
@@ -49,6 +53,8 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Prediction ExponentialFront::Predict(
 /// Returns the squared distance of the apex from the source of the distances at an edge's ends,
 /// along the straight line in the unfolded triangle. It is infinite if the line does not cross the
 /// edge. nearFirst: whether it crosses the half of `first`.
+/// The two known distances place the source in the plane of the edge, on the side opposite to the
+/// apex. The distance is then that between two points of the plane.
 inline double ExponentialFront::Distance2Across(
   const Sample& first, const Sample& second, const Vector3d& apex, bool& nearFirst)
 {
@@ -76,6 +82,8 @@ inline double ExponentialFront::Distance2Across(
 
 void ExponentialFront::BeginRun(const TangentFrame& seed)
 {
+  // Marks of older runs are below FirstMark: nothing needs to be cleared, so a run takes no time
+  // for the rest of the surface.
   this->FirstMark += StateCount;
   if (this->FirstMark > std::numeric_limits<int>::max() - StateCount)
   {
@@ -101,6 +109,7 @@ void ExponentialFront::Reach(int node, double distance, int source, State state)
     sample.Distance = distance;
     sample.Source = source;
     this->Queue.emplace_back(distance, node);
+    // Older entries of the node stay in the queue and are skipped when they are met.
     std::push_heap(this->Queue.begin(), this->Queue.end(), std::greater<>());
   }
 }
@@ -111,6 +120,8 @@ void ExponentialFront::ReachAlong(const Sample& from, int node, int source)
   this->Reach(node, from.Distance + length, source, AlongEdge);
 }
 
+/// A triangle with one settled corner is passed along its edges, with two across them; with three
+/// it is covered.
 void ExponentialFront::Spread(int node)
 {
   const Sample& sample = this->Samples[node];
@@ -177,6 +188,7 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
   const Sample& sample, const Prediction& first) const
 {
   constexpr double maximum = 0.9; // maximum of tilt x, so that no weight is negative
+  // Keeps the divisions by left and right below finite if no neighbour is on that side.
   constexpr double aside = std::numeric_limits<double>::min();
   Vector2d image = Vector2d::Zero(), moment = Vector2d::Zero();
   Vector3d xAxis = Vector3d::Zero(), axisMoment = Vector3d::Zero();
@@ -206,6 +218,8 @@ EIGEN_ALWAYS_INLINE ExponentialFront::Mean ExponentialFront::UpwindMean(
       add(one);
     }
   }
+  // With this tilt the weighted mean of x is 0. It is limited where the weight 1 - tilt x of the
+  // outermost neighbour would be less than a tenth.
   const double balanced = moment2 > 0.0 ? moment1 / moment2 : 0.0;
   const double tilt = std::clamp(balanced, maximum / right, maximum / left);
   return { image - tilt * moment, xAxis - tilt * axisMoment, weights - tilt * moment1 };
@@ -246,6 +260,7 @@ void ExponentialFront::Settle(int node)
       const double minimum = (sample.Position - this->Seed.Position).norm();
       sample.Distance = std::min(sample.Distance, std::max(length / mean.Factor, minimum));
     }
+    // The mean of images is nearer to the seed than the point is; only its direction is used.
     sample.Image = mean.Image * (length > 0.0 ? sample.Distance / length : 0.0);
     xAxis = mean.XAxis;
   }
@@ -288,9 +303,12 @@ void ExponentialFront::Start(
   }
 }
 
+/// Dijkstra's algorithm: nodes are settled in the order of their distance, so all upwind images are
+/// final when a node needs them.
 void ExponentialFront::Run(const TangentFrame& seed, const Eigen::RowVector3i& corners,
   const Eigen::RowVector3d& barycentric, double radius, const Progress& progress)
 {
+  // Points between two calls of progress.
   constexpr std::size_t between = 8192;
   this->BeginRun(seed);
   this->Start(corners, barycentric);

@@ -31,6 +31,7 @@ public:
   /// Begins with a spherical cap or a biharmonic surface over the membrane's layout.
   void Start(const Progress& progress)
   {
+    // Beyond, a spherical cap is nearer to the fair surface than a biharmonic surface is.
     constexpr double steep = 60.0 * M_PI / 180.0;
     PatchSizes sizes = this->Wanted;
     if (std::abs(ComputeMeanTilt(this->Loop)) > steep)
@@ -55,6 +56,8 @@ public:
   }
 
   /// Remeshes until the triangles stay even.
+  /// The fair surface is larger than its start, and stretched triangles approximate curvature
+  /// badly. Each round starts nearer to the solution.
   void Settle(const Progress& progress)
   {
     constexpr double uneven = 1.5;
@@ -97,11 +100,12 @@ public:
   }
 
 private:
-  static constexpr double BulgingGrowth = 0.25; ///< of edges, away from the loop
+  static constexpr double BulgingGrowth = 0.25; ///< growth of edges away from the loop
 
   void MakeFair(const Progress& progress)
   {
     FairSurfaceOptions options;
+    // In edges: a coarse patch is remeshed anyway.
     constexpr double roughly = 0.05;
     options.Tolerance = this->IsCoarse ? roughly : options.Tolerance;
     const Mesh before = this->Patch.Surface;
@@ -120,7 +124,7 @@ private:
   double Stretch = 1.0; ///< by which factor triangles changed when the patch was made fair
 };
 
-/// The direction that a loop runs around, counter-clockwise.
+/// The direction around which a loop runs counter-clockwise.
 RowVector3d AxisOf(const Eigen::MatrixXd& loop)
 {
   const RowVector3d centre = loop.colwise().mean();
@@ -155,6 +159,7 @@ double ComputeMeanTilt(const BoundaryLoop& loop)
     const RowVector3d along =
       loop.Points.row((i + 1) % loop.Points.rows()) - loop.Points.row(before);
     const RowVector3d outwards = along.cross(axis).stableNormalized(), normal = loop.Normals.row(i);
+    // The angle in the plane across the loop.
     sum += std::atan2(normal.dot(outwards), normal.dot(axis));
   }
   return sum / static_cast<double>(loop.Points.rows());
@@ -182,10 +187,13 @@ Eigen::MatrixXd BuildSphericalCap(const HolePatch& patch, const BoundaryLoop& lo
   const RowVector3d centre = loopMean - scale * (axes * circleMean.transpose()).transpose();
 
   Mesh cap{ Eigen::MatrixXd(patch.Flat.rows(), 3), patch.Surface.Triangles };
+  // A cap that leaves a circle of radius r at the angle t lies on a sphere of radius r / sin t.
   const double sphere = scale * radius / std::sin(tilt);
   for (Eigen::Index i = 0; i < cap.Points.rows(); ++i)
   {
     const double share = patch.Flat.row(i).norm() / radius;
+    // Stereographic projection from the opposite pole: the distance in the plane is proportional to
+    // tan(angle / 2).
     const double angle = 2.0 * std::atan(std::tan(0.5 * tilt) * share);
     const RowVector3d way = share > 0.0
       ? RowVector3d((axes * patch.Flat.row(i).transpose()).transpose() / (radius * share))

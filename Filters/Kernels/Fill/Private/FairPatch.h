@@ -14,31 +14,34 @@ struct FairPatchResult
 {
   Mesh Patch;             ///< the loop's points first
   bool Converged = false; ///< see FairSurfaceResult
-  bool IsBalloon = false; ///< its area is more than ten times the membrane's: given up
+  /// Whether it was given up because its area exceeds ten times the membrane's.
+  bool IsBalloon = false;
 };
 
 /**
- * The fair surface of a loop (SolveFairSurface) with triangles of its own: on a bulge, those of a
- * membrane would be stretched. A large hole is first filled coarsely, from a biharmonic surface or,
- * if the normals are tilted far, from a spherical cap; it is remeshed until the triangles stay
- * even. Then it is remeshed to the wanted size, which takes few iterations.
+ * Builds the fair surface of a loop (SolveFairSurface) with a new triangulation: on a bulge, the
+ * triangles of a membrane would be stretched. A large hole is first filled coarsely. The start is a
+ * biharmonic surface or, if the normals are tilted far, a spherical cap; it is remeshed until the
+ * triangles stay even. Then it is remeshed to the wanted size, which takes few iterations.
  *
  * membrane: of the loop (BuildMembranePatch). Throws SolveFailure, Aborted.
  */
 FairPatchResult BuildFairPatch(const HolePatch& membrane, const BoundaryLoop& loop,
   const PatchSizes& sizes, const Progress& progress = {});
 
-/// The mean angle in radians by which a loop's normals are tilted outwards from its area vector: 0
-/// if they are the normal of the loop's plane, negative if they are tilted inwards.
+/// Returns the mean angle in radians by which a loop's normals are tilted outwards from its area
+/// vector. It is 0 if they are the normal of the loop's plane, and negative if they are tilted
+/// inwards.
 double ComputeMeanTilt(const BoundaryLoop& loop);
 
 /**
- * An initial surface for SolveFairSurface that bulges: the spherical cap that leaves a circle by
+ * Builds a bulging initial surface for SolveFairSurface: the spherical cap that leaves a circle at
  * the loop's mean tilt, bent to the loop. The patch's layout, a disk in a circle around the origin,
- * goes to the sphere by stereographic projection, which is conformal; the difference between loop
- * and circle is interpolated by SolveHarmonicValues. Returns the positions of all points (n x 3).
+ * is mapped to the sphere by stereographic projection, which is conformal. The difference between
+ * loop and circle is interpolated by SolveHarmonicValues. Returns the positions of all points (n x
+ * 3).
  *
- * patch: as BuildMembranePatch makes it. The tilt is limited to 150 degrees.
+ * patch: as BuildMembranePatch builds it. The tilt is limited to 150 degrees.
  */
 Eigen::MatrixXd BuildSphericalCap(const HolePatch& patch, const BoundaryLoop& loop);
 

@@ -42,7 +42,7 @@ public:
     this->Origin = 0.5 * (low + high) - this->Side * RowVector2d(0.5, std::sqrt(3.0) / 6.0);
   }
 
-  /// Within the box, each once.
+  /// Returns the points within the box, each once.
   std::vector<RowVector2d> Find(const Progress& progress)
   {
     this->Split({ 0, 0 }, Finest, 1, progress);
@@ -64,6 +64,8 @@ public:
 private:
   /// Steps along the sides of the first cell at 0 and 60 degrees, of which it has Finest each.
   using Node = std::array<std::int64_t, 2>;
+  // A power of two, so that cells can be halved 40 times in integers: nodes shared by cells are
+  // equal.
   static constexpr std::int64_t Finest = std::int64_t(1) << 40;
 
   RowVector2d Position(double along, double up) const
@@ -88,7 +90,10 @@ private:
     {
       return;
     }
+    // No position in the cell may want less, since Growth limits the slope of Size.
     const double wanted = this->Options.Size(centre) - this->Options.Growth * radius;
+    // Halving lengths gives cells between wanted / sqrt(2) and wanted * sqrt(2). The limit of an
+    // edge / 1000 is that of Size.
     if (size == 1 || side <= 1e-3 * this->Options.Edge || side <= std::sqrt(2.0) * wanted)
     {
       this->Nodes.push_back(corner);
@@ -104,6 +109,7 @@ private:
     this->Split(corner, size / 2, sense, progress);
     this->Split({ corner[0] + half, corner[1] }, size / 2, sense, progress);
     this->Split({ corner[0], corner[1] + half }, size / 2, sense, progress);
+    // The middle one of the four triangles points the other way.
     this->Split({ corner[0] + half, corner[1] + half }, size / 2, -sense, progress);
   }
 
@@ -213,6 +219,7 @@ std::vector<bool> TooClose(
       const double wanted = close * options.Size(position);
       tooClose[point] = tooClose[point] || (next < corners && toNext.norm() < wanted) ||
         (last < corners && toLast.norm() < wanted) ||
+        // Or it sees an edge of the outline under an obtuse angle.
         (next < corners && last < corners && toNext.dot(toLast) < 0.0);
     }
   }
@@ -271,14 +278,18 @@ std::map<std::array<int, 2>, int> TrianglesAtChords(const FlatDisk& disk, int co
 
 } // namespace
 
+/// A chord of length l subtends the half angle asin(l bend), with bend = 1 / diameter. The half
+/// angles add up to pi if the centre is inside. If it is outside, that of the longest edge equals
+/// the sum of the others. The equation is monotone in bend, so it is bisected.
 Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths)
 {
   Eigen::VectorXd sides = lengths.cwiseMax(1e-3 * lengths.mean());
   Eigen::Index longest = 0;
   sides.maxCoeff(&longest);
   const double others = sides.sum() - sides(longest);
+  // Otherwise no polygon has these edges.
   sides(longest) = std::min(sides(longest), 0.999 * others);
-  // How far the sides' angles are from a full turn, with the centre outside or inside.
+  // The difference between the edges' angles and a full turn, with the centre outside or inside.
   const bool isOutside = HalfAngles(sides, 1.0 / sides(longest)).sum() < M_PI;
   const auto excess = [&](double bend)
   {
@@ -286,6 +297,7 @@ Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths)
     return isOutside ? 2.0 * angles(longest) - angles.sum() : angles.sum() - M_PI;
   };
   double low = 0.0, high = 1.0 / sides(longest);
+  // More than the bits of a double: the interval becomes as small as it can.
   for (int round = 0; round < 100; ++round)
   {
     const double middle = 0.5 * (low + high);
@@ -307,6 +319,10 @@ Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths)
   return outline;
 }
 
+// 1. Triangulate the outline with all points of the grid inside.
+// 2. Remove the points that are too close to the outline there, and triangulate again (TooClose).
+// 3. Split inner edges that must not exist, until there are none (MidpointsOfUnwanted).
+// 4. Flip those that cut off a single corner (FlipTips).
 FlatDisk TriangulateDisk(
   const Eigen::MatrixXd& outline, const FlatDiskOptions& options, const Progress& progress)
 {
@@ -325,7 +341,7 @@ FlatDisk TriangulateDisk(
   }
   progress(0.6);
   FlatDisk disk = all.Triangles.rows() == 0 ? FlatDisk(all) : Triangulated(outline, kept);
-  constexpr int rounds = 10; // a new point may make another such edge
+  constexpr int rounds = 10; // a new point may create another such edge
   for (int round = 0; round < rounds; ++round)
   {
     const std::vector<RowVector2d> midpoints = MidpointsOfUnwanted(disk, corners, options);

@@ -93,7 +93,7 @@ private:
   std::vector<bool> Marks;
 };
 
-/// Triangles before `first` that are near those from it on, and these.
+/// The triangles from `first` on, and the earlier ones near them.
 std::vector<int> TrianglesNearby(const Mesh& surface, int first)
 {
   Box all;

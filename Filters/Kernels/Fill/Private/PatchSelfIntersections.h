@@ -11,10 +11,10 @@ namespace shape
 {
 
 /**
- * The pairs of triangles of `surface` that intersect beyond the corners and the edge that they
- * share (FindSelfIntersections), of which Second is `first` or a later one. Coincident points count
- * as shared. Triangles without area are ignored. Only triangles near these are tested. It stops
- * soon after it has found `maximum` of them. Throws Aborted.
+ * Finds the pairs of triangles of `surface` that intersect beyond their common corners and edge
+ * (FindSelfIntersections), and of which Second is at least `first`. Coincident points are treated
+ * as common. Triangles without area are ignored. Only triangles near those from `first` on are
+ * tested. The search stops soon after it has found `maximum` pairs. Throws Aborted.
  */
 std::vector<Crossing> FindPatchSelfIntersections(const Mesh& surface, int first,
   const Progress& progress = {}, int maximum = std::numeric_limits<int>::max());

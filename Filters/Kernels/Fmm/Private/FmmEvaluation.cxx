@@ -71,9 +71,18 @@ template <typename Real>
 Eigen::MatrixXd FmmEvaluation<Real>::Sum(
   const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const
 {
+  // Outline (the passes of Ying, Biros and Zorin 2004):
+  // 1. Charges are sorted as the tree's sources and scaled by 1 / (4 pi).
+  // 2. Upward pass (Collect): from charges to the outgoing coefficients of leaves, and from
+  //    children to parents.
+  // 3. Downward pass (Translate): from the outgoing coefficients of the V list to incoming
+  //    coefficients, and from parents to children.
+  // 4. Evaluation: incoming coefficients at the points of each leaf, and near sources directly.
+  // 5. The values are sorted as the given points.
   Workspace work;
   work.Columns = static_cast<int>(charges.cols());
   work.Gradients = gradients;
+  // Back from the tree's coordinates: 1 / r takes the scale as a factor, its gradient the square.
   const double factor =
     0.25 / M_PI * (gradients ? this->Tree.Scale * this->Tree.Scale : this->Tree.Scale);
   work.Packed.resize(3 + work.Columns, charges.rows());
@@ -92,6 +101,7 @@ Eigen::MatrixXd FmmEvaluation<Real>::Sum(
   this->Translate(work, progress.Part(0.15, 0.35));
   this->Evaluate(work, progress.Part(0.35, 1.0));
 
+  // Step 5: back to the given order.
   Eigen::MatrixXd result(this->Points.rows(), values);
   for (Eigen::Index c = 0; c < values; ++c)
   {
@@ -113,6 +123,8 @@ Eigen::MatrixXd FmmEvaluation<Real>::Around(
 template <typename Real>
 void FmmEvaluation<Real>::Collect(Workspace& work, const Progress& progress) const
 {
+  // Leaves: the potentials of their charges on the outer cube give the outgoing coefficients, c =
+  // Expansion^T potentials. Each product serves a group of leaves.
   const int columns = work.Columns;
   const int points = static_cast<int>(this->Operators.OuterPoints.rows());
   const int pointStride = static_cast<int>(this->Operators.Expansion.rows());
@@ -141,6 +153,7 @@ void FmmEvaluation<Real>::Collect(Workspace& work, const Progress& progress) con
         sum.ValueStride = pointStride;
         sum.Error = this->Effort.BoxError;
         AddPotentials(sum);
+        // The operators are in units of half the box's edge, in which 1 / r takes it as a factor.
         to *= this->Tree.HalfEdgeLength(box);
       }
       FmmTranslation<double> product;
@@ -162,6 +175,8 @@ void FmmEvaluation<Real>::Collect(Workspace& work, const Progress& progress) con
     },
     progress);
 
+  // Levels, the deepest first: a parent adds the translated coefficients of its children. One
+  // mirrored operator serves all eight children.
   FmmTranslation<Real> up;
   Set(up, this->Operators.FromChild);
   up.Signs = this->Operators.Signs.data();
@@ -180,6 +195,7 @@ void FmmEvaluation<Real>::Collect(Workspace& work, const Progress& progress) con
           const FmmTree::Box& parent = this->Tree.SourceBoxes[box];
           for (int i = parent.FirstChild; i < parent.FirstChild + parent.ChildCount; ++i)
           {
+            // FromChild belongs to the child at (-, -, -); the others mirror it.
             pairs.push_back({ box, i, this->Tree.SourceBoxes[i].Octant() });
           }
         }
@@ -191,6 +207,8 @@ void FmmEvaluation<Real>::Collect(Workspace& work, const Progress& progress) con
 template <typename Real>
 void FmmEvaluation<Real>::Translate(Workspace& work, const Progress& progress) const
 {
+  // Levels from the root down. A box first receives the incoming coefficients of its parent, which
+  // are complete, then those of its V list. A chunk is written by one thread only.
   FmmTranslation<Real> over;
   over.Signs = this->Operators.Signs.data();
   over.Columns = work.Columns;
@@ -238,6 +256,7 @@ template <typename Real>
 void FmmEvaluation<Real>::EvaluateCharges(Workspace& work, const Eigen::MatrixXd& positions,
   const double* charges, int stride, int begin, int end) const
 {
+  // The charges on a cube are summed as sources.
   Eigen::MatrixXd packed(3 + work.Columns, positions.rows());
   packed.topRows(3) = positions.transpose();
   for (int c = 0; c < work.Columns; ++c)
@@ -262,6 +281,8 @@ void FmmEvaluation<Real>::EvaluateCharges(Workspace& work, const Eigen::MatrixXd
 template <typename Real>
 void FmmEvaluation<Real>::Evaluate(Workspace& work, const Progress& progress) const
 {
+  // The lattice's cubes fill the root's outer cube. Points beyond them receive the field of the
+  // equivalent charges on the root's inner cube.
   const int columns = work.Columns;
   const int stride = this->Operators.Stride;
   const auto pointStride = static_cast<int>(this->Operators.Expansion.rows());
@@ -294,6 +315,8 @@ void FmmEvaluation<Real>::Evaluate(Workspace& work, const Progress& progress) co
       progress.Part(0.0, 0.1));
   }
 
+  // In a leaf the incoming coefficients give charges on the outer cube with the same field in the
+  // box.
   product.Matrix = this->Operators.Expansion.data();
   ParallelFor(
     static_cast<int>(this->Tree.PointLeaves.size()), Boxes,
@@ -314,12 +337,14 @@ void FmmEvaluation<Real>::Evaluate(Workspace& work, const Progress& progress) co
       for (int leaf = begin; leaf < end; ++leaf)
       {
         const FmmTree::Box& box = this->Tree.PointBoxes[this->Tree.PointLeaves[leaf]];
+        // A box of level 0 touches the root, so it has no V list and no parent.
         if (box.Level > 0)
         {
           this->EvaluateCharges(work, this->Around(box, this->Operators.OuterPoints),
             charges.data() + (leaf - begin) * columns * pointStride, pointStride, box.Begin,
             box.End);
         }
+        // The near sources are summed directly.
         InverseDistanceSum sum;
         sum.Sources = work.Packed.data();
         sum.Columns = columns;

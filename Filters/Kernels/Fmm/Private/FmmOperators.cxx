@@ -28,9 +28,12 @@ Eigen::ArrayX2d PositiveGaussPoints(int count)
   Eigen::ArrayX2d rule(count / 2, 2);
   for (int i = 0; i < count / 2; ++i)
   {
+    // Newton's method for the roots of the Legendre polynomial, from their asymptotic estimate.
     double x = std::cos(M_PI * (i + 0.75) / (count + 0.5)), slope = 1.0;
     for (int step = 0; step < 100; ++step)
     {
+      // The three-term recurrence of the Legendre polynomials; then the derivative from the last
+      // two.
       double before = 1.0, value = x;
       for (int degree = 2; degree <= count; ++degree)
       {
@@ -46,6 +49,7 @@ Eigen::ArrayX2d PositiveGaussPoints(int count)
   return rule;
 }
 
+/// Returns the sign of a vector with the given parity after mirroring along `axes` (both as bits).
 double Sign(int axes, int parity)
 {
   const int both = axes & parity;
@@ -113,6 +117,10 @@ struct Spectrum
 
 Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double threshold)
 {
+  // The integral operator is discretized by quadrature: each entry is multiplied by the square
+  // roots of both weights (Fong and Darve 2009, section 3.3). A is invariant under mirroring, so
+  // its singular vectors are even or odd along each axis: eight decompositions of an eighth of the
+  // size replace one.
   const int rows = outer.Octant, columns = inner.Octant, octant = std::min(rows, columns);
   const Eigen::MatrixXd full = outer.RootWeights.head(rows).asDiagonal() *
     InverseDistances(outer.Positions.topRows(rows), inner.Positions) *
@@ -121,6 +129,7 @@ Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double thre
   Eigen::VectorXd values(8 * octant);
   for (int parity = 0; parity < 8; ++parity)
   {
+    // The operator on vectors of one parity, from their values in one octant.
     Eigen::MatrixXd block = Eigen::MatrixXd::Zero(rows, columns);
     for (int axes = 0; axes < 8; ++axes)
     {
@@ -136,6 +145,7 @@ Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double thre
                          "direct summation");
     }
   }
+  // The singular values of all parities together, descending, down to the threshold.
   std::vector<int> order(8 * octant);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return values[a] > values[b]; });
@@ -155,6 +165,7 @@ Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double thre
     kept.Parities.push_back(parity);
     for (int axes = 0; axes < 8; ++axes)
     {
+      // The vector is continued to all octants by mirroring, and normalised.
       const double sign = Sign(axes, parity) / std::sqrt(8.0);
       kept.Left.col(mode).segment(axes * rows, rows) = sign * left[parity].col(column);
       kept.Right.col(mode).segment(axes * columns, columns) =
@@ -234,6 +245,8 @@ typename FmmOperators<Real>::Operator Pack(
   }
   for (int group = stride / Widest - 1; group > 0; --group)
   {
+    // Extents descend. Coefficients are sorted by singular value, so small entries gather at the
+    // end; the product skips them.
     packed.Extents[group - 1] = std::max(packed.Extents[group - 1], packed.Extents[group]);
   }
   packed.Entries.assign(static_cast<std::size_t>(stride) * packed.Columns, Real(0));
@@ -252,11 +265,18 @@ typename FmmOperators<Real>::Operator Pack(
 template <typename Real>
 FmmOperators<Real>::FmmOperators(const FmmAccuracy& accuracy, const Progress& progress)
 {
+  // Outline:
+  // 1. The decomposition A = U S V^T, which gives the coefficients of a box.
+  // 2. Expansion = U S^-1, Inner = V, and the signs of the mirrored modes.
+  // 3. Translations between a box and its child.
+  // 4. Translations to the boxes of the V list.
   const BlasThreads one(false);
   const CubePoints inner(accuracy.InnerNodes, InnerCube), outer(accuracy.OuterNodes, OuterCube);
   this->InnerPoints = inner.Positions;
   this->OuterPoints = outer.Positions;
+  // Step 1: the decomposition.
   const Spectrum modes = Decompose(inner, outer, accuracy.MinimumSingularValue);
+  // Step 2: the coefficients of a box.
   const auto count = static_cast<int>(modes.Values.size());
   this->Modes = count;
   this->Stride = RoundedUp(count);
@@ -276,6 +296,7 @@ FmmOperators<Real>::FmmOperators(const FmmAccuracy& accuracy, const Progress& pr
     }
   }
 
+  // Step 3. In units of the parent, the child's inner cube has half edge 1 / 2.
   const Eigen::MatrixXd child = (0.5 * inner.Positions).array() - 0.5;
   const Eigen::MatrixXd up = this->Expansion.topLeftCorner(modes.Left.rows(), count).transpose() *
     (InverseDistances(outer.Positions, child) * modes.Right);
@@ -287,6 +308,7 @@ FmmOperators<Real>::FmmOperators(const FmmAccuracy& accuracy, const Progress& pr
     Reach * Reach * Reach, 1,
     [&](int offset, int)
     {
+      // Step 4. Boxes of half edge 1 are 2 apart; those that touch need no operator.
       const Eigen::RowVector3d cells(
         offset / (Reach * Reach), offset / Reach % Reach, offset % Reach);
       if (cells.maxCoeff() > 1.0)

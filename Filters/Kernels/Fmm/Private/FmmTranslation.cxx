@@ -79,6 +79,8 @@ void ProductsFor(const FmmTranslation<Real>& product, const BoxPair* pairs, std:
   const int rows = (product.Rows + lanes - 1) / lanes * lanes;
   const std::ptrdiff_t inBox = std::ptrdiff_t(columns) * product.InStride;
   const std::ptrdiff_t outBox = std::ptrdiff_t(columns) * product.OutStride;
+  // The columns of several boxes are gathered, with their signs; multiplied; and added to the boxes
+  // that receive them, with the same signs.
   HWY_ALIGN Real x[Tile * pitch];
   HWY_ALIGN Real y[Tile * pitch];
   for (std::ptrdiff_t first = 0; first < count; first += atOnce)

@@ -76,9 +76,14 @@ struct FmmTree::Surroundings
 FmmTree::FmmTree(
   const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points, int leaf, const Progress& progress)
 {
+  // Outline:
+  // 1. The root cube of the sources, in coordinates scaled to about one.
+  // 2. Sources in Morton order; boxes with more than `leaf` of them are split.
+  // 3. Points in the same order; their boxes are split, and the interaction lists follow.
   const Eigen::RowVector3d low = sources.colwise().minCoeff();
   const Eigen::RowVector3d high = sources.colwise().maxCoeff();
   const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  // The root needs an extent even if all sources coincide.
   const double extent = std::max({ (high - low).maxCoeff(), 1e-9 * largest, 1e-280 });
   this->Scale = std::ldexp(1.0, -1 - std::ilogb(extent));
   this->Side = this->Scale * extent;
@@ -89,6 +94,7 @@ FmmTree::FmmTree(
   this->Shift = largest > distant * extent ? middle : Eigen::RowVector3d::Zero().eval();
   this->Origin = (middle - this->Shift).array() - 0.5 * this->Side;
 
+  // Step 2: boxes of sources.
   const Lattice lattice{ this->Origin, this->Side };
   const auto scaled = [&](const Eigen::MatrixXd& positions)
   { return ((this->Scale * positions).rowwise() - this->Shift).eval(); };
@@ -96,6 +102,7 @@ FmmTree::FmmTree(
   this->SourceOrder = std::move(order.Ids);
   this->SplitSources(order.Keys, leaf);
   progress(0.4);
+  // Step 3: boxes of points.
   order = OrderOnLattice(scaled(points), lattice);
   this->PointOrder = std::move(order.Ids);
   progress(0.7);
@@ -139,6 +146,7 @@ void FmmTree::SplitSources(const std::vector<std::uint64_t>& keys, int leaf)
   root.End = static_cast<int>(keys.size());
   this->SourceBoxes = { root };
   this->SourceLevels = { 0, 1 };
+  // The list grows while it is visited: children follow all boxes of their parents' level.
   for (int box = 0; box < static_cast<int>(this->SourceBoxes.size()); ++box)
   {
     if (box == this->SourceLevels.back())
@@ -155,6 +163,11 @@ void FmmTree::SplitSources(const std::vector<std::uint64_t>& keys, int leaf)
 
 void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vector<int>& rootStart)
 {
+  // Level by level, each box of points knows the boxes of sources of its size that touch it, and
+  // the larger leaves that touch its ancestors:
+  // 1. If no box that touches it is split, it is a leaf; all these sources are near.
+  // 2. Otherwise its children inherit the larger leaves, and the children of the boxes that touch
+  //    it either touch a child or belong to the child's V list.
   std::vector<Surroundings> around;
   for (int root = 0; root < FmmLatticeOrder::Roots; ++root)
   {
@@ -188,11 +201,13 @@ void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vec
       {
         (this->SourceBoxes[box].ChildCount > 0 ? split : here.Larger).push_back(box);
       }
+      // Step 1: a leaf.
       if (split.empty())
       {
         this->AddLeaf(at, std::move(here.Larger));
         continue;
       }
+      // Step 2: children.
       AppendChildren(this->PointBoxes, at, keys);
       const Box parent = this->PointBoxes[at];
       for (int child = parent.FirstChild; child < parent.FirstChild + parent.ChildCount; ++child)
@@ -212,6 +227,7 @@ void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vec
               inner.Touching.push_back(source);
               continue;
             }
+            // The operator depends on the absolute offset; signs mirror it.
             Seen away{ 0, source, 0 };
             for (int c = 0; c < 3; ++c)
             {
@@ -241,6 +257,7 @@ void FmmTree::AddLeaf(int box, std::vector<int> near)
   for (std::size_t i = 0; i < near.size(); ++i)
   {
     const Box& from = this->SourceBoxes[near[i]];
+    // Ranges that are contiguous in the order become one.
     if (i > 0 && this->Near.back().End == from.Begin)
     {
       this->Near.back().End = from.End;
@@ -262,6 +279,8 @@ void FmmTree::AddChunks(int firstBox, const std::vector<std::vector<Seen>>& seen
     chunk.FirstBox = firstBox + first;
     chunk.LastBox = firstBox + last;
     chunk.FirstRun = static_cast<int>(this->Runs.size());
+    // A counting sort by offset: translations with the same operator follow each other, so the
+    // operator stays in the cache.
     std::array<int, 65> start{};
     for (int box = first; box < last; ++box)
     {

@@ -22,6 +22,8 @@ PlanarFunnel::PlanarFunnel(const RowVector2d& start)
 {
 }
 
+/// Lee and Preparata: points are removed from the left end while the new point makes the chain bend
+/// inwards. Past the apex, the removal continues on the right chain, and the apex moves along it.
 void PlanarFunnel::AddLeft(const RowVector2d& position, int portal)
 {
   while (this->Chains.size() > 1)
@@ -41,6 +43,7 @@ void PlanarFunnel::AddLeft(const RowVector2d& position, int portal)
   ++this->Lefts;
 }
 
+/// The mirror image of AddLeft.
 void PlanarFunnel::AddRight(const RowVector2d& position, int portal)
 {
   while (this->Chains.size() > 1)

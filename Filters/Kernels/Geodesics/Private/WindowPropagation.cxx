@@ -60,6 +60,8 @@ HalfEdgeFrames::HalfEdgeFrames(const Surface& surface)
       const double x = length > 0.0 ? along.dot(there) / length : 0.0;
       const double y = length > 0.0 ? along.cross(there).norm() / length : there.norm();
       this->Opposites[side] = { x, y };
+      // The total angle decides whether paths may turn at the point: less than 2 pi, and a path
+      // beside it is shorter.
       this->Angles[mesh.Triangles(t, k)] += std::atan2(y, x);
       this->From[mesh.Triangles(t, k)].push_back(side);
     }
@@ -115,6 +117,8 @@ void WindowPropagation::SetGoal(int triangle, const Eigen::RowVector3d& weights)
   this->Goal.Position = weights * GetCorners(this->Triangulation, triangle);
 }
 
+/// A seed at a point acts like a point at which paths turn; one inside sees the edges of its
+/// triangle.
 void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
 {
   for (int k = 0; k < 3; ++k)
@@ -140,10 +144,12 @@ void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
   }
 }
 
+/// Continuous Dijkstra: the window or point that may give the shortest path is processed first.
 bool WindowPropagation::Run(int steps)
 {
   for (int step = 0; step < steps; ++step)
   {
+    // Keys are lower bounds: no later event can give a shorter path.
     if (this->Queue.empty() || this->Queue.top().Key >= this->Goal.Nearest)
     {
       return true;
@@ -234,6 +240,7 @@ void WindowPropagation::See(
   window.Side = twin;
   window.Begin = std::max(length - end, 0.0);
   window.End = std::min(length - begin, length);
+  // The frame of the twin is rotated by half a turn about the middle of the edge.
   window.Eye = { length - eye(0), -eye(1) };
   window.Behind = behind;
   const double minimum = window.Minimum(), key = minimum + this->AheadOfHalfEdge(twin);
@@ -243,6 +250,8 @@ void WindowPropagation::See(
   }
 }
 
+/// Xin and Wang: a window is dropped if at its far end, seen from either end of the edge, the way
+/// along the edge is shorter than the straight one.
 bool WindowPropagation::IsUseful(const Window& window) const
 {
   const double length = this->Frames.Length(window.Side), slack = Rounding * length;
@@ -294,6 +303,7 @@ void WindowPropagation::SeeGoal(const Window& window)
     window.DistanceAt(nearest) + std::hypot(position(0) - nearest, position(1)));
 }
 
+/// A path that turns here continues along the edges, or across the triangles around the point.
 void WindowPropagation::SendOut(int point)
 {
   const double distance = this->Lengths(point);
@@ -329,6 +339,8 @@ void WindowPropagation::Carry(const Window& window)
   if (entry >= window.Begin - slack && entry <= window.End + slack)
   {
     const double distance = window.Behind + (corner - eye).norm();
+    // Chen and Han, "one angle one split": of all windows that see the corner, only the one with
+    // the shortest path to it continues on both sides.
     double &nearest = this->CornerDistances[previous], &at = this->CornerEntries[previous];
     if (distance < nearest)
     {

@@ -59,6 +59,7 @@ Eigen::VectorXd SquaresLeft(const Mesh& surface, const Eigen::MatrixXd& left)
 /// convergent adaptive algorithm for Poisson's equation", 1996).
 void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
 {
+  // The bulk parameter of Doerfler's marking, for squared residuals.
   constexpr double share = 0.7;
   const Eigen::VectorXd squares = SquaresLeft(boundary.Surface, left);
   std::vector<int> order(squares.size());
@@ -76,6 +77,8 @@ void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
     sum += squares(triangle);
     marked[triangle] = 1;
   }
+  // A new point is the midpoint of an edge, on which the boundary map is linear: its image is the
+  // mean of the ends' images.
   const Eigen::MatrixXi ends = BisectLongestEdges(boundary.Surface, marked);
   const Eigen::Index before = boundary.Targets.rows();
   boundary.Targets.conservativeResize(before + ends.rows(), 3);
@@ -97,6 +100,12 @@ bool AreEqual(const Surface& a, const Surface& b)
 void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
   AcceleratedSetup& setup, HarmonicVolumeMapResult& result, const Progress& progress)
 {
+  // Outline of a level:
+  // 1. A system of charges close to the boundary. Later levels use the refined boundary.
+  // 2. The residual of the sum so far at the rows of the system.
+  // 3. Charges by preconditioned GMRES.
+  // 4. The fitted map is scaled and added to the sum.
+  // 5. Unless a criterion stops the levels, triangles with the largest residual are bisected.
   auto start = std::chrono::steady_clock::now();
   const Surface& boundary = problem.Boundary();
   auto effort = NearSourceSystem::Effort::Little;
@@ -113,8 +122,10 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     options.MostRefined * std::max(CheapPoints, static_cast<double>(boundary.Points().rows()));
   for (int number = 1;; ++number)
   {
+    // The number of levels is unknown: level k takes the share 1 / k - 1 / (k + 1).
     const double done = 0.3 + 0.7 * (1.0 - 1.0 / number);
     const Progress part = progress.Part(done, 0.3 + 0.7 * (1.0 - 1.0 / (number + 1)));
+    // Step 1: the system.
     std::unique_ptr<NearSourceSystem> finer;
     if (number > 1)
     {
@@ -123,9 +134,12 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     }
     const NearSourceSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());
+    // Step 2. The boundary map is linear on triangles: a centroid's image is the mean of the
+    // corners' images.
     Eigen::MatrixXd targets(system.Rows().rows(), 3);
     targets << refined.Targets, AverageAtCorners(refined.Surface.Triangles, refined.Targets);
     const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.3, 0.4));
+    // Step 3: GMRES.
     GmresOptions gmres;
     gmres.Tolerance = ShareOfTolerance * options.Tolerance;
     gmres.LeastGain = options.LeastGain;
@@ -133,10 +147,12 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     result.Iterations += fit.Iterations;
     result.RefinedPoints =
       static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
+    // Step 4: the sum.
     const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
 
     AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);
     const HarmonicVolumeMapResult::Level& level = result.Levels.back();
+    // Step 5: stop or refine.
     if (level.RMSEInside <= options.Tolerance)
     {
       result.Reason = HarmonicVolumeMapResult::Stop::Tolerance;

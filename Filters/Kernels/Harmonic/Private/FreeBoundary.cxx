@@ -40,6 +40,8 @@ public:
 
   PointDirections Directions(int, const Eigen::RowVector3d& position) const override
   {
+    // The directions are orthonormal tangents at the closest point of the target. The normal is
+    // interpolated, so points can cross creases.
     const ClosestPoints closest = this->Locator.Find(position);
     const Eigen::Vector3d normal =
       PullBack(closest, this->Locator.GetSurface().Triangles(), this->Normals)
@@ -91,6 +93,7 @@ Solid Untangled(
   }
   Solid solid{ std::move(result.Solid), Eigen::MatrixXd(0, 3) };
   const Eigen::Index given = tetrahedra.Points.rows();
+  // Points added by untangling have the mean of their parents' rest positions.
   solid.Rest.resize(solid.Moved.Points.rows(), 3);
   solid.Rest.topRows(given) = tetrahedra.Points;
   for (std::size_t i = 0; i < result.Parents.size(); ++i)
@@ -137,6 +140,7 @@ SimplexPatch WholePatch(const Solid& solid, double size)
     std::array<int, 4> c;
     std::copy_n(solid.Moved.Corners.data() + solid.Moved.Offsets(t), 4, c.begin());
     Eigen::Matrix3d edges;
+    // The rest shape is scaled to the volume of the image.
     for (int k = 0; k < 3; ++k)
     {
       edges.col(k) = size * (solid.Rest.row(c[k + 1]) - solid.Rest.row(c[0])).transpose();
@@ -163,6 +167,12 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   const Surface& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
   const HarmonicVolumeMapResult& map, const Progress& progress)
 {
+  // Outline:
+  // 1. The solid is tetrahedralized; the given map moves the tetrahedra.
+  // 2. Inverted tetrahedra are untangled.
+  // 3. The elliptic energy is minimized; boundary points slide on the target.
+  // 4. The harmonic map with the new boundary values is solved.
+  // 5. It is kept if its distortion is lower.
   const TetrahedralizeResult tetrahedra = Tetrahedralize(boundary, {}, {}, progress.Part(0.0, 0.1));
   // Maps the tetrahedra's points; boundary points get exactly the given values.
   const auto carry = [&](const ChargeSet& charges, const Eigen::MatrixXd& values)
@@ -177,6 +187,7 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
     }
     return images;
   };
+  // Images divided by this have the volume of the solid: an isometry up to scale has distortion 6.
   const double size = std::cbrt(std::abs(
     ComputeEnclosedVolume({ targets, boundary.Triangles() }) / ComputeEnclosedVolume(boundary)));
   FreeBoundaryResult result{ targets, map, 0.0, 0.0, false };
@@ -184,18 +195,21 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   result.DistortionBefore = Distortion(tetrahedra, images / size);
   result.DistortionAfter = result.DistortionBefore;
 
+  // Step 2: untangling.
   Solid solid = Untangled(tetrahedra, images, progress.Part(0.15, 0.3));
   std::vector<char> held(solid.Rest.rows(), 0);
   for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
   {
     held[i] = tetrahedra.OriginalPoint(i) >= 0;
   }
+  // Step 3: sliding.
   const OnSurface constraint(target, held);
   PatchOptions steps;
   steps.MaximumSteps = steps.FurtherSteps = MaximumSteps;
   MinimizeEnergy(
     solid.Moved.Points, WholePatch(solid, size), &constraint, steps, progress.Part(0.3, 0.6));
 
+  // Step 4: the new harmonic map.
   Eigen::MatrixXd freed = targets;
   for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
   {
@@ -207,6 +221,7 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   HarmonicVolumeMapResult again =
     ComputeHarmonicVolumeMap(boundary, freed, features, options, progress.Part(0.6, 0.95));
   const double after = Distortion(tetrahedra, carry(again.Map, freed) / size);
+  // Step 5: comparison.
   if (after < result.DistortionBefore)
   {
     result = { std::move(freed), std::move(again), result.DistortionBefore, after, true };

@@ -105,6 +105,8 @@ FundamentalSolutionFit::FundamentalSolutionFit(const ScaledBoundary& scaled,
       "); leave them out or correct their positions");
   }
 
+  // The residual is known at all probes: boundary points, one position in each triangle, and
+  // features. It starts as the images minus the affine part.
   const Surface& surface = scaled.Surface;
   const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
   this->Probes.resize(n + m + count, 3);
@@ -136,6 +138,8 @@ void FundamentalSolutionFit::Collocate(const Eigen::MatrixXd& points, const Prog
     this->CollocationComponents.push_back(
       surface.Topology().ComponentId(surface.Triangles()(triangle, 0)));
   }
+  // The boundary condition of the next map: the images minus the sum so far (Li et al. 2010,
+  // section 3.2).
   this->CollocationResidual.conservativeResize(before + points.rows(), 3);
   this->CollocationResidual.bottomRows(points.rows()) =
     PullBack(closest, surface.Triangles(), this->Scaled.Targets) -
@@ -180,6 +184,10 @@ Eigen::VectorXd FundamentalSolutionFit::GetCollocationAreas(int count) const
 FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
   int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const
 {
+  // Li et al. 2010, section 3.3, for all three coordinates at once:
+  // - step 2: the coefficient matrix; features are further rows (section 4.4);
+  // - steps 3 and 4: its singular value decomposition solves the weighted least-squares problem;
+  // - section 4.2: singular values below the threshold show redundant sources.
   const Eigen::Index featureRows = this->RootWeights.size();
   const Eigen::Index rows = boundaryRows + featureRows;
   this->RequireMemory(boundaryRows, static_cast<int>(sources.rows()));
@@ -187,16 +195,20 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
   points << this->Positions.topRows(boundaryRows), this->Probes.bottomRows(featureRows);
   rightSide << this->CollocationResidual.topRows(boundaryRows),
     this->Residual.bottomRows(featureRows);
+  // Step 2. A row multiplied by the square root of w has the weight of w equal rows (section 4.4).
   Eigen::MatrixXd matrix = BuildPotentialMatrix(points, sources, progress.Part(0.0, 0.1));
   Eigen::VectorXd roots(rows);
   roots << this->GetCollocationAreas(boundaryRows).cwiseSqrt(), this->RootWeights;
   matrix = roots.asDiagonal() * matrix;
+  // Steps 3 and 4.
   const SingularValues decomposition(std::move(matrix));
   progress(0.95);
 
   Fit fit;
   fit.Rows = static_cast<int>(rows);
   fit.Charges = decomposition.Solve(roots.asDiagonal() * rightSide, this->Threshold);
+  // Section 4.2. A singular vector combines all sources; the source of its largest entry is
+  // redundant.
   std::set<int> redundant;
   const Eigen::MatrixXd vectors = decomposition.RightVectors(decomposition.Rank(this->Threshold));
   for (const auto& vector : vectors.colwise())
@@ -231,6 +243,7 @@ double FundamentalSolutionFit::Add(
     (squares.array() > 0.0)
       .select(inner(change, this->Residual).array() / squares.array(), 0.0)
       .max(0.0);
+  // The map helps no coordinate: it is left out.
   if (factors.maxCoeff() == 0.0)
   {
     return 0.0;
@@ -249,6 +262,7 @@ double FundamentalSolutionFit::Add(
 
 Eigen::MatrixXd FundamentalSolutionFit::WorstPoints(int count, double spacing) const
 {
+  // Badly fitted boundary points (Li et al. 2010, section 4.1.2), in order of their residual.
   const Eigen::Index probes = this->Probes.rows() - this->RootWeights.size();
   const Eigen::VectorXd errors = this->Residual.topRows(probes).rowwise().squaredNorm();
   std::vector<int> order(probes);

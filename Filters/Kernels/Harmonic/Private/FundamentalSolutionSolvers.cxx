@@ -23,6 +23,7 @@ constexpr double InsertedShare = 0.1;
 /// Returns `ratio` times the number of boundary points, rounded, at least 16.
 int ComputeSampleCount(const Surface& boundary, double ratio)
 {
+  // The upper bound keeps the count in the range of int.
   constexpr double minimum = 16.0, maximum = 1e8;
   return static_cast<int>(
     std::clamp(std::round(ratio * boundary.Points().rows()), minimum, maximum));
@@ -50,6 +51,7 @@ Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts)
 Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
   const HarmonicVolumeMapOptions& options, const Progress& progress)
 {
+  // Twice the minimum number of sources of a shell (SourceShells::Fewest).
   constexpr int minimum = 48;
   return Concatenate(SampleSurfaces(SplitComponents(problem.Boundary()),
     ComputeSampleCount(problem.Boundary(), options.CollocationRatio), minimum,
@@ -62,6 +64,7 @@ Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
 std::vector<Eigen::MatrixXd> DivideIntoSubsets(
   const std::vector<Eigen::MatrixXd>& shells, int subsets)
 {
+  // Even partitioning of the sources: Li et al. 2010, section 4.1.2.
   std::vector<std::vector<Eigen::MatrixXd>> subsetParts(subsets);
   Eigen::Index largest = 0;
   for (const Eigen::MatrixXd& sources : shells)
@@ -178,6 +181,7 @@ void SolveSingleShot(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   HarmonicVolumeMapResult& result, const Progress& progress)
 {
   auto start = std::chrono::steady_clock::now();
+  // Li et al. 2010, section 3.2: one map, from all sources and collocation points.
   const int rows = ComputeSampleCount(problem.Boundary(), options.CollocationRatio);
   const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
   problem.RequireMemory(rows, sourceCount);
@@ -201,12 +205,20 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   HarmonicVolumeMapResult& result, const Progress& progress)
 {
   auto start = std::chrono::steady_clock::now();
+  // Outline (Li et al. 2010):
+  // 1. Sources are sampled on the shells and divided into subsets (section 4.1.2). The coarse
+  //    subsets are moved away from the boundary.
+  // 2. Collocation points are sampled on the boundary (section 4.1.1), a coarse sample first.
+  // 3. Each level fits the residual with one subset (section 3.3) and adds the map to the sum.
+  // 4. Redundant sources of the subset are deleted (section 4.2).
+  // 5. Sources are inserted near the worst points, which become collocation points (section 4.1.2).
   const int rows = ComputeSampleCount(problem.Boundary(), options.CollocationRatio);
   const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
   const int subsets = ComputeSubsetCount(problem.Boundary(), options);
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
   const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
+  // Step 1: sources.
   std::vector<Eigen::MatrixXd> sources = DivideIntoSubsets(
     shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)),
     subsets);
@@ -216,7 +228,8 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
     MoveAway(sources[s], problem.Distance(), std::pow(ComputeCoarseness(subsets), 1.0 - finer),
       progress.Part(0.15 + 0.05 * s / subsets, 0.15 + 0.05 * (s + 1) / subsets));
   }
-  // With several components the counts are rounded, so there may be one point less than requested.
+  // Step 2. With several components the counts are rounded, so there may be one point less than
+  // requested.
   const Eigen::MatrixXd positions = SampleBoundary(problem, options, progress.Part(0.2, 0.25));
   const int coarseRows =
     static_cast<int>(std::min(positions.rows(), CoarseRowsPerSource * sources.front().rows()));
@@ -230,6 +243,7 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   {
     const double share = 0.75 / options.MaximumLevels;
     const Progress part = progress.Part(0.25 + (number - 1) * share, 0.25 + number * share);
+    // Step 3. The first level fits the coarse sample alone: the low-resolution map of the paper.
     Eigen::MatrixXd& subset = sources[(number - 1) % subsets];
     const FundamentalSolutionFit::Fit fit =
       problem.Solve(number == 1 ? coarseRows : problem.Collocations(), subset, part.Part(0.0, 0.8));
@@ -243,23 +257,28 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
       return;
     }
     idle = gain < options.LeastGain ? idle + 1 : 0;
+    // Consecutive levels use different subsets. So the sum may still gain after one level without
+    // gain, unless there is only one subset.
     if (idle == std::min(2, subsets))
     {
       result.Reason = HarmonicVolumeMapResult::Stop::NoImprovement;
       return;
     }
 
-    // A subset without sources could not be fitted again, so at least one is kept.
+    // Step 4. A subset without sources could not be fitted again, so at least one is kept.
     if (static_cast<Eigen::Index>(fit.Redundant.size()) < subset.rows())
     {
       subset = WithoutRows(subset, fit.Redundant);
       result.DeletedSources += static_cast<int>(fit.Redundant.size());
     }
-    // If the map was left out, the residual is unchanged and its worst points already have sources.
+    // Step 5. If the map was left out, the residual is unchanged and its worst points already have
+    // sources.
     if (level.Kept)
     {
       const int inserted = static_cast<int>(InsertedShare * sourceCount / subsets);
       const Eigen::MatrixXd worst = problem.WorstPoints(inserted, spacing);
+      // The worst points are projected onto the shells and become sources of the next level's
+      // subset.
       AppendRows(sources[number % subsets], outer.Find(worst).Positions);
       problem.Collocate(worst, Progress());
       result.InsertedSources += static_cast<int>(worst.rows());

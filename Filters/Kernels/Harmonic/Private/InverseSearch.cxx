@@ -123,6 +123,8 @@ Search StartSearch(const SearchedMap& map, const Eigen::MatrixXd& positions,
 
 void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress)
 {
+  // In one iteration the Newton steps of all active positions are computed. Each step is halved
+  // until the miss decreases. Positions that meet the goal and gain little more are done.
   Indices active;
   for (int i = 0; i < search.Misses.size(); ++i)
   {
@@ -139,6 +141,8 @@ void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits,
     {
       pending[i] = static_cast<int>(i);
     }
+    // Armijo's rule: a step must decrease the miss by at least 1e-4 of what the linear model
+    // predicts.
     double share = 1.0;
     for (int halving = 0; halving < 12 && !pending.empty(); ++halving, share *= 0.5)
     {
@@ -180,6 +184,7 @@ void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits,
 Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
   const Eigen::MatrixXd& targets, const Limits& limits, Steps& progress)
 {
+  // A walk that fails even with this step has run into a fold.
   constexpr double shortest = 1.0 / 1024.0;
   constexpr int maximumRounds = 256;
   Search search = StartSearch(map, starts, targets, progress.Next());
@@ -201,6 +206,7 @@ Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
     const Eigen::MatrixXd to = targets(active, Eigen::all);
     Search part = StartSearch(map, search.Positions(active, Eigen::all),
       from + tried.asDiagonal() * (to - from), progress.Next());
+    // A few iterations suffice for a short step of the walk. If they do not, the step is halved.
     IterateNewton(map, part, { limits.Goal, limits.MaxStep, 8 }, progress);
     Indices next;
     for (std::size_t i = 0; i < active.size(); ++i)
@@ -220,6 +226,8 @@ Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
     }
     active = std::move(next);
   }
+  // The walk ends near the target, or where it got stuck. Newton's method continues from there to
+  // the target itself.
   search = StartSearch(map, search.Positions, targets, progress.Next());
   IterateNewton(map, search, limits, progress);
   return search;

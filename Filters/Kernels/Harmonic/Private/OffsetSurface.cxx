@@ -105,6 +105,7 @@ std::vector<Eigen::RowVector3i> NearBlocks(SampledGrid& grid,
       grid.Origin + grid.Spacing * (blocks[b].cast<double>().array() + 0.5 * cells).matrix();
   }
   const Eigen::VectorXd atCentre = field.Evaluate(centres, progress).Distances;
+  // Half the diagonal of a block, and a little for rounding.
   const double reach = 1.001 * std::sqrt(0.75) * cells * grid.Spacing;
   std::vector<Eigen::RowVector3i> nearBlocks;
   for (std::size_t b = 0; b < blocks.size(); ++b)
@@ -123,6 +124,8 @@ std::vector<Eigen::RowVector3i> NearBlocks(SampledGrid& grid,
 void Sample(
   SampledGrid& grid, const SignedDistance& field, double distance, const Progress& progress)
 {
+  // Blocks far from the level are skipped; the others are halved until they have the smallest size.
+  // Then the distance is computed at each of their grid points, once.
   grid.Values.resize(grid.Counts.prod());
   std::vector<Eigen::RowVector3i> blocks = AllBlocks(grid, LargestBlock);
   int cells = LargestBlock;
@@ -174,6 +177,7 @@ Mesh BuildOffsetSurface(const SignedDistance& field, double distance,
   {
     throw InvalidInput("the offset distance must be greater than 0");
   }
+  // The offset surface is a level set of the distance field, as in Li et al. 2010, section 3.2.
   SampledGrid grid = EmptyGrid(field.GetSurface().Points(), distance, options);
   Sample(grid, field, distance, progress);
   return ExtractIsoSurface(grid, distance);
@@ -196,6 +200,7 @@ void MoveToDistance(Eigen::MatrixXd& points, const SignedDistance& field,
     {
       if (at.Distances(i) != 0.0)
       {
+        // Along the ray from the closest position through the point.
         points.row(i) = at.Closest.Positions.row(i) +
           distances(i) / at.Distances(i) * (points.row(i) - at.Closest.Positions.row(i));
       }

@@ -30,6 +30,8 @@ std::vector<int> UsedPointsByPosition(const Mesh& boundary)
     return std::array<double, 3>{ boundary.Points(i, 0), boundary.Points(i, 1),
       boundary.Points(i, 2) };
   };
+  // OrderOnLattice keeps the order of equal keys. Sorting first makes that order independent of the
+  // input's numbering.
   std::stable_sort(
     used.begin(), used.end(), [&](int a, int b) { return position(a) < position(b); });
   const Eigen::MatrixXd positions = boundary.Points(used, Eigen::all);
@@ -93,6 +95,8 @@ ScaledBoundary ScaleBoundary(const Surface& boundary, const Eigen::MatrixXd& tar
   }
   RequireFinite(targets, "the boundary map");
 
+  // Orientation and numbering come first. Then all further sums have the same order for any
+  // numbering of the input.
   const Mesh outward = OrientByNesting(boundary, "the boundary");
   const std::vector<int> used = UsedPointsByPosition(outward);
   ScaledBoundary scaled;
@@ -104,6 +108,7 @@ ScaledBoundary ScaleBoundary(const Surface& boundary, const Eigen::MatrixXd& tar
   const double volume = ComputeEnclosedVolume(surface);
   scaled.Surface = Surface(std::move(surface));
   RequireOneSolid(scaled.Surface);
+  // Relative to the cube of the longest side.
   if (!(volume > 1e-12))
   {
     throw InvalidInput("the boundary encloses no volume; give the surface of a solid");

@@ -16,6 +16,7 @@ namespace
 /// Returns the maximum distance from the wall inside a void, over a lattice of points in its box.
 double Depth(const Mesh& component, const SignedDistance& field, const Progress& progress)
 {
+  // A coarse lattice suffices, because the offset is at most half the depth.
   constexpr int side = 16;
   const Eigen::MatrixXd corners = component.Points(component.Triangles.reshaped(), Eigen::all);
   const Eigen::RowVector3d low = corners.colwise().minCoeff();
@@ -51,6 +52,8 @@ SourceShells::SourceShells(const Surface& boundary, double offset, const Progres
   {
     const SignedDistance field(components[c]);
     const Progress part = progress.Part(share * c, share * (c + 1));
+    // Li et al. 2010, section 3.2: sources lie on an offset surface. The shell of a void must fit
+    // into the void.
     double distance = offset;
     if (ComputeEnclosedVolume(components[c]) < 0.0) // a void
     {
@@ -75,6 +78,7 @@ double SourceShells::Area() const
 std::vector<Eigen::MatrixXd> SourceShells::Sample(
   int count, SamplingMode mode, unsigned int seed, const Progress& progress) const
 {
+  // Li et al. 2010, section 4.1.2: geometry-adaptive or uniform samples.
   return SampleSurfaces(this->Shells, count, Fewest, mode, seed, progress);
 }
 

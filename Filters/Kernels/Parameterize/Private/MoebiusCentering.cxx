@@ -60,6 +60,7 @@ MoebiusCenteringResult CenterOnSphere(const Eigen::MatrixXd& points, const Eigen
   const MoebiusCenteringOptions& options, const Progress& progress)
 {
   Check(points, weights);
+  // Baden et al. 2018, algorithm 1: Newton's method for the centre of the inversion.
   const Eigen::VectorXd shares = weights / weights.sum();
   MoebiusCenteringResult result;
   result.Points = points.rowwise().normalized();
@@ -72,10 +73,12 @@ MoebiusCenteringResult CenterOnSphere(const Eigen::MatrixXd& points, const Eigen
       (Eigen::Matrix3d::Identity() -
         result.Points.transpose() * shares.asDiagonal() * result.Points);
     Eigen::RowVector3d center = -change.ldlt().solve(mean.transpose()).transpose();
+    // If Newton's step is not a direction of descent, it is replaced by -mean.
     if (!center.allFinite() || center.dot(mean) >= 0.0)
     {
       center = -mean;
     }
+    // The centre of an inversion lies inside the sphere.
     center *= std::min(1.0, 0.9 / center.norm());
     bool shorter = false;
     for (int halving = 0; halving < 40 && !shorter; ++halving, center *= 0.5)

@@ -65,7 +65,8 @@ PlanarElements::PlanarElements(const Mesh& surface, double scale)
   this->OwnAreas = this->OwnAreas.cwiseMax(minimum * this->OwnAreas.mean());
   for (Eigen::Index t = 0; t < this->OwnAreas.size(); ++t)
   {
-    // Corner 0 at the origin, corner 1 on the x axis.
+    // Corner 0 at the origin, corner 1 on the x axis. The height h divides that edge into h cot_0
+    // and h cot_1, so the area is h^2 (cot_0 + cot_1) / 2.
     const double area = this->OwnAreas(t);
     const double side = std::sqrt(2.0 * area * (angles.Cotangents(t, 0) + angles.Cotangents(t, 1)));
     const double height = 2.0 * area / side;
@@ -119,6 +120,8 @@ double PlanarElements::LargestStep(
       {
         const Eigen::Matrix2d at = EdgesOf(this->Corners, t, points);
         const Eigen::Matrix2d by = EdgesOf(this->Corners, t, steps);
+        // det(at + t by) is a quadratic polynomial in t; its first positive root is the first flip
+        // (Smith and Schaefer 2015, section 3.2).
         const double mixed =
           at(0, 0) * by(1, 1) + by(0, 0) * at(1, 1) - at(0, 1) * by(1, 0) - by(0, 1) * at(1, 0);
         largest(t) = SmallestRoot(by.determinant(), mixed, at.determinant());

@@ -35,8 +35,10 @@ struct Merges
 std::vector<StarTriangle> WantedStar(const VertexRings& rings, const std::vector<double>& loads,
   const Eigen::MatrixXd& points, int point, double areaWeight)
 {
+  // The cotangent of 60 degrees.
   const double cotangent = 1.0 / std::sqrt(3.0);
   const std::vector<int>& ring = rings.Around(point);
+  // A point's load is shared by the triangles around it.
   const auto loadOf = [&](int i) { return loads[i] / rings.Around(i).size(); };
   std::vector<StarTriangle> star;
   double area = 0.0, load = 0.0;
@@ -102,6 +104,8 @@ bool MergeWhereSeen(VertexRings& rings, const Eigen::MatrixXd& points, int point
 bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, int maximum, Merges& merges, const Progress& progress)
 {
+  // A point that does not see its whole ring is merged into a neighbour that does. If no point can
+  // be merged, the points around them are merged as well.
   std::vector<int> suspects;
   for (const int t : FindFlippedTriangles(triangles, points))
   {
@@ -152,6 +156,7 @@ bool MergeFlipped(VertexRings& rings, const Eigen::MatrixXi& triangles,
 /// neighbours, which keeps the levels few and the rings short.
 void MergeAll(VertexRings& rings, Merges& merges, const Progress& progress)
 {
+  // The mean number of neighbours is 6, so most points qualify. It doubles when no point does.
   std::size_t maximum = 7;
   while (rings.Remaining() > 4)
   {
@@ -177,6 +182,7 @@ void MergeAll(VertexRings& rings, Merges& merges, const Progress& progress)
       if (best >= 0)
       {
         merges.Add(rings, point, best);
+        // Merges of one level share no ring.
         for (const int near : merges.Kept.back())
         {
           touched[near] = 1;
@@ -194,6 +200,7 @@ void PlaceTetrahedron(const VertexRings& rings, Eigen::MatrixXd& points)
   {
     ++first;
   }
+  // The ring of the first point is counter-clockwise, so the tetrahedron faces outwards.
   const std::vector<int>& others = rings.Around(first);
   points.row(first) << 1.0, 1.0, 1.0;
   points.row(others[0]) << -1.0, 1.0, -1.0;
@@ -210,6 +217,7 @@ void PlaceTetrahedron(const VertexRings& rings, Eigen::MatrixXd& points)
 int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen::MatrixXd& points,
   const Progress& progress)
 {
+  // A point's load is 1 plus the loads of the points that are merged into it.
   std::vector<double> loads(rings.Size(), 1.0);
   for (std::size_t i = 0; i < merges.Order.size(); ++i)
   {
@@ -234,6 +242,7 @@ int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen:
       return point;
     }
     movable[point] = 1;
+    // Relaxation makes room for the next points.
     for (int round = 0; round < 3; ++round)
     {
       relax(point);
@@ -242,6 +251,7 @@ int Reinsert(VertexRings& rings, const Merges& merges, double areaWeight, Eigen:
         relax(near);
       }
     }
+    // At the end of a level all points are relaxed, which spreads its areas over the sphere.
     const bool levelEnds = level > 0 && merges.Levels[level - 1] == i;
     level -= levelEnds ? 1 : 0;
     for (int sweep = 0; sweep < (levelEnds ? 5 : 0); ++sweep)
@@ -276,6 +286,8 @@ SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
 {
   SphericalReinsertionResult result;
   result.Points = points;
+  // Praun and Hoppe 2003, where it is needed: merge until nothing is flipped, then reinsert in the
+  // reverse order.
   VertexRings rings(triangles, static_cast<int>(points.rows()));
   Merges merges;
   if (ComputeCoveringDegree(triangles, points) == 1 &&
@@ -297,6 +309,7 @@ SphericalReinsertionResult ReinsertAll(
 {
   SphericalReinsertionResult result;
   result.Points = Eigen::MatrixXd::Zero(n, 3);
+  // Praun and Hoppe 2003: merge down to a tetrahedron, then reinsert in the reverse order.
   VertexRings rings(triangles, n);
   Merges merges;
   MergeAll(rings, merges, progress.Part(0.0, 0.1));

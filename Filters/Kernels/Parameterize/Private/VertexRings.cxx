@@ -67,6 +67,7 @@ std::vector<int> VertexRings::Merge(int point, int into)
   std::vector<int> ring = this->RingFrom(point, into);
   std::vector<int>& target = this->Rings[into];
   StartWith(target, point);
+  // In the ring of `into`, `point` is replaced by the part of its ring that `into` does not share.
   std::vector<int> merged(ring.begin() + 2, ring.end() - 1);
   merged.insert(merged.end(), target.begin() + 1, target.end());
   target = std::move(merged);
@@ -74,6 +75,7 @@ std::vector<int> VertexRings::Merge(int point, int into)
   {
     std::vector<int>& around = this->Rings[ring[k]];
     const auto position = std::find(around.begin(), around.end(), point);
+    // The two common neighbours lose a neighbour; the others get `into` instead.
     if (k == 1 || k + 1 == ring.size())
     {
       around.erase(position);
@@ -94,6 +96,7 @@ void VertexRings::Restore(int point, const std::vector<int>& ring)
   const int right = ring[1];
   const int left = ring.back();
   std::vector<int>& target = this->Rings[into];
+  // The reverse of Merge, ring by ring.
   StartWith(target, right);
   target.erase(target.begin() + 1, target.begin() + (static_cast<int>(ring.size()) - 2));
   target.insert(target.begin() + 1, point);
@@ -125,12 +128,18 @@ bool IsInStarKernel(
 
 bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<int>& ring)
 {
+  // Outline:
+  // 1. ring[0] sees all edges except the two that begin or end there. So near ring[0] the kernel is
+  //    the lune between the planes of these two.
+  // 2. The lune is clipped by the planes of the other edges.
+  // 3. The mean of the kernel's corners, moved towards ring[0] if rounding puts it outside.
   const auto normalOf = [&](std::size_t k)
   {
     const Eigen::RowVector3d a = points.row(ring[k]);
     const Eigen::RowVector3d b = points.row(ring[(k + 1) % ring.size()]);
     return Eigen::RowVector3d(a.cross(b - a).normalized());
   };
+  // Step 1: the lune.
   const Eigen::RowVector3d corner = points.row(ring[0]);
   const Eigen::RowVector3d after = normalOf(0);
   const Eigen::RowVector3d before = normalOf(ring.size() - 1);
@@ -140,6 +149,7 @@ bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<i
   left *= left.dot(after) < 0.0 ? -1.0 : 1.0;
   std::vector<Eigen::RowVector3d> kernel = { corner, right.normalized(), -corner,
     left.normalized() };
+  // Step 2: clipping.
   for (std::size_t k = 1; k + 1 < ring.size(); ++k)
   {
     const Eigen::RowVector3d normal = normalOf(k);
@@ -162,6 +172,7 @@ bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<i
     }
     kernel = std::move(clipped);
   }
+  // Step 3: a position in the kernel.
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   for (const Eigen::RowVector3d& p : kernel)
   {

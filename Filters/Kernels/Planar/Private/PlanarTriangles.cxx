@@ -79,6 +79,7 @@ int PlanarTriangles::Insert(int point)
     this->SplitTriangle(where.Side / 3, point);
   }
   this->FlipAround();
+  // The next point is likely to be near, so its search starts here.
   this->Last = this->From(point);
   while (this->IsFar(this->Last / 3))
   {
@@ -112,6 +113,7 @@ void PlanarTriangles::Flip(int side)
   const int c = this->Apex(side), d = this->Apex(twin);
   const int sideNext = NextHalfEdge(side), sideLast = PreviousHalfEdge(side);
   const int twinNext = NextHalfEdge(twin), twinLast = PreviousHalfEdge(twin);
+  // The four outer half-edges change their numbers, with their twins and marks.
   const std::array<int, 4> from = { sideLast, twinNext, twinLast, sideNext };
   const std::array<int, 4> to = { sideNext, sideLast, twinNext, twinLast };
   std::array<int, 4> twins;
@@ -160,6 +162,7 @@ PlanarTriangles::Location PlanarTriangles::Locate(const Eigen::RowVector2d& posi
     int across = -1;
     for (int k = 0; k < 3 && across < 0; ++k)
     {
+      // The first edge that is tested changes at every step, which makes a cycle unlikely.
       const int side = 3 * triangle + (k + step) % 3;
       if (side != entered &&
         EvaluateOrientation(
@@ -179,6 +182,7 @@ PlanarTriangles::Location PlanarTriangles::Locate(const Eigen::RowVector2d& posi
       return { entered };
     }
   }
+  // The walk did not end: all triangles are tested.
   triangle = 0;
   while (!this->Contains(triangle, position))
   {
@@ -249,6 +253,7 @@ bool PlanarTriangles::SplitsBetter(int side) const
 
 void PlanarTriangles::SplitTriangle(int triangle, int point)
 {
+  // Three triangles around the new point; the given one keeps its first edge.
   const int first = 3 * triangle;
   const std::array<int, 3> corners = { this->Begins[first], this->Begins[first + 1],
     this->Begins[first + 2] };
@@ -273,6 +278,7 @@ void PlanarTriangles::SplitEdge(int side, int point)
   const int twin = this->Twins[side];
   const int x = this->Begin(side), y = this->Begin(twin);
   const int c = this->Apex(side), d = this->Apex(twin);
+  // Four triangles around the new point. Both halves of the edge keep its mark.
   const SegmentMark mark = this->Marks[side];
   const int beyond = 3 * this->NewTriangle(), twinBeyond = 3 * this->NewTriangle();
   this->Move(NextHalfEdge(side), beyond + 1);

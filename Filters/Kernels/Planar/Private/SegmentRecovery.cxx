@@ -10,6 +10,8 @@
 namespace shape
 {
 
+/// k segments cross at most k (k - 1) / 2 times; the limit leaves room for crossings that rounding
+/// adds.
 SegmentRecovery::SegmentRecovery(PlanarTriangles& plane, bool addCrossings, Eigen::Index segments)
   : Plane(plane)
   , AddsCrossings(addCrossings)
@@ -38,6 +40,7 @@ bool SegmentRecovery::IsAhead(int a, int b, int c) const
   const Eigen::RowVector2d& from = this->Plane.Position(a);
   const Eigen::RowVector2d& to = this->Plane.Position(b);
   const Eigen::RowVector2d& position = this->Plane.Position(c);
+  // A collinear point is ahead if its coordinate is on the same side of a's as that of b.
   const int axis = from(0) != to(0) ? 0 : 1;
   return (from(axis) < to(axis)) == (from(axis) < position(axis)) && this->Plane.Turn(a, b, c) == 0;
 }
@@ -45,6 +48,8 @@ bool SegmentRecovery::IsAhead(int a, int b, int c) const
 /// Makes the part of the piece from one of its points to the next an edge. Returns the next point.
 int SegmentRecovery::Advance(int from, const Piece& piece)
 {
+  // The triangles around `from` are visited until an edge lies on the segment, or the segment
+  // leaves through the opposite edge.
   const int to = piece.End;
   int side = this->Plane.From(from);
   while (true)
@@ -70,6 +75,9 @@ int SegmentRecovery::Advance(int from, const Piece& piece)
 /// The same if edges are crossed. ahead: the half-edge of the first one, on its far side.
 int SegmentRecovery::Cross(int from, const Piece& piece, int ahead)
 {
+  // The edges that the segment crosses are visited up to the next point on it. At a marked edge a
+  // crossing is added. Otherwise OpenWay flips the edges, and the changed triangles are made
+  // Delaunay again.
   const int first = ahead;
   while (true)
   {
@@ -203,6 +211,8 @@ void SegmentRecovery::AddCrossing(int from, const Piece& piece, int side)
     throw SolveFailure("rounding the crossings of segments causes new crossings without end; scale "
                        "the points up, or separate those that nearly coincide");
   }
+  // The crossed edge is released. Its halves, and those of the piece, are recovered through the new
+  // point.
   this->Plane.SetMark(side, {});
   this->Plane.MakeDelaunay({ side });
   const int added = this->Plane.AddPosition(position.allFinite() ? position : a);

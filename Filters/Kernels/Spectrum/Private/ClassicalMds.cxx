@@ -17,6 +17,8 @@ namespace shape
 
 Eigen::MatrixXd ComputeScalingAxes(const Eigen::MatrixXd& squares, int dimensions)
 {
+  // Double centring turns squared distances into inner products of centred positions; their largest
+  // eigenpairs give the positions.
   const Eigen::VectorXd means = squares.rowwise().mean();
   const Eigen::MatrixXd products =
     -0.5 * ((squares.colwise() - means).rowwise() - means.transpose()).array() - 0.5 * means.mean();
@@ -47,14 +49,22 @@ Eigen::MatrixXd EmbedByClassicalMds(
       "spectral embedding");
   }
   const std::vector<int> points = SampleFarthestPoints(surface, samples, progress.Part(0.0, 0.2));
+  // Outline (de Silva and Tenenbaum 2004, section 2):
+  // 1. Distances of all points from the samples.
+  // 2. Classical scaling of the samples.
+  // 3. The positions of all points follow from their squared distances to the samples.
+  // 4. The sign of each column is made independent of the solver; unused points are set to 0.
   Eigen::MatrixXd squares =
     ComputeHeatDistances(surface, points, progress.Part(0.2, 0.9)).array().square();
   squares = squares.array().isFinite().select(squares, 0.0);
+  // Step 2. Computed distances are not exactly symmetric.
   Eigen::MatrixXd between = squares(points, Eigen::all);
   between = 0.5 * (between + between.transpose()).eval();
   const Eigen::RowVectorXd means = between.colwise().mean();
+  // Step 3: positions of all points.
   Eigen::MatrixXd result =
     -0.5 * ((squares.rowwise() - means) * ComputeScalingAxes(between, dimensions));
+  // Step 4: signs and unused points.
   for (Eigen::Index k = 0; k < result.cols(); ++k)
   {
     Eigen::Index largest = 0;

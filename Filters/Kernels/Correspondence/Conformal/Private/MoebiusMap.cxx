@@ -9,7 +9,8 @@ namespace shape
 namespace
 {
 
-/// The matrix that takes (1 : 0), (0 : 1) and (1 : 1) to three points.
+/// Returns the matrix that takes (1 : 0), (0 : 1) and (1 : 1) to three points.
+/// The columns of the frame are the first two points, each scaled so that their sum is the third.
 Eigen::Matrix2cd Frame(const ComplexPoints& points)
 {
   Eigen::Matrix2cd frame = points.topRows(2).transpose();
@@ -26,6 +27,8 @@ ComplexPoints ToComplexPoints(const Eigen::MatrixXd& sphere)
   {
     const std::complex<double> across(sphere(i, 0), sphere(i, 1));
     const double up = sphere(i, 2);
+    // (x + i y : 1 - z) and (1 + z : x - i y) are the same point of the projective line. The first
+    // vanishes at the north pole, the second at the south pole.
     if (up < 0.0)
     {
       points.row(i) << across, 1.0 - up;
@@ -55,6 +58,7 @@ Eigen::MatrixXd ToSphere(const ComplexPoints& points)
 Eigen::Matrix2cd SolveMoebiusTransform(const ComplexPoints& from, const ComplexPoints& to)
 {
   Eigen::Matrix2cd moebius = Frame(to) * Frame(from).inverse();
+  // Determinant 1 keeps the entries in range. A transform is defined up to a factor.
   return moebius / std::sqrt(moebius.determinant());
 }
 
@@ -65,6 +69,8 @@ ComplexPoints ApplyMoebiusTransform(const ComplexPoints& points, const Eigen::Ma
 
 Eigen::VectorXd ComputeLogAreaScales(const ComplexPoints& points, const Eigen::Matrix2cd& moebius)
 {
+  // For a unit vector p, a matrix M stretches lengths on the sphere by |det M| / |M p|^2, and areas
+  // by the square of that.
   const Eigen::ArrayXd lengths =
     ApplyMoebiusTransform(points, moebius).rowwise().squaredNorm().array();
   return 2.0 * (std::log(std::abs(moebius.determinant())) - lengths.log());

@@ -13,7 +13,7 @@ namespace
 
 constexpr double LevelTolerance = 0.5; // of the logarithms of levels
 
-/// All pairs of features that may correspond, and how well every two agree.
+/// All pairs of features that may correspond, and the agreement of every two pairs.
 class Agreement
 {
 public:
@@ -42,6 +42,7 @@ public:
         {
           const double own = distancesA(a, c), other = distancesB(b, d);
           const double difference = (own - other) / std::max(own, other) / tolerance;
+          // Minus a half: a pair of pairs that agrees by less lowers the score.
           this->Gain(p, q) = std::exp(-0.5 * difference * difference) - 0.5;
         }
       }
@@ -50,7 +51,8 @@ public:
 
   int Count() const { return static_cast<int>(this->Pairs.size()); }
 
-  /// Adds pairs to `chosen` while one raises the score.
+  /// Adds pairs to `chosen` as long as one raises the score.
+  /// Greedy: always the pair with the largest gain from all chosen ones.
   void Extend(std::vector<int>& chosen) const
   {
     Eigen::VectorXd gains = Eigen::VectorXd::Zero(this->Count());
@@ -84,13 +86,15 @@ public:
     }
   }
 
+  // The diagonal of Gain is -1, since a pair excludes itself: its sum over the chosen is added
+  // back.
   double Score(const std::vector<int>& chosen) const
   {
     return 0.5 * (this->Gain(chosen, chosen).sum() + static_cast<double>(chosen.size()));
   }
 
   std::vector<std::array<int, 2>> Pairs;
-  Eigen::MatrixXd Gain; ///< of two pairs together; -1 if they exclude each other
+  Eigen::MatrixXd Gain; ///< of two pairs; -1 if they exclude each other
 };
 
 } // namespace
@@ -101,6 +105,8 @@ std::vector<FeatureAssignment> AssignFeatures(const Eigen::MatrixXd& distancesA,
 {
   const Agreement agreement(distancesA, distancesB, levelsA, levelsB, tolerance);
   std::map<std::vector<int>, double> found;
+  // Two pairs agree on one distance, three on three: the smallest seed that is rarely a
+  // coincidence.
   for (int p = 0; p < agreement.Count(); ++p)
   {
     progress(static_cast<double>(p) / agreement.Count());
@@ -113,6 +119,7 @@ std::vector<FeatureAssignment> AssignFeatures(const Eigen::MatrixXd& distancesA,
           std::vector<int> chosen = { p, q, r };
           agreement.Extend(chosen);
           std::sort(chosen.begin(), chosen.end());
+          // Many seeds grow to the same assignment; it is stored once.
           found.try_emplace(chosen, agreement.Score(chosen));
         }
       }

@@ -10,22 +10,22 @@
 namespace shape
 {
 
-/// Pairs {feature of A, feature of B} that agree with each other on how far features are apart.
+/// Pairs {feature of A, feature of B} that agree with each other on the distances between features.
 struct FeatureAssignment
 {
-  Landmarks Pairs;    ///< in order of A's features, no feature twice
-  double Score = 0.0; ///< the sum over two pairs each of how well they agree, minus a half
+  Landmarks Pairs;    ///< in the order of A's features; no feature occurs twice
+  double Score = 0.0; ///< the sum over every two pairs of their agreement minus a half
 };
 
 /**
- * The assignments of two sets of features that agree best on the distances between them, best
- * first: each three pairs of which every two agree are a seed, to which the pair is added that
- * raises the score most, as long as one does.
+ * Finds the assignments between two sets of features that agree best on the distances between them,
+ * the best first. Any three pairs of which every two agree are a seed. To a seed, the pair that
+ * raises the score the most is added, until none raises it.
  *
- * Two pairs agree by exp(-(difference / tolerance)^2 / 2), the difference of the two distances
- * relative to the longer one. distancesA, distancesB: symmetric, k x k each. levelsA, levelsB (k):
- * positive; a feature goes only to one whose level is less than 1.65 times its own and more than
- * that part of it. At most `count` are returned. Throws Aborted.
+ * Two pairs agree by exp(-(difference / tolerance)^2 / 2), where difference is that of the two
+ * distances relative to the longer one. distancesA, distancesB: symmetric, k x k each. levelsA,
+ * levelsB (k): positive. Two features are paired only if the ratio of their levels is between 1 /
+ * 1.65 and 1.65. At most `count` assignments are returned. Throws Aborted.
  */
 std::vector<FeatureAssignment> AssignFeatures(const Eigen::MatrixXd& distancesA,
   const Eigen::MatrixXd& distancesB, const Eigen::VectorXd& levelsA, const Eigen::VectorXd& levelsB,

@@ -14,7 +14,7 @@ namespace shape
 namespace
 {
 
-/// Adds the points farthest along edges from `points` until there are `count`, or all.
+/// Adds the points farthest from `points` along edges until there are `count`, or no more points.
 void AddFarthest(
   const Surface& surface, std::vector<int>& points, int count, const Progress& progress)
 {
@@ -32,7 +32,7 @@ void AddFarthest(
   }
 }
 
-/// Distances of the points from the boundary along edges (n), infinite without one.
+/// The distances of the points from the boundary along edges (n); infinite without a boundary.
 Eigen::VectorXd BoundaryDistances(const Surface& surface, const Progress& progress)
 {
   const Eigen::MatrixXi& triangles = surface.Triangles();
@@ -42,7 +42,8 @@ Eigen::VectorXd BoundaryDistances(const Surface& surface, const Progress& progre
   {
     if (twins[side] < 0)
     {
-      boundary.push_back(triangles(side / 3, side % 3)); // the other end begins the next side
+      boundary.push_back(
+        triangles(side / 3, side % 3)); // the other end is the start of the next edge
     }
   }
   const auto size = static_cast<Eigen::Index>(boundary.size());
@@ -54,9 +55,12 @@ Eigen::VectorXd BoundaryDistances(const Surface& surface, const Progress& progre
 FeaturedSurface FindFeatures(
   const Surface& surface, int samples, int features, const Progress& progress)
 {
+  // Relative to the root of the area.
   constexpr double minimum = 0.02; // persistence; less is noise
   constexpr int fewest = 6;
   const SampledSurface sampled = SampleSurface(surface, samples, progress.Part(0.0, 0.9));
+  // Hilaga et al., section 3.1: the integral of geodesic distance, here the mean over area-weighted
+  // samples. It is largest at the tips of extremities.
   const Eigen::VectorXd remoteness = sampled.Distances * sampled.Weights;
   FeaturedSurface found;
   found.Features = FindPersistentMaxima(surface.Triangles(), remoteness, minimum, features);

@@ -11,35 +11,38 @@
 namespace shape
 {
 
-/// The features of a surface, the tips of its extremities, and how its samples lie to them.
+/// The features of a surface, which are the tips of its extremities, and samples described relative
+/// to them.
 struct FeaturedSurface
 {
-  std::vector<int> Features;          ///< k points, the most outstanding first
-  Eigen::VectorXd Remoteness;         ///< k: mean distance of each from the whole surface
-  Eigen::VectorXd DistanceToBoundary; ///< k: of each from the boundary; infinite without one
-  Eigen::MatrixXd Apart;              ///< k x k: distances between them
-  Eigen::VectorXd Weights;            ///< s: of the samples; the sum is 1
-  Eigen::MatrixXd Between;            ///< s x s: distances between the samples
-  Eigen::MatrixXd ToFeatures;         ///< s x k: distances from the samples to the features
-  /// s x k^2: the sine of the angle from the direction of feature i to that of j, seen at a sample
-  /// from outside, in column i k + j. A mirror image has the opposite sign.
+  std::vector<int> Features;  ///< k points, the most prominent first
+  Eigen::VectorXd Remoteness; ///< k: mean distance of each feature from all of the surface
+  /// k: distance of each feature from the boundary; infinite without one.
+  Eigen::VectorXd DistanceToBoundary;
+  Eigen::MatrixXd Apart;      ///< k x k: distances between the features
+  Eigen::VectorXd Weights;    ///< s: weights of the samples; the sum is 1
+  Eigen::MatrixXd Between;    ///< s x s: distances between the samples
+  Eigen::MatrixXd ToFeatures; ///< s x k: distances from the samples to the features
+  /// s x k^2: column i k + j is the sine of the angle, at a sample seen from outside, from the
+  /// direction of feature i to that of feature j. A mirror image has the opposite sign.
   Eigen::MatrixXd Turns;
 };
 
 /**
- * Distances are along the surface, over the root of its area. Features are FindPersistentMaxima of
- * the mean distance from all of the surface (Hilaga, Shinagawa, Kohmura and Kunii, "Topology
- * matching for fully automatic similarity estimation of 3D shapes", 2001, section 3.1), at most
- * `features`; where these are fewer than 6, the points farthest from them are added.
+ * Finds at most `features` features of a surface: the FindPersistentMaxima of the mean distance
+ * from all of the surface (Hilaga, Shinagawa, Kohmura and Kunii, "Topology matching for fully
+ * automatic similarity estimation of 3D shapes", 2001, section 3.1). If there are fewer than 6, the
+ * points farthest from them are added. Distances are along the surface, divided by the root of its
+ * area.
  *
  * surface: RequireConnected. samples, features: >= 6. Throws SolveFailure, Aborted.
  */
 FeaturedSurface FindFeatures(
   const Surface& surface, int samples, int features, const Progress& progress = {});
 
-/// The surface as a part of a larger one that has `share` as its area over its own: distances are
-/// those times the root of it, and features near the boundary, where an extremity may have been
-/// cut, are left out.
+/// Returns the surface as a part of a larger one, of whose area it has the given share. Distances
+/// are multiplied by the root of the share. Features near the boundary are left out, since an
+/// extremity may have been cut there.
 FeaturedSurface RestrictToPart(const FeaturedSurface& surface, double share);
 
 } // namespace shape

@@ -41,7 +41,8 @@ std::vector<int> FindPersistentMaxima(
     rank[order[k]] = k;
   }
   const std::vector<std::vector<int>> neighbours = Neighbours(triangles, n);
-  // Highest first, the surface above a level grows; each part of it knows its highest point.
+  // As the level decreases, the part of the surface above it grows; each component stores its
+  // highest point.
   DisjointSets parts(n);
   std::vector<int> highest(n);
   std::iota(highest.begin(), highest.end(), 0);
@@ -51,12 +52,15 @@ std::vector<int> FindPersistentMaxima(
     for (const int j : neighbours[i])
     {
       const int own = parts.Find(i), other = parts.Find(j);
+      // The neighbour is lower and not yet above the level, or already connected.
       if (rank[j] > rank[i] || own == other)
       {
         continue;
       }
       const auto [higher, lower] =
         std::minmax(highest[own], highest[other], [&](int p, int q) { return rank[p] < rank[q]; });
+      // Point i is a saddle: the component with the lower maximum ends here, and its persistence is
+      // known. If i itself is the lower one, it only extends a component.
       if (lower != i)
       {
         maxima.emplace_back(function(lower) - function(i), lower);
@@ -67,6 +71,7 @@ std::vector<int> FindPersistentMaxima(
   }
   if (n > 0)
   {
+    // The highest maximum never merges into a higher one.
     maxima.emplace_back(function(order.front()) - function(order.back()), order.front());
   }
   std::sort(maxima.begin(), maxima.end(),

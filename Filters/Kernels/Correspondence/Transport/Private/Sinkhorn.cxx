@@ -19,6 +19,8 @@ void Sinkhorn::Scale(double factor)
   this->OfColumns *= factor;
 }
 
+/// In logarithms: exp would overflow for small entropies, so the largest entry of each row is
+/// subtracted before, and returned in f.
 Eigen::MatrixXd Sinkhorn::Begin(const Eigen::MatrixXd& likeness)
 {
   Eigen::MatrixXd masses = likeness;
@@ -29,6 +31,8 @@ Eigen::MatrixXd Sinkhorn::Begin(const Eigen::MatrixXd& likeness)
   const Eigen::VectorXd factors = this->Rows.cwiseQuotient(masses.rowwise().sum());
   masses = factors.asDiagonal() * masses;
   this->OfRows = factors.array().log().matrix() - largest;
+  // A column whose entries all underflow would need an infinite factor; it is then scaled by its
+  // own largest entry.
   constexpr double lost = 1e-60;
   if (masses.colwise().sum().minCoeff() > lost)
   {
@@ -46,8 +50,10 @@ Eigen::MatrixXd Sinkhorn::Begin(const Eigen::MatrixXd& likeness)
 
 Eigen::MatrixXd Sinkhorn::Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance)
 {
-  // Logarithms are shifted into the range of numbers now and then; between, factors do.
+  // Most steps update factors; some absorb these in the logarithms to stay within range.
   constexpr int span = 25;
+  // The over-relaxation of Thibault et al. converges near the solution only: it starts once the row
+  // error is below `near`. The exponent is between 1 (Sinkhorn) and 2 (divergence).
   constexpr double tiny = 1e-100, near = 0.03, relaxation = 1.6;
   for (int done = 0;;)
   {
@@ -67,6 +73,7 @@ Eigen::MatrixXd Sinkhorn::Masses(const Eigen::MatrixXd& likeness, int iterations
         break;
       }
       const double power = this->RowError < near ? relaxation : 1.0;
+      // One step of Sinkhorn's iteration: scale the rows to their sums, then the columns to theirs.
       rows *= (this->Rows.array() / (sums * rows)).pow(power);
       columns *= (fitColumns() / columns).pow(power);
     }

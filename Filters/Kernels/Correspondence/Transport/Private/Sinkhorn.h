@@ -6,30 +6,32 @@ namespace shape
 {
 
 /**
- * Masses in proportion to exp(likeness + f + g') for an f and a g for which rows and columns add up
- * to given weights, by Sinkhorn's iteration in logarithms now and then and by factors between,
- * over-relaxed near the end, which takes it there in far fewer steps (Thibault, Chizat, Dossal and
- * Papadakis, "Overrelaxed Sinkhorn-Knopp algorithm for regularized optimal transport", 2017). For
- * one likeness after another it begins with the f and g at which it ended.
+ * Computes masses proportional to exp(likeness + f + g'), with f and g chosen to give the rows and
+ * columns their prescribed sums. It uses Sinkhorn's iteration, with factors in most steps and in
+ * logarithms in some. Over-relaxation near the end saves most of the steps (Thibault, Chizat,
+ * Dossal and Papadakis, "Overrelaxed Sinkhorn-Knopp algorithm for regularized optimal transport",
+ * 2017). For the next likeness it starts with the last f and g.
  */
 class Sinkhorn
 {
 public:
-  /// rows, columns: positive weights of the same sum.
+  /// rows, columns: positive weights with the same sum.
   Sinkhorn(const Eigen::VectorXd& rows, const Eigen::VectorXd& columns);
 
-  /// The columns' sums are exact, the rows' within `tolerance` of the whole or as far as
-  /// `iterations` lead. likeness: finite, or -infinity where nothing may go.
+  /// Returns the masses. The columns' sums are exact. The rows' sums are exact up to `tolerance`
+  /// times the total, or what `iterations` steps achieve. likeness: finite, or -infinity for masses
+  /// that must be 0.
   Eigen::MatrixXd Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance);
 
-  /// How far the last masses' rows are from their weights, summed up.
+  /// The sum of the differences between the last masses' row sums and the weights.
   double Error() const { return this->RowError; }
 
-  /// Before likeness that is that many times the last one.
+  /// Call this before a likeness that is `factor` times the last one.
   void Scale(double factor);
 
 private:
-  /// The masses whose rows fit; and then the columns, where sums of these are not lost in rounding.
+  /// Returns masses whose row sums are exact. If a column sum is lost in rounding, the column sums
+  /// are then made exact as well.
   Eigen::MatrixXd Begin(const Eigen::MatrixXd& likeness);
 
   Eigen::VectorXd Rows, Columns;
