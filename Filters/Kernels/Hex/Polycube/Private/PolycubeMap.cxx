@@ -302,11 +302,6 @@ std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::Vecto
   return turned;
 }
 
-// 1. BuildWorkingSolid: a coarse tetrahedralisation, rotated to the axes.
-// 2. AlignWithAxes: the normals are turned towards the axes (Gregson et al. 2011).
-// 3. TryCompactness: labels (PolyCut), flattening and one coordinate for each chart, with repairs
-//    of the labels. Further compactnesses are tried until no tetrahedron is negative.
-// 4. MoveToIntegers: the charts move to integer coordinates (RoundCharts).
 PolycubeMap FindPolycubeMap(
   const Surface& surface, const PolycubeMapOptions& options, const Progress& progress)
 {
@@ -319,6 +314,11 @@ PolycubeMap FindPolycubeMap(
     throw InvalidInput("the cell size must be positive, or 0 for an automatic size");
   }
   RequireClosedSurface(surface, "the surface");
+  // 1. BuildWorkingSolid: a coarse tetrahedralisation, rotated to the axes.
+  // 2. AlignWithAxes: the normals are turned towards the axes (Gregson et al. 2011).
+  // 3. TryCompactness: labels (PolyCut), flattening and one coordinate for each chart, with repairs
+  //    of the labels. Further compactnesses are tried until no tetrahedron is negative.
+  // 4. MoveToIntegers: the charts move to integer coordinates (RoundCharts).
   WorkingSolid solid = BuildWorkingSolid(surface, options.Triangles, progress.Part(0.0, 0.1));
   const Eigen::MatrixXd positions = solid.Points;
   const Eigen::Matrix3d straight = FindAxisRotation(solid.Surface());

@@ -25,10 +25,10 @@ double RegularVolume(double edge)
   return edge * edge * edge / (6.0 * std::sqrt(2.0));
 }
 
-/// Remeshes the surface with triangles of this edge length, smaller ones if the result crosses
-/// itself, and returns the surface itself if no length works.
 Mesh CoarseSurface(const Surface& surface, double length, const Progress& progress)
 {
+  // Triangles become smaller while the remeshed surface crosses itself; if that does not end, the
+  // surface itself is taken.
   for (int attempt = 0; attempt < Attempts; ++attempt, length *= LengthShrinkage)
   {
     IsotropicRemeshOptions options;
