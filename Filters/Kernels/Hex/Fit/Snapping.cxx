@@ -183,9 +183,9 @@ private:
     {
       const int point = nearest[i];
       const Eigen::RowVector3d& there = this->Far[i].OnSurface;
+      // The last condition: the position must lie on the part of the surface that the point is
+      // kept on. Otherwise the projection would bring the point back.
       if (taken[point] || this->Given.Freedom(point) != 2 || this->Share[point] < minimumShare ||
-        // The last condition: the position must lie on the part of the surface that the point is
-        // kept on. Otherwise the projection would bring the point back.
         (this->Constraint.Nearest(point, there) - there).norm() > 0.5 * this->Far[i].Distance)
       {
         continue;

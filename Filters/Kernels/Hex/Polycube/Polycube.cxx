@@ -138,9 +138,9 @@ Eigen::VectorXi TransferLabels(const Mesh& surface, const PolycubeMap& map,
           const std::vector<int>& around = charts.AtPoint[v];
           return std::find(around.begin(), around.end(), chart) != around.end();
         };
+        // In odd rounds triangles only join larger charts, so that two charts do not exchange a
+        // triangle for ever.
         if (chart != charts.Of(f) && touches(c(1)) && touches(c(2)) &&
-          // In odd rounds triangles only join larger charts, so that two charts do not exchange a
-          // triangle for ever.
           (round % 2 == 0 || charts.Areas(chart) > charts.Areas(charts.Of(f))))
         {
           next(f) = charts.Labels[chart];

@@ -74,9 +74,9 @@ SimplexPatch PatchOf(const HexMesh& mesh, const std::vector<int>& hexahedra,
   for (const int hex : hexahedra)
   {
     const auto points = mesh.Hexahedra.row(hex);
+    // The size of the reference is the hexahedron's, because the energy's volume term keeps the
+    // volume.
     const auto gradients =
-      // The size of the reference is the hexahedron's, because the energy's volume term keeps the
-      // volume.
       ComputeHatGradients(ComputeMeanEdgeLength(mesh, hex) * Eigen::Matrix3d::Identity());
     for (int corner = 0; corner < 8; ++corner)
     {

@@ -69,9 +69,9 @@ void AddFacing(const WorkingSolid& solid, const Charts& charts, const Eigen::Mat
         continue;
       }
       const int chart = charts.Of(found->second);
+      // The ray starts just inside the triangle's centroid and goes inwards, farther than the
+      // solid is wide.
       const Eigen::RowVector3d from =
-        // The ray starts just inside the triangle's centroid and goes inwards, farther than the
-        // solid is wide.
         (0.01 * positions.row(c(k)) + 0.33 * positions.row(c((k + 1) % 4)) +
           0.33 * positions.row(c((k + 2) % 4)) + 0.33 * positions.row(c((k + 3) % 4)));
       const Eigen::RowVector3d to =

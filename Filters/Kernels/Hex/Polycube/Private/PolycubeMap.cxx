@@ -121,14 +121,14 @@ int CountFolded(const Attempt& attempt)
   return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
 }
 
-/// Deforms the solid with these labels.
+/// Deforms the solid with these labels:
+/// 1. Each chart gets one coordinate along its axis.
+/// 2. Surface edges that would become degenerate are split.
+/// 3. Newton's method makes the tetrahedra positive.
 Attempt Deform(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress)
 {
   Attempt attempt{ solid, start, labels, FindCharts(solid.Surface(), labels), {}, {}, {}, {} };
-  // 1. One coordinate for each chart.
-  // 2. Surface edges that would become degenerate are split.
-  // 3. Newton's method makes the tetrahedra positive.
   attempt.Tied = ConstrainCharts(attempt.Charts, solid.Points.rows());
   // A border of triangles zigzags by up to half an edge: that is no reversal.
   attempt.Faults = FindChartFaults(attempt.Charts, start, 0.5 * ComputeMeanEdgeLength(solid));
