@@ -43,6 +43,8 @@ Eigen::RowVector3d At(const Curve& curve, const Eigen::VectorXd& shares, double 
 
 } // namespace
 
+// Restamping (Li et al. 2010, section 4.4): both curves are parameterised by arc length over their
+// whole length, and equal parameters correspond.
 MatchedCurves MatchCurves(const std::vector<Curve>& sources, const std::vector<Curve>& targets,
   double longestStep, const std::string& name)
 {

@@ -52,6 +52,8 @@ std::vector<int> HexahedraAt(
 
 } // namespace
 
+// Each side of an interface is pillowed separately: inside with the interface's quads, outside with
+// the same quads reversed, so that both face out of their side.
 InterfaceLayers::InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers)
 {
   if (interfaces.Count() == 0)

@@ -200,6 +200,7 @@ void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
     {
       break;
     }
+    // One more ring in each round.
     GrowRings(mesh.Hexahedra, round, marked);
     mover.Smooth(
       marked, progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds));

@@ -133,6 +133,7 @@ std::optional<RegionCells> MultiMaterialVoxels::Fill(
     return true;
   };
   const double surfaces = 1.0 + static_cast<double>(this->Parts.size());
+  // The whole solid first, then each inner surface: all on the same grid.
   for (std::size_t s = 0; s <= this->Parts.size(); ++s)
   {
     TopologyPreservingVoxels& solid = s == 0 ? this->Whole : this->Parts[s - 1];
@@ -164,6 +165,7 @@ std::optional<RegionCells> MultiMaterialVoxels::Fill(
         {
           inside[hex] = 1;
           rows.push_back(hex);
+          // The innermost surface around the cell is the one with the smallest part.
           if (sizes[cell] < minimum(hex))
           {
             minimum(hex) = sizes[cell];

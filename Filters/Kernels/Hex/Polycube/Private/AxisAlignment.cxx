@@ -55,9 +55,8 @@ Eigen::Vector3d ToAxis(const Eigen::Vector3d& normal)
                     : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// The minimiser of sum volume |J - R|^2 over the tetrahedra solves a Poisson equation, as in
-/// as-rigid-as-possible deformation.
-/// Finds the shape whose tetrahedra are rotated as given, by linear finite elements.
+/// Finds the shape whose tetrahedra are rotated as given, by linear finite elements. It minimises
+/// the sum of volume |J - R|^2 over the tetrahedra, which is a Poisson equation.
 class Shape
 {
 public:

@@ -156,6 +156,7 @@ Eigen::MatrixXd Bent(
     labels = FindAxisLabels(solid, positions, compactness);
     positions = FlattenAlongAxes(solid, labels, positions, progress.Part(0.5, 1.0));
   }
+  // Flattening may fold a solid that alignment alone does not.
   if (FoldedShare(solid, positions) <= MaximumFolded)
   {
     return positions;
