@@ -273,7 +273,6 @@ ConstrainedCoordinates ConstrainCharts(const Charts& charts, Eigen::Index points
       tied.Unknowns(3 * v + charts.Labels[chart] / 2) = joined.Find(chart);
     }
   }
-  tied.Count = charts.Count();
   std::vector<int> number(charts.Count(), -1);
   tied.Count = 0;
   for (int chart = 0; chart < charts.Count(); ++chart)
