@@ -14,7 +14,7 @@ namespace
 
 /// Whether the marked ones of eight cells around a corner are connected by faces: cells whose
 /// indices differ in one bit share a face.
-bool HangTogether(unsigned int cells)
+bool AreConnected(unsigned int cells)
 {
   if (cells == 0)
   {
@@ -39,7 +39,7 @@ bool HangTogether(unsigned int cells)
 /// connected by faces.
 bool IsManifold(unsigned int cells)
 {
-  return HangTogether(cells) && HangTogether(~cells & 0xff);
+  return AreConnected(cells) && AreConnected(~cells & 0xff);
 }
 
 /// Returns the eight cells around the corner of cell (x, y, z) that is closest to the origin.
@@ -107,7 +107,7 @@ public:
   bool Flip(const Eigen::RowVector3i& cell)
   {
     const int index = this->Grid.Index(cell(0), cell(1), cell(2));
-    if (this->Changed[index] || !this->SharesADisc(cell))
+    if (this->Changed[index] || !this->SharesADisk(cell))
     {
       return false;
     }
@@ -131,7 +131,7 @@ public:
 
 private:
   /// Whether the faces that a cell shares with the solid form a disk.
-  bool SharesADisc(const Eigen::RowVector3i& cell) const
+  bool SharesADisk(const Eigen::RowVector3i& cell) const
   {
     std::array<int, 3> shared{}; // of the two faces across each axis
     for (int axis = 0; axis < 3; ++axis)
