@@ -14,15 +14,13 @@ facts.json         what is printed
 
 Needs Debian's python3-scipy and python3-vtk9.
 """
-import argparse
 import json
 import os
-import subprocess
-import sys
 import zlib
 
-for variable in ('OPENBLAS_NUM_THREADS', 'OMP_NUM_THREADS', 'VTK_SMP_MAX_THREADS'):
-    os.environ[variable] = '1'  # before numpy is loaded
+import sweep
+
+sweep.use_one_thread()  # before numpy is loaded
 
 import numpy  # noqa: E402
 import scipy.sparse.csgraph  # noqa: E402
@@ -30,7 +28,6 @@ import scipy.spatial.transform  # noqa: E402
 
 import PairDeformation as shapes  # noqa: E402
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 FINE = 8000       # a model of fewer points is split before it is moved
 SYMMETRIC = 0.05  # of the longest side: 95 % of a model's points have a mirror image this near
@@ -118,7 +115,7 @@ PAIRS = {
 }
 
 
-def remeshed(points, triangles, wanted, rounds, build, work):
+def remeshed(points, triangles, wanted, rounds, program, work):
     """About `wanted` points on the surface, from the kernel, in the surface's own place."""
     shapes.write(work + '.in.off', points, triangles)
     area = 0.5 * numpy.linalg.norm(shapes.area_vectors(points, triangles), axis=1).sum()
@@ -126,8 +123,7 @@ def remeshed(points, triangles, wanted, rounds, build, work):
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     edge = numpy.sqrt(2.0 * area / (numpy.sqrt(3.0) * wanted)) / size
     for _ in range(2):
-        subprocess.run([os.path.join(build, 'bin', 'remesh_case'), work + '.in.off', repr(edge),
-                        str(rounds), '60', work + '.out.off'], check=True)
+        program.run('remesh', work + '.in.off', repr(float(edge)), rounds, 60, work + '.out.off').row()
         new, faces = shapes.read(work + '.out.off')
         edge *= numpy.sqrt(len(new) / wanted)
     os.remove(work + '.in.off')
@@ -186,11 +182,11 @@ def random_pose(generator):
     return scipy.spatial.transform.Rotation.random(random_state=generator).as_matrix()
 
 
-def make(name, folder, wanted, build):
+def make(name, folder, wanted, program):
     group, model, axis, reflects, changes, side = PAIRS[name]
     work = os.path.join(folder, 'work')
     generator = numpy.random.RandomState(zlib.crc32(name.encode()))
-    points, triangles = shapes.read(os.path.join(build, 'models', model + '.off'))
+    points, triangles = shapes.read(program.model(model))
     while len(points) < FINE:
         points, triangles = shapes.split(points, triangles)
     after = shapes.moved(points, triangles, changes) @ random_pose(generator).T
@@ -198,9 +194,9 @@ def make(name, folder, wanted, build):
     ratios = numpy.abs(numpy.log(
         numpy.linalg.norm(after[edges[:, 0]] - after[edges[:, 1]], axis=1)
         / numpy.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)))
-    a, faces_a = remeshed(points, triangles, wanted, 6, build, work)
+    a, faces_a = remeshed(points, triangles, wanted, 6, program, work)
     order = generator.permutation(len(triangles))
-    b, faces_b = remeshed(after, triangles[order], 0.9 * wanted, 8, build, work)
+    b, faces_b = remeshed(after, triangles[order], 0.9 * wanted, 8, program, work)
     if side and side[0] == 'cut':
         a, faces_a = without(a, faces_a, numpy.array(side[1]), side[2])
     before, beyond = shapes.Locator(points, triangles), shapes.Locator(b, faces_b)
@@ -242,7 +238,7 @@ def make(name, folder, wanted, build):
             'distortion_mean': ratios.mean(), 'distortion_95': numpy.percentile(ratios, 95)}
 
 
-def pairs(folder, names=None, points=5000, build=os.path.join(ROOT, 'build')):
+def pairs(folder, names=None, points=5000, program=sweep.Program()):
     """Yields the facts of each pair, with `folder` where its files are; makes those that are not
     there with as many points."""
     for name in names or PAIRS:
@@ -254,10 +250,7 @@ def pairs(folder, names=None, points=5000, build=os.path.join(ROOT, 'build')):
                 found = json.load(file)
         if not found or found['wanted'] != points:
             os.makedirs(place, exist_ok=True)
-            if not os.path.exists(os.path.join(build, 'bin', 'remesh_case')):
-                subprocess.run(['cmake', '--build', build, '--target', 'remesh_case'], check=True,
-                               stdout=subprocess.DEVNULL)
-            found = make(name, place, points, build)
+            found = make(name, place, points, program)
             with open(path, 'w', encoding='ascii') as file:
                 json.dump(found, file, indent=1)
         yield {**found, 'folder': place}
@@ -272,25 +265,23 @@ def sane(pair):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = sweep.parser(__doc__, models=False)
     parser.add_argument('folder')
     parser.add_argument('names', nargs='*', metavar='PAIR')
     parser.add_argument('--points', type=int, default=5000)
-    parser.add_argument('--build', default=os.path.join(ROOT, 'build'))
-    arguments = parser.parse_args()
-    wrong = 0
-    for pair in pairs(arguments.folder, arguments.names, arguments.points, arguments.build):
+    options = parser.parse_args()
+    claims = sweep.Claims()
+    for pair in pairs(options.folder, options.names, options.points, sweep.Program(options)):
         print('%-18s %-9s A %5d points, %3d border; B %5d; Euler %3d; components %d; edges change '
-              '%.3f (95 %%: %.3f); mirror image %s; facing away %d%s' % (
+              '%.3f (95 %%: %.3f); mirror image %s; facing away %d' % (
                   pair['name'], pair['group'], pair['A']['points'], pair['A']['border'],
                   pair['B']['points'], pair['B']['euler'], pair['B']['components'],
                   pair['distortion_mean'], pair['distortion_95'],
                   'none' if not pair['reflects'] else
-                  'given' if pair['mirrored'] else 'not given',
-                  pair['opposite'], '' if sane(pair) else ' WRONG'), flush=True)
-        wrong += not sane(pair)
-    sys.exit(1 if wrong else 0)
+                  'given' if pair['mirrored'] else 'not given', pair['opposite']), flush=True)
+        claims.check(pair['name'], 'surfaces', 'sound' if sane(pair) else 'unsound', sane(pair),
+                     'as its row says')
+    claims.finish()
 
 
 if __name__ == '__main__':

@@ -17,29 +17,25 @@ import collections
 import os
 import sys
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path += [os.path.join(ROOT, *folder) for folder in (
-    ('Utilities',), ('Utilities', 'reproduce'), ('Testing',))]
+import sweep
 
 import CorrespondencePairs as made
 import PairDeformation as shapes
 
 import numpy
 from paraview import simple
-import shapemap
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersGeneral import vtkClipDataSet
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
-from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 import off
 import panels
 import scenes
 import shapetesting
+from scenes import filter_of, output_of, with_array
 from shapetesting import add_array, array, copy, fact, points, triangles
 
 HARMONIC, FUNCTIONAL = range(2)
@@ -48,9 +44,7 @@ SMALLEST = 4e-5   # tetrahedra are cut until they have at most this share of the
 SQUARE = 0.09     # of the texture: the side of its cubes, of the longest side of the shape
 PAIRS = ('camel-looks', 'cow-giraffe', 'homer-sits')
 ALL = 1e9         # a depth that nothing is in front of
-SHIFT = 0.82      # from panel to panel, in heights of a panel
-WIDEST = numpy.array([0.78, 1.0])  # what a panel shows: width and height
-LINE = -0.6       # where the words are
+SHIFT, WIDEST, LINE = 0.82, [0.78, 1.0], -0.6  # of the four panels
 # Towards the viewer of A.
 VIEWS = collections.defaultdict(lambda: [0.5, 0.3, 1], {
     'homer-sits': [0.5, 0.2, 1], 'cow-giraffe': [0.35, 0.25, 1], 'camel-looks': [1, 0.25, 0.5]})
@@ -58,30 +52,10 @@ COLOURS = numpy.array([[228, 108, 90], [92, 158, 214], [120, 190, 110], [242, 19
                        [164, 122, 200], [230, 226, 216]])
 
 
-def done(algorithm, *inputs, port=0, **settings):
-    """An output of a filter."""
-    for index, data in enumerate(inputs):
-        if data is not None:
-            algorithm.SetInputDataObject(index, data)
-    for name, value in settings.items():
-        getattr(algorithm, 'Set' + name)(value)
-    messages = shapetesting.run(algorithm)
-    if messages:
-        raise RuntimeError(messages[0])
-    return algorithm.GetOutputDataObject(port)
-
-
 def maps(a, b, **settings):
     """Both surfaces with their maps onto each other."""
-    algorithm = shapemap.vtkShapeCorrespondence()
-    done(algorithm, a, b, **settings)
+    algorithm = filter_of('Correspondence', a, b, **settings)
     return copy(algorithm.GetOutputDataObject(0)), copy(algorithm.GetOutputDataObject(1))
-
-
-def with_array(data, values, name):
-    result = copy(data)
-    add_array(result, values, name)
-    return result
 
 
 def checker(places, low, size):
@@ -94,9 +68,8 @@ def checker(places, low, size):
 
 def fine(surface, rounds=2):
     """Each triangle in four, so many times; point arrays are interpolated."""
-    cut, subdivide = vtkTriangleFilter(), vtkLinearSubdivisionFilter()
-    cut.SetInputData(surface)
-    subdivide.SetInputConnection(cut.GetOutputPort())
+    subdivide = vtkLinearSubdivisionFilter()
+    subdivide.SetInputData(scenes.triangulated(surface))
     subdivide.SetNumberOfSubdivisions(rounds)
     subdivide.Update()
     return subdivide.GetOutput()
@@ -109,21 +82,16 @@ def turn(here, there):
     return left @ right
 
 
-class Sheet(panels.Picture):
+class Sheet(panels.Sheet):
     """Four panels in a row, with words below."""
 
     def __init__(self, direction, up):
-        super().__init__((1600, 560), direction, up)
+        super().__init__((1600, 560), direction, up, SHIFT, WIDEST, LINE)
 
     def paint(self, column, data, colours, like=None):
         """Shows a data set in colours from 0 to 255, as large and where `like` would be."""
-        places = points(like or data)
-        frame = numpy.stack([self.Right, self.Up])
-        low, high = (places @ frame.T).min(axis=0), (places @ frame.T).max(axis=0)
-        scale = 1.0 / max((high - low) / WIDEST)
         painted = with_array(data, numpy.clip(colours, 0, 255).astype(numpy.uint8), 'Paint')
-        display = self.show(painted, (SHIFT * column, 0.0), scale, 0.5 * (low + high) @ frame,
-                            smooth=50)
+        display = self.fit(column, painted, like or data, smooth=50)
         display.ColorArrayName, display.MapScalars = ['POINTS', 'Paint'], 0
         display.Ambient, display.Diffuse, display.Specular = 0.42, 0.68, 0.0
 
@@ -156,25 +124,10 @@ def turned_over(a, b):
     return (~flat & (numpy.einsum('ij,ij->i', images, there) < 0)).sum(), flat.sum()
 
 
-def scaled_jacobians(solid):
-    quality = vtkMeshQuality()
-    quality.SetInputData(solid)
-    quality.SetTetQualityMeasureToScaledJacobian()
-    quality.Update()
-    return vtk_to_numpy(quality.GetOutput().GetCellData().GetArray('Quality'))
-
-
 def tetrahedron_volumes(solid):
     corners = vtk_to_numpy(solid.GetCells().GetConnectivityArray()).reshape(-1, 4)
     a, b, c, d = (points(solid)[corners[:, k]] for k in range(4))
     return numpy.einsum('ij,ij->i', numpy.cross(b - a, c - a), d - a) / 6.0
-
-
-def surface_of(solid):
-    skin = vtkGeometryFilter()
-    skin.SetInputData(solid)
-    skin.Update()
-    return skin.GetOutput()
 
 
 def rest_of(moved):
@@ -200,8 +153,7 @@ def behind(solid, places, depth):
 
 
 def solid(folder):
-    bear, other = (off.read(os.path.join(shapetesting.BUILD, 'models', name + '.off'))
-                   for name in ('bear', 'bear_bis'))
+    bear, other = (scenes.model(name) for name in ('bear', 'bear_bis'))
     volume, wanted = describe('bear', bear), describe('bear_bis', other)
     a, b = maps(bear, other, MaximumIterations=ITERATIONS)
     print('surfaces: %d landmarks found, confidence %.3f, mirrored %d, %d iterations, Dirichlet energy'
@@ -210,25 +162,25 @@ def solid(folder):
     for name, (one, two) in {'bear': (a, b), 'bear_bis': (b, a)}.items():
         single = scenes.point_set(points(one)[:1])
         add_array(single, array(one, 'TargetPosition')[:1], 'TargetPosition')
-        curve = done(shapemap.vtkShapeMapErrorCurve(), one, two, single)
+        curve = output_of('MapErrorCurve', one, two, single)
         print('  of %s: %d triangles turned over, %d without area; the image is %.2f %% of the other'
               % (name, *turned_over(one, two), 100.0 * fact(curve, 'MapErrorCurve.Coverage')))
-    tetrahedra = done(shapemap.vtkShapeTetrahedralize(), a, MaximumVolume=SMALLEST * volume)
-    harmonic = done(shapemap.vtkShapeHarmonicVolumeMap(), tetrahedra, a, None, None, b)
+    tetrahedra = output_of('Tetrahedralize', a, MaximumVolume=SMALLEST * volume)
+    harmonic = output_of('HarmonicVolumeMap', tetrahedra, a, None, None, b)
     print('volume map: RMSE %.2e at points, %.2e inside triangles, at most %.2e of the longest side'
           % tuple(fact(harmonic, 'HarmonicVolumeMap.' + name) for name in (
               'RMSEVertices', 'RMSEInside', 'Maximum')))
-    moved = done(shapemap.vtkShapeUntangle(), harmonic, tetrahedra)
+    moved = output_of('Untangle', harmonic, tetrahedra)
     rest = rest_of(moved)
     print('untangled: %d of %d tetrahedra inverted before, %d of %d after; %d points moved, %d split' % (
         fact(moved, 'Untangle.InvertedBefore'), tetrahedra.GetNumberOfCells(),
         fact(moved, 'Untangle.InvertedAfter'), moved.GetNumberOfCells(),
         *(fact(moved, 'Untangle.' + name) for name in ('MovedPoints', 'SplitCells'))))
     for name, data in (('bear', rest), ('moved', moved)):
-        values = scaled_jacobians(data)
+        values = vtk_to_numpy(scenes.scaled_jacobians(data).GetCellData().GetArray('Quality'))
         print('  %s: scaled Jacobian at least %.5f, 1 %% below %.3f, mean %.3f' % (
             name, values.min(), numpy.percentile(values, 1), values.mean()))
-    quality = done(shapemap.vtkShapeMapQuality(), rest).GetCellData()
+    quality = output_of('MapQuality', rest).GetCellData()
     for name in ('JacobianDeterminant', 'SymmetricDirichlet', 'ConformalDistortion'):
         print('  %s: least %.4g, 1 %% below %.4g, median %.4g, 1 %% above %.4g, greatest %.4g' % (
             name, *numpy.percentile(vtk_to_numpy(quality.GetArray(name)), (0, 1, 50, 99, 100))))
@@ -238,17 +190,17 @@ def solid(folder):
 
 def covered(rest, moved, other, wanted):
     """Prints how much of the other solid and of its surface the moved one takes up."""
-    inner = done(shapemap.vtkShapeTetrahedralize(), other, MaximumVolume=SMALLEST * wanted)
-    back = done(shapemap.vtkShapeTransferFields(), inner, rest, Direction=1, Tolerance=0.0)
+    inner = output_of('Tetrahedralize', other, MaximumVolume=SMALLEST * wanted)
+    back = output_of('TransferFields', inner, rest, Direction=1, Tolerance=0.0)
     inside = array(inner, 'OriginalPointId') < 0
     volumes = tetrahedron_volumes(moved)
     print('  %.2f %% of %d points inside bear_bis are in the moved solid; its volume is %.2f %% of '
           "bear_bis's" % (100.0 * (array(back, 'OutsideDomain')[inside] == 0).mean(), inside.sum(),
                           100.0 * volumes.sum() / wanted))
-    skin = surface_of(moved)
+    skin = scenes.skin(moved)
     for name, one, two in (('its surface from bear_bis', skin, other),
                            ('bear_bis from it', other, skin)):
-        far = abs(array(done(shapemap.vtkShapeBoundaryDistance(), one, two), 'BoundaryDistance'))
+        far = abs(scenes.boundary_distance(one, two))
         far /= numpy.ptp(points(other), axis=0).max()
         print('  points of %s: mean %.5f, at most %.4f of the longest side' % (
             name, far.mean(), far.max()))
@@ -265,7 +217,7 @@ def draw_solids(path, rest, moved):
         sheet.paint(column, surface, checker(array(surface, 'Rest'), low, size), data)
     for column, words in ((0.5, 'a bear, whole and without its front'),
                           (2.5, 'its solid in the shape of another bear, without the same part')):
-        sheet.caption(words, SHIFT * column, LINE)
+        sheet.label(column, words)
     sheet.finish(path)
 
 
@@ -281,8 +233,8 @@ def seed_distances(b):
 
 
 def distances(surface, seed):
-    return array(done(shapemap.vtkShapeGeodesicDistance(), surface, scenes.point_set(
-        points(surface)[[seed]])), 'GeodesicDistance')
+    return array(output_of('GeodesicDistance', surface, scenes.point_set(points(surface)[[seed]])),
+                 'GeodesicDistance')
 
 
 def labels(data):
@@ -290,11 +242,11 @@ def labels(data):
 
 
 def carried(receiver, giver):
-    return done(shapemap.vtkShapeTransferFields(), receiver, giver)
+    return output_of('TransferFields', receiver, giver)
 
 
-def pair(folder, name):
-    facts = next(iter(made.pairs(os.path.join(folder, 'pairs'), [name])))
+def pair(folder, name, program):
+    facts = next(iter(made.pairs(os.path.join(folder, 'pairs'), [name], program=program)))
     given_a, given_b = (off.read(os.path.join(facts['folder'], side + '.off')) for side in 'AB')
     truth = numpy.loadtxt(os.path.join(facts['folder'], 'truth.txt'))[:, 4:]
     bent = facts['group'] == 'isometric'
@@ -303,8 +255,7 @@ def pair(folder, name):
     print('%s: mirrored %d, Dirichlet energy %.3f, round trip %.5f; %d triangles turned over, %d '
           'without area' % (name, *(fact(a, 'Correspondence.' + word) for word in (
               'Mirrored', 'DirichletEnergy', 'RoundTrip')), *turned_over(a, b)))
-    curve = done(shapemap.vtkShapeMapErrorCurve(), a, given_b, with_array(
-        given_a, truth, 'TargetPosition'))
+    curve = output_of('MapErrorCurve', a, given_b, with_array(given_a, truth, 'TargetPosition'))
     print('  error, of the root of the area: mean %.4f, 95 %% below %.4f; the image is %.2f %% of B'
           % (*(fact(curve, 'MapErrorCurve.' + word) for word in ('Mean', 'Percentile95')),
              100.0 * fact(curve, 'MapErrorCurve.Coverage')))
@@ -335,7 +286,7 @@ def draw_pair(path, giver, view, receiver, segmented):
     for column, data, words in ((0, giver, 'a texture'), (1, receiver, 'carried over'),
                                 (2, giver, 'a segmentation'), (3, segmented, 'carried over')):
         sheet.paint(column, data, array(data, 'Texture') if column < 2 else COLOURS[labels(data)])
-        sheet.caption(words, SHIFT * column, LINE)
+        sheet.label(column, words)
     sheet.finish(path)
 
 
@@ -358,18 +309,23 @@ def stacked(path, *pictures):
     writer.Write()
 
 
-def main(folder, *words):
+def main():
+    parser = sweep.parser(__doc__, models=False)
+    parser.add_argument('folder')
+    parser.add_argument('words', nargs='*', metavar='solid | PAIR')
+    options = parser.parse_args()
+    folder, words = options.folder, options.words
     os.makedirs(folder, exist_ok=True)
     simple._DisableFirstRenderCameraReset()
     for word in words or ('solid',) + PAIRS:
         if word == 'solid':
             solid(folder)
         else:
-            pair(folder, word)
+            pair(folder, word, sweep.Program(options))
         sys.stdout.flush()
     if not words:
         stacked(*(os.path.join(folder, name + '.png') for name in ('overview', 'solid', PAIRS[0])))
 
 
 if __name__ == '__main__':
-    main(*sys.argv[1:])
+    main()

@@ -10,10 +10,12 @@ import os
 import sys
 import tempfile
 
+import sweep
+
+import scenes
 import shapetesting
 
-sys.path[:0] = [os.path.join(shapetesting.ROOT, folder) for folder in ('Testing/GUI', 'Utilities')]
-import off
+sys.path.append(os.path.join(sweep.ROOT, 'Testing', 'GUI'))
 import window
 
 UPDATES = 40
@@ -23,7 +25,7 @@ SECONDS = 40
 def play(size, port, result):
     w = window.Window(port)
     surface = w.file('bunny.vtp')
-    shapetesting.write(off.read(os.path.join(os.environ['SHAPEMAP_MODELS'], 'bunny00.off')), surface)
+    shapetesting.write(scenes.model('bunny00'), surface)
     w.python('''
         import subprocess
         import numpy

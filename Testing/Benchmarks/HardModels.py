@@ -1,71 +1,50 @@
 """The harmonic volume map of surfaces that are hard: needle triangles, thin parts, crossings, a high
 genus. Each must finish with a root mean square error inside triangles of at most 5e-3 of the target's
-size, or with an error that names the cause; never with a NaN, a crash or after the time limit. Prints a
-table and exits with 1 where that is not so.
+size, or with an error that names the cause; never with a NaN, a crash or after the time limit.
 
     python3 Testing/Benchmarks/HardModels.py [--method Accelerated] [--limit 600] [MODEL ...]
 
 Data A: a harmonic field; B, of surfaces of genus 0: the sphere map; C: a smooth map that is not
-harmonic. All are given at the vertices, linear in the triangles between (VolumeMapCase.cxx).
+harmonic. All are given at the vertices, linear in the triangles between (Cases/VolumeMap.cxx).
 """
-import argparse
 import math
 import os
-import subprocess
-import sys
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import sweep
+
 MODELS = {'turbine': 'AC', 'cheese': 'AC', 'man': 'ABC', 'camel': 'ABC', 'cow': 'ABC', 'hand': 'ABC'}
 LIMIT = 5e-3
 
 
-def judge(command, seconds):
-    """Whether a measurement is as required, and its row."""
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=seconds)
-    except subprocess.TimeoutExpired:
-        return False, 'no end after %g s' % seconds
-    if done.returncode < 0:
-        return False, 'crashed with signal %d' % -done.returncode
-    if done.returncode > 0:
-        return True, 'error: ' + done.stderr.strip()
-    words = dict(word.split('=', 1) for word in done.stdout.strip().split(' '))
-    errors = [float(words[key]) for key in ('vertices', 'inside')]
-    if words['data'] == 'A':
-        errors.append(float(words['interior']))
-    row = '%8.2f %8s %10.2e %10.2e %10s  %s' % (float(words['cpu']), words['mib'], *errors[:2], (
-        '%10.2e' % errors[2] if len(errors) > 2 else ''), words['note'])
-    return all(map(math.isfinite, errors)) and errors[1] <= LIMIT, row
-
-
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('models', nargs='*', default=list(MODELS), metavar='MODEL')
-    parser.add_argument('--build', default=os.path.join(ROOT, 'build'))
-    parser.add_argument('--folder', default=os.path.join(ROOT, 'build', 'models'))
-    parser.add_argument('--case', help='another volume_map_case than the build\'s')
+    parser = sweep.parser(__doc__)
     parser.add_argument('--method', default='Accelerated')
     parser.add_argument('--limit', type=float, default=600.0, help='seconds for each')
-    arguments = parser.parse_args()
-    case = arguments.case or os.path.join(arguments.build, 'bin', 'volume_map_case')
-    if not arguments.case:
-        subprocess.run(['cmake', '--build', arguments.build, '--target', 'volume_map_case'],
-                       check=True, stdout=subprocess.DEVNULL)
-    cache = os.path.join(arguments.build, 'benchmarks')
+    options = parser.parse_args()
+    program, claims = sweep.Program(options), sweep.Claims()
+    table = sweep.Table('model:<12', 'data:<4', 'cpu:8.2f', 'mib:8.1f', 'vertices:10.2e', 'inside:10.2e',
+                        'interior:10.2e')
+    cache = os.path.join(options.build, 'benchmarks')
     os.makedirs(cache, exist_ok=True)
-    print('%-12s %-4s %8s %8s %10s %10s %10s' % (
-        'model', 'data', 'CPU s', 'MiB', 'vertices', 'inside', 'interior'))
-    missed = 0
-    for model in arguments.models:
-        for data in MODELS.get(model, 'AC'):
-            met, row = judge([case, os.path.join(arguments.folder, model + '.off'), data,
-                              arguments.method, 'Cache=' + cache, 'Winding=1', 'Interior=500'],
-                             arguments.limit)
-            missed += not met
-            print('%-12s %-4s %s%s' % (model, data, row, '' if met else '  MISSED'), flush=True)
-    print('%d missed' % missed)
-    sys.exit(1 if missed else 0)
+    for name, path in sweep.models(options, MODELS):
+        for data in MODELS.get(name, 'AC'):
+            found = program.run('volume_map', path, data, options.method, seconds=options.limit,
+                                Cache=cache, Winding=1, Interior=500)
+            subject = '%s %s' % (name, data)
+            if found.error:
+                table.print(dict(model=name, data=data), found.error)
+                # An error that the program reports names the cause; a crash and a missing end do not.
+                claims.check(subject, 'ends', found.error.split('\n')[0], found.code in (1, found.DOES_NOT_APPLY),
+                             'with figures or a reason')
+                continue
+            row = dict(found.row(), model=name)
+            table.print(row)
+            errors = [row[key] for key in ('vertices', 'inside', 'interior') if key != 'interior' or
+                      data == 'A']
+            claims.check(subject, 'errors', 'finite' if all(map(math.isfinite, errors)) else errors,
+                         all(map(math.isfinite, errors)), 'finite')
+            claims.at_most(subject, 'RMSE inside triangles', row['inside'], LIMIT)
+    claims.finish()
 
 
 if __name__ == '__main__':

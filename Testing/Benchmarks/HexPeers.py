@@ -1,9 +1,9 @@
 """Hexahedra of Shape Hex Remesh beside those of its peers, Gmsh and snappyHexMesh, with about as many
-cells, measured in one run by the same functions. Raises unless ours are all hexahedra, none inverted,
-with a larger least scaled Jacobian than each peer, and nearer to the model than each peer whose cells are
-hexahedra and not inverted, either: snappyHexMesh, with polyhedra and inverted cells, is nearer to fandisk.
+cells, measured in one run by the same functions. Ours are all hexahedra, none inverted, with a larger
+least scaled Jacobian than each peer, and nearer to the model than each peer whose cells are hexahedra and
+not inverted, either: snappyHexMesh, with polyhedra and inverted cells, is nearer to fandisk.
 
-    Utilities/pvpython.sh Testing/Benchmarks/HexPeers.py [--folder build/models] [--keep FOLDER] [MODEL ...]
+    Utilities/pvpython.sh Testing/Benchmarks/HexPeers.py [--keep FOLDER] [MODEL ...]
 
 The models are fandisk and bunny00 unless others are named. The peers are Debian's packages, gmsh and
 openfoam (apt-get install --no-install-recommends openfoam; it is large, so set-up leaves it out). One that
@@ -23,29 +23,23 @@ of the model's box: Shape Boundary Distance at the points and at 200,000 random 
 from the other one. CPU seconds of all processes and threads, and wall seconds, for one run: files, and
 the runs that find out which cell size gives so many cells, do not count.
 """
-import argparse
 import os
 import shutil
 import subprocess
-import sys
 import tempfile
 import time
 
+import sweep
+
 import numpy
-import shapemap
+import off
+import scenes
+import shapetesting
+from scenes import boundary_distance, skin, triangulated
+from shapetesting import points
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
-
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path += [os.path.join(ROOT, 'Utilities'), os.path.join(ROOT, 'Testing')]
-
-import off
-import shapetesting
-from shapetesting import points
 
 HEXAHEDRON = 12
 PLACES = 200000
@@ -104,46 +98,21 @@ class Failure(Exception):
     pass
 
 
-def boundary_of(solid):
-    extract = vtkDataSetSurfaceFilter()
-    extract.SetInputData(solid)
-    return triangulated(extract)
-
-
-def triangulated(source):
-    cut = vtkTriangleFilter()
-    cut.SetInputConnection(source.GetOutputPort())
-    cut.PassVertsOff()
-    cut.PassLinesOff()
-    cut.Update()
-    return cut.GetOutput()
-
-
 def farthest(source, target, random):
     """The greatest distance of a surface's points and random places from another surface."""
     used = points(source)[numpy.unique(shapetesting.triangles(source))]
     places = numpy.concatenate([used, shapetesting.places_on(source, PLACES, random)[0]])
-    distance = shapemap.vtkShapeBoundaryDistance()
-    distance.SetSigned(False)
-    distance.SetInputDataObject(0, off.surface(places, []))
-    distance.SetInputDataObject(1, target)
-    messages = shapetesting.run(distance)
-    assert not messages, messages
-    return vtk_to_numpy(distance.GetOutputDataObject(0).GetPointData().GetArray(
-        'BoundaryDistance')).max()
+    return boundary_distance(places, target, Signed=False).max()
 
 
 def measured(solid, model):
     """The columns of a grid."""
-    quality = vtkMeshQuality()
-    quality.SetInputData(solid)
-    quality.SetHexQualityMeasureToScaledJacobian()
-    quality.Update()
     hexahedra = vtk_to_numpy(solid.GetCellTypesArray()) == HEXAHEDRON
-    scaled = vtk_to_numpy(quality.GetOutput().GetCellData().GetArray('Quality'))[hexahedra]
-    boundary, random = boundary_of(solid), numpy.random.default_rng(1)
+    scaled = vtk_to_numpy(scenes.scaled_jacobians(solid).GetCellData().GetArray('Quality'))[hexahedra]
+    boundary, random = triangulated(skin(solid)), numpy.random.default_rng(1)
     H = max(farthest(model, boundary, random), farthest(boundary, model, random))
-    return dict(cells=solid.GetNumberOfCells(), hexahedra=len(scaled), least=scaled.min(),
+    return dict(cells=solid.GetNumberOfCells(), hexahedra=len(scaled),
+                share=100.0 * len(scaled) / solid.GetNumberOfCells(), least=scaled.min(),
                 mean=scaled.mean(), inverted=int((scaled <= 0.0).sum()),
                 H=100.0 * H / model.GetLength())
 
@@ -177,13 +146,9 @@ def write_model(model, folder):
 
 
 def ours(model):
-    algorithm = shapemap.vtkShapeHexRemesh()
-    algorithm.SetInputDataObject(model)
     watch = Watch()
-    messages = shapetesting.run(algorithm)
-    took = watch.read()
-    assert not messages, messages
-    return algorithm.GetOutputDataObject(0), took
+    solid = scenes.output_of('HexRemesh', model)
+    return solid, watch.read()
 
 
 def with_gmsh(model, size, folder, how):
@@ -204,12 +169,7 @@ def place_inside(model, size):
     random = numpy.random.default_rng(1)
     bounds = numpy.array(model.GetBounds()).reshape(3, 2)
     places = bounds[:, 0] + random.random((20000, 3)) * numpy.ptp(bounds, axis=1)
-    distance = shapemap.vtkShapeBoundaryDistance()
-    distance.SetInputDataObject(0, off.surface(places, []))
-    distance.SetInputDataObject(1, model)
-    assert not shapetesting.run(distance)
-    return places[vtk_to_numpy(distance.GetOutputDataObject(0).GetPointData().GetArray(
-        'BoundaryDistance')).argmin()]
+    return places[boundary_distance(places, model).argmin()]
 
 
 def with_snappy(model, size, folder):
@@ -264,27 +224,17 @@ def peers():
     yield 'snappyHexMesh', 'snappyHexMesh', 1.0, with_snappy
 
 
-def show(name, row):
-    print('  %-26s %8d %8d %6.1f %8.3f %6.3f %8d %7.3f %8.1f %8.1f' % (
-        name, row['cells'], row['hexahedra'], 100.0 * row['hexahedra'] / row['cells'], row['least'],
-        row['mean'], row['inverted'], row['H'], row['cpu'], row['wall']), flush=True)
-
-
-def compare(path, folder):
-    """Prints the rows of a model; returns the claims that do not hold."""
-    source = vtkTriangleFilter()
-    source.SetInputData(off.read(path))
-    source.Update()
-    model, stem = source.GetOutput(), os.path.splitext(os.path.basename(path))[0]
-    print(stem, flush=True)
+def compare(model, stem, folder, table, claims):
+    """Prints the rows of a model."""
     solid, took = ours(model)
     own = dict(measured(solid, model), **took)
-    show('Shape Hex Remesh', own)
-    claims = [('Shape Hex Remesh has 0 inverted', own['inverted'] == 0),
-              ('Shape Hex Remesh has hexahedra only', own['hexahedra'] == own['cells'])]
+    table.print(dict(own, model=stem, method='Shape Hex Remesh'))
+    claims.at_most(stem, 'inverted', own['inverted'], 0)
+    claims.check(stem, 'hexahedra', own['hexahedra'], own['hexahedra'] == own['cells'],
+                 'all of %d cells' % own['cells'])
     for number, (name, program, cells, mesh) in enumerate(peers()):
         if not shutil.which(program):
-            print('  %-26s not installed' % name, flush=True)
+            table.print(dict(model=stem, method=name), 'not installed')
             continue
         place = os.path.join(folder, '%s-%d' % (stem, number))
         os.makedirs(place, exist_ok=True)
@@ -292,32 +242,28 @@ def compare(path, folder):
             solid, took = as_many(lambda size: mesh(model, size, place), own['cells'],
                                   (cells * abs(volume(model)) / own['cells']) ** (1.0 / 3.0))
         except (Failure, subprocess.TimeoutExpired) as failure:
-            print('  %-26s failed: %s' % (name, failure), flush=True)
+            table.print(dict(model=stem, method=name), 'failed: %s' % failure)
             continue
         row = dict(measured(solid, model), **took)
-        show(name, row)
-        claims.append(('a larger least scaled Jacobian than ' + name, own['least'] > row['least']))
+        table.print(dict(row, model=stem, method=name))
+        claims.check(stem, 'least scaled Jacobian', '%.3f' % own['least'], own['least'] > row['least'],
+                     "more than %s's %.3f" % (name, row['least']))
         if row['hexahedra'] == row['cells'] and not row['inverted']:
-            claims.append(('a smaller H than ' + name, own['H'] < row['H']))
-    return ['%s: %s' % (stem, words) for words, held in claims if not held]
+            claims.check(stem, 'H', '%.3f' % own['H'], own['H'] < row['H'],
+                         "less than %s's %.3f" % (name, row['H']))
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('models', nargs='*', default=['fandisk', 'bunny00'], metavar='MODEL')
-    parser.add_argument('--folder', default=os.path.join(ROOT, 'build', 'models'))
+    parser = sweep.parser(__doc__)
     parser.add_argument('--keep', help="a folder for the peers' files")
-    arguments = parser.parse_args()
-    print('  %-26s %8s %8s %6s %8s %6s %8s %7s %8s %8s' % (
-        '', 'cells', 'hexes', '%', 'least SJ', 'mean', 'inverted', 'H %', 'CPU s', 'wall s'))
-    missed = []
+    options = parser.parse_args()
+    claims = sweep.Claims()
+    table = sweep.Table('model:<10', 'method:<26', 'cells:8d', 'hexahedra:9d', 'share:6.1f', 'least:8.3f',
+                        'mean:6.3f', 'inverted:8d', 'H:7.3f', 'cpu:8.1f', 'wall:8.1f')
     with tempfile.TemporaryDirectory(prefix='shapemap-peers-') as temporary:
-        for model in arguments.models:
-            missed += compare(os.path.join(arguments.folder, model + '.off'),
-                              arguments.keep or temporary)
-    assert not missed, 'does not hold: ' + '; '.join(missed)
-    print('every claim holds')
+        for name, path in sweep.models(options, ['fandisk', 'bunny00']):
+            compare(triangulated(off.read(path)), name, options.keep or temporary, table, claims)
+    claims.finish()
 
 
 if __name__ == '__main__':

@@ -2,42 +2,35 @@
 Polycube, coloured by its six sides, or why it finds none (large triangles are cut into smaller ones for
 it); in the middle the hexahedra, and on the right a cut through them, coloured by the scaled Jacobian.
 
-    Utilities/pvpython.sh Testing/Benchmarks/HexPictures.py OUTPUT_FOLDER [MODEL ...] [Property=value ...]
+    Utilities/pvpython.sh Testing/Benchmarks/HexPictures.py OUTPUT [MODEL ...] [Property=value ...]
 
-MODEL is one of libcgal-demo's in build/models (or SHAPEMAP_MODELS); without any, six of them. Properties
-are Shape Hex Remesh's. The hexahedra are kept as MODEL.vtu and the polycubes as MODEL.vtp; where these are
+MODEL is one of libcgal-demo's in build/models; without any, six of them. Properties are Shape Hex Remesh's. The hexahedra are kept as MODEL.vtu and the polycubes as MODEL.vtp; where these are
 there already, they are only drawn again.
 """
 import os
-import sys
 import textwrap
+
+import sweep
 
 import numpy
 from paraview import simple
 import shapemap
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkIOXML import (
     vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader,
     vtkXMLUnstructuredGridWriter)
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path += [os.path.join(ROOT, *folder) for folder in (
-    ('Utilities',), ('Utilities', 'reproduce'), ('Testing',))]
-
 import off
 import panels
 import pictures
+import scenes
 import shapetesting
-from shapetesting import fact, points
+from shapetesting import fact
 
 SIZE = (1800, 700)
 LEAST = 5000  # triangles of a surface of which a polycube is made
-SHIFT = 1.2  # from panel to panel, in heights of a panel
-WIDEST = numpy.array([1.15, 1.0])  # what a panel shows: width and height
+SHIFT, WIDEST, LINE = 1.2, [1.15, 1.0], -0.62  # of the three panels
 # Of each model: towards the viewer, up, and the normal of the plane that cuts it, which shows what
 # lies against it.
 VIEWS = {
@@ -68,8 +61,7 @@ def kept(path, reader, writer, make):
 
 def made(algorithm, surface, port, settings):
     """An output of a filter, or, where it fails, nothing but its words."""
-    for name, value in settings.items():
-        getattr(algorithm, 'Set' + name)(type(getattr(algorithm, 'Get' + name)())(value))
+    sweep.set_properties(algorithm, settings)
     algorithm.SetInputDataObject(surface)
     messages = shapetesting.run(algorithm)
     data = algorithm.GetOutputDataObject(port)
@@ -85,21 +77,17 @@ def made(algorithm, surface, port, settings):
 
 def refined(surface):
     """The surface in triangles that are small enough for a polycube."""
-    triangles = vtkTriangleFilter()
-    triangles.SetInputData(surface)
+    triangles = scenes.triangulated(surface)
     subdivide = vtkLinearSubdivisionFilter()
-    subdivide.SetInputConnection(triangles.GetOutputPort())
-    triangles.Update()
-    count = triangles.GetOutput().GetNumberOfPolys()
+    subdivide.SetInputData(triangles)
+    count = triangles.GetNumberOfPolys()
     subdivide.SetNumberOfSubdivisions(max(0, int(numpy.ceil(numpy.log(LEAST / count) / numpy.log(4.0)))))
     subdivide.Update()
     return subdivide.GetOutput()
 
 
-def solids(folder, model, settings):
+def solids(folder, model, path, settings):
     """The hexahedra and the polycube of a model."""
-    path = os.path.join(os.environ.get(
-        'SHAPEMAP_MODELS', os.path.join(shapetesting.BUILD, 'models')), model + '.off')
     hexahedra = kept(os.path.join(folder, model + '.vtu'), vtkXMLUnstructuredGridReader,
                      vtkXMLUnstructuredGridWriter,
                      lambda: made(shapemap.vtkShapeHexRemesh(), off.read(path), 0, settings))
@@ -109,43 +97,17 @@ def solids(folder, model, settings):
     return hexahedra, polycube
 
 
-def cut(hexahedra, normal):
-    """The whole hexahedra behind a plane through the middle of the box, and those that it crosses."""
-    plane = vtkPlane()
-    plane.SetOrigin(hexahedra.GetCenter())
-    plane.SetNormal(normal)
-    extract = vtkExtractGeometry()
-    extract.SetInputData(hexahedra)
-    extract.SetImplicitFunction(plane)
-    extract.ExtractInsideOn()
-    extract.ExtractBoundaryCellsOn()
-    extract.Update()
-    return extract.GetOutput()
+def draw(path, model, hexahedra, polycube):
+    direction, up, normal = VIEWS.get(model, ([0.5, 0.4, 0.8], [0, 1, 0], [0, 0, 1]))
+    sheet = panels.Sheet(SIZE, direction, up, SHIFT, WIDEST, LINE)
 
-
-class Sheet(panels.Picture):
-    """Three panels in a row, each with a data set as large as fits, and words below."""
-
-    def place_in(self, column, data, like=None):
-        """Shows a data set, as large and where `like` would be."""
-        places = points(like or data)
-        frame = numpy.stack([self.Right, self.Up])
-        low, high = (places @ frame.T).min(axis=0), (places @ frame.T).max(axis=0)
-        scale = 1.0 / max((high - low) / WIDEST)
-        display = self.show(data, (SHIFT * column, 0.0), scale, 0.5 * (low + high) @ frame,
-                            representation='Surface With Edges', width=1.0)
+    def show(column, data, like=None):
+        display = sheet.fit(column, data, like, representation='Surface With Edges', width=1.0)
         display.Ambient = 0.35
         return display
 
-    def label(self, column, text):
-        self.caption(text, SHIFT * column, -0.62)
-
-
-def draw(path, model, hexahedra, polycube):
-    direction, up, normal = VIEWS.get(model, ([0.5, 0.4, 0.8], [0, 1, 0], [0, 0, 1]))
-    sheet = Sheet(SIZE, direction, up)
     if polycube.GetNumberOfCells():
-        display = sheet.place_in(-1, polycube)
+        display = show(-1, polycube)
         table = simple.GetColorTransferFunction('Label')
         table.InterpretValuesAsCategories = 1
         table.Annotations = [text for label in range(6) for text in [str(label)] * 2]
@@ -159,8 +121,9 @@ def draw(path, model, hexahedra, polycube):
             fact(polycube, 'Error').split(';')[0], 34)), -SHIFT, 0.0)
     table = simple.GetColorTransferFunction('ScaledJacobian')
     table.ColorSpace, table.RGBPoints = 'RGB', pictures.QUALITY
-    for column, data in ((0, hexahedra), (1, cut(hexahedra, normal))):
-        pictures.colour_by(sheet.place_in(column, data, hexahedra), 'CELLS', 'ScaledJacobian', table,
+    for column, data in ((0, hexahedra), (1, scenes.behind(
+            hexahedra, hexahedra.GetCenter(), normal))):
+        pictures.colour_by(show(column, data, hexahedra), 'CELLS', 'ScaledJacobian', table,
                            sheet.View, 'Scaled Jacobian' if column else None, [0.33, 0.01])
     sheet.label(0, '%s: %d hexahedra by method %s' % (model, hexahedra.GetNumberOfCells(), fact(
         hexahedra, 'HexRemesh.Method')))
@@ -169,19 +132,22 @@ def draw(path, model, hexahedra, polycube):
     sheet.save(path, [0.0, -0.13], 1.45)
 
 
-def main(folder, *arguments):
-    models = [word for word in arguments if '=' not in word] or list(VIEWS)
-    settings = dict(word.split('=') for word in arguments if '=' in word)
-    os.makedirs(folder, exist_ok=True)
+def main():
+    parser = sweep.parser(__doc__, models=False)
+    parser.add_argument('output')
+    parser.add_argument('--folder', help="of OFF files; the build's models by default")
+    parser.add_argument('words', nargs='*', metavar='MODEL | Property=value')
+    options = parser.parse_args()
+    os.makedirs(options.output, exist_ok=True)
     simple._DisableFirstRenderCameraReset()
-    for model in models:
-        hexahedra, polycube = solids(folder, model, settings)
+    for model, path in sweep.models(options, list(VIEWS)):
+        hexahedra, polycube = solids(options.output, model, path, sweep.properties(options))
         if hexahedra.GetNumberOfCells() == 0:
             raise RuntimeError('%s: no hexahedra: %s' % (model, fact(hexahedra, 'Error')))
-        draw(os.path.join(folder, model + '.png'), model, hexahedra, polycube)
+        draw(os.path.join(options.output, model + '.png'), model, hexahedra, polycube)
         print('%s: %d hexahedra%s' % (model, hexahedra.GetNumberOfCells(), (
             '' if polycube.GetNumberOfCells() else '; no polycube: ' + fact(polycube, 'Error'))), flush=True)
 
 
 if __name__ == '__main__':
-    main(*sys.argv[1:])
+    main()

@@ -1,128 +1,101 @@
 """The inverse of vtkShapeHarmonicTransform over the sphere maps of every closed surface of genus 0 in a
-folder of OFF files: a table of how many places of the solid are found again from their images.
+folder of OFF files: a table of how many positions in the solid are found again from their images.
 
-Each model is mapped onto the ball, and the ball onto it. Places are drawn evenly in the solid; y is
-the image of one, f^-1(y) the place that is found, and the error |f(f^-1(y)) - y| / the longest side
-of the image. A failure is a place with a positive Jacobian determinant for which none is found, or
+Each model is mapped onto the ball, and the ball onto it. Positions are drawn evenly in the solid; y is
+the image of one, f^-1(y) the position that is found, and the error |f(f^-1(y)) - y| / the longest side
+of the image. A failure is a position with a positive Jacobian determinant for which none is found, or
 with an error above 1e-9. Where the determinant is not positive the map folds there; those are
-counted by themselves. Raises where there is a failure.
+counted by themselves. There is no failure.
 
-    Utilities/pvpython.sh Testing/Benchmarks/InvertSphereMaps.py [FOLDER [PLACES [PROPERTY=VALUE ...]]]
+    Utilities/pvpython.sh Testing/Benchmarks/InvertSphereMaps.py [--points 2000] [MODEL ...] [Property=value ...]
 """
-import glob
-import os
-import sys
 import time
 
+import sweep
+
 import numpy
-import shapemap
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path += [os.path.join(ROOT, 'Utilities'), os.path.join(ROOT, 'Testing')]
-
 import off
+import shapemap
 import shapetesting
+from scenes import longest_side, point_set, points_inside
+from vtkmodules.vtkCommonCore import vtkPoints
 
-folder = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, 'build', 'models')
-count = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
-settings = [setting.split('=') for setting in sys.argv[3:]]
 LIMIT = 1e-9
 
 
-def cloud(places):
-    data = vtkPolyData()
-    data.SetPoints(vtkPoints())
-    shapetesting.set_points(data, places)
-    return data
+def transformed(transform, places):
+    """Where a transform takes positions, and its CPU seconds."""
+    given, there = vtkPoints(), vtkPoints()
+    for points in (given, there):
+        points.SetDataTypeToDouble()
+    given.SetData(shapetesting.numpy_to_vtk(places, deep=True))
+    start = time.process_time()
+    transform.TransformPoints(given, there)
+    return shapetesting.vtk_to_numpy(there.GetData()), time.process_time() - start
 
 
-def inside(surface, random):
-    """Even random places in a closed surface."""
-    corners = shapetesting.points(surface)
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    found = numpy.zeros((0, 3))
-    for _ in range(200):
-        candidates = low + (high - low) * random.random((4 * count, 3))
-        distance = shapemap.vtkShapeBoundaryDistance()
-        distance.SetInputDataObject(0, cloud(candidates))
-        distance.SetInputDataObject(1, surface)
-        assert not shapetesting.run(distance)
-        signed = shapetesting.array(distance.GetOutputDataObject(0), 'BoundaryDistance')
-        found = numpy.concatenate([found, candidates[signed < 0.0]])
-        if len(found) >= count:
-            break
-    return found[:count]
-
-
-def row(name, surface, map_array):
-    """Maps the solid in a surface, and inverts; returns the number of failures."""
-    random = numpy.random.default_rng(1)
-    places = inside(surface, random)
+def measure(surface, map_array, count, settings):
+    """Maps the solid in a surface, and inverts: (row, what the filter says against it)."""
+    places = points_inside(surface, count, numpy.random.default_rng(1))
     maker = shapemap.vtkShapeHarmonicVolumeMap()
-    maker.SetInputDataObject(0, cloud(places))
+    maker.SetInputDataObject(0, point_set(places))
     maker.SetInputDataObject(1, surface)
     maker.SetMapArray(map_array)
-    for key, value in settings:
-        getattr(maker, 'Set' + key)(float(value) if '.' in value else int(value))
+    sweep.set_properties(maker, settings)
     start = time.process_time()
     messages = shapetesting.run(maker)
     seconds = time.process_time() - start
     if messages:
-        print('%-34s %s' % (name, messages[0].strip().splitlines()[-1]), flush=True)
-        return 0
+        return {}, messages[0].strip().splitlines()[-1]
     charges = maker.GetOutputDataObject(1)
-    forward = shapemap.vtkShapeHarmonicTransform()
-    forward.SetChargeSetData(charges)
+    forward, backward = (shapemap.vtkShapeHarmonicTransform() for _ in range(2))
+    for transform in (forward, backward):
+        transform.SetChargeSetData(charges)
+    backward.Inverse()
     forward.Update()
+    backward.Update()
     images, determinants = numpy.zeros_like(places), numpy.zeros(len(places))
     derivative, image = numpy.zeros((3, 3)), [0.0, 0.0, 0.0]
     for i, place in enumerate(places):
         forward.InternalTransformDerivative(list(place), image, derivative)
         images[i], determinants[i] = image, numpy.linalg.det(derivative)
-    size = numpy.ptp(shapetesting.array(surface, map_array), axis=0).max()
-    backward = shapemap.vtkShapeHarmonicTransform()
-    backward.SetChargeSetData(charges)
-    backward.Inverse()
-    backward.Update()
-    given, back, forth = vtkPoints(), vtkPoints(), vtkPoints()
-    for points in (given, back, forth):
-        points.SetDataTypeToDouble()
-    given.SetData(shapetesting.numpy_to_vtk(images, deep=True))
-    start = time.process_time()
-    backward.TransformPoints(given, back)
-    inverting = time.process_time() - start
-    forward.TransformPoints(back, forth)
-    again = shapetesting.vtk_to_numpy(forth.GetData())
-    errors = numpy.linalg.norm(again - images, axis=1) / size
-    positive = determinants > 0.0
-    failed = errors > LIMIT
-    print('%-34s %7d %7d %6d %6d %8d %9.1e %8d %8.1f %8.0f' % (
-        name, surface.GetNumberOfPoints(),
-        (abs(shapetesting.array(charges, 'Charge')).max(axis=1) > 0.0).sum(), len(places),
-        positive.sum(), (failed & positive).sum(),
-        errors[positive & ~failed].max() if (positive & ~failed).any() else 0.0,
-        (failed & ~positive).sum(), seconds, 1e6 * inverting / len(places)), flush=True)
-    return int((failed & positive).sum())
+    back, inverting = transformed(backward, images)
+    errors = numpy.linalg.norm(transformed(forward, back)[0] - images, axis=1) / longest_side(
+        shapetesting.array(surface, map_array))
+    positive, failed = determinants > 0.0, errors > LIMIT
+    found = errors[positive & ~failed]
+    return dict(points=surface.GetNumberOfPoints(),
+                charges=int((abs(shapetesting.array(charges, 'Charge')).max(axis=1) > 0.0).sum()),
+                places=len(places), positive=int(positive.sum()),
+                failures=int((failed & positive).sum()), error=found.max() if len(found) else 0.0,
+                folds=int((failed & ~positive).sum()), cpu=seconds,
+                microseconds=1e6 * inverting / len(places)), ''
 
 
-print('%-34s %7s %7s %6s %6s %8s %9s %8s %8s %8s' % (
-    'map', 'points', 'charges', 'places', 'det>0', 'failures', 'error', 'of folds', 'map CPU s',
-    'us/point'))
-failures = maps = 0
-paths = [folder] if folder.endswith('.off') else sorted(glob.glob(os.path.join(folder, '*.off')))
-for path in paths:
-    name = os.path.basename(path)[:-4]
-    parameterize = shapemap.vtkShapeParameterize()
-    parameterize.SetInputDataObject(off.read(path))
-    parameterize.SetDomain(1)
-    if shapetesting.run(parameterize):
-        continue  # not closed, or not of genus 0
-    for label, port, array in ((name + ' to ball', 0, 'TargetPosition'),
-                               ('ball to ' + name, 1, 'SourcePosition')):
-        failures += row(label, parameterize.GetOutputDataObject(port), array)
-        maps += 1
-print('%d maps, %d failures' % (maps, failures))
-if failures:
-    raise AssertionError('%d places with a positive Jacobian were not found again' % failures)
+def main():
+    parser = sweep.parser(__doc__)
+    parser.add_argument('--points', type=int, default=2000, help='positions in each solid')
+    options = parser.parse_args()
+    claims, failures, maps = sweep.Claims(), [], 0
+    table = sweep.Table('map:<34', 'points:7d', 'charges:7d', 'places:6d', 'positive:8d', 'failures:8d',
+                        'error:9.1e', 'folds:8d', 'cpu:8.1f', 'microseconds:12.0f')
+    for name, path in sweep.models(options):
+        parameterize = shapemap.vtkShapeParameterize()
+        parameterize.SetInputDataObject(off.read(path))
+        parameterize.SetDomain(1)
+        if shapetesting.run(parameterize):
+            continue  # not closed, or not of genus 0
+        for label, port, array in ((name + ' to ball', 0, 'TargetPosition'),
+                                   ('ball to ' + name, 1, 'SourcePosition')):
+            row, reason = measure(parameterize.GetOutputDataObject(port), array, options.points,
+                                  sweep.properties(options))
+            table.print(dict(row, map=label), reason)
+            maps += 1
+            if row.get('failures'):
+                failures.append('%s: %d' % (label, row['failures']))
+    claims.none('%d maps' % maps, 'with a positive Jacobian, but not found again', failures)
+    claims.finish()
+
+
+if __name__ == '__main__':
+    main()

@@ -1,28 +1,25 @@
 """200 eigenpairs of a surface of 44,460 points, beside scipy's eigsh (ARPACK with a shift, SuperLU) on
-the same matrices, one thread each. Builds what it needs and fails where it takes more than half as
-long, or the eigenvalues differ. Needs Debian's python3-scipy.
+the same matrices, one thread each, in turn. It takes at most half as long, and the eigenvalues agree.
+Needs Debian's python3-scipy.
 
-    /usr/bin/python3 Testing/Benchmarks/LaplaceSpectrum.py [--build build] [--pairs 200] [MODEL.off]
+    /usr/bin/python3 Testing/Benchmarks/LaplaceSpectrum.py [--pairs 200] [--runs 1] [MODEL]
 """
-import argparse
-import os
-import subprocess
-import sys
 import tempfile
 import time
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-MOST = 0.5  # of scipy's seconds
-for name in ('OPENBLAS_NUM_THREADS', 'OMP_NUM_THREADS', 'VTK_SMP_MAX_THREADS'):
-    os.environ[name] = '1'  # before numpy is loaded
+import sweep
+
+sweep.use_one_thread()  # before numpy is loaded
 
 import numpy  # noqa: E402
 import scipy.sparse  # noqa: E402
 import scipy.sparse.linalg  # noqa: E402
 
+MOST = 0.5  # of scipy's seconds
+
 
 def matrices(path):
-    """The stiffness and the masses that spectrum_case wrote."""
+    """The stiffness and the masses that the case laplace_spectrum wrote."""
     values = numpy.fromfile(path)
     points = int(values[0])
     masses, rest = values[1:1 + points], values[1 + points:]
@@ -32,36 +29,38 @@ def matrices(path):
     return stiffness, scipy.sparse.diags(masses, format='csc')
 
 
-def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('model', nargs='?', default='refined_elephant.off')
-    parser.add_argument('--build', default=os.path.join(ROOT, 'build'))
-    parser.add_argument('--pairs', type=int, default=200)
-    arguments = parser.parse_args()
-    subprocess.run(['cmake', '--build', arguments.build, '--target', 'spectrum_case'], check=True,
-                   stdout=subprocess.DEVNULL)
-    model = os.path.join(arguments.build, 'models', arguments.model)
-    with tempfile.NamedTemporaryFile() as file:
-        line = subprocess.run(
-            [os.path.join(arguments.build, 'bin', 'spectrum_case'), model, str(arguments.pairs),
-             file.name], check=True, capture_output=True, text=True).stdout
-        stiffness, masses = matrices(file.name)
-    print('ShapeMap', line.strip())
-    ours = {key: float(value) for key, value in (word.split('=') for word in line.split())}
+def solve_by_scipy(stiffness, masses, pairs):
+    """The row of eigsh (ARPACK)."""
     start, cpu = time.perf_counter(), time.process_time()
-    values, functions = scipy.sparse.linalg.eigsh(stiffness, arguments.pairs, masses, sigma=-1e-8)
+    values, functions = scipy.sparse.linalg.eigsh(stiffness, pairs, masses, sigma=-1e-8)
     wall, cpu = time.perf_counter() - start, time.process_time() - cpu
     weighted = (masses @ functions) * values
     residuals = numpy.linalg.norm(stiffness @ functions - weighted, axis=0)[1:]
     residuals /= numpy.linalg.norm(weighted, axis=0)[1:]
-    print('scipy    points=%d pairs=%d cpu=%.2f wall=%.2f residual=%.2g first=%.9g last=%.9g' % (
-        stiffness.shape[0], arguments.pairs, cpu, wall, residuals.max(), values[1], values[-1]))
-    ratio = ours['cpu'] / cpu
-    print('CPU seconds: %.3f of scipy\'s (at most %g)' % (ratio, MOST))
-    same = max(abs(ours['first'] / values[1] - 1), abs(ours['last'] / values[-1] - 1)) < 1e-6
-    print('eigenvalues', 'agree' if same else 'DIFFER')
-    sys.exit(0 if ratio <= MOST and same else 1)
+    return dict(points=stiffness.shape[0], pairs=pairs, cpu=cpu, wall=wall, residual=residuals.max(),
+                first=values[1], last=values[-1])
+
+
+def main():
+    parser = sweep.parser(__doc__)
+    parser.add_argument('--pairs', type=int, default=200)
+    parser.add_argument('--runs', type=int, default=1)
+    options = parser.parse_args()
+    program, claims = sweep.Program(options), sweep.Claims()
+    table = sweep.Table('model:<18', 'method:<9', 'points:7d', 'pairs:5d', 'cpu:8.2f', 'wall:8.2f',
+                        'mib:6.0f', 'residual:9.2g', 'first:12.9g', 'last:12.9g')
+    for name, path in sweep.models(options, ['refined_elephant']):
+        with tempfile.NamedTemporaryFile() as file:
+            def solve():
+                return program.run('laplace_spectrum', path, options.pairs, file.name).row()
+            ours, peer = sweep.medians(
+                options.runs, solve, lambda: solve_by_scipy(*matrices(file.name), options.pairs))
+        for method, row in (('ShapeMap', ours), ('scipy', peer)):
+            table.print(dict(row, model=name, method=method))
+        claims.at_most(name, "CPU seconds, of scipy's", ours['cpu'] / peer['cpu'], MOST)
+        claims.at_most(name, "difference from scipy's first and last eigenvalue", max(
+            abs(ours[key] / peer[key] - 1.0) for key in ('first', 'last')), 1e-6)
+    claims.finish()
 
 
 if __name__ == '__main__':

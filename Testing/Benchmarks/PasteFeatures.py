@@ -1,98 +1,81 @@
 """Features of real models set down on others, drawn with a fixed seed: every result must be a manifold,
-watertight where both were, with the Euler number that gluing gives, in its old place when dropped there,
-and meet the target smoothly; and features of 10,000 triangles dragged over a target of 75,000.
+watertight where both were, with the Euler number that gluing gives, in its old position when dropped
+there, and meet the target smoothly; and features of 10,000 triangles dragged over a target of 75,000.
 
-    /usr/bin/python3 Testing/Benchmarks/PasteFeatures.py [--build build] [--count 20]
-
-Builds what it needs, prints a line for each, and fails where a claim at the end does not hold."""
-import argparse
-import os
+    /usr/bin/python3 Testing/Benchmarks/PasteFeatures.py [--count 20]
+"""
 import random
-import subprocess
-import sys
 
-import numpy
+import sweep
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sweep.use_one_thread()  # before numpy is loaded
+
+import numpy  # noqa: E402
+
 MODELS = ['armadillo', 'bear', 'bull', 'bunny00', 'camel', 'cow', 'elephant', 'femur', 'hand',
           'homer', 'lion-head', 'man', 'mannequin-devil', 'pig', 'triceratops']
-for threads in ('VTK_SMP_MAX_THREADS', 'OPENBLAS_NUM_THREADS', 'OMP_NUM_THREADS'):
-    os.environ[threads] = '1'
 
 
-def numbers(words):
-    return numpy.array([float(word) for word in words.split(',') if word])
+def is_right(row):
+    """Whether a result is a manifold, as open as the target, with the Euler number of gluing."""
+    return (row['nonmanifold'] == 0 and row['openbefore'] == row['openafter'] and
+            row['result'] == row['target'] - 1 + row['euler'])
+
+
+def drop(program, count):
+    """Rows of features set down, how many were refused, and what is wrong."""
+    table = sweep.Table('on:<28', 'triangles:9d', 'inplace:9.2g', 'conformal:9d', 'layout:6d', *(
+        key + ':8.1f' for key in ('before', 'before95', 'after', 'after95')))
+    draw = random.Random(2010)
+    rows, refused, wrong = [], 0, []
+    for index in range(count):
+        feature, target = draw.sample(MODELS, 2)
+        found = program.run('paste_feature', program.model(feature), program.model(target),
+                            draw.randrange(1000), seconds=600)
+        name = '%d %s on %s' % (index, feature, target)
+        if found.error:
+            wrong.append(name + ': ' + found.error)
+            table.print({'on': name}, found.error)
+            continue
+        row = found.row()
+        shown = dict(row, on=name, before=None, after=None)
+        if 'refused' in row:
+            refused += 1
+            table.print(shown, 'refused: ' + row['refused'])
+            continue
+        for key in ('before', 'after'):
+            shown[key], shown[key + '95'] = numpy.percentile(row[key], [50, 95])
+        if not is_right(row):
+            wrong.append(name)
+        rows.append(row)
+        table.print(shown, '' if is_right(row) else 'WRONG')
+    return rows, refused, wrong
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--build', default=os.path.join(ROOT, 'build'))
-    parser.add_argument('--case', help='the program, where it is not to be built')
+    parser = sweep.parser(__doc__, models=False)
     parser.add_argument('--count', type=int, default=20)
-    arguments = parser.parse_args()
-    case = arguments.case or os.path.join(arguments.build, 'bin', 'paste_case')
-    if not arguments.case:
-        subprocess.run(['cmake', '--build', arguments.build, '--target', 'paste_case'], check=True,
-                       stdout=subprocess.DEVNULL)
-
-    def run(*words):
-        return subprocess.run([case, *words], capture_output=True, text=True, timeout=600).stdout
-
-    def model(name):
-        return os.path.join(arguments.build, 'models', name + '.off')
-
-    draw = random.Random(2010)
-    refused, wrong, before, after, in_place = 0, [], [], [], []
-    for index in range(arguments.count):
-        feature, target = draw.sample(MODELS, 2)
-        lines = run('drop', model(feature), model(target), str(draw.randrange(1000))).splitlines()
-        line = lines[-1] if lines else 'failed: no output'
-        if 'refused=' in line:
-            refused += 1
-            print('%2d %s on %s: %s' % (index, feature, target, line))
-            continue
-        if not line.startswith('draws=') or 'failed:' in line:
-            wrong.append(index)
-            print('%2d %s on %s: %s' % (index, feature, target, line))
-            continue
-        facts = dict(word.split('=') for word in line.split())
-        opened = [int(word) for word in facts['open'].split(',')]
-        right = (int(facts['nonmanifold']) == 0 and opened[0] == opened[1] and int(facts['result']) ==
-                 int(facts['target']) - 1 + int(facts['euler']))
-        if not right:
-            wrong.append(index)
-        in_place.append(float(facts['inplace']))
-        angles = numbers(facts['before']), numbers(facts['after'])
-        before.append(angles[0])
-        after.append(angles[1])
-        print('%2d %s (%s triangles) on %s: %s; in place %.2g; layouts %s; angles, median and 95th '
-              'percentile: %.1f %.1f before, %.1f %.1f after' % (
-                  index, feature, facts['triangles'], target, 'right' if right else 'WRONG',
-                  in_place[-1], facts['conformal'], *[numpy.percentile(values, share)
-                                                      for values in angles for share in (50, 95)]))
-        sys.stdout.flush()
+    options = parser.parse_args()
+    program, claims = sweep.Program(options), sweep.Claims()
+    rows, refused, wrong = drop(program, options.count)
     seconds = []
+    table = sweep.Table('feature:7d', 'target:7d', 'updates:7d', 'refused:7d', 'cpu:8.4f', 'wall:8.4f')
     for feature in ('refined_elephant', 'armadillo'):
-        drag = run('drag', model(feature), model('bunny00'), '10000', '300').strip()
-        print(feature, drag)
-        seconds.append(float(dict(word.split('=') for word in drag.split())['cpu']))
-    before, after = numpy.concatenate(before), numpy.concatenate(after)
-    median, high = numpy.percentile(after, [50, 95])
-    first = numpy.percentile(before, [50, 95])
-    claims = [
-        ('refused: at most 3 of 20', refused, refused <= 0.15 * arguments.count),
-        ('wrong results: none', wrong, not wrong),
-        ('farthest off in place, over the diagonal: 1e-6', max(in_place), max(in_place) < 1e-6),
-        ('median of the angles at the joins: 3 degrees', median, median <= 3.0),
-        ('95th percentile: 10 degrees', high, high <= 10.0),
-        ('a third of %.1f and %.1f before' % tuple(first), (median, high),
-         median <= first[0] / 3.0 and high <= first[1] / 3.0),
-        ('updates a second while dragging: 15', 1.0 / max(seconds), max(seconds) <= 1 / 15),
-    ]
-    for claim, value, holds in claims:
-        print('%s %s: %s' % ('holds' if holds else 'FAILS', claim, value))
-    sys.exit(0 if all(holds for _, _, holds in claims) else 1)
+        row = program.run('drag_feature', program.model(feature), program.model('bunny00'), 10000, 300,
+                          seconds=600).row()
+        table.print(row, feature)
+        seconds.append(row['cpu'])
+    before, after = (numpy.concatenate([row[key] for row in rows]) for key in ('before', 'after'))
+    claims.at_most('%d features' % options.count, 'refused', refused, 0.15 * options.count)
+    claims.none('%d features' % options.count, 'wrong results', wrong)
+    claims.at_most('in place', 'farthest off, over the diagonal', max(
+        row['inplace'] for row in rows), 1e-6)
+    for name, share, most in (('median', 50, 3.0), ('95th percentile', 95, 10.0)):
+        first, last = numpy.percentile(before, share), numpy.percentile(after, share)
+        claims.at_most('angles at the joins', name + ', degrees', last, most)
+        claims.at_most('angles at the joins', name + ', of that before', last / first, 1.0 / 3.0)
+    claims.at_least('while dragging', 'updates a second', 1.0 / max(seconds), 15.0)
+    claims.finish()
 
 
 if __name__ == '__main__':

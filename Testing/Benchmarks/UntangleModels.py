@@ -1,6 +1,6 @@
 """Shape Untangle on the sphere maps of every closed surface of genus 0 in a folder of OFF files: a
-table of inverted tetrahedra before and after, with the boundary fixed on the sphere's image. Raises
-unless none is left on any model.
+table of inverted tetrahedra before and after, with the boundary fixed on the sphere's image. None is
+left on any model.
 
 Each model is made to face outwards, mapped to the sphere, filled with tetrahedra, and these are
 carried by the harmonic map of that boundary map; then the boundary's points are put exactly on their
@@ -8,28 +8,24 @@ images, which the harmonic map meets only to its tolerance. `map` counts the inv
 before that, `before` after it. The result is checked here again: no determinant is below 0 as
 computed with numpy, and every point of the boundary is where it was put, to the bit.
 
-    Utilities/pvpython.sh Testing/Benchmarks/UntangleModels.py [FOLDER] [model ...] [Property=value ...]
+    Utilities/pvpython.sh Testing/Benchmarks/UntangleModels.py [--keep FOLDER] [MODEL ...] [Property=value ...]
 
-Properties are Shape Harmonic Volume Map's. With KEEP=folder in the environment the maps are kept
-there, or taken from there.
+Properties are Shape Harmonic Volume Map's. With --keep the maps are kept in that folder, or taken from
+there.
 """
-import glob
 import os
-import sys
 import time
 
+import sweep
+
 import numpy
-import shapemap
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import (
-    vtkCleanPolyData, vtkPolyDataNormals, vtkReverseSense, vtkTriangleFilter)
-
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path += [os.path.join(ROOT, 'Utilities'), os.path.join(ROOT, 'Testing')]
-
 import off
+import shapemap
 import shapetesting
+from scenes import at, triangulated
 from shapetesting import array, fact, points
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals, vtkReverseSense
 
 
 def mended(surface):
@@ -47,10 +43,8 @@ def mended(surface):
 
 def facing_outwards(surface):
     """A sphere map faces outwards, so the surface must, or else the map mirrors the solid."""
-    triangulate = vtkTriangleFilter()
-    triangulate.SetInputData(surface)
-    triangulate.Update()
-    corners = points(triangulate.GetOutput())[shapetesting.triangles(triangulate.GetOutput())]
+    triangles = triangulated(surface)
+    corners = points(triangles)[shapetesting.triangles(triangles)]
     if numpy.linalg.det(corners).sum() >= 0.0:
         return surface
     turn = vtkReverseSense()
@@ -87,8 +81,7 @@ def carried(surface, settings):
     if reason:
         return None, None, None, reason
     volume_map = shapemap.vtkShapeHarmonicVolumeMap()
-    for key, value in settings.items():
-        getattr(volume_map, 'Set' + key)(type(getattr(volume_map, 'Get' + key)())(value))
+    sweep.set_properties(volume_map, settings)
     volume_map.SetInputConnection(0, solid.GetOutputPort())
     volume_map.SetInputConnection(1, sphere.GetOutputPort())
     reason = run(volume_map)
@@ -100,26 +93,8 @@ def carried(surface, settings):
     return rest, points(moved), numpy.where((ids >= 0)[:, None], targets[ids], numpy.nan), ''
 
 
-arguments = sys.argv[1:]
-folder = os.path.join(ROOT, 'build', 'models')
-if arguments and os.path.isdir(arguments[0]):
-    folder = arguments.pop(0)
-settings = dict(argument.split('=') for argument in arguments if '=' in argument)
-names = [argument for argument in arguments if '=' not in argument]
-paths = sorted(glob.glob(os.path.join(folder, '*.off')), key=os.path.getsize)
-paths = [path for path in paths if not names or os.path.basename(path)[:-4] in names]
-assert paths, 'there are no models in ' + folder
-keep = os.environ.get('KEEP')
-left, mapped = [], 0
-print('%-26s %8s %7s %7s %6s %6s %7s %8s %8s' % (
-    'model', 'tets', 'map', 'before', 'after', 'split', 'cells', 'seconds', 'map s'))
-for path in paths:
-    name = os.path.basename(path)[:-4]
-    surface = off.read(path)
-    if surface.GetNumberOfCells() == 0:
-        continue
-    kept = os.path.join(keep, name + '.npz') if keep else ''
-    start = time.time()
+def mapped(surface, settings, kept):
+    """The same from the file `kept` if it is there; else that is written, if there is to be one."""
     surface = facing_outwards(surface)
     if kept and os.path.exists(kept):
         solid = shapemap.vtkShapeTetrahedralize()
@@ -127,42 +102,62 @@ for path in paths:
         assert not run(solid)
         rest, data = solid.GetOutputDataObject(0), numpy.load(kept)
         assert (data['rest'] == points(rest)).all()
-        places, boundary = data['moved'], data['boundary']
-    else:
-        rest, places, boundary, reason = carried(surface, settings)
-        if 'opposite orientation' in reason or 'no triangle uses' in reason:
-            rest, places, boundary, reason = carried(facing_outwards(mended(surface)), settings)
-            kept = ''  # the folder is for surfaces as they are
-        if reason:
-            print('%-26s no map: %s' % (name, reason.split('\n')[0]), flush=True)
+        return rest, data['moved'], data['boundary'], ''
+    rest, places, boundary, reason = carried(surface, settings)
+    if 'opposite orientation' in reason or 'no triangle uses' in reason:
+        rest, places, boundary, reason = carried(facing_outwards(mended(surface)), settings)
+        kept = ''  # the folder is for surfaces as they are
+    if kept and not reason:
+        numpy.savez(kept, rest=points(rest), moved=places, boundary=boundary)
+    return rest, places, boundary, reason
+
+
+def main():
+    parser = sweep.parser(__doc__)
+    parser.add_argument('--keep', help='a folder for the maps')
+    options = parser.parse_args()
+    claims, left, maps = sweep.Claims(), [], 0
+    table = sweep.Table('model:<26', 'tetrahedra:10d', *(key + ':7d' for key in (
+        'map', 'before', 'after', 'split', 'cells')), 'seconds:8.2f', 'mapseconds:10.1f')
+    for name, path in sweep.models(options):
+        surface = off.read(path)
+        if surface.GetNumberOfCells() == 0:
             continue
-        if kept:
-            numpy.savez(kept, rest=points(rest), moved=places, boundary=boundary)
-    map_seconds = time.time() - start
-    mapped += 1
-    fixed = ~numpy.isnan(boundary[:, 0])
-    snapped = numpy.where(fixed[:, None], boundary, places)
-    tangled = shapetesting.copy(rest)
-    shapetesting.set_points(tangled, snapped)
-    untangle = shapemap.vtkShapeUntangle()
-    untangle.SetInputDataObject(0, tangled)
-    untangle.SetInputDataObject(1, rest)
-    start = time.time()
-    assert not shapetesting.run(untangle)
-    seconds = time.time() - start
-    result = untangle.GetOutputDataObject(0)
-    untangled = points(result)
-    assert (untangled[:len(snapped)][fixed] == snapped[fixed]).all(), 'the boundary moved'
-    after = int(fact(result, 'Untangle.InvertedAfter'))
-    wrong = int((determinants(untangled, corners_of(result)) < 0.0).sum())
-    assert after > 0 or wrong == 0, '%d determinants are negative' % wrong
-    print('%-26s %8d %7d %7d %6d %6d %7d %8.2f %8.1f' % (
-        name, rest.GetNumberOfCells(), (determinants(places, corners_of(rest)) <= 0.0).sum(),
-        fact(result, 'Untangle.InvertedBefore'), after, fact(result, 'Untangle.SplitCells'),
-        result.GetNumberOfCells(), seconds, map_seconds), flush=True)
-    if after:
-        left.append(name)
-assert mapped, 'no model could be mapped'
-print('%d models mapped; inverted tetrahedra left on %d of them' % (mapped, len(left)))
-if left:
-    raise AssertionError('inverted tetrahedra are left on ' + ' '.join(left))
+        start = time.time()
+        rest, places, boundary, reason = mapped(
+            surface, sweep.properties(options),
+            os.path.join(options.keep, name + '.npz') if options.keep else '')
+        if reason:
+            table.print({'model': name}, 'no map: ' + reason.split('\n')[0])
+            continue
+        map_seconds = time.time() - start
+        maps += 1
+        fixed = ~numpy.isnan(boundary[:, 0])
+        snapped = numpy.where(fixed[:, None], boundary, places)
+        untangle = shapemap.vtkShapeUntangle()
+        untangle.SetInputDataObject(0, at(rest, snapped))
+        untangle.SetInputDataObject(1, rest)
+        start = time.time()
+        assert not shapetesting.run(untangle)
+        seconds = time.time() - start
+        result = untangle.GetOutputDataObject(0)
+        untangled = points(result)
+        after = int(fact(result, 'Untangle.InvertedAfter'))
+        wrong = int((determinants(untangled, corners_of(result)) < 0.0).sum())
+        assert (untangled[:len(snapped)][fixed] == snapped[fixed]).all(), 'the boundary moved'
+        assert after > 0 or wrong == 0, '%d determinants are negative' % wrong
+        table.print(dict(
+            model=name, tetrahedra=rest.GetNumberOfCells(),
+            map=int((determinants(places, corners_of(rest)) <= 0.0).sum()),
+            before=int(fact(result, 'Untangle.InvertedBefore')), after=after,
+            split=int(fact(result, 'Untangle.SplitCells')), cells=result.GetNumberOfCells(),
+            seconds=seconds, mapseconds=map_seconds))
+        if after:
+            left.append(name)
+    claims.at_least('models', 'mapped', maps, 1)
+    claims.none('%d models' % maps, 'inverted tetrahedra left', left)
+    claims.finish()
+
+
+if __name__ == '__main__':
+    main()

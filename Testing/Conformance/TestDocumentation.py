@@ -18,7 +18,7 @@ ALLOWED = ['at least', 'least squares', 'least-squares']
 CITATION = re.compile(r'(?:[A-Z][a-z]+(?: et al\.| and others)?,? \(?|", |\()(%s)' % documentation.YEAR)
 
 faults = []
-pages = ['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'Data/README.md'] + [
+pages = ['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'Data/README.md', 'Testing/Benchmarks/README.md'] + [
     os.path.relpath(path, root)
     for path in sorted(glob.glob(os.path.join(root, 'Documentation', '**', '*.md'), recursive=True))]
 texts = {page: documentation.read(page) for page in pages}

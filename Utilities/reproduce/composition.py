@@ -14,7 +14,7 @@ import sys
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkLogger
 
-import composition_common
+import claims
 import composition_creatures
 import composition_deform
 import composition_fills
@@ -35,12 +35,11 @@ def main(folder, *numbers):
     os.makedirs(folder, exist_ok=True)
     simple._DisableFirstRenderCameraReset()
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)  # a cut surface says that it is cut
-    claims = composition_common.Claims()
+    collected = claims.Claims()
     for number in numbers or FIGURES:
-        FIGURES[number](folder, claims)
-    failed = claims.write(os.path.join(folder, 'composition.md'))
-    if failed:
-        sys.exit('composition: %d claims do not hold' % len(failed))
+        FIGURES[number](folder, collected)
+    collected.write(os.path.join(folder, 'composition.md'))
+    collected.finish()
 
 
 if __name__ == '__main__':

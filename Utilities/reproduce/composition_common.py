@@ -1,5 +1,5 @@
 """What the pictures of drag-and-drop share: features cut, pasted and deformed by the filters, what is
-measured of the results, and claims."""
+measured of the results."""
 import numpy
 from vtkmodules.vtkCommonCore import mutable
 from vtkmodules.vtkCommonDataModel import vtkCellLocator, vtkPlane
@@ -10,46 +10,12 @@ import scenes  # knows where off.py and shapetesting.py are
 
 import off
 import shapetesting
-from scenes import add_array, copy, points
+from scenes import add_array, at, copy, model, points  # noqa: F401
 from shapetesting import closed_curve, edges, euler, triangles
 
 FEATURE = [0.95, 0.62, 0.36]
 BOUNDARY_RELATIVE = 1  # of Method
 ON, OFF = 1, 2         # of Multiresolution
-
-
-class Claims:
-    """Facts with what they must be: printed as a table, and counted where they do not hold."""
-
-    def __init__(self):
-        self.Rows = []
-
-    def check(self, figure, what, value, held, claim=''):
-        self.Rows.append((figure, what, value, claim, bool(held)))
-
-    def note(self, figure, what, value):
-        self.check(figure, what, value, True)
-
-    def write(self, path):
-        lines = ['| figure | what | measured | claim | held |', '|---|---|---|---|---|']
-        lines += ['| %s | %s | %s | %s | %s |' % (figure, what, value, claim,
-                                                  ('yes' if held else 'NO') if claim else '')
-                  for figure, what, value, claim, held in self.Rows]
-        with open(path, 'w') as file:
-            file.write('\n'.join(lines) + '\n')
-        print('\n'.join(lines), flush=True)
-        return [row for row in self.Rows if not row[-1]]
-
-
-def model(name):
-    return off.read(scenes.model_file(name + '.off'))
-
-
-def at(data, places):
-    """The same cells with other points."""
-    result = copy(data)
-    shapetesting.set_points(result, numpy.asarray(places, float))
-    return result
 
 
 def middle(data):
@@ -128,8 +94,7 @@ def section(surface, origin, normal):
 def ring(surface, tip, distance):
     """The longest closed curve at this distance along the surface from a place on it."""
     contour = vtkContourFilter()
-    contour.SetInputData(scenes.filter_of('GeodesicDistance', surface, scenes.point_set([tip]))
-                         .GetOutputDataObject(0))
+    contour.SetInputData(scenes.output_of('GeodesicDistance', surface, scenes.point_set([tip])))
     contour.SetInputArrayToProcess(0, 0, 0, 0, 'GeodesicDistance')
     contour.SetValue(0, distance)
     contour.Update()
@@ -210,7 +175,7 @@ def handle(places, targets, source_normals=None, target_normals=None, closed=Tru
 
 
 def deform(shape, boundary, **options):
-    return copy(scenes.filter_of('Deform', shape, boundary, **options).GetOutputDataObject(0))
+    return copy(scenes.output_of('Deform', shape, boundary, **options))
 
 
 def rim(surface):

@@ -57,8 +57,7 @@ def show_reflection(row, panel, surface, view, count=9):
 
 def distance(data, surface):
     """Of its points from the surface."""
-    return numpy.abs(array(scenes.filter_of('BoundaryDistance', data, surface, Signed=0)
-                           .GetOutputDataObject(0), 'BoundaryDistance'))
+    return numpy.abs(scenes.boundary_distance(data, surface, Signed=0))
 
 
 def fig13(folder, claims):

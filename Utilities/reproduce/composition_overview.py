@@ -66,8 +66,7 @@ def fig2(folder, claims):
     claims.check(2, 'flipped triangles of the map of the target', '%d' % fact(
         laid, 'ExponentialMap.Flipped'), fact(laid, 'ExponentialMap.Flipped') == 0, '0')
     back = common.paste(face, rest, seed_of(face))
-    off_place = numpy.abs(array(scenes.filter_of('BoundaryDistance', back, head, Signed=0)
-                                .GetOutputDataObject(0), 'BoundaryDistance')).max()
+    off_place = numpy.abs(scenes.boundary_distance(back, head, Signed=0)).max()
     claims.check(2, 'dropped in place: off the original, at most, of the diagonal', '%.1e' % (
         off_place / common.diagonal(head)), off_place < 1e-6 * common.diagonal(head), '< 1e-6')
     row.save(folder, 2)

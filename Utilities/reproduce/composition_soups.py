@@ -11,7 +11,7 @@ import off
 from composition_common import cut, facing, seed_of
 from composition_deform import on_cylinder
 from composition_rows import Row
-from scenes import array, fact, points
+from scenes import fact, points
 from shapetesting import triangles
 
 SPOKES, RINGS, SHEETS = 48, 16, 6
@@ -187,11 +187,9 @@ def repair(row, claims):
                  common.edges(head, 'Boundary'))
     new = common.cells_of(result, scenes.vtk_to_numpy(result.GetCellData().GetArray('Part')) > 0)
     used = numpy.unique(triangles(new))
-    miss = numpy.abs(array(scenes.filter_of('BoundaryDistance', result, head, Signed=0)
-                           .GetOutputDataObject(0), 'BoundaryDistance'))[used]
+    miss = numpy.abs(scenes.boundary_distance(result, head, Signed=0))[used]
     size = common.diagonal(head)
-    mirror = numpy.abs(array(scenes.filter_of('BoundaryDistance', ear, head, Signed=0)
-                             .GetOutputDataObject(0), 'BoundaryDistance'))
+    mirror = numpy.abs(scenes.boundary_distance(ear, head, Signed=0))
     claims.check(14, 'repaired: off the undamaged ear, RMS, of the diagonal', '%.2f %%' %
                  (100.0 * numpy.sqrt((miss ** 2).mean()) / size),
                  numpy.sqrt((miss ** 2).mean()) < 0.01 * size, '< 1 %')

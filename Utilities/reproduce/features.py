@@ -131,12 +131,8 @@ def exact(case, head, *inner, **options):
     by_region = {name: scenes.vtk_to_numpy(solid.GetFieldData().GetArray(
         'HarmonicVolumeMap.Border' + name)) for name in ('RMSEInside', 'JumpRMS', 'JumpMaximum')}
     for region, surface in enumerate(inner, 1):
-        places, normals = scenes.shapetesting.places_on(
-            surface, 20000, numpy.random.default_rng(1))
-        sides = [points(scenes.filter_of('ApplyVolumeMap', scenes.point_set(
-            places + step * size * normals), charges).GetOutputDataObject(0))
-            for step in (1e-10, -1e-10)]
-        jumps = numpy.linalg.norm(sides[0] - sides[1], axis=1) / size
+        jumps = scenes.jumps_across(
+            surface, charges, 20000, 1e-10 * size, numpy.random.default_rng(1)) / size
         print('%s: border %d: RMSE inside triangles %.2e, jump %.1e RMS, %.1e at most; of the fitted '
               'maps %.1e, %.1e' % (case, region, by_region['RMSEInside'][region],
                                    numpy.sqrt((jumps ** 2).mean()), jumps.max(),
@@ -159,7 +155,7 @@ def exact(case, head, *inner, **options):
 
 
 def phantom(folder):
-    shapes = [scenes.read('Phantom%sSmall.vtp' % name) for name in ('Head', 'Skull', 'Brain')]
+    shapes = scenes.phantom()
     say('phantom, small: head %d, skull %d, brain %d points' % tuple(
         shape.GetNumberOfPoints() for shape in shapes))
     every = []

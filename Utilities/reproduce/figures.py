@@ -12,17 +12,15 @@ import numpy
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkFiltersCore import vtkCutter, vtkTriangleFilter
-from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
+from vtkmodules.vtkFiltersCore import vtkCutter
 from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 
 import panels
 import scenes  # knows where off.py is
 
 import off
-from scenes import add_array, array, copy, fact, points, say
+from scenes import (
+    array, at, boundary_distance, fact, moved_by, points, say, skin, with_array)
 
 
 def cut(data, origin, normal):
@@ -35,19 +33,6 @@ def cut(data, origin, normal):
     cutter.SetCutFunction(plane)
     cutter.Update()
     return cutter.GetOutput()
-
-
-def crinkled(data, origin, normal):
-    """The surface of the cells of a solid that are not wholly on the plane's front side."""
-    plane = vtkPlane()
-    plane.SetOrigin(origin)
-    plane.SetNormal(normal)
-    extract = vtkExtractGeometry()
-    extract.SetInputData(data)
-    extract.SetImplicitFunction(plane)
-    extract.ExtractBoundaryCellsOn()
-    extract.Update()
-    return skin(extract.GetOutput())
 
 
 def half(data, origin, normal):
@@ -63,26 +48,6 @@ def half(data, origin, normal):
     return skin(clip.GetOutput())
 
 
-def skin(data):
-    surface = vtkDataSetSurfaceFilter()
-    surface.SetInputData(data)
-    surface.Update()
-    return surface.GetOutput()
-
-
-def at(data, places):
-    """The same cells with other points."""
-    result = copy(data)
-    scenes.shapetesting.set_points(result, places)
-    return result
-
-
-def with_array(data, values, name):
-    result = copy(data)
-    add_array(result, values, name)
-    return result
-
-
 def tetrahedra(surface, *inner, volume=0.0):
     algorithm = scenes.shapemap.vtkShapeTetrahedralize()
     algorithm.SetInputDataObject(0, surface)
@@ -92,33 +57,22 @@ def tetrahedra(surface, *inner, volume=0.0):
     return scenes.checked(algorithm).GetOutputDataObject(0)
 
 
-def moved_by(charges, data):
-    """Where a map takes the points of `data`."""
-    output = scenes.filter_of('ApplyVolumeMap', data, charges).GetOutputDataObject(0)
-    outside = int((array(output, 'OutsideDomain') == 1).sum())
-    if outside > 0.001 * data.GetNumberOfPoints():
-        raise RuntimeError('%d points lie outside the domain of the map' % outside)
-    return points(output)
-
-
 def depth(solid, surface, name):
     """The solid with its distance from the surface, 1 at the deepest point."""
-    output = scenes.filter_of('BoundaryDistance', solid, surface, Signed=1).GetOutputDataObject(0)
-    values = numpy.maximum(-array(output, 'BoundaryDistance'), 0.0)
+    values = numpy.maximum(-boundary_distance(solid, surface, Signed=1), 0.0)
     return with_array(solid, values / values.max(), name)
 
 
 def transferred(receiver, giver, direction):
-    return scenes.filter_of('TransferFields', receiver, giver,
-                            Direction=('Pull', 'Push').index(direction)).GetOutputDataObject(0)
+    return scenes.output_of('TransferFields', receiver, giver,
+                            Direction=('Pull', 'Push').index(direction))
 
 
 class Phantom:
     """The head, skull and brain with their images under both kinds of map."""
 
     def __init__(self):
-        self.Shapes = [scenes.read('Phantom%sSmall.vtp' % name)
-                       for name in ('Head', 'Skull', 'Brain')]
+        self.Shapes = scenes.phantom()
         head, skull, brain = self.Shapes
         self.Soft = scenes.volume_map(
             head, head, [skull, brain], FeatureWeight=20.0).GetOutputDataObject(1)
@@ -146,14 +100,13 @@ class Phantom:
         """Where the points of a solid go: by the map of their layer, or by the one map."""
         if not layered:
             return moved_by(self.Soft, solid)
-        inside = [array(scenes.filter_of('BoundaryDistance', solid, shape).GetOutputDataObject(0),
-                        'BoundaryDistance') for shape in self.Shapes[1:]]
+        inside = [boundary_distance(solid, shape) for shape in self.Shapes[1:]]
         layer = numpy.where(inside[1] < 0.0, 2, numpy.where(inside[0] < 0.0, 1, 0))
         places = points(solid)
         for index, charges in enumerate(self.Layers):
             chosen = layer == index
-            places[chosen] = points(scenes.filter_of(
-                'ApplyVolumeMap', scenes.point_set(places[chosen]), charges).GetOutputDataObject(0))
+            places[chosen] = points(scenes.output_of(
+                'ApplyVolumeMap', scenes.point_set(places[chosen]), charges))
         return places
 
 
@@ -213,8 +166,8 @@ def fig2(path, phantom):
 
     for column, layered in enumerate((True, False)):
         places = phantom.solid(section, layered)
-        measured = scenes.filter_of('BoundaryDistance', at(section, places * [0.0, 1.0, 1.0]),
-                                    targets, Signed=0).GetOutputDataObject(0)
+        measured = scenes.output_of('BoundaryDistance', at(section, places * [0.0, 1.0, 1.0]), targets,
+                                    Signed=0)
         field = array(measured, 'BoundaryDistance')
         left = 5.5 * column
         draw(with_array(section, field, 'Distance'), scenes.append(*phantom.Shapes),
@@ -236,9 +189,7 @@ def grid(surface, count):
     y, z = (numpy.linspace(a, b, count) for a, b in zip(low, high))
     places = numpy.stack([0.0 * z[:, None] + 0.0 * y, 0.0 * z[:, None] + y, z[:, None] + 0.0 * y],
                          axis=2).reshape(-1, 3)
-    distance = array(scenes.filter_of('BoundaryDistance', scenes.point_set(places), surface)
-                     .GetOutputDataObject(0), 'BoundaryDistance')
-    inside = (distance <= 0.0).reshape(count, count)
+    inside = (boundary_distance(places, surface) <= 0.0).reshape(count, count)
     first = (numpy.arange(count - 1)[:, None] * count + numpy.arange(count - 1))[
         inside[:-1, :-1] & inside[:-1, 1:] & inside[1:, :-1] & inside[1:, 1:]]
     corners = numpy.stack([first, first + 1, first + count + 1, first + count], axis=1)
@@ -308,9 +259,8 @@ class Bear:
     """The model, its image on the sphere, and the ball's hexahedra inside it."""
 
     def __init__(self):
-        self.Surface = off.read(scenes.model_file('bear.off'))
-        self.Sphere = scenes.filter_of(
-            'Parameterize', self.Surface, AreaWeight=3.0).GetOutputDataObject(1)
+        self.Surface = scenes.model('bear')
+        self.Sphere = scenes.sphere_map(self.Surface).GetOutputDataObject(1)
         self.Ball = scenes.read('Ball.vtu')
         say('bear: sphere map')
 
@@ -380,24 +330,17 @@ def fig5(path):
 def fig7(path, bear):
     """The cube's hexahedra: its surface goes to the bear's by way of the sphere."""
     grid = scenes.read('Cube.vtu')
-    triangles = vtkTriangleFilter()
-    triangles.SetInputData(skin(grid))
-    triangles.Update()
-    cube = scenes.filter_of('Parameterize', triangles.GetOutput()).GetOutputDataObject(0)
+    cube = scenes.output_of('Parameterize', scenes.triangulated(skin(grid)))
     # The place on the bear whose image on the sphere is that of the cube's point.
     boundary = transferred(cube, bear.Sphere, 'Pull')
     solid = scenes.volume_map(grid, boundary, MapArray='SourcePosition', CollocationRatio=0.3,
                               SourceRatio=0.4).GetOutputDataObject(0)
     say('cube into bear: ' + error_words(solid))
-    quality = vtkMeshQuality()
-    quality.SetInputData(solid)
-    quality.SetHexQualityMeasureToScaledJacobian()
-    quality.Update()
-    hexahedra = quality.GetOutput()
+    hexahedra = scenes.scaled_jacobians(solid)
     jacobians = scenes.vtk_to_numpy(hexahedra.GetCellData().GetArray('Quality'))
     inverted = int((jacobians <= 0.0).sum())
-    flips = scenes.filter_of('MapQuality', with_array(grid, points(solid), 'TargetPosition'))
-    flipped = fact(flips.GetOutputDataObject(0), 'MapQuality.FlippedCells')
+    flips = scenes.output_of('MapQuality', with_array(grid, points(solid), 'TargetPosition'))
+    flipped = fact(flips, 'MapQuality.FlippedCells')
     caption = '%d hexahedra, %d with a scaled Jacobian <= 0 (least %.2f, mean %.2f)' % (
         len(jacobians), inverted, jacobians.min(), jacobians.mean())
     say(caption + '; Shape Map Quality: %d flipped' % flipped)
@@ -410,7 +353,7 @@ def fig7(path, bear):
     picture.show(skin(grid), (1.75, 0.0), 0.95, (0.0, 0.0, 0.0), panels.STEEL,
                  representation=edges, width=1.0)
     for column, data in ((2, skin(hexahedra)),
-                         (3, crinkled(hexahedra, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)))):
+                         (3, skin(scenes.behind(hexahedra, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))))):
         display = picture.show(data, (1.75 * column, 0.0), 1.0, middle, representation=edges,
                                width=1.0)
         picture.colour(display, 'CELLS', 'Quality', 0.0, 1.0,

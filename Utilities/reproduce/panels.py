@@ -97,3 +97,24 @@ class Picture:
         pictures.look(self.View, self.place(*centre), height, 4.0 * self.Direction, list(self.Up))
         simple.SaveScreenshot(path, self.View)
         simple.Delete(self.View)
+
+
+class Sheet(Picture):
+    """Panels in a row, each with a data set as large as fits and words below."""
+
+    def __init__(self, size, direction, up, shift, widest, line):
+        """`shift` from panel to panel in heights of a panel, `widest` the width and height that a panel
+        shows, `line` where the words are."""
+        super().__init__(size, direction, up)
+        self.Shift, self.Widest, self.Line = shift, numpy.array(widest), line
+
+    def fit(self, column, data, like=None, **options):
+        """Shows a data set, as large and where `like` would be; options as of show()."""
+        frame = numpy.stack([self.Right, self.Up])
+        places = scenes.points(like or data) @ frame.T
+        low, high = places.min(axis=0), places.max(axis=0)
+        return self.show(data, (self.Shift * column, 0.0), 1.0 / max((high - low) / self.Widest),
+                         0.5 * (low + high) @ frame, **options)
+
+    def label(self, column, text):
+        self.caption(text, self.Shift * column, self.Line)

@@ -1,4 +1,5 @@
-"""What the figures and the feature experiments share: shapes, volume maps, tables, panels."""
+"""Scenes that the reproduced figures and the benchmarks share: models and landmarks, what filters make
+of them, and what is measured of that."""
 import csv
 import os
 import sys
@@ -17,11 +18,17 @@ import shapemap  # noqa: E402
 import shapetesting  # noqa: E402
 from shapetesting import add_array, array, copy, fact, points, read  # noqa: E402, F401
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402, F401
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkPlane  # noqa: E402
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter  # noqa: E402
+from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry  # noqa: E402
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter  # noqa: E402
+from vtkmodules.vtkFiltersVerdict import vtkMeshQuality  # noqa: E402
 
 START = time.time()
 
-MULTI_LEVEL = 1 # of Shape Harmonic Volume Map's Method
+MULTI_LEVEL, SINGLE_SHOT = 1, 2  # of Shape Harmonic Volume Map's Method
+# Of the scanned models' sphere maps: limbs must stay large enough to compute on, as in demo.py.
+AREA_WEIGHT = 3.0
 
 
 def say(text):
@@ -34,22 +41,40 @@ def model_file(name):
     return os.path.join(folder, name)
 
 
+def model(name):
+    return off.read(model_file(name + '.off'))
+
+
+def phantom(size='Small'):
+    """Head, skull and brain with their maps, of some thousand points each ('') or fewer."""
+    return [read('Phantom%s%s.vtp' % (name, size)) for name in ('Head', 'Skull', 'Brain')]
+
+
+# Filters.
+
 def checked(algorithm):
     """Updates an algorithm; raises with its words where it fails."""
     messages = shapetesting.run(algorithm)
-    if messages or algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0:
+    output = algorithm.GetOutputDataObject(0)
+    count = output.GetNumberOfRows() if output.IsA('vtkTable') else output.GetNumberOfPoints()
+    if messages or count == 0:
         raise RuntimeError(' '.join(messages) or 'an empty output')
     return algorithm
 
 
 def filter_of(name, *inputs, **options):
-    """The updated filter vtkShapeX of X = `name`, with one data set on each port."""
+    """The updated filter vtkShapeX of X = `name`, with one data set on each port, or None."""
     algorithm = getattr(shapemap, 'vtkShape' + name)()
     for port, data in enumerate(inputs):
-        algorithm.SetInputDataObject(port, data)
+        if data is not None:
+            algorithm.SetInputDataObject(port, data)
     for option, value in options.items():
         getattr(algorithm, 'Set' + option)(value)
     return checked(algorithm)
+
+
+def output_of(name, *inputs, port=0, **options):
+    return filter_of(name, *inputs, **options).GetOutputDataObject(port)
 
 
 def volume_map(domain, boundary, features=(), targets=(), **options):
@@ -64,6 +89,104 @@ def volume_map(domain, boundary, features=(), targets=(), **options):
     for option, value in options.items():
         getattr(algorithm, 'Set' + option)(value)
     return checked(algorithm)
+
+
+def sphere_map(surface):
+    """The updated Shape Parameterize: the surface with its map onto the sphere, and its image."""
+    return filter_of('Parameterize', surface, AreaWeight=AREA_WEIGHT)
+
+
+def moved_by(charges, data):
+    """Where a map takes the points of `data`."""
+    moved = output_of('ApplyVolumeMap', data, charges)
+    outside = int((array(moved, 'OutsideDomain') == 1).sum())
+    if outside > 0.001 * data.GetNumberOfPoints():
+        raise RuntimeError('%d points lie outside the domain of the map' % outside)
+    return points(moved)
+
+
+def jumps_across(surface, charges, count, step, random):
+    """How far a map carries the two sides of a surface apart, at random positions on it; the sides are
+    `step` away from it."""
+    places, normals = shapetesting.places_on(surface, count, random)
+    sides = [points(output_of('ApplyVolumeMap', point_set(places + side * normals), charges))
+             for side in (step, -step)]
+    return numpy.linalg.norm(sides[0] - sides[1], axis=1)
+
+
+def boundary_distance(data, surface, **options):
+    """Of the points of a data set, or of positions, from a surface."""
+    if isinstance(data, numpy.ndarray):
+        data = point_set(data)
+    return array(output_of('BoundaryDistance', data, surface, **options), 'BoundaryDistance')
+
+
+def points_inside(surface, count, random):
+    """Evenly distributed random positions inside a closed surface."""
+    bounds = numpy.array(surface.GetBounds()).reshape(3, 2)
+    found = numpy.zeros((0, 3))
+    while len(found) < count:
+        candidates = bounds[:, 0] + numpy.ptp(bounds, axis=1) * random.random((4 * count, 3))
+        inside = candidates[boundary_distance(candidates, surface) < 0.0]
+        if not len(found) and not len(inside):
+            raise RuntimeError('of %d random positions in its box none is inside' % len(candidates))
+        found = numpy.concatenate([found, inside])
+    return found[:count]
+
+
+# Data sets.
+
+def at(data, places):
+    """The same cells with other points."""
+    result = copy(data)
+    shapetesting.set_points(result, numpy.asarray(places, float))
+    return result
+
+
+def with_array(data, values, name):
+    result = copy(data)
+    add_array(result, values, name)
+    return result
+
+
+def triangulated(surface):
+    triangles = vtkTriangleFilter()
+    triangles.SetInputData(surface)
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def skin(solid):
+    """The surface of a solid."""
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(solid)
+    surface.Update()
+    return surface.GetOutput()
+
+
+def behind(solid, origin, normal):
+    """The whole cells behind a plane and those that it crosses."""
+    plane = vtkPlane()
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    extract = vtkExtractGeometry()
+    extract.SetInputData(solid)
+    extract.SetImplicitFunction(plane)
+    extract.ExtractBoundaryCellsOn()
+    extract.Update()
+    return extract.GetOutput()
+
+
+def scaled_jacobians(solid):
+    """The solid with Verdict's measure of its tetrahedra and hexahedra as cell array `Quality`."""
+    quality = vtkMeshQuality()
+    quality.SetInputData(solid)
+    quality.SetTetQualityMeasureToScaledJacobian()
+    quality.SetHexQualityMeasureToScaledJacobian()
+    quality.Update()
+    return quality.GetOutput()
 
 
 def append(*surfaces):

@@ -1,6 +1,6 @@
-#include "FiniteElements.h"
+#include "Cases/FiniteElements.h"
 
-#include "Cost.h"
+#include "Driver/Cost.h"
 
 #include "Tetrahedra/Private/TetGen.h"
 

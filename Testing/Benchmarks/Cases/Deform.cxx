@@ -1,6 +1,7 @@
-// Deformation of a patch by its border, beside CGAL's as-rigid-as-possible one: see Usage.
-#include "BenchmarkData.h"
-#include "Cost.h"
+// Deformation of a patch by its boundary, beside CGAL's as-rigid-as-possible one.
+#include "Cases/CgalMesh.h"
+#include "Driver/BenchmarkData.h"
+#include "Driver/Case.h"
 
 #include "Deform/ShapeDeformation.h"
 #include "Mesh/OpenSurface.h"
@@ -8,57 +9,43 @@
 #include "Remesh/Coarsening.h"
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_deformation.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <exception>
-#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace
 {
 
-constexpr const char* Usage = R"(deform_case MODEL [POINTS]
+constexpr const char* Usage = R"(MODEL [Points=12500]
 
-A closed surface (OFF) is coarsened to about POINTS (12500), what is below a plane across the y axis
-is cut off, and the rest is deformed by its boundary: bent over a cylinder, and turned by 60 degrees.
-Prints CPU milliseconds on one thread, the median of several runs:
+A closed surface (OFF) is coarsened to about Points points, what is below a plane across the y axis is
+cut off, and the rest is deformed by its boundary: bent over a cylinder, and turned by 60 degrees. CPU
+milliseconds, the median of several runs:
   graph, prepare    once for a shape and its boundary
   deform            the boundary moved again
-in full and with multiresolution, and of CGAL 5's Surface_mesh_deformation (ORIGINAL_ARAP, all of the
-boundary as control vertices; GPL, which is why it is linked here only): build and preprocess, one
-iteration. And how far each is from the rigid motion, over the diagonal, CGAL after 10 iterations.
-
-Ends with 1 unless, in the same run, a pass in full takes at maximum 2 iterations of CGAL's, one with
-multiresolution at maximum 1/2, the rigid motion is exact to 1e-12, and both resolutions keep the height
-of the bent shape within 1 %. Set VTK_SMP_MAX_THREADS=1 and OPENBLAS_NUM_THREADS=1.)";
+of method Full, of Multiresolution, and of CGAL 5's Surface_mesh_deformation (ORIGINAL_ARAP, all of the
+boundary as control vertices): build and preprocess, one iteration. rigid: how far the turned shape is
+from the rigid motion, over the diagonal, CGAL's after 10 iterations. height: of the bent shape over
+the boundary's mean; atrest: before. Set VTK_SMP_MAX_THREADS=1 and OPENBLAS_NUM_THREADS=1.)";
 
 using CgalMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using CgalDeformation =
   CGAL::Surface_mesh_deformation<CgalMesh, CGAL::Default, CGAL::Default, CGAL::ORIGINAL_ARAP>;
 
-/// CPU milliseconds of the median of `count` runs.
+/// CPU milliseconds, the median of `count` runs.
 double Median(int count, const std::function<void()>& work)
 {
-  std::vector<double> times;
-  for (int i = 0; i < count; ++i)
-  {
-    const double start = benchmark::CpuSeconds();
-    work();
-    times.push_back(1e3 * (benchmark::CpuSeconds() - start));
-  }
-  std::sort(times.begin(), times.end());
-  return times[count / 2];
+  return 1e3 * benchmark::MeasureMedian(count, work);
 }
 
 /// The largest part of what is above a twelfth of the height.
-shape::Mesh Patch(const shape::Mesh& closed)
+shape::Mesh CutPatch(const shape::Mesh& closed)
 {
   const double low = closed.Points.col(1).minCoeff(), high = closed.Points.col(1).maxCoeff();
   std::vector<int> kept;
@@ -100,10 +87,10 @@ struct Result
   double Residual, Height; ///< over the diagonal; of the bent shape over the border's mean
 };
 
-class Case
+class Patch
 {
 public:
-  explicit Case(const shape::Mesh& surface)
+  explicit Patch(const shape::Mesh& surface)
     : Surface(surface)
     , Loop(shape::FindManifoldBoundaryLoops(surface).front())
     , Handle(shape::BuildCurveHandle(surface.Points(this->Loop, Eigen::all), true))
@@ -133,16 +120,7 @@ public:
 
   Result Cgals() const
   {
-    CgalMesh mesh;
-    std::vector<CgalMesh::Vertex_index> corners;
-    for (const auto& point : this->Surface.Points.rowwise())
-    {
-      corners.push_back(mesh.add_vertex({ point(0), point(1), point(2) }));
-    }
-    for (const auto& triangle : this->Surface.Triangles.rowwise())
-    {
-      mesh.add_face(corners[triangle(0)], corners[triangle(1)], corners[triangle(2)]);
-    }
+    CgalMesh mesh = benchmark::ToCgal<CgalMesh::Point>(this->Surface);
     Result result{};
     std::unique_ptr<CgalDeformation> arap;
     result.Prepare = Median(5,
@@ -152,7 +130,7 @@ public:
         arap->insert_roi_vertices(mesh.vertices().begin(), mesh.vertices().end());
         for (const int point : this->Loop)
         {
-          arap->insert_control_vertex(corners[point]);
+          arap->insert_control_vertex(CgalMesh::Vertex_index(point));
         }
         arap->preprocess();
       });
@@ -162,7 +140,7 @@ public:
       {
         const auto position = positions.row(static_cast<Eigen::Index>(i));
         arap->set_target_position(
-          corners[this->Loop[i]], { position(0), position(1), position(2) });
+          CgalMesh::Vertex_index(this->Loop[i]), { position(0), position(1), position(2) });
       }
     };
     const auto points = [&]
@@ -170,7 +148,7 @@ public:
       Eigen::MatrixXd positions(this->Surface.Points.rows(), 3);
       for (Eigen::Index i = 0; i < positions.rows(); ++i)
       {
-        const auto& point = mesh.point(corners[i]);
+        const auto& point = mesh.point(CgalMesh::Vertex_index(static_cast<CgalMesh::size_type>(i)));
         positions.row(i) << point.x(), point.y(), point.z();
       }
       return positions;
@@ -209,57 +187,35 @@ private:
   Eigen::Matrix3d Turn;
 };
 
-bool Compare(const std::string& path, int points)
+void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
+  const std::string path = arguments.NextWord();
+  const int points = arguments.Setting("Points", 12500);
+  arguments.RequireAllRead();
+
   using Type = shape::DeformOptions::MultiresolutionType;
   const shape::Mesh surface =
-    Patch(shape::CoarsenSurface(benchmark::ReadOff(path, true), points).Surface);
-  const Case one(surface);
-  const double graph = Median(5, [&] { shape::BuildPointGraph(surface); });
-  std::printf("%s: %ld points, %ld triangles; graph %.1f ms\n", path.c_str(),
-    static_cast<long>(surface.Points.rows()), static_cast<long>(surface.Triangles.rows()), graph);
-  const auto report = [](const char* name, const Result& result)
+    CutPatch(shape::CoarsenSurface(benchmark::ReadOff(path, true), points).Surface);
+  const Patch patch(surface);
+  figures.Print(benchmark::Row()
+                  .Add("points", surface.Points.rows())
+                  .Add("triangles", surface.Triangles.rows())
+                  .Add("graph", Median(5, [&] { shape::BuildPointGraph(surface); }))
+                  .Add("atrest", patch.RestHeight()));
+  const auto report = [&](const std::string& name, const Result& result)
   {
-    std::printf("  %-16s prepare=%.1f deform=%.2f rigid=%.1e height=%.4f\n", name, result.Prepare,
-      result.Deform, result.Residual, result.Height);
-    std::fflush(stdout);
+    figures.Print(benchmark::Row()
+                    .Add("method", name)
+                    .Add("prepare", result.Prepare)
+                    .Add("deform", result.Deform)
+                    .Add("rigid", result.Residual)
+                    .Add("height", result.Height));
   };
-  const Result full = one.Ours(Type::Off);
-  report("Full", full);
-  const Result coarse = one.Ours(Type::On);
-  report("Multiresolution", coarse);
-  const Result cgal = one.Cgals();
-  report("CGAL ARAP", cgal);
-  std::printf(
-    "  of an iteration of CGAL's: in full %.2f, multiresolution %.2f; height at rest %.4f\n",
-    full.Deform / cgal.Deform, coarse.Deform / cgal.Deform, one.RestHeight());
-  const auto isHigh = [&](const Result& result)
-  { return std::abs(result.Height - full.Height) < 0.01 * full.Height; };
-  return full.Deform < 2.0 * cgal.Deform && coarse.Deform < 0.5 * cgal.Deform &&
-    full.Residual < 1e-12 && coarse.Residual < 1e-12 && isHigh(coarse);
+  report("Full", patch.Ours(Type::Off));
+  report("Multiresolution", patch.Ours(Type::On));
+  report("CGAL", patch.Cgals());
 }
+
+const benchmark::Entry Deform("deform", { Usage, Run });
 
 } // namespace
-
-int main(int argc, char** argv)
-{
-  if (argc < 2 || std::string(argv[1]) == "--help")
-  {
-    std::puts(Usage);
-    return argc < 2;
-  }
-  try
-  {
-    if (!Compare(argv[1], argc > 2 ? std::stoi(argv[2]) : 12500))
-    {
-      std::puts("not as quick, or not as exact, as it must be");
-      return 1;
-    }
-  }
-  catch (const std::exception& problem)
-  {
-    std::fprintf(stderr, "%s\n", problem.what());
-    return 1;
-  }
-  return 0;
-}

@@ -1,4 +1,4 @@
-#include "CornerBound.h"
+#include "Cases/CornerBound.h"
 
 #include "Search/ClosestPoint.h"
 

@@ -1,6 +1,6 @@
-// One map between two surfaces, in a process of its own: see Usage.
-#include "BenchmarkData.h"
-#include "Cost.h"
+// A map between two surfaces, beside the true one.
+#include "Driver/BenchmarkData.h"
+#include "Driver/Case.h"
 
 #include "Correspondence/Correspondence.h"
 #include "Correspondence/Evaluate/MapErrorCurve.h"
@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -21,7 +19,7 @@
 namespace
 {
 
-constexpr const char* Usage = R"(correspondence_case PAIR LANDMARKS METHOD FILE
+constexpr const char* Usage = R"(PAIR LANDMARKS METHOD FILE
 
 PAIR       a folder of CorrespondencePairs.py
 LANDMARKS  which of its files of landmarks, such as landmarks5.txt; none: without; mirrored: before it, such
@@ -32,10 +30,9 @@ METHOD     FunctionalMap, ReversibleHarmonic, ReversibleHarmonicFromCells, Gromo
            and measured
 FILE       else it is written: where each point of A goes; none: nothing is
 
-Prints one line: the seconds of a CPU and of the clock, the peak of memory above the start,
-shape::CorrespondenceResult's facts, and errors along B over the root of its area, times 1000, from
-the truth, at all points of A or, of more than 6000, at 400, and the mean of those from its mirror
-image, at 400, where it is known, else -1.)";
+One row: shape::CorrespondenceResult's facts, and errors along B over the root of its area, times
+1000, from the truth, at all points of A or, of more than 6000, at 400, and the mean of those from its
+mirror image, at 400, if it is known, else -1.)";
 
 /// The last three columns of a file of numbers, one row each line.
 Eigen::MatrixXd ReadPositions(const std::string& path)
@@ -138,10 +135,9 @@ shape::MapErrorCurveResult Errors(const shape::Mesh& a, const Eigen::MatrixXd& p
     a, positions, b, { a.Points(chosen, Eigen::all), truth(chosen, Eigen::all), {} });
 }
 
-void PrintErrors(const std::string& pair, const shape::Mesh& a, const shape::Mesh& b,
+benchmark::Row EvaluateErrors(const std::string& pair, const shape::Mesh& a, const shape::Mesh& b,
   const Eigen::MatrixXd& positions)
 {
-  std::fflush(stdout); // they may take longer than the map
   constexpr double thousand = 1000.0;
   // Exact geodesics of fine meshes, or to far places, take long: a few hundred tell the mean.
   constexpr Eigen::Index maximum = 6000, some = 400;
@@ -152,15 +148,21 @@ void PrintErrors(const std::string& pair, const shape::Mesh& a, const shape::Mes
   const double mirrored = hasMirrored
     ? thousand * Errors(a, positions, b, ReadPositions(pair + "/mirrored.txt"), few).Mean
     : -1.0;
-  std::printf(" mean=%.3f median=%.3f p95=%.3f max=%.2f mirroredmean=%.3f\n",
-    thousand * errors.Mean, thousand * errors.Median, thousand * errors.Percentile95,
-    thousand * errors.Maximum, mirrored);
+  return benchmark::Row()
+    .Add("mean", thousand * errors.Mean)
+    .Add("median", thousand * errors.Median)
+    .Add("p95", thousand * errors.Percentile95)
+    .Add("max", thousand * errors.Maximum)
+    .Add("mirroredmean", mirrored);
 }
 
-void Run(char** arguments)
+void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
-  const std::string pair = arguments[1], method = arguments[3], path = arguments[4];
-  std::string marks = arguments[2];
+  const std::string pair = arguments.NextWord();
+  std::string marks = arguments.NextWord();
+  const std::string method = arguments.NextWord(), path = arguments.NextWord();
+  arguments.RequireAllRead();
+
   const std::string prefix = "mirrored:";
   const bool isMirrored = marks.rfind(prefix, 0) == 0;
   const shape::Mesh a = ReadSurface(pair + "/A.off"), b = ReadSurface(pair + "/B.off");
@@ -173,7 +175,7 @@ void Run(char** arguments)
   }
   if (method == "Given")
   {
-    PrintErrors(pair, a, b, ReadPositions(path));
+    figures.Print(EvaluateErrors(pair, a, b, ReadPositions(path)));
     return;
   }
   const shape::Landmarks landmarks =
@@ -187,34 +189,27 @@ void Run(char** arguments)
   {
     Write(path, positions);
   }
-  std::printf("points=%td,%td cpu=%.2f wall=%.2f mib=%.0f dirichlet=%.4f trip=%.5f reversed=%.3f "
-              "found=%d distortion=%.4f mirrored=%.4f confidence=%.3f iterations=%d part=%d "
-              "scale=%.4f share=%.4f covered=%.3f turned=%d image=%d",
-    a.Points.rows(), b.Points.rows(), cost.Cpu, cost.Wall, cost.MiB, result.Facts.DirichletEnergy,
-    result.Facts.RoundTrip, result.Facts.ReversedArea, result.Found ? 1 : 0,
-    result.Start.Distortion, result.Start.MirroredDistortion, result.Start.Confidence,
-    result.Iterations, static_cast<int>(result.Part.Which), result.Part.Scale, result.Part.Share,
-    result.Facts.CoverageOfB, result.Facts.Mirrored ? 1 : 0, result.Start.MirrorImage ? 1 : 0);
-  PrintErrors(pair, a, b, positions);
+  figures.Print(benchmark::Row()
+                  .Add("points", a.Points.rows())
+                  .Add("pointsofb", b.Points.rows())
+                  .Add(cost)
+                  .Add("dirichlet", result.Facts.DirichletEnergy)
+                  .Add("trip", result.Facts.RoundTrip)
+                  .Add("reversed", result.Facts.ReversedArea)
+                  .Add("found", result.Found)
+                  .Add("distortion", result.Start.Distortion)
+                  .Add("mirrored", result.Start.MirroredDistortion)
+                  .Add("confidence", result.Start.Confidence)
+                  .Add("iterations", result.Iterations)
+                  .Add("part", static_cast<int>(result.Part.Which))
+                  .Add("scale", result.Part.Scale)
+                  .Add("share", result.Part.Share)
+                  .Add("covered", result.Facts.CoverageOfB)
+                  .Add("turned", result.Facts.Mirrored)
+                  .Add("image", result.Start.MirrorImage)
+                  .Append(EvaluateErrors(pair, a, b, positions)));
 }
+
+const benchmark::Entry Correspondence("correspondence", { Usage, Run });
 
 } // namespace
-
-int main(int argc, char** argv)
-{
-  if (argc != 5)
-  {
-    std::fputs(Usage, stderr);
-    return 1;
-  }
-  try
-  {
-    Run(argv);
-  }
-  catch (const std::exception& problem)
-  {
-    std::fprintf(stderr, "%s, %s: %s\n", argv[1], argv[3], problem.what());
-    return 1;
-  }
-  return 0;
-}

@@ -1,6 +1,6 @@
-// What is hard about surfaces: surface_facts MODEL ... prints one line for each OFF file, with
-// points at the same place joined.
-#include "BenchmarkData.h"
+// What is hard about a surface.
+#include "Driver/BenchmarkData.h"
+#include "Driver/Case.h"
 
 #include "Geometry/SelfIntersections.h"
 #include "Mesh/Topology.h"
@@ -9,9 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <exception>
-#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,20 +16,27 @@
 namespace
 {
 
+constexpr const char* Usage = R"(MODEL
+
+MODEL  an OFF file; points at the same position are joined, the longest side of its box is made 1
+
+Sizes, genus and whether it is a closed manifold; pairs of triangles that cross and how many triangles
+that are; triangles without area, and points whose triangles have none; then percentiles of the triangles:
+aspect (50, 90, 99, 100 %; 1 if equilateral), mean edge (1, 50, 99, 100 %), and thickness of the solid
+over the mean edge there (1, 5, 25, 50 %).)";
+
 constexpr double None = 1e30;
 
-std::string Percentiles(std::vector<double> values, const std::vector<double>& shares)
+std::vector<double> Percentiles(std::vector<double> values, const std::vector<double>& shares)
 {
   std::sort(values.begin(), values.end());
-  std::string text;
-  for (const double share : shares)
+  std::vector<double> found;
+  for (const double share : values.empty() ? std::vector<double>() : shares)
   {
-    const auto position = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-    char number[32];
-    std::snprintf(number, sizeof(number), "%s%.3g", text.empty() ? "" : "/", values[position]);
-    text += number;
+    found.push_back(
+      values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))]);
   }
-  return text;
+  return found;
 }
 
 /// How far from a triangle's centroid, against its normal, the surface is hit again; None where it
@@ -58,20 +62,12 @@ double Thickness(const shape::Mesh& mesh, const Eigen::MatrixXd& normals, int tr
   return nearest;
 }
 
-void Print(const std::string& path)
+void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
+  const std::string path = arguments.NextWord();
+  arguments.RequireAllRead();
   const shape::Mesh mesh = benchmark::ReadOff(path, true);
-  const std::string name = std::filesystem::path(path).stem().string();
-  shape::Topology topology;
-  try
-  {
-    topology = shape::ComputeTopology(mesh);
-  }
-  catch (const std::exception& problem)
-  {
-    std::printf("%s: %s\n", name.c_str(), problem.what());
-    return;
-  }
+  const shape::Topology topology = shape::ComputeTopology(mesh);
   const std::vector<int> flat = shape::FindDegenerateTriangles(mesh);
   std::vector<int> round;
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
@@ -122,35 +118,25 @@ void Print(const std::string& path)
   }
   const bool closed = topology.BoundaryLoops == 0 && topology.NonManifoldEdges == 0 &&
     topology.NonManifoldPoints == 0;
-  std::printf("%s: vertices %d, triangles %d, components %d, genus %g, closed manifold %s (open "
-              "loops %d, non-manifold edges %d, pinched points %d, misoriented edges %d); "
-              "crossing pairs %d (%d triangles); flat triangles %d, vertices without area %d; "
-              "aspect (50/90/99/100 %%) %s; mean edge / size (1/50/99/100 %%) %s; thickness / "
-              "local edge (1/5/25/50 %%) %s\n",
-    name.c_str(), static_cast<int>(mesh.Points.rows()), static_cast<int>(mesh.Triangles.rows()),
-    topology.Components, topology.Components - 0.5 * topology.EulerNumber, closed ? "yes" : "NO",
-    topology.BoundaryLoops, topology.NonManifoldEdges, topology.NonManifoldPoints,
-    topology.MisorientedEdges, static_cast<int>(crossings.size()), static_cast<int>(crossed.size()),
-    static_cast<int>(flat.size()), withoutArea, Percentiles(aspects, { 0.5, 0.9, 0.99, 1 }).c_str(),
-    Percentiles(edges, { 0.01, 0.5, 0.99, 1 }).c_str(),
-    Percentiles(thickness, { 0.01, 0.05, 0.25, 0.5 }).c_str());
-  std::fflush(stdout);
+  figures.Print(benchmark::Row()
+                  .Add("vertices", mesh.Points.rows())
+                  .Add("triangles", mesh.Triangles.rows())
+                  .Add("components", topology.Components)
+                  .Add("genus", topology.Components - 0.5 * topology.EulerNumber)
+                  .Add("closed", closed)
+                  .Add("openloops", topology.BoundaryLoops)
+                  .Add("nonmanifold", topology.NonManifoldEdges)
+                  .Add("pinched", topology.NonManifoldPoints)
+                  .Add("misoriented", topology.MisorientedEdges)
+                  .Add("crossingpairs", crossings.size())
+                  .Add("crossing", crossed.size())
+                  .Add("flat", flat.size())
+                  .Add("withoutarea", withoutArea)
+                  .Add("aspect", Percentiles(aspects, { 0.5, 0.9, 0.99, 1 }))
+                  .Add("edge", Percentiles(edges, { 0.01, 0.5, 0.99, 1 }))
+                  .Add("thickness", Percentiles(thickness, { 0.01, 0.05, 0.25, 0.5 })));
 }
+
+const benchmark::Entry SurfaceFacts("surface_facts", { Usage, Run });
 
 } // namespace
-
-int main(int count, char** paths)
-{
-  for (int i = 1; i < count; ++i)
-  {
-    try
-    {
-      Print(paths[i]);
-    }
-    catch (const std::exception& problem)
-    {
-      std::printf("%s: %s\n", paths[i], problem.what());
-    }
-  }
-  return count > 1 ? 0 : 1;
-}

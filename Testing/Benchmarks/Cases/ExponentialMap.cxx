@@ -1,5 +1,6 @@
-// Exponential maps around random seeds of a surface, measured: see Usage.
-#include "BenchmarkData.h"
+// Exponential maps around random seeds of a surface.
+#include "Driver/BenchmarkData.h"
+#include "Driver/Case.h"
 
 #include "ExponentialMap/ExponentialMap.h"
 #include "ExponentialMap/PatchLayout.h"
@@ -7,9 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <ctime>
-#include <exception>
 #include <functional>
 #include <limits>
 #include <random>
@@ -19,14 +17,14 @@
 namespace
 {
 
-constexpr const char* Usage = R"(exponential_map_case MODEL SHARE JITTER SEEDS
+constexpr const char* Usage = R"(MODEL SHARE JITTER SEEDS
 
 MODEL   an OFF file; points at the same position are joined, the longest side of its box is made 1
 SHARE   of the diagonal of the box: the radius
 JITTER  each point is moved by a random vector from a ball of so many mean edges
 SEEDS   how many, at random positions
 
-Prints a line for eq. 10 (single), eq. 11 (mean) and eq. 11 with smoothed normals (smoothed): the
+A row for eq. 10 (single), eq. 11 (mean) and eq. 11 with smoothed normals (smoothed): the
 percentages of triangles that are flipped and of those that are not torn, of patches without a flip
 but torn ones, before and after mending, the mean over patches of the median symmetric Dirichlet
 measure and of the 95th percentile of the conformal distortion, and microseconds of a CPU for each
@@ -99,13 +97,17 @@ void Measure(Method& method, const shape::ExponentialPatch& patch, double radius
 
 double Seconds(const std::function<void()>& run)
 {
-  const std::clock_t start = std::clock();
+  const double start = benchmark::CpuSeconds();
   run();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return benchmark::CpuSeconds() - start;
 }
 
-void Run(const std::string& model, double share, double jitter, int count)
+void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
+  const std::string model = arguments.NextWord();
+  const double share = arguments.NextNumber(), jitter = arguments.NextNumber();
+  const int count = arguments.NextInteger();
+  arguments.RequireAllRead();
   constexpr int runs = 7;
   const shape::Mesh mesh = Jittered(benchmark::ReadOff(model, true), jitter);
   const double radius = share * shape::ComputeBoxDiagonal(mesh.Points);
@@ -160,32 +162,20 @@ void Run(const std::string& model, double share, double jitter, int count)
       method.Seconds += seconds[m];
       method.WholeSeconds += seconds[3 + m];
     }
-    std::printf("%s triangles=%.0f flipped=%.4f untorn=%.4f clean=%.1f mended=%.1f dirichlet=%.4f "
-                "conformal=%.4f microseconds=%.1f whole=%.1f\n",
-      method.Name, method.Triangles / count, 100.0 * method.Flipped / method.Triangles,
-      100.0 * method.Untorn / method.Triangles, 100.0 * method.Clean / count,
-      100.0 * method.Mended / count, method.Dirichlet / count, method.Conformal / count,
-      1e6 * method.Seconds / count, 1e6 * method.WholeSeconds / count);
+    figures.Print(benchmark::Row()
+                    .Add("map", std::string(method.Name))
+                    .Add("triangles", method.Triangles / count)
+                    .Add("flipped", 100.0 * method.Flipped / method.Triangles)
+                    .Add("untorn", 100.0 * method.Untorn / method.Triangles)
+                    .Add("clean", 100.0 * method.Clean / count)
+                    .Add("mended", 100.0 * method.Mended / count)
+                    .Add("dirichlet", method.Dirichlet / count)
+                    .Add("conformal", method.Conformal / count)
+                    .Add("microseconds", 1e6 * method.Seconds / count)
+                    .Add("whole", 1e6 * method.WholeSeconds / count));
   }
 }
+
+const benchmark::Entry ExponentialMap("exponential_map", { Usage, Run });
 
 } // namespace
-
-int main(int argc, char** argv)
-{
-  if (argc != 5)
-  {
-    std::fputs(Usage, stderr);
-    return 1;
-  }
-  try
-  {
-    Run(argv[1], std::stod(argv[2]), std::stod(argv[3]), std::stoi(argv[4]));
-  }
-  catch (const std::exception& problem)
-  {
-    std::fprintf(stderr, "%s: %s\n", argv[1], problem.what());
-    return 1;
-  }
-  return 0;
-}

@@ -1,6 +1,7 @@
-// Holes filled by ShapeMap and by CGAL's triangulate_refine_and_fair_hole, in one run: see Usage.
-#include "BenchmarkData.h"
-#include "Cost.h"
+// Holes filled by ShapeMap and by CGAL's triangulate_refine_and_fair_hole, in one run.
+#include "Cases/CgalMesh.h"
+#include "Driver/BenchmarkData.h"
+#include "Driver/Case.h"
 
 #include "Fill/FillHoles.h"
 #include "Fill/Private/PatchSelfIntersections.h"
@@ -11,13 +12,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <exception>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
@@ -26,20 +25,20 @@
 namespace
 {
 
-constexpr const char* Usage = R"(fill_case [[--none] MODEL ...]
+constexpr const char* Usage = R"([MODEL]
+
+Each of our methods, and CGAL 5's triangulate_refine_and_fair_hole (its default, C1); CPU seconds are
+the median of five runs.
 
 Without a model: the unit sphere, an icosahedron's faces each in 22 x 22 triangles (9,680 in all), of
-which those within 20, 40, 70 and 110 degrees of an axis that is no symmetry's are removed. For each:
-the RMS distance of the new points from the sphere, in % of its radius, and CPU seconds, for each of
-our methods and for CGAL 5's triangulate_refine_and_fair_hole (its default, C1; GPL, which is why it is
-linked here only). Each is run five times, and the median counts. Ends with 1 unless Automatic stays
-below 0.1 % (20), 0.6 % (40) and 4 % (70 and 110), and, up to 70, below five times CGAL's time.
+which those within 20, 40, 70 and 110 degrees of an axis that is no symmetry's are removed. error is the
+RMS distance of the new points from the sphere, in % of its radius; new counts triangles.
 
-With models (OFF): all of their holes; triangles, the mean angle between the normals at the rims and
-those of the surface there, pairs of triangles that meet, one of them new, and CPU seconds. Points at
-the same position are left as they are. CGAL's loops are its extract_boundary_cycles'. Ends with 1 unless
-Automatic leaves no hole open, and no more pairs that meet than CGAL and each of our methods; --none:
-none at all.)";
+With a model (OFF): all of its holes. Points at the same position are left as they are. The first row is
+what the model is: loops, and those that do not touch themselves. Then of each method: new triangles,
+loops left open, the mean angle in degrees between the normals at the rims and those of the surface
+there (across), pairs of triangles that meet, one of them new (crossings). CGAL's loops are its
+extract_boundary_cycles'.)";
 
 using CgalMesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
@@ -124,21 +123,6 @@ shape::Mesh WithoutCap(const shape::Mesh& sphere, double degrees)
   return open;
 }
 
-CgalMesh ToCgal(const shape::Mesh& mesh)
-{
-  CgalMesh converted;
-  std::vector<CgalMesh::Vertex_index> corners;
-  for (const auto& point : mesh.Points.rowwise())
-  {
-    corners.push_back(converted.add_vertex({ point(0), point(1), point(2) }));
-  }
-  for (const auto& triangle : mesh.Triangles.rowwise())
-  {
-    converted.add_face(corners[triangle(0)], corners[triangle(1)], corners[triangle(2)]);
-  }
-  return converted;
-}
-
 shape::Mesh FromCgal(const CgalMesh& mesh)
 {
   shape::Mesh converted{ Eigen::MatrixXd(mesh.number_of_vertices(), 3),
@@ -161,7 +145,7 @@ shape::Mesh FromCgal(const CgalMesh& mesh)
   return converted;
 }
 
-void FillByCgal(CgalMesh& mesh)
+void FillCgalMesh(CgalMesh& mesh)
 {
   namespace pmp = CGAL::Polygon_mesh_processing;
   std::vector<CgalMesh::Halfedge_index> cycles;
@@ -175,7 +159,7 @@ void FillByCgal(CgalMesh& mesh)
   }
 }
 
-struct Run
+struct Filling
 {
   shape::Mesh Surface; ///< filled; what was there comes first
   double Seconds = 0.0;
@@ -183,52 +167,31 @@ struct Run
 
 constexpr int Runs = 5;
 
-template <typename Method>
-double MedianSeconds(const Method& method)
+Filling FillByShapeMap(const shape::Mesh& mesh, shape::FillMethod method)
 {
-  std::vector<double> seconds;
-  for (int run = 0; run < Runs; ++run)
-  {
-    seconds.push_back(method());
-  }
-  std::sort(seconds.begin(), seconds.end());
-  return seconds[Runs / 2];
-}
-
-Run Ours(const shape::Mesh& mesh, shape::FillMethod method)
-{
-  Run run;
+  Filling filling;
   shape::FillHolesOptions options;
   options.Method = method;
-  run.Seconds = MedianSeconds(
-    [&]
-    {
-      const benchmark::Cost cost =
-        benchmark::Measure([&] { run.Surface = shape::FillHoles(mesh, options).Surface; });
-      return cost.Cpu;
-    });
-  return run;
+  filling.Seconds = benchmark::MeasureMedian(
+    Runs, [&] { filling.Surface = shape::FillHoles(mesh, options).Surface; });
+  return filling;
 }
 
-Run Cgals(const shape::Mesh& mesh)
+Filling FillByCgal(const shape::Mesh& mesh)
 {
-  Run run;
-  run.Seconds = MedianSeconds(
-    [&]
-    {
-      CgalMesh filled = ToCgal(mesh);
-      const benchmark::Cost cost = benchmark::Measure([&] { FillByCgal(filled); });
-      run.Surface = FromCgal(filled);
-      return cost.Cpu;
-    });
-  return run;
+  Filling filling;
+  std::vector<CgalMesh> filled(Runs, benchmark::ToCgal<CgalMesh::Point>(mesh));
+  std::size_t run = 0;
+  filling.Seconds = benchmark::MeasureMedian(Runs, [&] { FillCgalMesh(filled[run++]); });
+  filling.Surface = FromCgal(filled.front());
+  return filling;
 }
 
 /// % of the radius.
-double RadiusError(const Run& run, Eigen::Index first)
+double RadiusError(const shape::Mesh& surface, Eigen::Index first)
 {
   const Eigen::ArrayXd errors =
-    run.Surface.Points.bottomRows(run.Surface.Points.rows() - first).rowwise().norm().array() - 1.0;
+    surface.Points.bottomRows(surface.Points.rows() - first).rowwise().norm().array() - 1.0;
   return 100.0 * std::sqrt(errors.square().mean());
 }
 
@@ -262,109 +225,72 @@ double AngleAcross(const shape::Mesh& surface, Eigen::Index old)
   return count > 0 ? sum / count * 180.0 / M_PI : 0.0;
 }
 
-const std::array<std::pair<const char*, shape::FillMethod>, 4> Methods = { {
-  { "Automatic", shape::FillMethod::Automatic },
-  { "Fair", shape::FillMethod::Fair },
-  { "Deformation", shape::FillMethod::Deformation },
-  { "Membrane", shape::FillMethod::Membrane },
-} };
+/// Fills by each method; `describe` adds to a row what a filled surface is like.
+void FillByEach(const shape::Mesh& open, benchmark::Figures& figures, const benchmark::Row& first,
+  const std::function<void(benchmark::Row&, const shape::Mesh&)>& describe)
+{
+  const auto report = [&](const std::string& name, const Filling& filling)
+  {
+    benchmark::Row row = first;
+    row.Add("method", name).Add("new", filling.Surface.Triangles.rows() - open.Triangles.rows());
+    describe(row, filling.Surface);
+    figures.Print(row.Add("cpu", filling.Seconds));
+  };
+  report("CGAL", FillByCgal(open));
+  report("Automatic", FillByShapeMap(open, shape::FillMethod::Automatic));
+  report("Fair", FillByShapeMap(open, shape::FillMethod::Fair));
+  report("Deformation", FillByShapeMap(open, shape::FillMethod::Deformation));
+  report("Membrane", FillByShapeMap(open, shape::FillMethod::Membrane));
+}
 
-bool CompareOnSphere()
+void FillSphere(benchmark::Figures& figures)
 {
   const shape::Mesh sphere = FineIcosahedron(22);
-  bool good = true;
-  for (const auto& [degrees, bound, slowness] :
-    { std::array<double, 3>{ 20, 0.1, 5 }, { 40, 0.6, 5 }, { 70, 4, 5 }, { 110, 4, 100 } })
+  for (const int degrees : { 20, 40, 70, 110 })
   {
     const shape::Mesh open = WithoutCap(sphere, degrees);
-    const Run cgal = Cgals(open);
-    std::printf("%g degrees\n  CGAL         error=%.4f%% triangles=%ld seconds=%.4f\n", degrees,
-      RadiusError(cgal, open.Points.rows()),
-      long(cgal.Surface.Triangles.rows() - open.Triangles.rows()), cgal.Seconds);
-    for (const auto& [name, method] : Methods)
-    {
-      const Run run = Ours(open, method);
-      const double error = RadiusError(run, open.Points.rows());
-      std::printf("  %-12s error=%.4f%% triangles=%ld seconds=%.4f (%.2f of CGAL's)\n", name, error,
-        long(run.Surface.Triangles.rows() - open.Triangles.rows()), run.Seconds,
-        run.Seconds / cgal.Seconds);
-      if (method == shape::FillMethod::Automatic)
-      {
-        good = good && error < bound && run.Seconds < slowness * cgal.Seconds;
-      }
-    }
+    FillByEach(open, figures, benchmark::Row().Add("degrees", degrees),
+      [&](benchmark::Row& row, const shape::Mesh& surface)
+      { row.Add("error", RadiusError(surface, open.Points.rows())); });
   }
-  return good;
 }
 
-/// What a filled surface is like.
-struct Soundness
-{
-  std::size_t BoundaryLoops = 0; ///< a seam, where points are doubled, is none
-  std::size_t Crossings = 0;
-};
-
-Soundness Report(const char* name, const Run& run, const shape::Mesh& open)
-{
-  const auto old = static_cast<int>(open.Triangles.rows());
-  const Soundness is{ shape::FindBoundaryLoops(run.Surface).Loops.size(),
-    shape::FindPatchSelfIntersections(run.Surface, old).size() };
-  std::printf("  %-12s new=%ld open=%zu across=%.2f crossings=%zu seconds=%.4f\n", name,
-    long(run.Surface.Triangles.rows() - old), is.BoundaryLoops, AngleAcross(run.Surface, old),
-    is.Crossings, run.Seconds);
-  std::fflush(stdout);
-  return is;
-}
-
-bool CompareOnModel(const std::string& path, bool mayMeet)
+void FillModel(const std::string& path, benchmark::Figures& figures)
 {
   const shape::Mesh open = benchmark::ReadOff(path, false);
-  std::printf("%s: %ld triangles, %d loops, %zu that do not touch themselves\n", path.c_str(),
-    long(open.Triangles.rows()), shape::ComputeTopology(open).BoundaryLoops,
-    shape::FindBoundaryLoops(open).Loops.size());
-  std::size_t minimum = Report("CGAL", Cgals(open), open).Crossings;
-  Soundness automatic;
-  for (const auto& [name, method] : Methods)
-  {
-    const Soundness is = Report(name, Ours(open, method), open);
-    minimum = std::min(minimum, is.Crossings);
-    automatic = method == shape::FillMethod::Automatic ? is : automatic;
-  }
-  return automatic.BoundaryLoops == 0 && automatic.Crossings <= (mayMeet ? minimum : 0);
+  figures.Print(benchmark::Row()
+                  .Add("triangles", open.Triangles.rows())
+                  .Add("loops", shape::ComputeTopology(open).BoundaryLoops)
+                  .Add("simple", shape::FindBoundaryLoops(open).Loops.size()));
+  FillByEach(open, figures, {},
+    [&](benchmark::Row& row, const shape::Mesh& surface)
+    {
+      const auto old = static_cast<int>(open.Triangles.rows());
+      // A seam, where points are doubled, is no open loop.
+      row.Add("open", shape::FindBoundaryLoops(surface).Loops.size())
+        .Add("across", AngleAcross(surface, old))
+        .Add("crossings", shape::FindPatchSelfIntersections(surface, old).size());
+    });
 }
+
+void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
+{
+  const std::vector<std::string> models = arguments.RemainingWords();
+  if (models.size() > 1)
+  {
+    throw benchmark::UsageError("more than one model");
+  }
+  arguments.RequireAllRead();
+  if (models.empty())
+  {
+    FillSphere(figures);
+  }
+  else
+  {
+    FillModel(models.front(), figures);
+  }
+}
+
+const benchmark::Entry FillHoles("fill_holes", { Usage, Run });
 
 } // namespace
-
-int main(int argc, char** argv)
-{
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  try
-  {
-    if (!words.empty() && words.front() == "--help")
-    {
-      std::puts(Usage);
-      return 0;
-    }
-    if (words.empty() && !CompareOnSphere())
-    {
-      std::puts("Automatic is not as good or not as quick as it must be");
-      return 1;
-    }
-    const bool mayMeet = words.empty() || words.front() != "--none";
-    bool good = true;
-    for (std::size_t i = mayMeet ? 0 : 1; i < words.size(); ++i)
-    {
-      if (!CompareOnModel(words[i], mayMeet))
-      {
-        std::puts("  Automatic leaves a hole open, or meets more than it must");
-        good = false;
-      }
-    }
-    return good ? 0 : 1;
-  }
-  catch (const std::exception& problem)
-  {
-    std::fprintf(stderr, "%s\n", problem.what());
-    return 1;
-  }
-}

@@ -1,29 +1,27 @@
-// One measurement of the spectrum of a surface's Laplacian, in a process of its own: see Usage.
-#include "BenchmarkData.h"
-#include "Cost.h"
+// The spectrum of a surface's Laplacian.
+#include "Driver/BenchmarkData.h"
+#include "Driver/Case.h"
 
 #include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <string>
 
 namespace
 {
 
-constexpr const char* Usage = R"(spectrum_case MODEL PAIRS FILE
+constexpr const char* Usage = R"(MODEL PAIRS FILE
 
 MODEL  an OFF file; points at the same position are joined, the longest side of its box is made 1
 PAIRS  how many of the minimum eigenvalues
 FILE   is written: the matrices that the pairs are of, as doubles: n, the n masses, the number of
        entries of the stiffness, their rows, columns and values
 
-Prints one line: the seconds of a CPU and of the clock, the peak of memory above the start and the
-worst |L f - lambda M f| / (lambda |M f|) of the pairs after the first.)";
+residual is the worst |L f - lambda M f| / (lambda |M f|) of the pairs after the first; first and last
+are the first and the last positive eigenvalue.)";
 
 void Write(const std::string& path, const Eigen::SparseMatrix<double>& stiffness,
   const Eigen::VectorXd& masses)
@@ -50,8 +48,13 @@ void Write(const std::string& path, const Eigen::SparseMatrix<double>& stiffness
   writeEach([](const Entry& entry) { return entry.value(); });
 }
 
-void Run(const std::string& model, int pairs, const std::string& path)
+void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
+  const std::string model = arguments.NextWord();
+  const int pairs = arguments.NextInteger();
+  const std::string path = arguments.NextWord();
+  arguments.RequireAllRead();
+
   const shape::Mesh mesh = benchmark::ReadOff(model, true);
   shape::LaplaceSpectrum spectrum;
   const benchmark::Cost cost =
@@ -68,29 +71,15 @@ void Run(const std::string& model, int pairs, const std::string& path)
       spectrum.Eigenvalues(k) * spectrum.Masses.cwiseProduct(function);
     worst = std::max(worst, (stiffness * function - weighted).norm() / weighted.norm());
   }
-  std::printf(
-    "points=%td pairs=%d cpu=%.2f wall=%.2f mib=%.0f residual=%.2g first=%.9g last=%.9g\n",
-    mesh.Points.rows(), pairs, cost.Cpu, cost.Wall, cost.MiB, worst, spectrum.Eigenvalues(1),
-    spectrum.Eigenvalues(pairs - 1));
+  figures.Print(benchmark::Row()
+                  .Add("points", mesh.Points.rows())
+                  .Add("pairs", pairs)
+                  .Add(cost)
+                  .Add("residual", worst)
+                  .Add("first", spectrum.Eigenvalues(1))
+                  .Add("last", spectrum.Eigenvalues(pairs - 1)));
 }
+
+const benchmark::Entry LaplaceSpectrum("laplace_spectrum", { Usage, Run });
 
 } // namespace
-
-int main(int argc, char** argv)
-{
-  if (argc != 4)
-  {
-    std::fputs(Usage, stderr);
-    return 1;
-  }
-  try
-  {
-    Run(argv[1], std::stoi(argv[2]), argv[3]);
-  }
-  catch (const std::exception& problem)
-  {
-    std::fprintf(stderr, "%s: %s\n", argv[1], problem.what());
-    return 1;
-  }
-  return 0;
-}

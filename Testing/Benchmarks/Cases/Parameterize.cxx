@@ -1,6 +1,6 @@
-// Sphere, disk, free-boundary and orbifold maps of one surface, in a process of its own: see Usage.
-#include "BenchmarkData.h"
-#include "Cost.h"
+// Sphere, disk, free-boundary and orbifold maps of one surface.
+#include "Driver/BenchmarkData.h"
+#include "Driver/Case.h"
 
 #include "Base/Errors.h"
 #include "Geodesics/EdgeGeodesics.h"
@@ -15,9 +15,7 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <exception>
-#include <functional>
 #include <limits>
 #include <set>
 #include <string>
@@ -26,13 +24,13 @@
 namespace
 {
 
-constexpr const char* Usage = R"(flat_case MODEL
+constexpr const char* Usage = R"(MODEL
 
 MODEL  an OFF file; points at the same position are joined, the longest side of its box is made 1
 
-Prints a line of what the surface is; where it is one component of genus 0 then one for each map:
-its name, triangles that exact orientations call flipped (-1 where the map is refused), the mean
-symmetric Dirichlet energy, the mean conformal distortion, iterations, CPU seconds and what it says.
+The first row is what the surface is. If it is one component of genus 0, a row for each map follows:
+triangles that exact orientations call flipped (-1 if the map is refused), the mean symmetric
+Dirichlet energy, the mean conformal distortion, iterations, CPU seconds and what it says.
 A closed surface is mapped to the sphere and to orbifolds whose cones are far from each other, and
 cut open along a tree of paths between points far from each other for the others.)";
 
@@ -62,8 +60,8 @@ int FlipsInPlane(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& image)
   return flips;
 }
 
-void Report(const std::string& name, const shape::Mesh& mesh, const Eigen::MatrixXd& landmarks,
-  const shape::ParameterizeOptions& options)
+void Report(benchmark::Figures& figures, const std::string& name, const shape::Mesh& mesh,
+  const Eigen::MatrixXd& landmarks, const shape::ParameterizeOptions& options)
 {
   shape::ParameterizeResult map;
   std::string message;
@@ -88,10 +86,14 @@ void Report(const std::string& name, const shape::Mesh& mesh, const Eigen::Matri
       ? FlipsInPlane(map.Cut.Surface.Triangles, map.CutPositions)
       : FlipsInPlane(mesh.Triangles, map.Positions);
   }
-  std::printf("%s flips=%d energy=%.6g conformal=%.5g iterations=%d cpu=%.2f %s\n", name.c_str(),
-    flips, map.Energy, map.ConformalDistortion, map.Iterations, cost.Cpu,
-    message.empty() ? map.Method.c_str() : message.c_str());
-  std::fflush(stdout);
+  figures.Print(benchmark::Row()
+                  .Add("map", name)
+                  .Add("flips", flips)
+                  .Add("energy", map.Energy)
+                  .Add("conformal", map.ConformalDistortion)
+                  .Add("iterations", map.Iterations)
+                  .Add(cost)
+                  .Add("message", message.empty() ? map.Method : message));
 }
 
 /// Cut along shortest paths that join each point to the tree of those before it.
@@ -131,28 +133,34 @@ shape::Mesh CutAlongTree(const shape::Mesh& mesh, const std::vector<int>& points
   return shape::CutAlongEdges(mesh, edges).Surface;
 }
 
-void MapToPlane(const shape::Mesh& mesh, bool hasOneLoop)
+void MapToPlane(benchmark::Figures& figures, const shape::Mesh& mesh, bool hasOneLoop)
 {
   const Eigen::MatrixXd none(0, 3);
   shape::ParameterizeOptions options;
   options.Domain = Domain::Disk;
   if (hasOneLoop)
   {
-    Report("Disk", mesh, none, options);
+    Report(figures, "Disk", mesh, none, options);
   }
   options.Domain = Domain::FreeBoundary;
-  Report("Conformal", mesh, none, options);
+  Report(figures, "Conformal", mesh, none, options);
   options.Refine = Refine::SymmetricDirichlet;
-  Report("FreeBoundary", mesh, none, options);
+  Report(figures, "FreeBoundary", mesh, none, options);
 }
 
-void Run(const std::string& path)
+void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
+  const std::string path = arguments.NextWord();
+  arguments.RequireAllRead();
   shape::Mesh mesh = benchmark::ReadOff(path, true);
   const shape::Topology topology = shape::RequireManifold(mesh, "the surface");
   const double genus = 0.5 * (2 - topology.BoundaryLoops - topology.EulerNumber);
-  std::printf("points=%td triangles=%td components=%d loops=%d genus=%g\n", mesh.Points.rows(),
-    mesh.Triangles.rows(), topology.Components, topology.BoundaryLoops, genus);
+  figures.Print(benchmark::Row()
+                  .Add("points", mesh.Points.rows())
+                  .Add("triangles", mesh.Triangles.rows())
+                  .Add("components", topology.Components)
+                  .Add("loops", topology.BoundaryLoops)
+                  .Add("genus", genus));
   if (topology.Components != 1 || genus != 0.0)
   {
     return;
@@ -160,11 +168,11 @@ void Run(const std::string& path)
   mesh = shape::SplitComponents(mesh).front(); // without points that no triangle uses
   if (topology.BoundaryLoops > 0)
   {
-    MapToPlane(mesh, topology.BoundaryLoops == 1);
+    MapToPlane(figures, mesh, topology.BoundaryLoops == 1);
     return;
   }
   mesh = shape::OrientOutwards(mesh);
-  Report("Sphere", mesh, Eigen::MatrixXd(0, 3), {});
+  Report(figures, "Sphere", mesh, Eigen::MatrixXd(0, 3), {});
   constexpr int branches = 12;
   std::vector<int> far = shape::SampleFarthestPoints(mesh, branches + 1);
   far.erase(far.begin()); // which is anywhere
@@ -175,29 +183,13 @@ void Run(const std::string& path)
     if (far.size() >= cones)
     {
       const std::vector<int> first(far.begin(), far.begin() + static_cast<std::ptrdiff_t>(cones));
-      Report("Orbifold" + std::to_string(cones), mesh, mesh.Points(first, Eigen::all), options);
+      Report(
+        figures, "Orbifold" + std::to_string(cones), mesh, mesh.Points(first, Eigen::all), options);
     }
   }
-  MapToPlane(CutAlongTree(mesh, far), true);
+  MapToPlane(figures, CutAlongTree(mesh, far), true);
 }
+
+const benchmark::Entry Parameterize("parameterize", { Usage, Run });
 
 } // namespace
-
-int main(int argc, char** argv)
-{
-  if (argc != 2)
-  {
-    std::fputs(Usage, stderr);
-    return 1;
-  }
-  try
-  {
-    Run(argv[1]);
-  }
-  catch (const std::exception& problem)
-  {
-    std::fprintf(stderr, "%s\n", problem.what());
-    return 1;
-  }
-  return 0;
-}

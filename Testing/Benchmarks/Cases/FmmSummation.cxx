@@ -1,16 +1,13 @@
-// Measures the sums of 1/r, as lines "name value ...", for FmmSummation.py. All times are CPU
-// seconds of the process, medians of five.
+// The sums of 1/r: what the processor allows, pair by pair, and by the multipole method.
+#include "Driver/Case.h"
+
 #include "Fmm/DirectSummation.h"
 #include "Fmm/FmmSummation.h"
 
 #include <hwy/targets.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <random>
 #include <string>
@@ -18,24 +15,18 @@
 namespace
 {
 
-double CpuSeconds()
-{
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return now.tv_sec + 1e-9 * now.tv_nsec;
-}
+constexpr const char* Usage = R"(
+
+CPU seconds on one thread, medians of five. The first row: instructions per second of FMAs alone (fma) and
+of a mixture with three additions among fourteen (mixed), on vectors of so many doubles. Then, for one,
+two and three charges at a source, pairs per second pair by pair, of potentials and of gradients. Then the
+multipole method for points on or inside a bumpy sphere: set-up, sum, gradients, and the error at 2000 of
+the points, RMS and at most, over the sum of the terms' magnitudes.)";
 
 double Median(const std::function<void()>& body)
 {
-  std::array<double, 5> seconds{};
-  for (double& one : seconds)
-  {
-    const double start = CpuSeconds();
-    body();
-    one = CpuSeconds() - start;
-  }
-  std::sort(seconds.begin(), seconds.end());
-  return seconds[2];
+  constexpr int runs = 5;
+  return benchmark::MeasureMedian(runs, body);
 }
 
 // Independent instructions on the registers of a list, in assembly: what compilers make of
@@ -102,8 +93,8 @@ Eigen::MatrixXd Inside(int count)
 }
 
 /// Times of the multipole sum, and its error at 2000 of the points.
-void Compare(const std::string& name, const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
-  const Eigen::MatrixXd& charges, double tolerance)
+void Compare(benchmark::Figures& figures, const std::string& where, const Eigen::MatrixXd& sources,
+  const Eigen::MatrixXd& points, const Eigen::MatrixXd& charges, double tolerance)
 {
   shape::FmmSummationOptions options;
   options.Method = shape::FmmSummationOptions::MethodType::Multipole;
@@ -119,22 +110,29 @@ void Compare(const std::string& name, const Eigen::MatrixXd& sources, const Eige
     potentials(some, Eigen::all) - shape::SumPotentialsDirectly(sources, charges, positions);
   const Eigen::MatrixXd sizes =
     shape::SumPotentialsDirectly(sources, charges.cwiseAbs(), positions);
-  std::printf("%s %ld %ld %g %g %g %g %g %g\n", name.c_str(), long(sources.rows()),
-    long(points.rows()), tolerance, setUp, sum, gradients, error.norm() / sizes.norm(),
-    (error.array() / sizes.array()).abs().maxCoeff());
-  std::fflush(stdout);
+  figures.Print(benchmark::Row()
+                  .Add("where", where)
+                  .Add("sources", sources.rows())
+                  .Add("points", points.rows())
+                  .Add("tolerance", tolerance)
+                  .Add("setup", setUp)
+                  .Add("sum", sum)
+                  .Add("gradient", gradients)
+                  .Add("error", error.norm() / sizes.norm())
+                  .Add("largest", (error.array() / sizes.array()).abs().maxCoeff()));
 }
 
-} // namespace
-
-int main()
+void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
+  arguments.RequireAllRead();
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
   const bool wide = (hwy::SupportedTargets() & HWY_AVX3) != 0;
   constexpr double instructions = static_cast<double>(Rounds) * InRound;
-  const double fma = instructions / Median(wide ? WideFmas : Fmas);
-  const double mixed = instructions / Median(wide ? WideMixture : Mixture);
-  std::printf("vector %s %d %g %g\n", wide ? "N_AVX3" : "N_AVX2", wide ? 8 : 4, fma, mixed);
+  figures.Print(benchmark::Row()
+                  .Add("target", std::string(wide ? "N_AVX3" : "N_AVX2"))
+                  .Add("lanes", wide ? 8 : 4)
+                  .Add("fma", instructions / Median(wide ? WideFmas : Fmas))
+                  .Add("mixed", instructions / Median(wide ? WideMixture : Mixture)));
 
   const int m = 100000;
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -148,17 +146,22 @@ int main()
     const Eigen::MatrixXd few = charges.leftCols(columns);
     const Eigen::MatrixXd points = surface.topRows(20000);
     const double pairs = double(m) * points.rows();
-    std::printf("direct %d %g %g\n", columns,
-      pairs / Median([&] { shape::SumPotentialsDirectly(sources, few, points); }),
-      pairs / Median([&] { shape::SumGradientsDirectly(sources, few, points); }));
-    std::fflush(stdout);
+    figures.Print(benchmark::Row()
+                    .Add("columns", columns)
+                    .Add("potentials",
+                      pairs / Median([&] { shape::SumPotentialsDirectly(sources, few, points); }))
+                    .Add("gradients",
+                      pairs / Median([&] { shape::SumGradientsDirectly(sources, few, points); })));
   }
   for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 2e-12 })
   {
-    Compare("surface", sources, surface, charges, tolerance);
+    Compare(figures, "surface", sources, surface, charges, tolerance);
   }
   const int n = 1000000;
-  Compare("inside", sources, Inside(n), charges, 1e-6);
-  Compare("surface", sources, Surface(n, 1.0), charges, 1e-6);
-  return 0;
+  Compare(figures, "inside", sources, Inside(n), charges, 1e-6);
+  Compare(figures, "surface", sources, Surface(n, 1.0), charges, 1e-6);
 }
+
+const benchmark::Entry FmmSummation("fmm_summation", { Usage, Run });
+
+} // namespace

@@ -20,4 +20,7 @@ double CpuSeconds();
 /// Runs the method and returns its cost.
 Cost Measure(const std::function<void()>& method);
 
+/// The median of the CPU seconds of several runs.
+double MeasureMedian(int runs, const std::function<void()>& method);
+
 } // namespace benchmark

@@ -1,5 +1,6 @@
-#include "BenchmarkData.h"
+#include "Driver/BenchmarkData.h"
 
+#include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
 #include "Parameterize/Parameterize.h"
 
@@ -16,7 +17,6 @@
 #include <numeric>
 #include <random>
 #include <sstream>
-#include <stdexcept>
 
 namespace benchmark
 {
@@ -137,7 +137,7 @@ shape::Mesh ReadOff(const std::string& path, bool weld)
   int points = 0, polygons = 0, edges = 0;
   if (!(words >> word >> points >> polygons >> edges) || word != "OFF")
   {
-    throw std::runtime_error("cannot read " + path);
+    throw shape::InvalidInput("cannot read " + path);
   }
   shape::Mesh mesh{ Eigen::MatrixXd(points, 3), {} };
   for (int i = 0; i < points; ++i)
@@ -156,7 +156,7 @@ shape::Mesh ReadOff(const std::string& path, bool weld)
     }
     if (!words)
     {
-      throw std::runtime_error("cannot read polygon " + std::to_string(p) + " of " + path);
+      throw shape::InvalidInput("cannot read polygon " + std::to_string(p) + " of " + path);
     }
     std::getline(words, word); // a colour
     const auto cut = Triangulated(mesh.Points, corners);

@@ -1,6 +1,6 @@
-// Features of one model set down on another, drawn at random: see Usage.
-#include "BenchmarkData.h"
-#include "Cost.h"
+// Features of one model set down on another, drawn at random.
+#include "Driver/BenchmarkData.h"
+#include "Driver/Case.h"
 
 #include "Base/Errors.h"
 #include "CutPaste/CutFeature.h"
@@ -13,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <optional>
 #include <random>
 #include <string>
@@ -23,20 +21,23 @@
 namespace
 {
 
-constexpr const char* Usage = R"(paste_case drop FEATURE TARGET SEED
-paste_case drag FEATURE TARGET TRIANGLES UPDATES
+constexpr const char* DropUsage = R"(FEATURE TARGET SEED
 
 FEATURE, TARGET  OFF files; points at the same position are joined, the longest side of each box is
                  made 1
-drop  cuts a feature at a position drawn with SEED, of a radius drawn between 0.05 and 0.12 of the
-      diagonal; sets it down where it was cut, then at a position of the target with a rotation drawn
-      likewise, and as large as 0.05 to 0.1 of the target's diagonal. Prints a line: the feature's
-      triangles and Euler number; how far points are off in position, over the diagonal; "refused" and
-      the reason, or the Euler numbers of the target and the result, how many open loops both have,
-      points and edges of the result that are not manifold, and the angles between the feature's and
-      the target's normals at each point of the loop, before and after.
-drag  cuts a feature of about so many triangles and drags it over the target: prints the seconds of
-      an update in the mean, and how many positions were refused.)";
+
+Cuts a feature at a position drawn with SEED, of a radius drawn between 0.05 and 0.12 of the diagonal;
+sets it down where it was cut, then at a position of the target with a rotation drawn likewise, and as
+large as 0.05 to 0.1 of the target's diagonal. The feature's triangles and Euler number; inplace: how
+far points are off in position, over the diagonal; refused, with the reason, or the Euler numbers of
+the target and the result, how many open loops both have, points and edges of the result that are not
+manifold, and the angles between the feature's and the target's normals at each point of the loop,
+before and after.)";
+
+constexpr const char* DragUsage = R"(FEATURE TARGET TRIANGLES UPDATES
+
+Cuts a feature of about so many triangles and drags it over the target: the seconds of an update in the
+mean, and how many positions were refused. Models are read as in paste_feature.)";
 
 /// A feature around a point, cut along a circle of the exponential map.
 struct Feature
@@ -88,8 +89,25 @@ double LoopRadius(const shape::FeatureFootprint& base)
   return base.LoopPositions.rowwise().norm().mean();
 }
 
-void Drop(const std::string& from, const std::string& to, unsigned int seed)
+template <typename Angles>
+std::vector<double> ToList(const Angles& angles)
 {
+  return { angles.begin(), angles.end() };
+}
+
+void Require(const std::optional<Feature>& feature)
+{
+  if (!feature)
+  {
+    throw shape::SolveFailure("no feature could be cut in 50 draws");
+  }
+}
+
+void Drop(benchmark::Arguments& arguments, benchmark::Figures& figures)
+{
+  const std::string from = arguments.NextWord(), to = arguments.NextWord();
+  const auto seed = static_cast<unsigned int>(arguments.NextInteger());
+  arguments.RequireAllRead();
   const shape::Mesh source = benchmark::ReadOff(from, true), goal = benchmark::ReadOff(to, true);
   std::mt19937 random(seed);
   const double size = shape::ComputeBoxDiagonal(source.Points);
@@ -101,16 +119,18 @@ void Drop(const std::string& from, const std::string& to, unsigned int seed)
     {
       feature = CutAround(source, RandomPoint(random, source), Uniform(random, 0.05, 0.12) * size);
     }
-    catch (const shape::InvalidInput& error)
+    catch (const shape::InvalidInput&) // no circle there
     {
-      std::printf("# no cut: %s\n", error.what());
     }
   }
+  Require(feature);
   const shape::Mesh& part = feature->Cut.Feature.Surface;
   const shape::FeatureFootprint& base = *feature->Cut.Base;
-  std::printf("draws=%d triangles=%d euler=%d loop=%d ", draws,
-    static_cast<int>(part.Triangles.rows()), shape::ComputeTopology(part).EulerNumber,
-    static_cast<int>(base.Loop.size()));
+  benchmark::Row row;
+  row.Add("draws", draws)
+    .Add("triangles", part.Triangles.rows())
+    .Add("euler", shape::ComputeTopology(part).EulerNumber)
+    .Add("loop", base.Loop.size());
   const shape::PastePlacement elsewhere{ goal.Points.row(RandomPoint(random, goal)),
     Uniform(random, -180.0, 180.0),
     Uniform(random, 0.05, 0.1) * shape::ComputeBoxDiagonal(goal.Points) / LoopRadius(base) };
@@ -119,40 +139,35 @@ void Drop(const std::string& from, const std::string& to, unsigned int seed)
     const shape::FeatureToPaste paste(part, base);
     shape::PasteTarget home(feature->Cut.Rest.Surface);
     const shape::PastedFeature back = paste.PasteOn(home, { feature->Cut.Seed, 0.0, 1.0 });
-    std::printf("inplace=%.2g ",
-      (back.Surface.Points.middleRows(
-         static_cast<Eigen::Index>(back.TargetPoints.size()), part.Points.rows()) -
-        part.Points)
-          .cwiseAbs()
-          .maxCoeff() /
-        size);
+    const auto inPlace = back.Surface.Points.middleRows(
+      static_cast<Eigen::Index>(back.TargetPoints.size()), part.Points.rows());
+    row.Add("inplace", (inPlace - part.Points).cwiseAbs().maxCoeff() / size);
     shape::PasteTarget target(goal);
     const shape::PastedFeature pasted = paste.PasteOn(target, elsewhere);
     const shape::Topology before = shape::ComputeTopology(goal);
     const shape::Topology after = shape::ComputeTopology(pasted.Surface);
-    std::printf("conformal=%d%d target=%d result=%d open=%d,%d nonmanifold=%d before=",
-      base.ConformalRadius > 0.0 ? 1 : 0, static_cast<int>(pasted.Position.Layout),
-      before.EulerNumber, after.EulerNumber, before.BoundaryLoops, after.BoundaryLoops,
-      after.NonManifoldEdges + after.NonManifoldPoints + after.MisorientedEdges);
-    for (const double angle : pasted.AnglesBefore)
-    {
-      std::printf("%.2f,", angle);
-    }
-    std::printf(" after=");
-    for (const double angle : pasted.AnglesAfter)
-    {
-      std::printf("%.2f,", angle);
-    }
-    std::printf("\n");
+    row.Add("conformal", base.ConformalRadius > 0.0)
+      .Add("layout", static_cast<int>(pasted.Position.Layout))
+      .Add("target", before.EulerNumber)
+      .Add("result", after.EulerNumber)
+      .Add("openbefore", before.BoundaryLoops)
+      .Add("openafter", after.BoundaryLoops)
+      .Add("nonmanifold", after.NonManifoldEdges + after.NonManifoldPoints + after.MisorientedEdges)
+      .Add("before", ToList(pasted.AnglesBefore))
+      .Add("after", ToList(pasted.AnglesAfter));
   }
   catch (const shape::InvalidInput& error)
   {
-    std::printf("refused=%s\n", error.what());
+    row.Add("refused", std::string(error.what()));
   }
+  figures.Print(row);
 }
 
-void Drag(const std::string& from, const std::string& to, int triangles, int updates)
+void Drag(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
+  const std::string from = arguments.NextWord(), to = arguments.NextWord();
+  const int triangles = arguments.NextInteger(), updates = arguments.NextInteger();
+  arguments.RequireAllRead();
   const shape::Mesh source = benchmark::ReadOff(from, true), goal = benchmark::ReadOff(to, true);
   std::mt19937 random(1);
   std::optional<Feature> feature;
@@ -177,6 +192,7 @@ void Drag(const std::string& from, const std::string& to, int triangles, int upd
     {
     }
   }
+  Require(feature);
   const shape::FeatureToPaste paste(feature->Cut.Feature.Surface, *feature->Cut.Base);
   shape::PasteTarget target(goal);
   shape::PastePlacement position;
@@ -204,34 +220,16 @@ void Drag(const std::string& from, const std::string& to, int triangles, int upd
         }
       }
     });
-  std::printf("feature=%d target=%d updates=%d refused=%d cpu=%.4f wall=%.4f\n",
-    static_cast<int>(feature->Cut.Feature.Surface.Triangles.rows()),
-    static_cast<int>(goal.Triangles.rows()), updates, refused, cost.Cpu / updates,
-    cost.Wall / updates);
+  figures.Print(benchmark::Row()
+                  .Add("feature", feature->Cut.Feature.Surface.Triangles.rows())
+                  .Add("target", goal.Triangles.rows())
+                  .Add("updates", updates)
+                  .Add("refused", refused)
+                  .Add("cpu", cost.Cpu / updates)
+                  .Add("wall", cost.Wall / updates));
 }
+
+const benchmark::Entry PasteFeature("paste_feature", { DropUsage, Drop });
+const benchmark::Entry DragFeature("drag_feature", { DragUsage, Drag });
 
 } // namespace
-
-int main(int argc, char** argv)
-{
-  try
-  {
-    const std::string mode = argc > 1 ? argv[1] : "";
-    if (mode == "drop" && argc == 5)
-    {
-      Drop(argv[2], argv[3], static_cast<unsigned int>(std::stoul(argv[4])));
-      return 0;
-    }
-    if (mode == "drag" && argc == 6)
-    {
-      Drag(argv[2], argv[3], std::stoi(argv[4]), std::stoi(argv[5]));
-      return 0;
-    }
-    std::puts(Usage);
-  }
-  catch (const std::exception& error)
-  {
-    std::printf("failed: %s\n", error.what());
-  }
-  return 1;
-}

@@ -11,7 +11,7 @@ namespace benchmark
 
 /// Reads a surface in OFF format and scales it to a box with longest edge 1 around the origin.
 /// Polygons are divided into triangles; coincident points are merged if `weld` is set. Throws
-/// std::runtime_error.
+/// shape::InvalidInput.
 shape::Mesh ReadOff(const std::string& path, bool weld);
 
 /// Divides each triangle into three by its centroid, flips the old edges, and smooths the old

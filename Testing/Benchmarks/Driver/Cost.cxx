@@ -1,10 +1,11 @@
-#include "Cost.h"
+#include "Driver/Cost.h"
 
 #include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <string>
 #include <sys/resource.h>
+#include <vector>
 
 namespace benchmark
 {
@@ -54,6 +55,19 @@ Cost Measure(const std::function<void()>& method)
   getrusage(RUSAGE_CHILDREN, &children); // TetGen's process
   const long peak = std::max(Status("VmHWM"), children.ru_maxrss);
   return { CpuSeconds() - cpu, wall.count(), static_cast<double>(peak - before) / 1024.0 };
+}
+
+double MeasureMedian(int runs, const std::function<void()>& method)
+{
+  std::vector<double> seconds;
+  for (int run = 0; run < runs; ++run)
+  {
+    const double start = CpuSeconds();
+    method();
+    seconds.push_back(CpuSeconds() - start);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[runs / 2];
 }
 
 } // namespace benchmark
