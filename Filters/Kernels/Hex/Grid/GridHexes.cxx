@@ -38,6 +38,199 @@ constexpr double LeastGain = 0.02;
 /// After this many rounds without such a gain no more are made.
 constexpr int MaximumIdleSteps = 2;
 
+/// What hexahedra should reach, in the surface's units.
+struct GridGoals
+{
+  GridGoals(const GridHexesOptions& options, double diagonal)
+    : ScaledJacobian(options.WantedScaledJacobian)
+    , Distance(options.WantedDistance * diagonal)
+    , CreaseDistance(options.WantedCreaseDistance * diagonal)
+    , AcceptedDistance(shape::AcceptedDistance * diagonal)
+    , SnapFrom(options.Snap ? this->Distance : std::numeric_limits<double>::infinity())
+  {
+  }
+
+  double ScaledJacobian, Distance, CreaseDistance;
+  double AcceptedDistance;
+  double SnapFrom; ///< what is farther is snapped
+};
+
+/// The distance that the search is for.
+double DistanceThatCounts(const GridHexesResult& result)
+{
+  return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
+                                 : result.Fit.Distance;
+}
+
+bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance)
+{
+  return result.Fit.MinimumScaledJacobian >= scaledJacobian &&
+    DistanceThatCounts(result) <= distance;
+}
+
+bool IsAsWanted(const GridHexesResult& result, const GridGoals& goals)
+{
+  return Reaches(result, goals.ScaledJacobian, goals.Distance) &&
+    result.Fit.Creases.Distance <= goals.CreaseDistance;
+}
+
+/// Whether it is good enough not to go on to smaller cells everywhere: all of it, or all but
+/// hexahedra at corners that are kept, of which other grids have the same.
+bool IsAccepted(const GridHexesResult& result, const GridGoals& goals)
+{
+  return Reaches(result, AcceptedScaledJacobian, goals.AcceptedDistance) ||
+    (Reaches(result, 0.0, goals.AcceptedDistance) &&
+      result.Fit.Creases.Distance <= goals.CreaseDistance &&
+      FindMinimumScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
+        AcceptedScaledJacobian);
+}
+
+/// Whether snapping is likely to reach the accepted distance.
+bool IsNear(const GridHexesResult& result, const GridGoals& goals)
+{
+  return Reaches(result, 0.0, SnappedFrom * goals.AcceptedDistance);
+}
+
+/// The greater, the better. Creases count most among what is not inverted, then what is accepted.
+double Score(const GridHexesResult& result, const GridGoals& goals)
+{
+  const HexFit& fit = result.Fit;
+  if (fit.Inverted > 0)
+  {
+    return -fit.Inverted;
+  }
+  const bool accepted = Reaches(result, AcceptedScaledJacobian, goals.AcceptedDistance);
+  return std::min(fit.MinimumScaledJacobian / goals.ScaledJacobian, 1.0) +
+    std::min(goals.Distance / DistanceThatCounts(result), 1.0) +
+    std::min(goals.CreaseDistance / fit.Creases.Distance, 1.0) + (accepted ? 1.0 : 0.0) +
+    (fit.CreasesKept ? 1.0 : 0.0);
+}
+
+/// What bounds the solid and its regions.
+struct GridBoundary
+{
+  Surface Outer;
+  std::vector<Surface> Inner;
+};
+
+/// If the boundary's points were moved, those of interfaces near them were, too.
+void MeasureInner(HexFit& fit, const GridBoundary& boundary)
+{
+  fit.InnerDistance = ComputeInterfaceDistance(fit.Solid.Points, fit.Interfaces, boundary.Inner);
+}
+
+/// Puts the boundary on what is farther than wanted. minimum: the scaled Jacobian that is kept.
+void Snap(GridHexesResult& result, const GridBoundary& boundary, const GridGoals& goals,
+  const Progress& progress, double minimum = AcceptedScaledJacobian)
+{
+  if (result.Fit.Inverted == 0 && result.Fit.Distance > goals.SnapFrom)
+  {
+    SnappingOptions options;
+    options.WantedDistance = goals.Distance;
+    options.ScaledJacobians = { goals.ScaledJacobian, minimum };
+    SnapToSurface(result.Fit, boundary.Outer, options, progress);
+    MeasureInner(result.Fit, boundary);
+  }
+}
+
+/// Lets points leave the surface at bad hexahedra; but next to creases, whose corners may well be
+/// why these are bad, and with inner surfaces, which points would leave too, only at inverted ones.
+void Release(GridHexesResult& result, const GridBoundary& boundary, const GridGoals& goals,
+  const Progress& progress)
+{
+  const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
+  const bool isSmooth = !hasCreases && boundary.Inner.empty();
+  if (result.Fit.Inverted > 0 ||
+    (isSmooth && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian))
+  {
+    RelaxBoundaryAroundBad(
+      result.Fit, boundary.Outer, goals.AcceptedDistance, progress.Part(0.0, 0.9));
+    MeasureInner(result.Fit, boundary);
+  }
+}
+
+/// Takes what `change` makes of the result unless that costs more than it gains.
+template <typename Change>
+void ChangeIfBetter(GridHexesResult& result, const GridGoals& goals, const Change& change)
+{
+  GridHexesResult changed = result;
+  change(changed);
+  if (Score(changed, goals) > Score(result, goals))
+  {
+    result = std::move(changed);
+  }
+}
+
+/// Adds seeds where the surfaces or their creases are far from each other, at corners that patches
+/// too small for the cells have, and at bad hexahedra. Whether these are for most of the solid.
+/// features: of any size.
+bool AddSeeds(const GridHexesResult& result, const GridBoundary& boundary,
+  const SurfaceFeatures& features, const GridGoals& goals, std::vector<RefinementSeed>& seeds)
+{
+  const HexMesh& solid = result.Fit.Solid;
+  RefinementSeeds positions(result.CellSize);
+  const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
+  {
+    positions.AddDistant(
+      ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
+      goals.Distance);
+  };
+  addFarOnSurface(boundary.Outer, result.Fit.Quads);
+  for (std::size_t i = 0; result.InnerCreasesKept && i < boundary.Inner.size(); ++i)
+  {
+    addFarOnSurface(boundary.Inner[i], result.Fit.Interfaces[i]);
+  }
+  if (result.Fit.CreasesKept)
+  {
+    positions.AddDistant(ComputeDistancesToCurves(boundary.Outer, result.Features, solid.Points,
+                           result.Fit.Quads, result.Fit.PatchOf),
+      goals.CreaseDistance);
+  }
+  for (const int corner : features.Corners)
+  {
+    if (!result.Features.Curves.empty() &&
+      !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
+    {
+      positions.Add(boundary.Outer.Points().row(corner));
+    }
+  }
+  positions.AddBad(solid, AcceptedScaledJacobian);
+  seeds.insert(seeds.end(), positions.Seeds().begin(), positions.Seeds().end());
+  return positions.AreMostOf(solid.Hexahedra.rows());
+}
+
+/// The hexahedra that cells of this size make, or of a smaller one that has the topology; nothing
+/// if there would be more than MaximumHexahedra.
+std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const GridBoundary& boundary,
+  const GridHexesOptions& options, double size, const GridDensity& warp, const Progress& progress)
+{
+  HexFitOptions fitting;
+  fitting.PaddingLayers = options.PaddingLayers;
+  fitting.MaximumHexahedra = options.MaximumHexahedra;
+  fitting.RaisedFrom = RaisedFrom;
+  const double minimum = regions.Outer().CellSizeFor(options.MaximumHexahedra, warp);
+  for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
+  {
+    if (const std::optional<RegionCells> cells = regions.Fill(size, warp, progress.Part(0.0, 0.1)))
+    {
+      GridHexesResult result;
+      result.CellSize = size;
+      result.Crossings = regions.Outer().Boundary().Crossings;
+      result.Features = FindFeatures(boundary.Outer, options, size);
+      result.InnerCreasesKept = std::all_of(boundary.Inner.begin(), boundary.Inner.end(),
+        [&](const Surface& inner) { return FindFeatures(inner, options, size).Curves.empty(); });
+      result.Fit = FitHexahedra(cells->Solid, boundary.Outer, result.Features, fitting,
+        progress.Part(0.1, 1.0), { &*cells, &boundary.Inner });
+      return result;
+    }
+  }
+  return std::nullopt;
+}
+
+/**
+ * The best hexahedra of several grids. Order of calls: Refine, as often as there are sizes to try,
+ * with BestScore and IsAccepted in between; TakeAnyTopology; Result, once.
+ */
 class GridSearch
 {
 public:
@@ -45,26 +238,22 @@ public:
     const GridHexesOptions& options, const Progress& progress)
     : Options(options)
     , Regions(surface, innerSurfaces, progress)
-    , Cubes(this->Regions.Outer())
-    , Bounding(this->Cubes.Boundary().Surface)
-    , Diagonal(options.Diagonal > 0.0 ? options.Diagonal
-                                      : ComputeBoxDiagonal(this->Cubes.GetSurface().Points()))
-    , AllFeatures(FindFeatures(this->Bounding, options.FeatureAngle, 0.0))
+    , Boundary{ this->Regions.Outer().Boundary().Surface, this->Regions.InnerSurfaces() }
+    , Goals(options,
+        options.Diagonal > 0.0 ? options.Diagonal
+                               : ComputeBoxDiagonal(this->Regions.Outer().GetSurface().Points()))
+    , AllFeatures(FindFeatures(this->Boundary.Outer, options.FeatureAngle, 0.0))
   {
-    for (const TopologyPreservingVoxels& inner : this->Regions.Inner())
-    {
-      this->InnerBounding.emplace_back(inner.GetSurface());
-    }
   }
 
-  double MinimumSize(const GridDensity& warp = GridDensity()) const
+  double CellSizeFor(double hexahedra, const GridDensity& warp) const
   {
-    return this->Cubes.CellSizeFor(this->Options.MaximumHexahedra, warp);
+    return this->Regions.Outer().CellSizeFor(hexahedra, warp);
   }
 
   /// Rounds of grids, each finer where the one before was not good enough. size: of the cells in
-  /// the first; where it is 0, such that there are about `hexahedra` in each. By what to grow for
-  /// the next.
+  /// the first; if it is 0, such that there are about `hexahedra` in each. By what to grow for the
+  /// next.
   double Refine(double size, double hexahedra, int rounds, const Progress& progress)
   {
     std::vector<RefinementSeed> seeds = this->Options.Seeds;
@@ -76,32 +265,33 @@ public:
       const GridDensity warp(seeds);
       const Progress part =
         progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
-      const double first = size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp);
-      std::optional<GridHexesResult> result =
-        this->Fill(std::min(first, this->LargestSize), warp, part.Part(0.0, 0.8));
+      const double first = size > 0.0 ? size : this->CellSizeFor(hexahedra, warp);
+      std::optional<GridHexesResult> result = FillGrid(this->Regions, this->Boundary, this->Options,
+        std::min(first, this->LargestSize), warp, part.Part(0.0, 0.8));
       if (!result)
       {
         break;
       }
       this->LargestSize = result->CellSize / Shrinkage;
       const std::size_t before = seeds.size();
-      bool isSnapped = this->IsAsWanted(*result);
+      bool isSnapped = IsAsWanted(*result, this->Goals);
       if (!isSnapped)
       {
-        if (this->AddSeeds(*result, seeds))
+        if (AddSeeds(*result, this->Boundary, this->AllFeatures, this->Goals, seeds))
         {
           growth = LargeGrowth;
         }
         isSnapped = this->IsWorthSnapping(*result);
         if (isSnapped)
         {
-          this->Snap(*result, part.Part(0.8, 1.0));
+          Snap(*result, this->Boundary, this->Goals, part.Part(0.8, 1.0));
         }
       }
-      // Where nothing is magnified the next grid would be the same.
-      const bool isLast = seeds.size() == before || this->IsAsWanted(*result) || growth > Growth;
+      // If nothing is magnified the next grid would be the same.
+      const bool isLast =
+        seeds.size() == before || IsAsWanted(*result, this->Goals) || growth > Growth;
       ++this->Rounds;
-      const double score = this->Score(*result);
+      const double score = Score(*result, this->Goals);
       idle = score < reached + LeastGain ? idle + 1 : 0;
       reached = std::max(reached, score);
       if (score > this->BestScore())
@@ -114,19 +304,19 @@ public:
         break;
       }
     }
-    if (this->Best && !this->BestIsSnapped && (size > 0.0 || this->IsNear(*this->Best)))
+    if (this->Best && !this->BestIsSnapped && (size > 0.0 || IsNear(*this->Best, this->Goals)))
     {
-      this->Snap(*this->Best, progress.Part(0.9, 1.0));
+      Snap(*this->Best, this->Boundary, this->Goals, progress.Part(0.9, 1.0));
       this->BestIsSnapped = true;
     }
     return growth;
   }
 
-  /// Grids of the Euler number and number of components that come out, where the surface crosses
+  /// Grids of the Euler number and number of components that come out, if the surface crosses
   /// itself and there is nothing yet.
   void TakeAnyTopology(const Progress& progress)
   {
-    if (!this->Best && this->Cubes.Boundary().Crossings > 0)
+    if (!this->Best && this->Regions.Outer().Boundary().Crossings > 0)
     {
       constexpr double share = 0.25; // of the most
       this->Regions.Outer().TakeAnyTopology();
@@ -138,252 +328,71 @@ public:
     }
   }
 
-  bool IsAccepted() const
-  {
-    return this->Best &&
-      (this->Reaches(*this->Best, AcceptedScaledJacobian, AcceptedDistance) ||
-        this->AreOnlyCornersBad(*this->Best));
-  }
+  bool HasAccepted() const { return this->Best && IsAccepted(*this->Best, this->Goals); }
 
-  /// Minus infinity where there is nothing yet.
+  /// Minus infinity if there is nothing yet.
   double BestScore() const
   {
-    return this->Best ? this->Score(*this->Best) : -std::numeric_limits<double>::infinity();
+    return this->Best ? Score(*this->Best, this->Goals) : -std::numeric_limits<double>::infinity();
   }
 
+  /// The best one, with more time spent on its worst hexahedra and on its distance.
   GridHexesResult Result(const Progress& progress)
   {
     if (!this->Best)
     {
-      const Topology& topology = this->Cubes.SurfaceTopology();
-      throw SolveFailure("no grid of " + std::to_string(this->Options.MaximumHexahedra) +
-        " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
-        " and number of components " + std::to_string(topology.Components) +
-        (this->InnerBounding.empty() ? "" : ", and those of the inner surfaces, apart") +
-        ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
+      this->ThrowNoGrid();
     }
-    const HexFit& fit = this->Best->Fit;
-    if (fit.Inverted == 0 && fit.MinimumScaledJacobian < AcceptedScaledJacobian)
+    GridHexesResult result = std::move(*this->Best);
+    if (result.Fit.Inverted == 0 && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian)
     {
-      this->Raise(*this->Best, progress.Part(0.0, 0.3));
+      ChangeIfBetter(result, this->Goals,
+        [&](GridHexesResult& raised)
+        {
+          ImproveWorst(raised.Fit, this->Boundary.Outer, progress.Part(0.0, 0.3));
+          MeasureInner(raised.Fit, this->Boundary);
+        });
     }
-    this->Release(*this->Best, progress.Part(0.3, 0.5));
-    if (!this->Reaches(*this->Best, 0.0, AcceptedDistance) && this->IsNear(*this->Best))
+    Release(result, this->Boundary, this->Goals, progress.Part(0.3, 0.5));
+    if (!Reaches(result, 0.0, this->Goals.AcceptedDistance) && IsNear(result, this->Goals))
     {
-      this->SnapAndRelease(*this->Best, progress.Part(0.5, 1.0));
+      // At the cost of hexahedra, whose points leave the surface then.
+      constexpr double minimum = 0.2;
+      ChangeIfBetter(result, this->Goals,
+        [&](GridHexesResult& snapped)
+        {
+          Snap(snapped, this->Boundary, this->Goals, progress.Part(0.5, 0.85), minimum);
+          Release(snapped, this->Boundary, this->Goals, progress.Part(0.85, 1.0));
+        });
     }
-    this->Best->Rounds = this->Rounds;
+    result.Rounds = this->Rounds;
     progress(1.0);
-    return std::move(*this->Best);
+    return result;
   }
 
 private:
-  /// The hexahedra that cells of this size make, or of a smaller one that has the topology.
-  std::optional<GridHexesResult> Fill(
-    double size, const GridDensity& warp, const Progress& progress)
+  [[noreturn]] void ThrowNoGrid() const
   {
-    const double minimum = this->MinimumSize(warp);
-    for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
-    {
-      if (const std::optional<RegionCells> cells =
-            this->Regions.Fill(size, warp, progress.Part(0.0, 0.1)))
-      {
-        GridHexesResult result;
-        result.CellSize = size;
-        result.Crossings = this->Cubes.Boundary().Crossings;
-        result.Features = FindFeatures(this->Bounding, this->Options, size);
-        result.InnerCreasesKept =
-          std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
-            [&](const Surface& inner)
-            { return FindFeatures(inner, this->Options, size).Curves.empty(); });
-        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, this->FitOptions(),
-          progress.Part(0.1, 1.0), { &*cells, &this->InnerBounding });
-        return result;
-      }
-    }
-    return std::nullopt;
+    const Topology& topology = this->Regions.Outer().SurfaceTopology();
+    throw SolveFailure("no grid of " + std::to_string(this->Options.MaximumHexahedra) +
+      " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
+      " and number of components " + std::to_string(topology.Components) +
+      (this->Boundary.Inner.empty() ? "" : ", and those of the inner surfaces, apart") +
+      ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
   }
 
-  HexFitOptions FitOptions() const
-  {
-    HexFitOptions options;
-    options.PaddingLayers = this->Options.PaddingLayers;
-    options.MaximumHexahedra = this->Options.MaximumHexahedra;
-    options.RaisedFrom = RaisedFrom;
-    return options;
-  }
-
-  bool IsAsWanted(const GridHexesResult& result) const
-  {
-    return this->Reaches(
-             result, this->Options.WantedScaledJacobian, this->Options.WantedDistance) &&
-      this->HasWantedCreases(result);
-  }
-
-  bool HasWantedCreases(const GridHexesResult& result) const
-  {
-    return result.Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
-  }
-
-  /// Whether all is good enough but for hexahedra at corners that are kept, of which other grids
-  /// have the same.
-  bool AreOnlyCornersBad(const GridHexesResult& result) const
-  {
-    return this->Reaches(result, 0.0, AcceptedDistance) && this->HasWantedCreases(result) &&
-      FindMinimumScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
-      AcceptedScaledJacobian;
-  }
-
-  /// Where the boundary's points were moved, those of interfaces near them were, too.
-  void MeasureInner(HexFit& fit) const
-  {
-    fit.InnerDistance =
-      ComputeInterfaceDistance(fit.Solid.Points, fit.Interfaces, this->InnerBounding);
-  }
-
-  /// Puts the boundary on what is farther than wanted.
-  void Snap(GridHexesResult& result, const Progress& progress,
-    double minimum = AcceptedScaledJacobian) const
-  {
-    SnappingOptions options;
-    options.WantedDistance = this->Options.WantedDistance * this->Diagonal;
-    options.ScaledJacobians = { this->Options.WantedScaledJacobian, minimum };
-    if (this->Options.Snap && result.Fit.Inverted == 0 &&
-      result.Fit.Distance > options.WantedDistance)
-    {
-      SnapToSurface(result.Fit, this->Bounding, options, progress);
-      this->MeasureInner(result.Fit);
-    }
-  }
-
-  /// Lets points leave the surface at bad hexahedra; but next to creases, whose corners may well be
-  /// why these are bad, and with inner surfaces, which points would leave too, only at inverted
-  /// ones.
-  void Release(GridHexesResult& result, const Progress& progress) const
-  {
-    const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
-    const bool isSmooth = !hasCreases && this->InnerBounding.empty();
-    if (result.Fit.Inverted > 0 ||
-      (isSmooth && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian))
-    {
-      RelaxBoundaryAroundBad(
-        result.Fit, this->Bounding, AcceptedDistance * this->Diagonal, progress.Part(0.0, 0.9));
-      this->MeasureInner(result.Fit);
-    }
-  }
-
-  /// Snaps at the cost of hexahedra, whose points leave the surface then, unless that costs more
-  /// than it gains.
-  void SnapAndRelease(GridHexesResult& result, const Progress& progress) const
-  {
-    constexpr double minimum = 0.2;
-    GridHexesResult snapped = result;
-    this->Snap(snapped, progress.Part(0.0, 0.7), minimum);
-    this->Release(snapped, progress.Part(0.7, 1.0));
-    if (this->Score(snapped) > this->Score(result))
-    {
-      result = std::move(snapped);
-    }
-  }
-
-  /// Spends more time on the worst hexahedra, unless that costs more than it gains.
-  void Raise(GridHexesResult& result, const Progress& progress) const
-  {
-    GridHexesResult raised = result;
-    ImproveWorst(raised.Fit, this->Bounding, progress);
-    this->MeasureInner(raised.Fit);
-    if (this->Score(raised) > this->Score(result))
-    {
-      result = std::move(raised);
-    }
-  }
-
-  /// Whether snapping is likely to make it what is wanted, or what is accepted where nothing is
-  /// yet.
+  /// Whether snapping is likely to make it what is wanted, or what is accepted if nothing is yet.
   bool IsWorthSnapping(const GridHexesResult& result) const
   {
-    return this->Reaches(result,
-      this->IsAccepted() ? this->Options.WantedScaledJacobian : AcceptedScaledJacobian,
-      SnappedFrom * AcceptedDistance);
-  }
-
-  /// That the search is for.
-  static double Distance(const GridHexesResult& result)
-  {
-    return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
-                                   : result.Fit.Distance;
-  }
-
-  bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance) const
-  {
-    return result.Fit.MinimumScaledJacobian >= scaledJacobian &&
-      Distance(result) <= distance * this->Diagonal;
-  }
-
-  /// Whether snapping is likely to reach the accepted distance.
-  bool IsNear(const GridHexesResult& result) const
-  {
-    return this->Reaches(result, 0.0, SnappedFrom * AcceptedDistance);
-  }
-
-  /// The greater, the better. Creases count most among what is not inverted, then what is accepted.
-  double Score(const GridHexesResult& result) const
-  {
-    const HexFit& fit = result.Fit;
-    if (fit.Inverted > 0)
-    {
-      return -fit.Inverted;
-    }
-    const bool accepted = this->Reaches(result, AcceptedScaledJacobian, AcceptedDistance);
-    return std::min(fit.MinimumScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
-      std::min(this->Options.WantedDistance * this->Diagonal / Distance(result), 1.0) +
-      std::min(this->Options.WantedCreaseDistance * this->Diagonal / fit.Creases.Distance, 1.0) +
-      (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
-  }
-
-  /// Adds seeds where the surfaces or their creases are far from each other, at corners that
-  /// patches too small for the cells have, and at bad hexahedra. Whether these are for most of the
-  /// solid.
-  bool AddSeeds(const GridHexesResult& result, std::vector<RefinementSeed>& seeds) const
-  {
-    const HexMesh& solid = result.Fit.Solid;
-    RefinementSeeds positions(result.CellSize);
-    const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
-    {
-      positions.AddDistant(
-        ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
-        this->Options.WantedDistance * this->Diagonal);
-    };
-    addFarOnSurface(this->Bounding, result.Fit.Quads);
-    for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
-    {
-      addFarOnSurface(this->InnerBounding[i], result.Fit.Interfaces[i]);
-    }
-    if (result.Fit.CreasesKept)
-    {
-      positions.AddDistant(ComputeDistancesToCurves(this->Bounding, result.Features, solid.Points,
-                             result.Fit.Quads, result.Fit.PatchOf),
-        this->Options.WantedCreaseDistance * this->Diagonal);
-    }
-    for (const int corner : this->AllFeatures.Corners)
-    {
-      if (!result.Features.Curves.empty() &&
-        !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
-      {
-        positions.Add(this->Bounding.Points().row(corner));
-      }
-    }
-    positions.AddBad(solid, AcceptedScaledJacobian);
-    seeds.insert(seeds.end(), positions.Seeds().begin(), positions.Seeds().end());
-    return positions.AreMostOf(solid.Hexahedra.rows());
+    return Reaches(result,
+      this->HasAccepted() ? this->Goals.ScaledJacobian : AcceptedScaledJacobian,
+      SnappedFrom * this->Goals.AcceptedDistance);
   }
 
   const GridHexesOptions& Options;
   MultiMaterialVoxels Regions;
-  const TopologyPreservingVoxels& Cubes; ///< of the whole solid
-  const Surface Bounding;                ///< what bounds it
-  std::vector<Surface> InnerBounding;
-  const double Diagonal;
+  const GridBoundary Boundary;
+  const GridGoals Goals;
   const SurfaceFeatures AllFeatures; ///< patches of any size
   /// Larger cells did not have the topology.
   double LargestSize = std::numeric_limits<double>::infinity();
@@ -407,7 +416,7 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
   GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
   if (options.CellSize > 0.0)
   {
-    const double minimum = search.MinimumSize(GridDensity(options.Seeds));
+    const double minimum = search.CellSizeFor(options.MaximumHexahedra, GridDensity(options.Seeds));
     if (options.CellSize < minimum)
     {
       throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
@@ -426,7 +435,7 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
     const double end = 0.5 * (begin + 0.95);
     const double growth = search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
     hexahedra *= growth;
-    if (search.IsAccepted())
+    if (search.HasAccepted())
     {
       break;
     }

@@ -23,6 +23,8 @@ const double Tolerated = std::log(1.1), Accepted = std::log(1.2);
 constexpr double MinimumRadius = 3.0;
 constexpr int MaximumSeeds = 400;
 
+/// Seeds whose flow stretches cells to the sizes wanted: a least-squares fit. Order of calls: Add,
+/// then Step a few times, again and again; then take the Result.
 class SizeFit
 {
 public:

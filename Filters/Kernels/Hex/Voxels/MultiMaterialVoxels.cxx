@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -108,6 +109,14 @@ MultiMaterialVoxels::MultiMaterialVoxels(
     this->Parts.emplace_back(
       OrientByNesting(innerSurfaces[i], "inner surface " + std::to_string(i)));
   }
+}
+
+std::vector<Surface> MultiMaterialVoxels::InnerSurfaces() const
+{
+  std::vector<Surface> surfaces;
+  std::transform(this->Parts.begin(), this->Parts.end(), std::back_inserter(surfaces),
+    [](const TopologyPreservingVoxels& part) { return part.GetSurface(); });
+  return surfaces;
 }
 
 std::optional<RegionCells> MultiMaterialVoxels::Fill(

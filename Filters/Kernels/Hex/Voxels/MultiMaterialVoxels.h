@@ -39,7 +39,7 @@ public:
 
   TopologyPreservingVoxels& Outer() { return this->Whole; }
   const TopologyPreservingVoxels& Outer() const { return this->Whole; }
-  const std::vector<TopologyPreservingVoxels>& Inner() const { return this->Parts; }
+  std::vector<Surface> InnerSurfaces() const; ///< facing outwards
 
   /// The cells of a uniform grid in the warped space, carried back; nothing where they are too
   /// coarse for the surfaces. Throws as TopologyPreservingVoxels::Fill.
