@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <vector>
 
@@ -30,16 +31,16 @@ std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
  * Every pair of triangles of a surface that cross, touch, overlap or coincide beyond the corners
  * and the edge they share, in the order of First, then Second.
  *
- * A hierarchy of boxes finds the candidates, exact orientations (Geometry/Orientation.h) decide: a
- * pair is listed if and only if the triangles meet. Points are shared by index: join points at the
- * same position first. mesh: any triangles, none of them in FindDegenerateTriangles. Throws
- * Aborted.
+ * A hierarchy of boxes (GetTriangleBoxes) finds the candidates, exact orientations
+ * (Geometry/Orientation.h) decide: a pair is listed if and only if the triangles meet. Points are
+ * shared by index: join points at the same position first. surface: any triangles, none of them in
+ * FindDegenerateTriangles. Throws Aborted.
  */
-std::vector<Crossing> FindSelfIntersections(const Mesh& mesh, const Progress& progress = {});
+std::vector<Crossing> FindSelfIntersections(const Surface& surface, const Progress& progress = {});
 
 /// The same of pairs whose second triangle is `first` or a later one. It stops soon after it has
 /// found `maximum` of them.
 std::vector<Crossing> FindSelfIntersectionsFrom(
-  const Mesh& mesh, int first, int maximum, const Progress& progress = {});
+  const Surface& surface, int first, int maximum, const Progress& progress = {});
 
 } // namespace shape

@@ -24,13 +24,13 @@ double RegularVolume(double edge)
   return edge * edge * edge / (6.0 * std::sqrt(2.0));
 }
 
-Mesh CoarseSurface(const Surface& surface, double length, const Progress& progress)
+Surface CoarseSurface(const Surface& surface, double length, const Progress& progress)
 {
   for (int attempt = 0; attempt < Attempts; ++attempt, length *= LengthShrinkage)
   {
     IsotropicRemeshOptions options;
     options.EdgeLength = length;
-    Mesh coarse = RemeshIsotropically(surface, options, progress);
+    const Surface coarse = RemeshIsotropically(surface, options, progress);
     if (FindDegenerateTriangles(coarse).empty() && FindSelfIntersections(coarse, progress).empty())
     {
       return coarse;
@@ -200,7 +200,7 @@ WorkingSolid BuildWorkingSolid(const Surface& surface, int triangles, const Prog
 {
   const double area = ComputeArea(surface);
   const double length = std::sqrt(area / triangles * 4.0 / std::sqrt(3.0));
-  const Mesh coarse = CoarseSurface(surface, length, progress.Part(0.0, 0.5));
+  const Surface coarse = CoarseSurface(surface, length, progress.Part(0.0, 0.5));
   TetrahedralizeOptions options;
   options.MaximumVolume = 10.0 * RegularVolume(length);
   const TetrahedralizeResult tetrahedra =
@@ -208,7 +208,7 @@ WorkingSolid BuildWorkingSolid(const Surface& surface, int triangles, const Prog
   WorkingSolid solid;
   solid.Points = tetrahedra.Points;
   solid.Tetrahedra = tetrahedra.Tetrahedra;
-  solid.Triangles = coarse.Triangles;
+  solid.Triangles = coarse.Triangles();
   solid.SurfacePointCount = static_cast<int>(coarse.Points.rows());
   AddInnerPoints(solid);
   return solid;
