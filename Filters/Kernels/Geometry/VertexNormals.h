@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Geometry/PointGraph.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Search/TriangleWalk.h"
 
 #include <Eigen/Core>
@@ -12,8 +13,7 @@
 namespace shape
 {
 
-/// By what the normals of the triangles around a vertex are weighted. A surface's own normals
-/// (Surface::PointNormals) are those by angle.
+/// By what the normals of the triangles around a vertex are weighted.
 enum class NormalWeight
 {
   Area,  ///< of the triangle
@@ -31,6 +31,10 @@ Eigen::MatrixXd ComputeVertexNormals(const Eigen::MatrixXd& points,
   const Eigen::MatrixXi& triangles, const TriangleFans& fans, const std::vector<int>& vertices,
   NormalWeight weight);
 ///@}
+
+/// A surface's normals by angle (n x 3), computed once and kept with it: valid as long as the
+/// surface or a copy of it.
+const Eigen::MatrixXd& GetVertexNormals(const Surface& surface);
 
 /**
  * Unit normals of a surface at vertices on its boundary (k x 3), where a mean of the triangles'

@@ -17,7 +17,7 @@ struct AcceleratedSetup;
  *
  * Accelerated: a charge for each point of the boundary, 0.9 spacings outside of it, and a few
  * hundred farther ones; equations at its points and centroids, by least squares; GMRES
- * preconditioned by local blocks, sums by the multipole method (NearSourceSystem.h,
+ * preconditioned by local blocks, sums by the multipole method (NearSurfaceCharges.h,
  * SchwarzPreconditioner.h, FmmSummation.h). Then triangles that hold most of what is left are
  * halved and a further map is fitted to that, until the tolerance is met. Time and memory grow
  * nearly as the boundary does. CPU seconds of sphere maps: bear_bis of 10096 points 1.8,
@@ -34,13 +34,13 @@ struct AcceleratedSetup;
  * sources than those.
  *
  * boundary: the closed surface of one solid in the space of the domain, and of its voids, facing
- * any way; charges sit in the voids, too (SourceShells). targets (n x 3): the image of each of its
+ * any way; charges sit in the voids, too (ChargeShells). targets (n x 3): the image of each of its
  * points. Throws InvalidInput for a surface that is not closed or bounds several solids, values
  * that are not finite, options out of range, a feature outside the domain or a decomposition beyond
  * MaximumMemory; SolveFailure where LAPACK's does not converge, or no charge of Accelerated finds
  * room; Aborted. A decomposition is a single library call that cannot be interrupted.
  *
- * setup: what Accelerated sets up for a boundary (NearSourceSystem.h), kept from call to call: it
+ * setup: what Accelerated sets up for a boundary (NearSurfaceCharges.h), kept from call to call: it
  * is made again only where the boundary differs.
  */
 HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,

@@ -40,10 +40,6 @@ Eigen::MatrixXd ComputeAreaVectors(const Mesh& mesh);
 /// The area of the surface.
 double ComputeArea(const Mesh& mesh);
 
-/// Unit normals at the points (n x 3): those of the triangles around each, weighted by their angles
-/// there; 0 where no triangle with an area is.
-Eigen::MatrixXd ComputePointNormals(const Mesh& mesh);
-
 /// A third of the area of the triangles around each point (n).
 Eigen::VectorXd ComputePointAreas(const Mesh& mesh);
 

@@ -25,10 +25,6 @@ struct KeptAreaVectors
 {
   Eigen::MatrixXd OfTriangles;
 };
-struct KeptPointNormals
-{
-  Eigen::MatrixXd OfPoints;
-};
 /// That the coordinates are finite and of a size that can be computed with.
 struct KeptSoundness
 {
@@ -210,14 +206,6 @@ const Eigen::MatrixXd& Surface::AreaVectors() const
   return this
     ->Cached<KeptAreaVectors>([&]() { return KeptAreaVectors{ shape::ComputeAreaVectors(*this) }; })
     ->OfTriangles;
-}
-
-const Eigen::MatrixXd& Surface::PointNormals() const
-{
-  return this
-    ->Cached<KeptPointNormals>(
-      [&]() { return KeptPointNormals{ shape::ComputePointNormals(*this) }; })
-    ->OfPoints;
 }
 
 Topology RequireManifold(const Surface& surface, const std::string& name)

@@ -16,7 +16,7 @@ namespace shape
 
 /**
  * A triangulated surface that never changes, with what follows from it: half-edges, topology,
- * normals, and whatever kernels add (a search tree, a Laplacian).
+ * area vectors, and whatever kernels add (a search tree, a Laplacian).
  *
  * Each of these is computed when it is first asked for, once, and shared by all copies; a copy
  * costs as much as a pointer. Kernels take a `const Surface&`, so that one that calls ten others
@@ -54,9 +54,6 @@ public:
 
   /// AreaVectors of the triangles (m x 3).
   const Eigen::MatrixXd& AreaVectors() const;
-
-  /// PointNormals of the points (n x 3).
-  const Eigen::MatrixXd& PointNormals() const;
 
   /// Something of type T that follows from the surface: what `make()` returns when it is first
   /// asked for. There is one of each type; a kernel defines a type for what it keeps here. It must

@@ -2,36 +2,42 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Surface.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Core>
 
 namespace shape
 {
 
-/// The smallest eigenvalues of the Laplacian of a surface, and its eigenfunctions.
-struct LaplaceSpectrum
+struct LaplaceSpectrumOptions
 {
-  Eigen::VectorXd Eigenvalues;    ///< k: >= 0, ascending, in 1 / length^2
-  Eigen::MatrixXd Eigenfunctions; ///< n x k: orthonormal in the masses; 0 at unused points
-  Eigen::VectorXd Masses;         ///< n: a third of the area of the triangles around each point
+  enum class EmbeddingType
+  {
+    Spectral, ///< ComputeSpectralEmbedding
+    MDS       ///< EmbedByClassicalMds
+  };
+  /// The smallest ones, those of the constants included; see SolveLaplaceEigenproblem.
+  int NumberOfEigenpairs = 100;
+  EmbeddingType Embedding = EmbeddingType::Spectral;
+  int EmbeddingDimensions = 3; ///< >= 1
+};
+
+struct LaplaceSpectrumResult
+{
+  LaplaceEigenpairs Spectrum;
+  Eigen::MatrixXd HeatKernel; ///< n x 100: HeatKernelSignature
+  Eigen::MatrixXd WaveKernel; ///< n x 100: WaveKernelSignature
+  Eigen::MatrixXd Embedding;  ///< n x EmbeddingDimensions
 };
 
 /**
- * The solutions of L f = lambda M f with the smallest lambda, for the stiffness L and the lumped
- * masses M of GetIntrinsicLaplacian, so that no weight is negative. On a boundary the derivative
- * across it is 0.
+ * The spectrum of a surface, its signatures and an embedding.
  *
- * Each component is solved alone, so that each eigenfunction lives on one, the first of each a
- * constant: FindExtremeEigenpairs on (L + s M)^-1, which one sparse factorisation applies to many
- * columns at a time; if there are few points, all eigenpairs by a dense decomposition. An
- * eigenfunction's value of largest magnitude is positive. The number of threads changes it by
- * rounding only.
- *
- * surface: a consistently oriented 2-manifold, open or closed. pairs: in [1, the number of points
- * that triangles use]. tolerance: of the residuals, over the eigenvalues of (L + s M)^-1. Throws
- * InvalidInput if not, SolveFailure if an iteration does not converge, Aborted.
+ * surface: a consistently oriented 2-manifold, open or closed; for MDS of one component. Throws
+ * InvalidInput if it is not, or if an option is out of range or asks for more eigenpairs than there
+ * are; SolveFailure, Aborted.
  */
-LaplaceSpectrum SolveLaplaceEigenproblem(
-  const Surface& surface, int pairs, const Progress& progress = {}, double tolerance = 1e-9);
+LaplaceSpectrumResult ComputeLaplaceSpectrum(const Surface& surface,
+  const LaplaceSpectrumOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

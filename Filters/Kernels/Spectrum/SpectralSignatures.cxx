@@ -13,7 +13,7 @@ namespace
 {
 
 /// How many eigenvalues are 0; there are more than these and `others`.
-Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
+Eigen::Index ZeroCount(const LaplaceEigenpairs& spectrum, int others)
 {
   const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
   if (spectrum.Eigenvalues.size() < zeros + others)
@@ -34,7 +34,7 @@ double Between(double first, double last, int i, int count)
 }
 
 /// The weight of each eigenfunction at each time (k x times); each column's sum is 1.
-Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
+Eigen::MatrixXd HeatWeights(const LaplaceEigenpairs& spectrum, int times)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
   const double reach = 4.0 * std::log(10.0);
@@ -51,7 +51,7 @@ Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
 }
 
 /// And at each energy.
-Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
+Eigen::MatrixXd WaveWeights(const LaplaceEigenpairs& spectrum, int energies)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
   const Eigen::ArrayXd logarithms =
@@ -71,24 +71,24 @@ Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
 }
 
 /// The sum over the eigenfunctions of their squares, times the area.
-Eigen::MatrixXd Signature(const LaplaceSpectrum& spectrum, const Eigen::MatrixXd& weights)
+Eigen::MatrixXd Signature(const LaplaceEigenpairs& spectrum, const Eigen::MatrixXd& weights)
 {
   return spectrum.Masses.sum() * (spectrum.Eigenfunctions.array().square().matrix() * weights);
 }
 
 } // namespace
 
-Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
+Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceEigenpairs& spectrum, int times)
 {
   return Signature(spectrum, HeatWeights(spectrum, times));
 }
 
-Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int energies)
+Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceEigenpairs& spectrum, int energies)
 {
   return Signature(spectrum, WaveWeights(spectrum, energies));
 }
 
-Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies)
+Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceEigenpairs& spectrum, int point, int energies)
 {
   return spectrum.Masses.sum() *
     (spectrum.Eigenfunctions *
@@ -96,7 +96,7 @@ Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceSpectrum& spectrum, int point
         WaveWeights(spectrum, energies)));
 }
 
-Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)
+Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceEigenpairs& spectrum, int dimensions)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, dimensions);
   return spectrum.Eigenfunctions.middleCols(zeros, dimensions) *

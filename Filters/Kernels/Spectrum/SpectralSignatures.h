@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Core>
 
@@ -18,7 +18,7 @@ namespace shape
  * 4 ln 10 / the smallest that is not 0; 0 at points without a triangle. times: >= 1. Throws
  * InvalidInput if all eigenvalues are 0.
  */
-Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times = 100);
+Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceEigenpairs& spectrum, int times = 100);
 
 /**
  * The probability of finding a quantum particle of about an energy at each point (Aubry,
@@ -29,13 +29,13 @@ Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int 
  * that is not 0 and of the largest, 2 standard deviations inside; the deviation is 7 % of that
  * range. 0 at points without a triangle. energies: >= 1. Throws as above.
  */
-Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int energies = 100);
+Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceEigenpairs& spectrum, int energies = 100);
 
 /// The wave kernel between each point and one point: the same with phi(x) phi(point) instead of
 /// phi(x)^2; n x energies. It distinguishes points that a symmetry of the surface exchanges, unless
 /// the symmetry keeps `point`.
 Eigen::MatrixXd ComputeWaveKernelFrom(
-  const LaplaceSpectrum& spectrum, int point, int energies = 100);
+  const LaplaceEigenpairs& spectrum, int point, int energies = 100);
 
 /**
  * The eigenfunctions of the smallest eigenvalues that are not 0, divided by the roots of these
@@ -43,6 +43,6 @@ Eigen::MatrixXd ComputeWaveKernelFrom(
  * 2007, section 4): n x dimensions, without unit; bending changes it little. dimensions: >= 1.
  * Throws InvalidInput if there are fewer eigenvalues that are not 0.
  */
-Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions);
+Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceEigenpairs& spectrum, int dimensions);
 
 } // namespace shape

@@ -4,7 +4,7 @@
 #include "Geometry/Orientation.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 #include "Untangle/Private/CellSplits.h"
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"

@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Distance/HausdorffDistance.h"
+#include "Geometry/FeatureAngle.h"
 #include "Hex/Fit/InnerInterfaces.h"
 #include "Hex/Fit/Snapping.h"
 #include "Mesh/HexMesh.h"
@@ -45,7 +46,8 @@ struct HexMeshOptions
   double CellSize = 0.0;
   int MaximumHexahedra = 200000; ///< no smaller cells are tried than give this many
   int PaddingLayers = 1;         ///< of hexahedra along the surface; >= 1
-  double FeatureAngle = 40.0;    ///< between normals, in degrees: what is sharper is a crease
+  /// Between normals, in degrees: what is sharper is a crease.
+  double FeatureAngle = DefaultFeatureAngle;
 };
 
 /// Throws InvalidInput if one of the options is out of its range.

@@ -6,7 +6,7 @@
 #include "Hex/Polycube/Private/PolycubeMap.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/SolidBoundary.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/Geometry>
 

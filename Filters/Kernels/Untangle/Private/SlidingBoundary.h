@@ -2,7 +2,7 @@
 
 #include "Mesh/Mesh.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/Core>
 
@@ -14,7 +14,8 @@ namespace shape
 
 /**
  * Lets points slide along a surface: those inside its smooth parts in two directions, those on its
- * creases (edges whose triangles meet at more than 40 degrees) along these, and corners not at all.
+ * creases (edges whose triangles meet at more than DefaultFeatureAngle) along these, and corners
+ * not at all.
  */
 class SlidingBoundary : public PointConstraint
 {

@@ -11,7 +11,7 @@ namespace shape
 {
 
 /// Charges close to a surface, each outside of the position (site) on it that it belongs to.
-struct NearSources
+struct NearSurfaceCharges
 {
   Eigen::MatrixXd Points;  ///< k x 3
   Eigen::VectorXi Sites;   ///< k, ascending: the row of its site
@@ -27,15 +27,16 @@ struct NearSources
  * boundary: closed, facing out of the solid. sites: n x 3, on or near it. normals: n x 3, unit, or
  * zero. offsets: n, >= 0. Throws Aborted.
  */
-NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
-  const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress = {});
+NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
+  const Eigen::MatrixXd& sites, const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
+  const Progress& progress = {});
 
 /**
  * The equations of charges that sit close to a surface, one outside of each of its points at about
  * the distance of the neighbouring points, and of a few coarse ones farther out. Set up once for a
  * surface, it solves for any number of boundary values.
  */
-class NearSourceSystem
+class NearSurfaceChargeSystem
 {
 public:
   /// More takes three times the time and memory. It converges where the surface's triangles are
@@ -47,7 +48,7 @@ public:
   };
   /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
   /// refinement of it. Throws SolveFailure if no charge has room, Aborted.
-  NearSourceSystem(const SignedDistance& boundary, const Surface& surface,
+  NearSurfaceChargeSystem(const SignedDistance& boundary, const Surface& surface,
     Effort effort = Effort::Little, const Progress& progress = {});
 
   /// m x 3: where values are wanted.
@@ -79,7 +80,7 @@ private:
 struct AcceleratedSetup
 {
   Surface Boundary;
-  std::unique_ptr<NearSourceSystem> System;
+  std::unique_ptr<NearSurfaceChargeSystem> System;
 };
 
 } // namespace shape

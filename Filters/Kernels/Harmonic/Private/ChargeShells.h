@@ -13,13 +13,13 @@ namespace shape
  * distance, and one in each of its voids, at the same distance or, in a narrow void, half as deep
  * as that is.
  */
-class SourceShells
+class ChargeShells
 {
 public:
   /// boundary: closed, facing out of the solid: one component around it, any number around voids.
   /// offset: > 0, in its units. Throws InvalidInput if the offset is too small to sample,
   /// Aborted.
-  SourceShells(const Surface& boundary, double offset, const Progress& progress = {});
+  ChargeShells(const Surface& boundary, double offset, const Progress& progress = {});
 
   double Area() const;                            ///< of all shells
   double Nearest() const { return this->Offset; } ///< the least distance of a shell; > 0

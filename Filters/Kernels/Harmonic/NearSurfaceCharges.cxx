@@ -1,4 +1,4 @@
-#include "Harmonic/NearSourceSystem.h"
+#include "Harmonic/NearSurfaceCharges.h"
 
 #include "Base/Errors.h"
 #include "Geometry/VertexNormals.h"
@@ -54,7 +54,8 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
     offsets(p) = CoarseOffset * SpacingOfRootArea * std::sqrt(areas(parts[p]).sum());
     level.Clusters(parts[p]).setConstant(static_cast<int>(p));
   }
-  const NearSources placed = InsertNearSources(boundary, centres, directions, offsets, progress);
+  const NearSurfaceCharges placed =
+    InsertNearSurfaceCharges(boundary, centres, directions, offsets, progress);
   level.Sources = placed.Points;
   // A cluster whose charge found no room joins the nearest one that has.
   Eigen::VectorXi number = Eigen::VectorXi::Constant(count, -1);
@@ -113,8 +114,9 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
 
 } // namespace
 
-NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
-  const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress)
+NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
+  const Eigen::MatrixXd& sites, const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
+  const Progress& progress)
 {
   constexpr double room = 0.6, nearer = 0.7;
   constexpr int steps = 4;
@@ -157,7 +159,7 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
   }
 
   std::vector<int> placed;
-  NearSources sources;
+  NearSurfaceCharges sources;
   for (int i = 0; i < n; ++i)
   {
     if (reached(i) > 0.0)
@@ -171,12 +173,12 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
   return sources;
 }
 
-NearSourceSystem::NearSourceSystem(
+NearSurfaceChargeSystem::NearSurfaceChargeSystem(
   const SignedDistance& boundary, const Surface& surface, Effort effort, const Progress& progress)
 {
   const Eigen::MatrixXd normals = ComputeVertexNormals(surface, NormalWeight::Area);
   const Eigen::VectorXd areas = ComputePointAreas(surface);
-  const NearSources near = InsertNearSources(boundary, surface.Points(), normals,
+  const NearSurfaceCharges near = InsertNearSurfaceCharges(boundary, surface.Points(), normals,
     NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(), progress.Part(0.0, 0.3));
   if (near.Sites.size() == 0)
   {
@@ -214,13 +216,13 @@ NearSourceSystem::NearSourceSystem(
     this->AllSources, this->System.Rows, FmmSummationOptions(), progress.Part(0.9, 1.0));
 }
 
-Eigen::MatrixXd NearSourceSystem::Values(
+Eigen::MatrixXd NearSurfaceChargeSystem::Values(
   const Eigen::MatrixXd& charges, const Progress& progress) const
 {
   return this->Sums->Potentials(charges, progress);
 }
 
-GmresResult NearSourceSystem::Solve(
+GmresResult NearSurfaceChargeSystem::Solve(
   const Eigen::MatrixXd& values, const GmresOptions& options, const Progress& progress) const
 {
   return SolveGmres([&](const Eigen::MatrixXd& charges) { return this->Values(charges); },
