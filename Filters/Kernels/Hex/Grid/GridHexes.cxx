@@ -378,7 +378,7 @@ private:
       " hexahedra has the surface's Euler number " + std::to_string(topology.EulerNumber) +
       " and number of components " + std::to_string(topology.Components) +
       (this->Boundary.Inner.empty() ? "" : ", and those of the inner surfaces, apart") +
-      ": some part or gap is thinner than its cells; raise MaximumHexahedra, or thicken it");
+      ": some part or gap is thinner than its cells; set a smaller CellSize, or thicken it");
   }
 
   /// Whether snapping is likely to make it what is wanted, or what is accepted if nothing is yet.
@@ -421,8 +421,7 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
     {
       throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
         ", which makes more than " + std::to_string(options.MaximumHexahedra) +
-        " hexahedra; at least " + std::to_string(minimum) +
-        " is needed, or a greater MaximumHexahedra");
+        " hexahedra; at least " + std::to_string(minimum) + " is needed");
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
     return search.Result(progress.Part(0.95, 1.0));

@@ -288,10 +288,10 @@ PolycubeResult BuildPolycube(
 {
   const Surface surface = OrientOutwards(given);
   PolycubeMapOptions mapOptions;
-  mapOptions.Compactness = options.Compactness;
   mapOptions.CellSize = options.TargetEdgeLength;
   mapOptions.Facing = true;
-  const PolycubeMap map = FindPolycubeMap(surface, mapOptions, progress.Part(0.0, 0.8));
+  const PolycubeMap map =
+    FindPolycubeMap(surface, options.Compactness, mapOptions, progress.Part(0.0, 0.8));
   const SurfaceLocator coarse(map.Solid.Surface());
   Mesh scaled = surface;
   scaled.Points /= map.CellSize;

@@ -18,9 +18,8 @@ constexpr double AutomaticCells = 12000.0;
 
 struct PolycubeMapOptions
 {
-  double Compactness = 3.0; ///< more: fewer charts, less: normals closer to the axes; > 0
-  double CellSize = 0.0;    ///< the polycube's unit, in the surface's units; 0: about 12,000 cells
-  int Triangles = 3000;     ///< of the coarse surface that is worked with, about
+  double CellSize = 0.0; ///< the polycube's unit, in the surface's units; 0: about 12,000 cells
+  int Triangles = 3000;  ///< of the coarse surface that is worked with, about
   /// Whether a polycube with a chart of which more than a tenth does not face its label's way is
   /// none. A chart may fold over itself without any negative tetrahedron, as around a thin hole;
   /// that is good enough for hexahedra, but it is not the boundary of a polycube.
@@ -51,10 +50,10 @@ struct PolycubeMap
  * negative, are made dearer and cut again; then other compactnesses are tried. At last the charts
  * go to whole numbers (RoundCharts), in smaller cells where that leaves no room.
  *
- * Throws as Tetrahedralize; InvalidInput where options are out of range; SolveFailure where no
- * polycube is found, with the faults of the best try; Aborted.
+ * compactness: see PolycubeOptions. Throws as Tetrahedralize; InvalidInput where options are out of
+ * range; SolveFailure where no polycube is found, with the faults of the best try; Aborted.
  */
-PolycubeMap FindPolycubeMap(
-  const Surface& surface, const PolycubeMapOptions& options = {}, const Progress& progress = {});
+PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
+  const PolycubeMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -21,7 +21,7 @@ struct VoxelPolycube
 /**
  * The cells of a grid inside a solid that was bent towards the axes (AlignWithAxes,
  * FlattenAlongAxes), brought back: their union is a polycube by construction, of the surface's
- * topology, but with a step wherever the bent solid is not quite flat (Yu, Zhang, Li and Zhao,
+ * topology, but with a step wherever the bent solid is not quite flat (Yu, Zhang, Wan and Li,
  * "Optimizing polycube domain construction for hexahedral remeshing", 2014).
  *
  * surface: closed, facing outwards. compactness: see FindAxisLabels. cells: about how many; more
