@@ -209,7 +209,7 @@ WorkingSolid BuildWorkingSolid(const Surface& surface, int triangles, const Prog
   solid.Points = tetrahedra.Points;
   solid.Tetrahedra = tetrahedra.Tetrahedra;
   solid.Triangles = coarse.Triangles();
-  solid.SurfacePointCount = static_cast<int>(coarse.Points.rows());
+  solid.SurfacePointCount = static_cast<int>(coarse.Points().rows());
   AddInnerPoints(solid);
   return solid;
 }
