@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Mesh/Graph.h"
 #include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
@@ -30,16 +31,12 @@ struct PointGraphOptions
  * The points of a shape and who is next to whom, for what spreads over shapes of any kind: curves,
  * surfaces, solids, soups and point sets, manifold or not.
  *
- * Nodes are the points, those at one place welded (FindPointsWithinTolerance). The neighbours of
- * node i are Neighbours[First[i]] ... Neighbours[First[i + 1] - 1], by number, Lengths[...] away.
+ * Nodes are the points, those at one place welded (FindPointsWithinTolerance).
  */
-struct PointGraph
+struct PointGraph : Graph
 {
   Eigen::MatrixXd Points;    ///< all of the shape, welded or not
   Eigen::MatrixXd Positions; ///< n x 3
-  std::vector<int> First;    ///< n + 1
-  std::vector<int> Neighbours;
-  std::vector<double> Lengths;
   /// n: how much of the shape a node stands for (equation 8 of the paper below), so that a dense
   /// spot counts no more than another: the area of the triangles, volume of the tetrahedra or
   /// length of the lines around it; where there are none, the squared distance of its nearest
@@ -54,6 +51,7 @@ struct PointGraph
   std::vector<int> PointOf; ///< n: the first point of each node
   double MeanLength = 0.0;  ///< ComputeMeanLinkLength
 
+  /// Nodes, also before they are linked.
   int Size() const { return static_cast<int>(this->Positions.rows()); }
 };
 

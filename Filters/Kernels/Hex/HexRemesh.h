@@ -37,7 +37,7 @@ struct HexRemeshGuides
   /// The wanted size of hexahedra at each of the surface's points, in its units; empty: none.
   Eigen::VectorXd Sizes;
   /// Closed surfaces inside the solid, also inside one another: borders between its regions.
-  std::vector<Mesh> InnerSurfaces;
+  std::vector<Surface> InnerSurfaces;
   /// A polycube of the surface, whose cells are taken; without triangles: none.
   GivenPolycube Polycube;
 };

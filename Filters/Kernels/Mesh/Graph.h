@@ -26,6 +26,10 @@ struct Graph
   int Size() const { return static_cast<int>(this->First.size()) - 1; }
 };
 
+/// The graph of these links, pairs of different nodes in any order, some perhaps twice; each is as
+/// long as the straight way between its nodes' positions (n x 3).
+Graph BuildGraph(const Eigen::MatrixXd& positions, std::vector<std::pair<int, int>> links);
+
 /// The points and edges of a surface, built once and kept with it. Throws InvalidInput as
 /// RequireIndices.
 std::shared_ptr<const Graph> GetEdgeGraph(const Surface& surface);
@@ -33,8 +37,9 @@ std::shared_ptr<const Graph> GetEdgeGraph(const Surface& surface);
 /// Nodes that paths start from, and the distance that each starts with.
 struct GraphSources
 {
-  std::vector<int> Nodes;
+  std::vector<int> Nodes; ///< a node may be there several times
   Eigen::VectorXd Distances;
+  std::vector<int> Before; ///< the node before each on the path, or -1; empty: -1 for all
 };
 
 /**
@@ -64,7 +69,8 @@ void RunDijkstra(const Graph& graph, const GraphSources& sources, Eigen::VectorX
   };
   for (std::size_t i = 0; i < sources.Nodes.size(); ++i)
   {
-    lower(sources.Nodes[i], sources.Distances(static_cast<Eigen::Index>(i)), -1);
+    lower(sources.Nodes[i], sources.Distances(static_cast<Eigen::Index>(i)),
+      sources.Before.empty() ? -1 : sources.Before[i]);
   }
   while (!queue.empty())
   {

@@ -7,6 +7,14 @@
 namespace shape
 {
 
+/// A point on a surface: a triangle, and barycentric coordinates >= 0 in it whose sum is 1. Those
+/// opposite an edge that it lies on are exactly 0; at a vertex one of them is exactly 1.
+struct SurfacePoint
+{
+  int Triangle = -1;
+  Eigen::RowVector3d Barycentric = Eigen::RowVector3d::Zero();
+};
+
 /// Where on the triangles of another surface each of n places goes.
 struct SurfacePoints
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Mesh/SurfacePoints.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -8,13 +10,6 @@
 
 namespace shape
 {
-
-/// A place in a planar triangulation.
-struct PlanarPoint
-{
-  int Triangle = -1;              ///< -1: in none
-  Eigen::RowVector3d Barycentric; ///< >= 0
-};
 
 /// Finds the triangle of a planar triangulation that a place lies in; built in linear time.
 class PlanarLocator
@@ -25,8 +20,9 @@ public:
   PlanarLocator(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
     const std::vector<int>& leftOut = {});
 
-  /// The lowest triangle that contains the place, inside or on its border, exactly.
-  PlanarPoint Find(const Eigen::RowVector2d& position) const;
+  /// The lowest triangle that contains the place, inside or on its border, exactly; -1 if none
+  /// does.
+  SurfacePoint Find(const Eigen::RowVector2d& position) const;
 
   /// Calls use(triangle) for those whose boxes may meet a box, each once or more often, in a fixed
   /// order, until it returns true; returns whether it did.

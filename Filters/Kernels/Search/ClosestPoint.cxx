@@ -231,7 +231,7 @@ ClosestPoint SurfaceLocator::FindOne(const RowVector3d& point, int guess) const
   }
   RequireFound(nearest);
   const RowVector3d position = nearest.Barycentric * this->Impl->Facets[nearest.Triangle].Corners;
-  return { nearest.Triangle, nearest.Barycentric, position, (position - point).norm() };
+  return { { nearest.Triangle, nearest.Barycentric }, position, (position - point).norm() };
 }
 
 } // namespace shape

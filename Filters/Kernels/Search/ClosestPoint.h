@@ -19,10 +19,9 @@ struct ClosestPoints : SurfacePoints
 };
 
 /// Where on a surface the closest point to one point lies.
-struct ClosestPoint
+struct ClosestPoint : SurfacePoint
 {
-  int Triangle = -1;
-  Eigen::RowVector3d Barycentric, Position;
+  Eigen::RowVector3d Position;
   double Distance = 0.0;
 };
 

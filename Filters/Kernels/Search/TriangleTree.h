@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Mesh/SurfacePoints.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -8,10 +10,8 @@ namespace shape
 {
 
 /// Where in which triangle the nearest place is.
-struct NearestTriangle
+struct NearestTriangle : SurfacePoint
 {
-  int Triangle = -1;
-  Eigen::RowVector3d Barycentric; ///< exactly 0 opposite an edge that it lies on
   double SquaredDistance = 0.0;
 };
 

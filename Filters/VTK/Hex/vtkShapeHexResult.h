@@ -16,7 +16,7 @@ void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
 
 /// The quads of the boundary, then those of the interfaces. innerSurfaces: one for each of these.
 void WriteBoundary(const shape::HexRemeshResult& result, const shape::Surface& surface,
-  const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output);
+  const std::vector<shape::Surface>& innerSurfaces, vtkPolyData* output);
 
 /// Field data. hexahedra: as they are written.
 void AddFacts(

@@ -6,7 +6,7 @@
 #include "Base/Errors.h"
 #include "CutPaste/PasteFeature.h"
 #include "Geometry/VertexNormals.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/TestShapes.h"

@@ -234,7 +234,7 @@ std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const Grid
 class GridSearch
 {
 public:
-  GridSearch(const Surface& surface, const std::vector<Mesh>& innerSurfaces,
+  GridSearch(const Surface& surface, const std::vector<Surface>& innerSurfaces,
     const GridHexesOptions& options, const Progress& progress)
     : Options(options)
     , Regions(surface, innerSurfaces, progress)
@@ -411,7 +411,7 @@ void RequireGridInRange(const GridHexesOptions& options)
 }
 
 GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& options,
-  const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+  const Progress& progress, const std::vector<Surface>& innerSurfaces)
 {
   GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
   if (options.CellSize > 0.0)
@@ -448,7 +448,7 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
   return search.Result(progress.Part(0.95, 1.0));
 }
 
-GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Mesh>& solids,
+GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Surface>& solids,
   const GridHexesOptions& options, const Progress& progress)
 {
   const std::vector<double> shares = ComputeVolumeShares(solids);
@@ -477,12 +477,12 @@ GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Mesh>& 
 } // namespace
 
 GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOptions& options,
-  const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+  const Progress& progress, const std::vector<Surface>& innerSurfaces)
 {
   RequireGridInRange(options);
   if (innerSurfaces.empty())
   {
-    const std::vector<Mesh> solids = SplitSolids(surface, progress.Part(0.0, 0.02));
+    const std::vector<Surface> solids = SplitSolids(surface, progress.Part(0.0, 0.02));
     if (!solids.empty())
     {
       return OfSeveralGrids(surface, solids, options, progress.Part(0.02, 1.0));

@@ -268,7 +268,7 @@ Eigen::VectorXd Corrected(const Surface& surface, const Eigen::VectorXd& sizes,
 } // namespace
 
 SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::VectorXd& sizes,
-  GridHexesOptions options, const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+  GridHexesOptions options, const Progress& progress, const std::vector<Surface>& innerSurfaces)
 {
   RequireSizes(surface, sizes);
   const int rounds = options.Rounds;

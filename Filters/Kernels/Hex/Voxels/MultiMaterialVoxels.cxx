@@ -19,7 +19,7 @@ namespace
 
 /// Throws where surfaces are not closed, cross, or are not inside one another as they have to be.
 void RequireNested(
-  const Mesh& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress)
+  const Surface& surface, const std::vector<Surface>& innerSurfaces, const Progress& progress)
 {
   std::vector<Surface> surfaces = { surface };
   std::vector<std::string> names = { "the Surface" };
@@ -96,7 +96,7 @@ std::vector<int> PartSizes(const SampledGrid& grid, const std::vector<char>& ins
 } // namespace
 
 MultiMaterialVoxels::MultiMaterialVoxels(
-  const Surface& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress)
+  const Surface& surface, const std::vector<Surface>& innerSurfaces, const Progress& progress)
   : Whole(surface, progress.Part(0.0, 0.3))
 {
   if (innerSurfaces.empty())

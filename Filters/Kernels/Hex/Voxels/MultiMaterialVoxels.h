@@ -34,8 +34,8 @@ class MultiMaterialVoxels
 public:
   /// innerSurfaces: closed, inside the solid, also inside one another. Throws InvalidInput where
   /// one is not so, or surfaces cross or touch, or have flat triangles; Aborted.
-  MultiMaterialVoxels(
-    const Surface& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress = {});
+  MultiMaterialVoxels(const Surface& surface, const std::vector<Surface>& innerSurfaces,
+    const Progress& progress = {});
 
   TopologyPreservingVoxels& Outer() { return this->Whole; }
   const TopologyPreservingVoxels& Outer() const { return this->Whole; }

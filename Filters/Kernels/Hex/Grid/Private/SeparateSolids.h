@@ -17,7 +17,7 @@ namespace shape
  *
  * surface: as for RequireClosedSurface. Throws InvalidInput where it is not closed, Aborted.
  */
-std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress = {});
+std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progress = {});
 
 /// The hexahedra of several solids, one after the other: PatchOf counts on. Without interfaces.
 HexFit JoinFits(const std::vector<HexFit>& fits);
@@ -25,9 +25,9 @@ HexFit JoinFits(const std::vector<HexFit>& fits);
 /// The features of several surfaces (the points and triangles of all), one after the other.
 /// solids: one for each of the features.
 SurfaceFeatures JoinFeatures(
-  const std::vector<SurfaceFeatures>& features, const std::vector<Mesh>& solids);
+  const std::vector<SurfaceFeatures>& features, const std::vector<Surface>& solids);
 
 /// The share of the hexahedra that each solid may have: by its volume, and at least some.
-std::vector<double> ComputeVolumeShares(const std::vector<Mesh>& solids);
+std::vector<double> ComputeVolumeShares(const std::vector<Surface>& solids);
 
 } // namespace shape
