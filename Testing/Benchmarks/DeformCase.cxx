@@ -3,7 +3,7 @@
 #include "Cost.h"
 
 #include "Deform/ShapeDeformation.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Topology.h"
 #include "Remesh/Coarsening.h"
 

@@ -4,7 +4,7 @@
 
 #include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -53,7 +53,7 @@ void Write(const std::string& path, const Eigen::SparseMatrix<double>& stiffness
 void Run(const std::string& model, int pairs, const std::string& path)
 {
   const shape::Mesh mesh = benchmark::ReadOff(model, true);
-  shape::LaplaceSpectrum spectrum;
+  shape::LaplaceEigenpairs spectrum;
   const benchmark::Cost cost =
     benchmark::Measure([&] { spectrum = shape::SolveLaplaceEigenproblem(mesh, pairs); });
   const shape::IntrinsicTriangles flat = shape::BuildIntrinsicDelaunay(mesh);
