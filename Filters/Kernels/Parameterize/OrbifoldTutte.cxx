@@ -4,7 +4,7 @@
 #include "Geometry/Orientation.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 

@@ -127,7 +127,8 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
 
 /// The outer quads first, then those of each interface, with points numbered anew.
 void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
-  const shape::Surface& surface, const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output)
+  const shape::Surface& surface, const std::vector<shape::Surface>& innerSurfaces,
+  vtkPolyData* output)
 {
   const shape::HexFit& fit = result.Fit;
   Eigen::Index count = fit.Quads.rows();

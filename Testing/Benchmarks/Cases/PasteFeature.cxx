@@ -57,7 +57,7 @@ std::optional<Feature> CutAround(const shape::Mesh& surface, int point, double r
   for (int i = 0; i < corners; ++i)
   {
     const double angle = 2.0 * M_PI * i / corners;
-    const shape::PlanarPoint at =
+    const shape::SurfacePoint at =
       inPlane.Find(radius * Eigen::RowVector2d(std::cos(angle), std::sin(angle)));
     if (at.Triangle < 0)
     {

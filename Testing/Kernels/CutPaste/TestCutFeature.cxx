@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
 #include "CutPaste/CutFeature.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"

@@ -4,7 +4,7 @@
 
 #include "Base/Errors.h"
 #include "CutPaste/FootprintLayout.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,8 @@
 
 #include "Base/Errors.h"
 #include "CutPaste/PasteFeature.h"
-#include "Mesh/OpenSurface.h"
+#include "Geometry/VertexNormals.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/TestShapes.h"
@@ -70,7 +71,7 @@ Cut CutOut(const shape::Mesh& base, const Eigen::RowVector3d& seed, double radiu
   const auto size = static_cast<Eigen::Index>(cut.Base.Loop.size());
   cut.Base.LoopPositions.resize(size, 2);
   cut.Base.Normals.resize(size, 3);
-  const Eigen::MatrixXd normals = shape::ComputePointNormals(base);
+  const Eigen::MatrixXd normals = shape::ComputeVertexNormals(base, shape::NormalWeight::Angle);
   for (Eigen::Index i = 0; i < size; ++i)
   {
     const int point = cut.Points[cut.Base.Loop[i]];

@@ -9,7 +9,7 @@
 
 #include "Base/Errors.h"
 #include "CutPaste/FootprintLayout.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Support/CurveShapes.h"
 #include "Support/DeformShapes.h"
 #include "Support/HoleShapes.h"

@@ -1,5 +1,6 @@
 #include "Hex/HexRemesh.h"
 #include "Mesh/Surface.h"
+#include "Mesh/SurfaceWork.h"
 #include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
 #include "Support/Refusals.h"
@@ -32,7 +33,11 @@ TEST(HexRemesh, EveryMethodFillsATorus)
   for (const MethodType method : { MethodType::Grid, MethodType::Polycube, MethodType::Automatic })
   {
     options.Method = method;
+    const shape::SurfaceWork work(torus.Points);
     const shape::HexRemeshResult result = shape::RemeshHexahedra(torus, options);
+    // The surface goes through all kernels as it is: none checks or indexes a copy.
+    EXPECT_EQ(work.Count(shape::SurfaceWork::Kind::Topology), 1);
+    EXPECT_EQ(work.Count(shape::SurfaceWork::Kind::SearchTree), 1);
     // Automatic gives the same bits as the method that it has chosen.
     const auto first = points.emplace(result.Method, result.Fit.Solid.Points).first;
     EXPECT_EQ(result.Fit.Solid.Points, first->second);

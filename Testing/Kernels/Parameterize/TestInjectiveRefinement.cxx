@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Parameterize/ConvexCombination.h"
 #include "Parameterize/InjectiveRefinement.h"
 #include "Parameterize/Private/PlanarElements.h"

@@ -7,7 +7,7 @@
 #include "Quality/MapQuality.h"
 #include "Search/ClosestPoint.h"
 #include "Tetrahedra/Tetrahedralize.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 #include "Untangle/Untangle.h"
 
 #include <Eigen/Geometry>
