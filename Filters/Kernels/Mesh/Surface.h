@@ -74,6 +74,9 @@ private:
   std::shared_ptr<Data> Impl;
 };
 
+/// The components of a surface in the order of ComponentId, each with the points it uses, in order.
+std::vector<Mesh> SplitComponents(const Surface& surface);
+
 /// Throws InvalidInput unless `surface` has triangles, every coordinate is finite, its longest side
 /// is between 1e-50 and 1e50 and it is a consistently oriented 2-manifold, open or closed. `name`
 /// is what the message calls it.

@@ -36,9 +36,6 @@ Topology ComputeTopology(const Mesh& mesh);
 /// The same of a mesh whose indices are in range, and its SortHalfEdges.
 Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sorted);
 
-/// The components of a surface in the order of ComponentId, each with the points it uses, in order.
-std::vector<Mesh> SplitComponents(const Mesh& mesh);
-
 /// Throws InvalidInput where `values` has a NaN or an infinity: "`name` has 3 values that are not
 /// finite (first at point 17)".
 void RequireFinite(const Eigen::MatrixXd& values, const std::string& name);
