@@ -54,7 +54,7 @@ double Loss(double size, double volume)
 
 /// Checks what holds for every result, and returns the volume of each region. size: of the cells;
 /// quads are no larger.
-std::vector<double> Check(const shape::HexFit& fit, const std::vector<shape::Mesh>& inner,
+std::vector<double> Check(const shape::HexFit& fit, const std::vector<shape::Surface>& inner,
   const std::vector<int>& eulerNumbers, double size)
 {
   EXPECT_EQ(fit.Inverted, 0);
@@ -96,7 +96,7 @@ std::vector<double> Check(const shape::HexFit& fit, const std::vector<shape::Mes
 TEST(InnerInterfaces, ABallInABallIsARegionOfItsOwn)
 {
   const shape::Mesh outer = Ball(1.0, { 0.0, 0.0, 0.0 });
-  const std::vector<shape::Mesh> inner = { Ball(0.5, { 0.05, 0.0, 0.02 }) };
+  const std::vector<shape::Surface> inner = { Ball(0.5, { 0.05, 0.0, 0.02 }) };
   shape::GridHexesOptions options;
   options.CellSize = 0.15;
   options.Rounds = 1;
@@ -120,7 +120,7 @@ TEST(InnerInterfaces, TheirDistanceIsThatAfterTheOuterSurfaceIsSnappedTo)
     const double away = (point - Eigen::RowVector3d::UnitX()).norm();
     point *= 1.0 + 0.3 * std::exp(-away / 0.1);
   }
-  const std::vector<shape::Mesh> inner = { Ball(0.15, { 0.8, 0.0, 0.0 }, 3) };
+  const std::vector<shape::Surface> inner = { Ball(0.15, { 0.8, 0.0, 0.0 }, 3) };
   shape::GridHexesOptions options;
   options.CellSize = 0.12;
   options.Rounds = 1;
@@ -140,7 +140,7 @@ TEST(InnerInterfaces, TheirDistanceIsThatAfterTheOuterSurfaceIsSnappedTo)
 TEST(InnerInterfaces, BallsSideBySideAndInOneAnother)
 {
   const shape::Mesh outer = Ball(1.0, { 0.0, 0.0, 0.0 });
-  std::vector<shape::Mesh> inner = { Ball(0.3, { 0.0, 0.5, 0.0 }, 3),
+  std::vector<shape::Surface> inner = { Ball(0.3, { 0.0, 0.5, 0.0 }, 3),
     Ball(0.35, { 0.0, -0.4, 0.0 }, 3), Ball(0.15, { 0.0, -0.4, 0.0 }, 2) };
   inner[1].Triangles = inner[1].Triangles.rowwise().reverse().eval(); // either way is right
   shape::GridHexesOptions options;
@@ -161,7 +161,7 @@ TEST(InnerInterfaces, CreasesOfInnerSurfacesAreRounded)
   shape::GridHexesOptions options;
   options.CellSize = 0.15;
   options.Rounds = 2;
-  const std::vector<shape::Mesh> inner = { cube };
+  const std::vector<shape::Surface> inner = { cube };
   const shape::GridHexesResult result =
     shape::BuildGridHexahedra(Ball(1.0, { 0.0, 0.0, 0.0 }), options, {}, inner);
   EXPECT_FALSE(result.InnerCreasesKept);
@@ -181,7 +181,7 @@ TEST(InnerInterfaces, WhatIsNotInsideOrCrossesIsNamed)
   const shape::Mesh outer = Ball(1.0, { 0.0, 0.0, 0.0 }, 2);
   shape::GridHexesOptions options;
   options.CellSize = 0.2;
-  const auto said = [&](const std::vector<shape::Mesh>& inner)
+  const auto said = [&](const std::vector<shape::Surface>& inner)
   {
     try
     {
