@@ -121,7 +121,7 @@ void Drop(const std::string& from, const std::string& to, unsigned int seed)
     const shape::PastedFeature back = paste.PasteOn(home, { feature->Cut.Seed, 0.0, 1.0 });
     std::printf("inplace=%.2g ",
       (back.Surface.Points.middleRows(
-         static_cast<Eigen::Index>(back.TargetPoints.size()), part.Points.rows()) -
+         (back.Target.Points.array() >= 0).count(), part.Points.rows()) -
         part.Points)
           .cwiseAbs()
           .maxCoeff() /

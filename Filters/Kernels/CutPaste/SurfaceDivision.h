@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Geometry/SurfaceWelding.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
-#include "Mesh/SurfacePoints.h"
 #include "Remesh/CurveImprinting.h"
 
 #include <set>
@@ -15,11 +15,9 @@ namespace shape
 /// A part of a surface.
 struct DividedPart
 {
-  Mesh Surface;                       ///< points of the surface in their order, then new ones
-  std::vector<int> OriginalPoints;    ///< of each point: the surface's, or -1
-  SurfacePoints Positions;            ///< on the surface; triangle -1: not on it
-  std::vector<int> OriginalTriangles; ///< of each: the one of the surface that contains it, or -1
-  std::vector<int> Ids; ///< of each point: see SurfaceDivision; -1: not on the surface
+  Mesh Surface;                 ///< points of the surface in their order, then new ones
+  shape::Provenance Provenance; ///< from the surface
+  std::vector<int> Ids;         ///< of each point: see SurfaceDivision; -1: not on the surface
 };
 
 /// A part with its seams closed: the same points, but only the first one of those with the same id
@@ -52,7 +50,7 @@ public:
 private:
   int OriginalOf(int triangle) const;
   int GivenPoint(int triangle, int point) const;
-  SurfacePoint NewPosition(int triangle, int point) const;
+  Eigen::RowVector3d WeightsOf(int triangle, int point) const;
 
   shape::Surface Surface;
   const WeldedSurface& Joined;

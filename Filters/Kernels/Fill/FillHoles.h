@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Fill/HoleFiller.h"
 #include "Fill/LoopCorners.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
 #include <Eigen/Core>
@@ -46,6 +47,10 @@ struct FilledSurface
   /// The surface's points and triangles first, unchanged; then those of the fills, hole by hole.
   Mesh Surface;
   std::vector<FilledHole> Holes;
+  /// From the surface. A point of a fill takes its data from the nearest point of the loop, a
+  /// triangle from a triangle of the surface at the loop; for smooth values see
+  /// ExtendValuesOntoFill.
+  shape::Provenance Provenance;
 };
 
 /**
@@ -101,19 +106,8 @@ FilledSurface FillHoles(
 FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<int>>& loops,
   const FillHolesOptions& options = {}, const Progress& progress = {});
 
-/// The sources of the data on a fill.
-struct FillSources
-{
-  std::vector<int> Points;    ///< of each of its points: the nearest one of the loop
-  std::vector<int> Triangles; ///< of each triangle: the nearest one of the surface at the loop
-};
-
-/// The sources of each fill. surface: with the fills, whose triangles come last. A triangle is -1
-/// if the loop has none.
-std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes);
-
 /// Values at a fill's points (hole.Points x d): the harmonic ones with those given at its loop
-/// (SolveHarmonicValues). values: n x d, of all points; only the loop's rows count.
+/// (SolveHarmonicValues). values: of the points of hole.Loop, in order.
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values);
 

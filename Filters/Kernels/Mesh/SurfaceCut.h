@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
 #include <array>
@@ -13,8 +14,8 @@ namespace shape
 /// A surface that was cut open along edges.
 struct CutSurface
 {
-  Mesh Surface;               ///< the same triangles; copies of points come after all points
-  std::vector<int> Originals; ///< of each point: the one of the uncut surface
+  Mesh Surface;                 ///< the same triangles; copies of points come after all points
+  shape::Provenance Provenance; ///< from the uncut surface
 };
 
 /// Cuts along the given edges: a point has a copy for each part that its triangles fall into; the

@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Geodesics/SurfaceLoop.h"
 #include "Mesh/Mesh.h"
-#include "Mesh/SurfacePoints.h"
+#include "Mesh/Provenance.h"
 
 #include <Eigen/Core>
 
@@ -24,8 +24,7 @@ struct CurveImprintingOptions
 struct ImprintedCurves
 {
   Mesh Surface;                        ///< the given points come first
-  SurfacePoints NewPoints;             ///< of each further point: its position on the given surface
-  Eigen::VectorXi OriginalTriangles;   ///< of each triangle: the one that it is a part of
+  shape::Provenance Provenance;        ///< from the given surface
   std::vector<std::vector<int>> Loops; ///< closed; no point twice in one; the longest first
   std::vector<int> LoopIds;            ///< of each of them: the given loop that it is a part of
 };

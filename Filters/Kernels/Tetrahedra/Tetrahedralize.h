@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
 #include <vector>
@@ -27,12 +28,13 @@ struct TetrahedralizeResult
   /// n x 3: the surface's points that triangles use, in order, one for each position; then those of
   /// the inner surfaces; then the new ones.
   Eigen::MatrixXd Points;
-  Eigen::MatrixXi Tetrahedra;    ///< m x 4: (b - a) x (c - a) . (d - a) > 0
-  Eigen::VectorXi RegionId;      ///< m: see Tetrahedralize
-  Eigen::VectorXi OriginalPoint; ///< n: the surface's point that it is, or -1
-  int SteinerPoints = 0;         ///< how many points are of no surface
-  int Regions = 0;               ///< how many regions have tetrahedra
-  double Volume = 0.0;           ///< of all tetrahedra
+  Eigen::MatrixXi Tetrahedra; ///< m x 4: (b - a) x (c - a) . (d - a) > 0
+  Eigen::VectorXi RegionId;   ///< m: see Tetrahedralize
+  /// From the surface, whose points alone have a source: see TraceClosestPositions.
+  shape::Provenance Provenance;
+  int SteinerPoints = 0; ///< how many points are of no surface
+  int Regions = 0;       ///< how many regions have tetrahedra
+  double Volume = 0.0;   ///< of all tetrahedra
   /// The minimum scaled Jacobian: 6 sqrt(2) volume over the largest product of the three edges at a
   /// corner; 1 for the regular tetrahedron, near 0 for a flat one.
   double MinimumScaledJacobian = 0.0;
@@ -63,5 +65,10 @@ struct TetrahedralizeResult
 TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const std::vector<Surface>& innerSurfaces = {}, const TetrahedralizeOptions& options = {},
   const Progress& progress = {});
+
+/// The solid's provenance in which the points that are none of the surface's have the values at the
+/// closest positions on it. Throws Aborted.
+Provenance TraceClosestPositions(
+  const Surface& surface, const TetrahedralizeResult& solid, const Progress& progress = {});
 
 } // namespace shape

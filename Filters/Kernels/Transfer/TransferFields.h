@@ -30,7 +30,6 @@ struct TransferWeights
   /// values of the closest position in a cell.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
   Eigen::VectorXi Cells;   ///< r: the giver's cell, the closest one outside
-  Eigen::VectorXi Nearest; ///< r: of the cell's points, the one of most weight
   Eigen::VectorXi Outside; ///< r: 1 if farther than the tolerance from every cell, else 0
 };
 

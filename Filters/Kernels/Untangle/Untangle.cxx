@@ -102,9 +102,14 @@ public:
     UntangleResult result;
     result.Iterations = this->Iterations;
     result.Solid = this->Solid.Result();
-    result.OriginalCell =
-      Eigen::Map<const Eigen::VectorXi>(this->Solid.OriginalCells.data(), this->Solid.CellCount());
-    result.Parents = this->Solid.Parents;
+    ProvenanceWriter provenance(this->Solid.OriginalPointCount);
+    provenance.AddCopies(this->Solid.OriginalPointCount);
+    for (const std::array<int, 4>& parents : this->Solid.Parents)
+    {
+      provenance.AddMean({ parents.begin(), std::find(parents.begin(), parents.end(), -1) });
+    }
+    result.Provenance = provenance.Finish(
+      Eigen::Map<const Eigen::VectorXi>(this->Solid.OriginalCells.data(), this->Solid.CellCount()));
     result.Inverted = Eigen::VectorXi::Zero(this->Solid.CellCount());
     for (const int cell : this->InvertedCells())
     {

@@ -3,11 +3,9 @@
 #include "Base/Progress.h"
 #include "Mesh/Cells.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Provenance.h"
 
 #include <Eigen/Core>
-
-#include <array>
-#include <vector>
 
 namespace shape
 {
@@ -21,10 +19,9 @@ struct UntangleOptions
 struct UntangleResult
 {
   Cells Solid; ///< those cells that were split come where they were, their other parts at the end
-  Eigen::VectorXi OriginalCell; ///< for each cell: the input's that it is, or is a part of
-  /// For each new point (they come after the input's): the points in whose middle it was put, -1
-  /// where there are fewer than four.
-  std::vector<std::array<int, 4>> Parents;
+  /// From the input, whose points come first. A new point has the mean of the points that it was
+  /// put between.
+  shape::Provenance Provenance;
   Eigen::VectorXi Inverted; ///< for each cell: 1 where it could not be made positive
   int InvertedBefore = 0;   ///< cells of the input that were inverted
   int InvertedAfter = 0;    ///< cells of the result that are

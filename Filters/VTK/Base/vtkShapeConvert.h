@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkDataObject;
 class vtkDataSet;
 class vtkDoubleArray;
@@ -62,10 +61,6 @@ vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std
 
 /// Rows `rows` of `values`, in order.
 Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows);
-
-/// Whether an array has values that can be averaged (of fractions, or colours), and no numbers or
-/// names of something.
-bool AreValues(vtkAbstractArray* array);
 
 /// A mesh as a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);

@@ -10,12 +10,9 @@ namespace vtkShapeCutParts
 {
 
 /**
- * Writes both with the arrays of points and cells of `surface`: new points have what lies between
- * the corners of the triangle that they are in. On fills, floating-point values continue
- * smoothly from the boundary loop (shape::ExtendValuesOntoFill), other data are those of the
- * nearest point or cell at it, and `Normals` are dropped. Adds `OriginalPointId` (vtkIdType; -1:
- * new), to the rest the cell array `Filled`, and to the feature what it stood on: see
- * vtkShapeCutFeature. numbered: the surface's triangles.
+ * Writes both with the data of `surface` (vtkShapeCarry) and, on fills, what vtkShapeFillValues
+ * makes of them. Adds `OriginalPointId` (vtkIdType; -1: new), to the rest the cell array `Filled`,
+ * and to the feature what it stood on: see vtkShapeCutFeature. numbered: the surface's triangles.
  */
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);

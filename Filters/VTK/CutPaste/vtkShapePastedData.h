@@ -1,7 +1,7 @@
 #pragma once
 
 #include "CutPaste/PasteFeature.h"
-#include "Transfer/PreciseArrays.h"
+#include "Mesh/Provenance.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -17,8 +17,9 @@ namespace vtkShapePastedData
 struct Part
 {
   vtkSmartPointer<vtkPolyData> Data;
-  shape::NumberedSurface Triangles; ///< of points that triangles use alone
-  std::vector<int> Points;          ///< of each of these: the one of Data
+  shape::Mesh Surface;          ///< of points that triangles use alone
+  std::vector<int> Points;      ///< of each of these: the one of Data
+  shape::Provenance Provenance; ///< of the surface, from Data
   int WeldedPoints = 0;
 };
 
@@ -26,12 +27,10 @@ struct Part
 Part Read(vtkPolyData* data, const std::string& name, const shape::Progress& progress);
 
 /**
- * Writes the pasted surface with the arrays of points and cells of both parts. Where only one part
- * has an array, the other has zeros; arrays of the same name but of another type or number of
- * components count as different, and the target's is kept. Floating-point numbers and colours
- * (unsigned char) of the feature's points meet the target's at the loop: shape::BlendAtSeam over
- * `blendWidth` of the feature's depth. The band's cells take what the target has there. `Normals`
- * are left out. The cell array `Part` is 0 on the target, 1 on the band and 2 on the feature.
+ * Writes the pasted surface with the data of both parts (vtkShapeCarry). Values of the feature's
+ * points, if both parts have the array, meet the target's at the loop: shape::BlendAtSeam over
+ * `blendWidth` of the feature's depth. The band's cells take what the target has there. The cell
+ * array `Part` is 0 on the target, 1 on the band and 2 on the feature.
  */
 void Write(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature,
   const Part& target, const Part& featurePart, double blendWidth, vtkPolyData* output);

@@ -1,76 +1,89 @@
 #include "vtkShapeFillValues.h"
 
-#include "vtkShapeConvert.h"
+#include "vtkShapeCarry.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include "Fill/FillHoles.h"
+#include "Geometry/VertexNormals.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
+#include <numeric>
 
 namespace
 {
 
-/// A component of an array.
-using Column = std::pair<vtkDataArray*, int>;
-
-double ValueFor(const vtkDataArray* array, double value)
+std::vector<int> Consecutive(vtkIdType first, Eigen::Index count)
 {
-  return array->GetDataType() == VTK_UNSIGNED_CHAR ? std::clamp(std::round(value), 0.0, 255.0)
-                                                   : value;
+  std::vector<int> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), static_cast<int>(first));
+  return numbers;
 }
 
-/// values: room for those of all points.
-void ContinueColumns(const shape::Mesh& surface, const shape::FilledHole& hole,
-  const std::vector<Column>& columns, Eigen::MatrixXd& values)
+/// All arrays of a fill at once: its equations are solved once.
+void ContinueValues(const shape::Mesh& surface, const shape::FilledHole& hole,
+  const std::vector<vtkDataArray*>& arrays, int components)
 {
-  for (Eigen::Index column = 0; column < values.cols(); ++column)
+  Eigen::MatrixXd values(hole.Loop.size(), components);
+  Eigen::Index column = 0;
+  for (vtkDataArray* array : arrays)
   {
-    const auto& [array, component] = columns[column];
-    for (const int point : hole.Loop)
-    {
-      values(point, column) = array->GetComponent(point, component);
-    }
+    const int width = array->GetNumberOfComponents();
+    values.middleCols(column, width) = vtkShapeCarry::GetTuples(array, hole.Loop);
+    column += width;
   }
   const Eigen::MatrixXd own = shape::ExtendValuesOntoFill(surface, hole, values);
-  for (Eigen::Index column = 0; column < own.cols(); ++column)
+  const std::vector<int> points = Consecutive(hole.FirstPoint, hole.Points);
+  column = 0;
+  for (vtkDataArray* array : arrays)
   {
-    const auto& [array, component] = columns[column];
-    for (int i = 0; i < hole.Points; ++i)
-    {
-      array->SetComponent(hole.FirstPoint + i, component, ValueFor(array, own(i, column)));
-    }
+    const int width = array->GetNumberOfComponents();
+    vtkShapeCarry::SetTuples(own.middleCols(column, width), points, array);
+    column += width;
   }
 }
 
 } // namespace
 
 void vtkShapeFillValues::Continue(const shape::Mesh& surface,
-  const std::vector<shape::FilledHole>& holes, vtkDataSetAttributes* points,
-  const vtkDataArray* leftOut)
+  const std::vector<shape::FilledHole>& holes, vtkIdType firstCell, vtkPolyData* output)
 {
-  std::vector<Column> columns;
+  vtkPointData* points = output->GetPointData();
+  vtkDataArray* normals = vtkShapeCarry::GetNormals(points);
+  std::vector<vtkDataArray*> arrays;
+  int components = 0;
   for (int i = 0; i < points->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = points->GetArray(i);
-    if (array && array != leftOut && vtkShapeConvert::AreValues(array))
+    if (array && array != normals && vtkShapeCarry::AreValues(array))
     {
-      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-      {
-        columns.emplace_back(array, k);
-      }
+      arrays.push_back(array);
+      components += array->GetNumberOfComponents();
     }
   }
-  const auto width = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(width > 0 ? surface.Points.rows() : 0, width);
+  const Eigen::MatrixXd pointNormals = normals
+    ? shape::ComputeVertexNormals(surface, shape::NormalWeight::Max)
+    : Eigen::MatrixXd(0, 3);
   for (const shape::FilledHole& hole : holes)
   {
-    if (width > 0 && hole.Points > 0)
+    if (hole.Points > 0 && components > 0)
     {
-      ContinueColumns(surface, hole, columns, values);
+      ContinueValues(surface, hole, arrays, components);
     }
+    if (normals)
+    {
+      vtkShapeCarry::SetTuples(pointNormals.middleRows(hole.FirstPoint, hole.Points),
+        Consecutive(hole.FirstPoint, hole.Points), normals);
+    }
+  }
+  vtkDataArray* cellNormals = vtkShapeCarry::GetNormals(output->GetCellData());
+  if (cellNormals && !holes.empty())
+  {
+    const Eigen::Index count = surface.Triangles.rows() - holes.front().FirstTriangle;
+    vtkShapeCarry::SetTuples(
+      shape::ComputeAreaVectors(surface).bottomRows(count).rowwise().normalized(),
+      Consecutive(firstCell, count), cellNormals);
   }
 }

@@ -3,19 +3,23 @@
 #include "Fill/FillHoles.h"
 #include "Mesh/Mesh.h"
 
+#include "vtkType.h"
+
 #include <vector>
 
-class vtkDataArray;
-class vtkDataSetAttributes;
+class vtkPolyData;
 
-/// Data of the points of fills.
+/// Data on fills.
 namespace vtkShapeFillValues
 {
 
-/// Carries a surface's values (vtkShapeConvert::AreValues) on from the boundary loops of its fills:
-/// see shape::ExtendValuesOntoFill. points: tuples for the fills, too; those of bytes, which are
-/// colours, are rounded. leftOut: an array that stays as it is, or nullptr.
+/**
+ * Replaces what the points of fills took from the nearest point of their loop: values
+ * (vtkShapeCarry::AreValues) continue smoothly from the loop (shape::ExtendValuesOntoFill), and
+ * normals of points and cells are those of the fill. surface: with the fills, whose triangles are
+ * the cells of `output` from `firstCell` on.
+ */
 void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,
-  vtkDataSetAttributes* points, const vtkDataArray* leftOut = nullptr);
+  vtkIdType firstCell, vtkPolyData* output);
 
 } // namespace vtkShapeFillValues
