@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -44,6 +45,7 @@ class ProvenanceWriter
 {
 public:
   explicit ProvenanceWriter(Eigen::Index oldPoints);
+  void Reserve(Eigen::Index newPoints); ///< room for this number of points
 
   /// A point that is the old one.
   void AddCopy(int oldPoint);
@@ -55,6 +57,8 @@ public:
   void AddOnTriangle(const Eigen::RowVector3i& corners, const Eigen::RowVector3d& barycentric);
   /// A new point that has the mean of the values at points that were written before.
   void AddMean(const std::vector<int>& newPoints);
+  /// A point with these old points and their weights, in any order. copied: as Provenance::Points.
+  void AddRow(std::vector<std::pair<int, double>>& entries, int copied);
   /// Points without a source.
   void AddNone(Eigen::Index count);
 
@@ -62,13 +66,12 @@ public:
   Provenance Finish(const Eigen::VectorXi& cells) const;
 
 private:
-  void EndRow(int copied);
-
   Eigen::Index OldPoints;
   std::vector<int> First = { 0 }; ///< of each row: its first entry; then the number of entries
   std::vector<int> Columns;       ///< ascending in each row
   std::vector<double> Values;
   std::vector<int> Copied; ///< as Provenance::Points
+  std::vector<std::pair<int, double>> Entries;
 };
 
 } // namespace shape

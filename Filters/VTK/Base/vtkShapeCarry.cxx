@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -126,17 +128,17 @@ void Interpolate(const std::vector<Part>& parts, bool areNormals, int components
 class LargestWeights
 {
 public:
-  explicit LargestWeights(const std::vector<const Weights*>& weights)
-    : Given(weights.size())
+  explicit LargestWeights(const std::vector<Part>& parts)
+    : Given(parts.size())
   {
-    for (vtkIdType tuple = 0; tuple < weights.front()->rows(); ++tuple)
+    for (vtkIdType tuple = 0; tuple < parts.front().second->rows(); ++tuple)
     {
       double largest = 0.0;
-      std::size_t part = weights.size();
+      std::size_t part = parts.size();
       vtkIdType source = -1;
-      for (std::size_t i = 0; i < weights.size(); ++i)
+      for (std::size_t i = 0; i < parts.size(); ++i)
       {
-        for (Weights::InnerIterator entry(*weights[i], tuple); entry; ++entry)
+        for (Weights::InnerIterator entry(*parts[i].second, tuple); entry; ++entry)
         {
           if (entry.value() > largest)
           {
@@ -146,7 +148,7 @@ public:
           }
         }
       }
-      if (part < weights.size())
+      if (part < parts.size())
       {
         this->Given[part].From->InsertNextId(source);
         this->Given[part].To->InsertNextId(tuple);
@@ -198,24 +200,25 @@ vtkSmartPointer<vtkAbstractArray> MakeAlike(vtkAbstractArray* array)
   return alike;
 }
 
+/// largest: found for the first array that needs it.
 vtkSmartPointer<vtkAbstractArray> CarryParts(
-  const std::vector<Part>& parts, bool areNormals, const LargestWeights& largest)
+  const std::vector<Part>& parts, bool areNormals, std::optional<LargestWeights>& largest)
 {
-  vtkAbstractArray* like = std::find_if(parts.begin(), parts.end(),
-    [](const Part& part) {
-      return part.first != nullptr;
-    })->first;
+  const auto isThere = [](const Part& part) { return part.first != nullptr; };
+  vtkAbstractArray* like = std::find_if(parts.begin(), parts.end(), isThere)->first;
   vtkSmartPointer<vtkAbstractArray> carried = MakeAlike(like);
   carried->SetNumberOfTuples(parts.front().second->rows());
   if (vtkShapeCarry::AreValues(like))
   {
     WithValues(vtkDataArray::SafeDownCast(carried),
       [&](auto* to) { Interpolate(parts, areNormals, like->GetNumberOfComponents(), to); });
+    return carried;
   }
-  else
+  if (!largest)
   {
-    largest.Copy(parts, carried);
+    largest.emplace(parts);
   }
+  largest->Copy(parts, carried);
   return carried;
 }
 
@@ -223,7 +226,7 @@ vtkSmartPointer<vtkAbstractArray> CarryParts(
 void CarryAttributes(const std::vector<vtkDataSetAttributes*>& from,
   const std::vector<const Weights*>& weights, vtkDataSetAttributes* to)
 {
-  const LargestWeights largest(weights);
+  std::optional<LargestWeights> largest;
   for (std::size_t first = 0; first < from.size(); ++first)
   {
     for (int i = 0; i < from[first]->GetNumberOfArrays(); ++i)
@@ -231,8 +234,7 @@ void CarryAttributes(const std::vector<vtkDataSetAttributes*>& from,
       vtkAbstractArray* array = from[first]->GetAbstractArray(i);
       const char* name = array->GetName();
       const bool isMerged = first > 0 && name && to->HasArray(name);
-      if (isMerged || array == from[first]->GetGlobalIds() ||
-        (name && name == std::string(vtkDataSetAttributes::GhostArrayName())))
+      if (isMerged || vtkShapeCarry::BelongsToMesh(array, from[first]))
       {
         continue;
       }
@@ -263,21 +265,25 @@ void vtkShapeCarry::Carry(const std::vector<Source>& sources, vtkDataSet* derive
 {
   std::vector<vtkDataSetAttributes*> points, cells;
   std::vector<const Weights*> pointWeights, cellWeights;
-  std::vector<Weights> ofCells;
-  ofCells.reserve(sources.size());
-  bool cellsHaveSources = false;
+  bool haveCellsData = false, haveCellsSources = false;
   for (const Source& source : sources)
   {
     points.push_back(source.Mesh->GetPointData());
     pointWeights.push_back(&source.From.Weights);
     cells.push_back(source.Mesh->GetCellData());
-    ofCells.push_back(ToWeights(source.From.Cells, source.Mesh->GetNumberOfCells()));
-    cellWeights.push_back(&ofCells.back());
-    cellsHaveSources = cellsHaveSources || ofCells.back().nonZeros() > 0;
+    haveCellsData = haveCellsData || cells.back()->GetNumberOfArrays() > 0;
+    haveCellsSources = haveCellsSources || (source.From.Cells.array() >= 0).any();
   }
   CarryAttributes(points, pointWeights, derived->GetPointData());
-  if (cellsHaveSources)
+  if (haveCellsData && haveCellsSources)
   {
+    std::vector<Weights> ofCells;
+    for (const Source& source : sources)
+    {
+      ofCells.push_back(ToWeights(source.From.Cells, source.Mesh->GetNumberOfCells()));
+    }
+    std::transform(ofCells.begin(), ofCells.end(), std::back_inserter(cellWeights),
+      [](const Weights& weights) { return &weights; });
     CarryAttributes(cells, cellWeights, derived->GetCellData());
   }
   derived->GetFieldData()->PassData(sources.front().Mesh->GetFieldData());
@@ -286,7 +292,8 @@ void vtkShapeCarry::Carry(const std::vector<Source>& sources, vtkDataSet* derive
 vtkSmartPointer<vtkAbstractArray> vtkShapeCarry::CarryArray(
   vtkAbstractArray* array, const Weights& weights)
 {
-  return CarryParts({ { array, &weights } }, false, LargestWeights({ &weights }));
+  std::optional<LargestWeights> largest;
+  return CarryParts({ { array, &weights } }, false, largest);
 }
 
 vtkShapeCarry::Weights vtkShapeCarry::ToWeights(const Eigen::VectorXi& tuples, vtkIdType oldTuples)
@@ -322,6 +329,12 @@ vtkDataArray* vtkShapeCarry::GetNormals(vtkDataSetAttributes* data)
   const bool areDirections = normals && normals->GetNumberOfComponents() == 3 &&
     (normals->GetDataType() == VTK_FLOAT || normals->GetDataType() == VTK_DOUBLE);
   return areDirections ? normals : nullptr;
+}
+
+bool vtkShapeCarry::BelongsToMesh(vtkAbstractArray* array, vtkDataSetAttributes* data)
+{
+  const std::string name = array->GetName() ? array->GetName() : "";
+  return array == data->GetGlobalIds() || name == vtkDataSetAttributes::GhostArrayName();
 }
 
 bool vtkShapeCarry::AreAlike(vtkAbstractArray* one, vtkAbstractArray* other)

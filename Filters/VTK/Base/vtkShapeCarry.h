@@ -59,6 +59,9 @@ void AddOriginals(
 /// The normals among point or cell data, or nullptr.
 vtkDataArray* GetNormals(vtkDataSetAttributes* data);
 
+/// Whether an array of `data` belongs to the mesh and is not carried: global ids, ghost marks.
+bool BelongsToMesh(vtkAbstractArray* array, vtkDataSetAttributes* data);
+
 /// Whether an array has values that can be averaged (float, double, colours).
 bool AreValues(vtkAbstractArray* array);
 

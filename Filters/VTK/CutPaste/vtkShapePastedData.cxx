@@ -39,7 +39,8 @@ vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
     vtkDataArray* own = data->GetArray(i);
     vtkDataArray* array =
       own && own->GetName() ? target.Data->GetPointData()->GetArray(own->GetName()) : nullptr;
-    if (!vtkShapeCarry::AreAlike(own, array) || !vtkShapeCarry::AreValues(own))
+    if (!vtkShapeCarry::AreAlike(own, array) || !vtkShapeCarry::AreValues(own) ||
+      own == vtkShapeCarry::GetNormals(data))
     {
       continue;
     }

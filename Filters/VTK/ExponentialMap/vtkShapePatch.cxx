@@ -36,7 +36,8 @@ void AddPointData(const shape::PatchLayout& layout, vtkPointData* fields)
   fields->AddArray(vtkShapeConvert::ToArray(flat, "TargetPosition"));
   fields->AddArray(vtkShapeConvert::ToArray(patch.Distances, "GeodesicDistance"));
   const Eigen::MatrixXd texture = (patch.Positions.array() / (2.0 * layout.Radius) + 0.5).matrix();
-  fields->SetTCoords(vtkShapeConvert::ToArray(texture, "ExponentialMap"));
+  fields->AddArray(vtkShapeConvert::ToArray(texture, "ExponentialMap"));
+  fields->SetActiveTCoords("ExponentialMap");
 }
 
 void AddCellData(const shape::PatchLayout& layout, vtkCellData* fields)

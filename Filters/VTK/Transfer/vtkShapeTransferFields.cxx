@@ -61,7 +61,8 @@ std::vector<Field> FieldsOf(
     {
       vtkAbstractArray* values = attributes->GetAbstractArray(i);
       std::string name = NameOf(values);
-      if (values == attributes->GetNormals() || name == "Normals" || (!ofCells && left.count(name)))
+      if (vtkShapeCarry::BelongsToMesh(values, attributes) || values == attributes->GetNormals() ||
+        name == "Normals" || (!ofCells && left.count(name)))
       {
         continue;
       }
