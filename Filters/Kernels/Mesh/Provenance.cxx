@@ -88,8 +88,10 @@ void ProvenanceWriter::AddRow(std::vector<std::pair<int, double>>& entries, int 
 
 void ProvenanceWriter::AddCopy(int oldPoint)
 {
-  this->Entries = { { oldPoint, 1.0 } };
-  this->AddRow(this->Entries, oldPoint);
+  this->Columns.push_back(oldPoint);
+  this->Values.push_back(1.0);
+  this->First.push_back(static_cast<int>(this->Columns.size()));
+  this->Copied.push_back(oldPoint);
 }
 
 void ProvenanceWriter::AddCopies(Eigen::Index count)
@@ -103,8 +105,8 @@ void ProvenanceWriter::AddCopies(Eigen::Index count)
 
 void ProvenanceWriter::AddNearest(int oldPoint)
 {
-  this->Entries = { { oldPoint, 1.0 } };
-  this->AddRow(this->Entries, -1);
+  this->AddCopy(oldPoint);
+  this->Copied.back() = -1;
 }
 
 void ProvenanceWriter::AddOnTriangle(
@@ -142,10 +144,13 @@ void ProvenanceWriter::AddNone(Eigen::Index count)
 Provenance ProvenanceWriter::Finish(const Eigen::VectorXi& cells) const
 {
   const auto points = static_cast<Eigen::Index>(this->Copied.size());
-  return { Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>(points, this->OldPoints,
-             static_cast<Eigen::Index>(this->Values.size()), this->First.data(),
-             this->Columns.data(), this->Values.data()),
+  Provenance provenance{ { points, this->OldPoints },
     Eigen::Map<const Eigen::VectorXi>(this->Copied.data(), points), cells };
+  provenance.Weights.resizeNonZeros(static_cast<Eigen::Index>(this->Values.size()));
+  std::copy(this->First.begin(), this->First.end(), provenance.Weights.outerIndexPtr());
+  std::copy(this->Columns.begin(), this->Columns.end(), provenance.Weights.innerIndexPtr());
+  std::copy(this->Values.begin(), this->Values.end(), provenance.Weights.valuePtr());
+  return provenance;
 }
 
 } // namespace shape

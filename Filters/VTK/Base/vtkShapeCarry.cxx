@@ -12,13 +12,9 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
-#include "Base/Parallel.h"
-
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace
@@ -26,102 +22,38 @@ namespace
 
 using vtkShapeCarry::Weights;
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// An array of one of the meshes that data come from, nullptr if it lacks it, and its weights.
 using Part = std::pair<vtkAbstractArray*, const Weights*>;
 
-/// A value as an array of T stores it.
-template <typename T>
-T Stored(double value)
+/// Writes the weighted means of the parts' values. areNormals: whether those that are not copies
+/// become unit vectors.
+void Interpolate(const std::vector<Part>& parts, bool areNormals, vtkDataArray* to)
 {
-  return std::is_same_v<T, unsigned char>
-    ? static_cast<T>(std::clamp(std::round(value), 0.0, 255.0))
-    : static_cast<T>(value);
-}
-
-/// Calls a function with the values of an array of values, which are in one block.
-template <typename Function>
-void WithValues(vtkDataArray* array, const Function& function)
-{
-  switch (array->GetDataType())
-  {
-    case VTK_FLOAT:
-      function(static_cast<float*>(array->GetVoidPointer(0)));
-      break;
-    case VTK_DOUBLE:
-      function(static_cast<double*>(array->GetVoidPointer(0)));
-      break;
-    default:
-      function(static_cast<unsigned char*>(array->GetVoidPointer(0)));
-      break;
-  }
-}
-
-/// An array with the same values in one block.
-vtkSmartPointer<vtkDataArray> InOneBlock(vtkAbstractArray* array)
-{
-  vtkSmartPointer<vtkDataArray> values = vtkDataArray::SafeDownCast(array);
-  if (!values->HasStandardMemoryLayout())
-  {
-    values.TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
-    values->DeepCopy(array);
-  }
-  return values;
-}
-
-/// Writes the weighted means of the parts' values. A tuple with one source of weight 1 is copied to
-/// the bit. areNormals: whether the others become unit vectors.
-template <typename T>
-void Interpolate(const std::vector<Part>& parts, bool areNormals, int components, T* to)
-{
-  std::vector<vtkSmartPointer<vtkDataArray>> blocks;
-  std::vector<std::pair<const T*, const Weights*>> sources;
+  Eigen::MatrixXd means =
+    Eigen::MatrixXd::Zero(parts.front().second->rows(), to->GetNumberOfComponents());
+  Eigen::VectorXi counts = Eigen::VectorXi::Zero(means.rows());
   for (const auto& [array, weights] : parts)
   {
     if (array)
     {
-      blocks.push_back(InOneBlock(array));
-      sources.emplace_back(static_cast<const T*>(blocks.back()->GetVoidPointer(0)), weights);
+      auto* values = vtkDataArray::SafeDownCast(array);
+      means += *weights * vtkShapeCarry::GetTuples(values);
+      for (Eigen::Index row = 0; areNormals && row < counts.size(); ++row)
+      {
+        counts(row) += weights->outerIndexPtr()[row + 1] - weights->outerIndexPtr()[row];
+      }
     }
   }
-  constexpr int grain = 4096;
-  const auto interpolate = [&](int begin, int end)
+  for (Eigen::Index row = 0; row < counts.size(); ++row)
   {
-    Eigen::VectorXd sums(components);
-    for (int tuple = begin; tuple < end; ++tuple)
+    if (counts(row) > 1)
     {
-      sums.setZero();
-      const T* copied = nullptr;
-      int count = 0;
-      for (const auto& [values, weights] : sources)
-      {
-        for (Weights::InnerIterator entry(*weights, tuple); entry; ++entry)
-        {
-          if (entry.value() == 0.0)
-          {
-            continue;
-          }
-          const T* from = values + components * static_cast<vtkIdType>(entry.col());
-          copied = ++count == 1 && entry.value() == 1.0 ? from : nullptr;
-          for (int k = 0; k < components; ++k)
-          {
-            sums(k) += entry.value() * static_cast<double>(from[k]);
-          }
-        }
-      }
-      T* out = to + components * static_cast<vtkIdType>(tuple);
-      if (copied)
-      {
-        std::copy_n(copied, components, out);
-        continue;
-      }
-      if (areNormals)
-      {
-        sums.stableNormalize();
-      }
-      std::transform(sums.begin(), sums.end(), out, Stored<T>);
+      means.row(row).stableNormalize();
     }
-  };
-  shape::ParallelFor(static_cast<int>(parts.front().second->rows()), grain, interpolate);
+  }
+  vtkShapeCarry::SetTuples(means, 0, to);
 }
 
 /// Of each tuple, the source with the largest weight: as the tuples that each part gives.
@@ -210,8 +142,7 @@ vtkSmartPointer<vtkAbstractArray> CarryParts(
   carried->SetNumberOfTuples(parts.front().second->rows());
   if (vtkShapeCarry::AreValues(like))
   {
-    WithValues(vtkDataArray::SafeDownCast(carried),
-      [&](auto* to) { Interpolate(parts, areNormals, like->GetNumberOfComponents(), to); });
+    Interpolate(parts, areNormals, vtkDataArray::SafeDownCast(carried));
     return carried;
   }
   if (!largest)
@@ -349,30 +280,25 @@ bool vtkShapeCarry::AreValues(vtkAbstractArray* array)
     array->GetDataType() == VTK_UNSIGNED_CHAR;
 }
 
-Eigen::MatrixXd vtkShapeCarry::GetTuples(vtkDataArray* array, const std::vector<int>& tuples)
+Eigen::MatrixXd vtkShapeCarry::GetTuples(vtkDataArray* array)
 {
-  Eigen::MatrixXd values(tuples.size(), array->GetNumberOfComponents());
-  for (Eigen::Index row = 0; row < values.rows(); ++row)
+  RowMajor values(array->GetNumberOfTuples(), array->GetNumberOfComponents());
+  for (vtkIdType tuple = 0; tuple < values.rows(); ++tuple)
   {
-    for (Eigen::Index k = 0; k < values.cols(); ++k)
-    {
-      values(row, k) = array->GetComponent(tuples[row], static_cast<int>(k));
-    }
+    array->GetTuple(tuple, values.row(tuple).data());
   }
   return values;
 }
 
-void vtkShapeCarry::SetTuples(
-  const Eigen::MatrixXd& values, const std::vector<int>& tuples, vtkDataArray* array)
+void vtkShapeCarry::SetTuples(const Eigen::MatrixXd& values, vtkIdType first, vtkDataArray* array)
 {
-  WithValues(array,
-    [&](auto* to)
-    {
-      for (Eigen::Index row = 0; row < values.rows(); ++row)
-      {
-        std::transform(values.row(row).begin(), values.row(row).end(),
-          to + values.cols() * static_cast<vtkIdType>(tuples[row]),
-          Stored<std::remove_pointer_t<decltype(to)>>);
-      }
-    });
+  RowMajor stored = values;
+  if (array->GetDataType() == VTK_UNSIGNED_CHAR)
+  {
+    stored = stored.array().round().max(0.0).min(255.0);
+  }
+  for (vtkIdType row = 0; row < stored.rows(); ++row)
+  {
+    array->SetTuple(first + row, stored.row(row).data());
+  }
 }

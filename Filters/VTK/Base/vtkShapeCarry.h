@@ -18,7 +18,7 @@ class vtkDataSetAttributes;
 /**
  * Carries data onto derived meshes, by one rule for every filter:
  * - Values (float, double and unsigned char, which is a colour) are interpolated by the weights of
- *   the provenance, colours rounded and clamped. What has weight 0 does not count, even NaN.
+ *   the provenance, colours rounded and clamped. What has no weight does not count, even NaN.
  * - Everything else (integers, ids, strings, bits) comes from the source with the largest weight,
  *   of several the first.
  * - Normals (the active ones, or an array Normals with three real components) are interpolated and
@@ -45,7 +45,7 @@ struct Source
 /// Carries the point data and cell data of one mesh or several, and the field data of the first.
 void Carry(const std::vector<Source>& sources, vtkDataSet* derived);
 
-/// One array, by weights (new tuples x old ones). It has no role.
+/// One array, by weights (new tuples x old ones, no entry 0). It has no role.
 vtkSmartPointer<vtkAbstractArray> CarryArray(vtkAbstractArray* array, const Weights& weights);
 
 /// The weights of tuples that are copies: of each, the old one, less than oldTuples; -1: none.
@@ -68,10 +68,10 @@ bool AreValues(vtkAbstractArray* array);
 /// Whether arrays have the same type and number of components; nullptr is like none.
 bool AreAlike(vtkAbstractArray* one, vtkAbstractArray* other);
 
-/// These tuples of an array as rows.
-Eigen::MatrixXd GetTuples(vtkDataArray* array, const std::vector<int>& tuples);
+/// The tuples of an array as rows.
+Eigen::MatrixXd GetTuples(vtkDataArray* array);
 
-/// Writes rows to these tuples of an array of values; colours are rounded and clamped.
-void SetTuples(const Eigen::MatrixXd& values, const std::vector<int>& tuples, vtkDataArray* array);
+/// Writes rows to an array of values from tuple `first` on; colours are rounded and clamped.
+void SetTuples(const Eigen::MatrixXd& values, vtkIdType first, vtkDataArray* array);
 
 } // namespace vtkShapeCarry

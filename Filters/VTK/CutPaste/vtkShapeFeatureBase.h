@@ -2,8 +2,6 @@
 
 #include "CutPaste/CutFeature.h"
 
-#include <vector>
-
 class vtkPolyData;
 
 /**
@@ -25,12 +23,11 @@ struct Feature
 };
 
 /**
- * The feature's base at one of its loops. surface: its triangles; points: of each of their points,
- * the one of `data`. loopIndex: the longest of the loops being 0, or the one that was cut. Throws
- * shape::InvalidInput if there is no such loop, and as shape::BuildFootprintOnOwnFill;
- * shape::Aborted.
+ * The feature's base at one of its loops. surface: the points and triangles of `data`. loopIndex:
+ * the longest of the loops being 0, or the one that was cut. Throws shape::InvalidInput if there is
+ * no such loop, and as shape::BuildFootprintOnOwnFill; shape::Aborted.
  */
-Feature Read(vtkPolyData* data, const shape::Mesh& surface, const std::vector<int>& points,
-  int loopIndex, const shape::Progress& progress);
+Feature Read(
+  vtkPolyData* data, const shape::Mesh& surface, int loopIndex, const shape::Progress& progress);
 
 } // namespace vtkShapeFeatureBase

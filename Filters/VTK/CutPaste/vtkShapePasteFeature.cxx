@@ -105,8 +105,8 @@ void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
   kept.Feature = vtkShapePastedData::Read(
     this->GetGatheredInput(0).Data, "the Feature", progress.Part(0.0, 0.1));
   const shape::Mesh& surface = kept.Feature.Surface;
-  vtkShapeFeatureBase::Feature feature = vtkShapeFeatureBase::Read(
-    kept.Feature.Data, surface, kept.Feature.Points, this->LoopIndex, progress.Part(0.1, 0.5));
+  vtkShapeFeatureBase::Feature feature =
+    vtkShapeFeatureBase::Read(kept.Feature.Data, surface, this->LoopIndex, progress.Part(0.1, 0.5));
   kept.HasOwnFill = feature.HasOwnFill;
   const shape::Topology topology = shape::ComputeTopology(surface);
   kept.NonManifold = topology.NonManifoldEdges + topology.NonManifoldPoints;

@@ -44,16 +44,16 @@ vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
     {
       continue;
     }
-    const Eigen::MatrixXd values = vtkShapeCarry::GetTuples(own, featurePart.Points);
+    const Eigen::MatrixXd values = vtkShapeCarry::GetTuples(own);
     const Eigen::MatrixXd differences =
       shape::PullBack(pasted.Position.Cover.Positions, target.Surface.Triangles,
-        vtkShapeCarry::GetTuples(array, target.Points)) -
+        vtkShapeCarry::GetTuples(array)) -
       vtkShapeConvert::Rows(values, loop);
     auto copy = vtkSmartPointer<vtkDataArray>::Take(own->NewInstance());
     copy->DeepCopy(own);
     vtkShapeCarry::SetTuples(shape::BlendAtSeam(values, points, differences,
                                vtkShapeConvert::Rows(points, loop), depths, reach),
-      featurePart.Points, copy);
+      0, copy);
     blended->GetPointData()->AddArray(copy);
   }
   return blended;
@@ -67,12 +67,15 @@ vtkShapePastedData::Part vtkShapePastedData::Read(
   const shape::NumberedSurface numbered = vtkShapePreciseMap::ToSurface(data, name);
   const shape::WeldedSurface welded(numbered.Surface, progress, name);
   const Eigen::Index all = welded.Surface.Points.rows();
+  const std::vector<int> used = shape::FindUsedPoints(welded.Surface.Triangles, all);
   Part part;
-  part.Data = data;
-  part.Points = shape::FindUsedPoints(welded.Surface.Triangles, all);
-  part.Surface = { welded.Surface.Points(part.Points, Eigen::all),
-    shape::RenumberPoints(welded.Surface.Triangles, part.Points, all) };
-  part.Provenance = shape::TraceCopies(part.Points, all, numbered.Cells(welded.Triangles));
+  part.Surface = { welded.Surface.Points(used, Eigen::all),
+    shape::RenumberPoints(welded.Surface.Triangles, used, all) };
+  part.Data = vtkSmartPointer<vtkPolyData>::New();
+  vtkShapeConvert::FromMesh(part.Surface, part.Data);
+  const shape::Provenance provenance =
+    shape::TraceCopies(used, all, numbered.Cells(welded.Triangles));
+  vtkShapeCarry::Carry({ { data, provenance } }, part.Data);
   part.WeldedPoints = welded.WeldedPoints;
   return part;
 }
@@ -84,9 +87,7 @@ void vtkShapePastedData::Write(const shape::PastedFeature& pasted,
   vtkShapeConvert::FromMesh(pasted.Surface, output);
   const vtkSmartPointer<vtkPolyData> blended =
     Blend(pasted, feature, target, featurePart, blendWidth);
-  const shape::Provenance ofTarget = shape::Compose(target.Provenance, pasted.Target);
-  const shape::Provenance ofFeature = shape::Compose(featurePart.Provenance, pasted.Feature);
-  vtkShapeCarry::Carry({ { target.Data, ofTarget }, { blended, ofFeature } }, output);
+  vtkShapeCarry::Carry({ { target.Data, pasted.Target }, { blended, pasted.Feature } }, output);
 
   const Eigen::Index all = pasted.Surface.Triangles.rows();
   Eigen::VectorXi parts =

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "CutPaste/PasteFeature.h"
-#include "Mesh/Provenance.h"
+#include "Mesh/Mesh.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
-#include <vector>
 
 /// The result of Shape Paste Feature as data.
 namespace vtkShapePastedData
@@ -16,10 +15,8 @@ namespace vtkShapePastedData
 /// A surface and its triangles, seams closed (shape::WeldedSurface).
 struct Part
 {
-  vtkSmartPointer<vtkPolyData> Data;
-  shape::Mesh Surface;          ///< of points that triangles use alone
-  std::vector<int> Points;      ///< of each of these: the one of Data
-  shape::Provenance Provenance; ///< of the surface, from Data
+  shape::Mesh Surface;               ///< of points that triangles use alone
+  vtkSmartPointer<vtkPolyData> Data; ///< the same with the data of its points and cells
   int WeldedPoints = 0;
 };
 

@@ -107,13 +107,13 @@ void Replace(vtkDataSet* receiver, vtkDataArray* made)
 void Carry(const std::vector<Field>& fields, const shape::TransferWeights& found,
   vtkIdType giverCells, vtkDataSet* receiver, const shape::Progress& progress)
 {
+  const vtkShapeCarry::Weights ofPoints = found.Weights.pruned();
   const vtkShapeCarry::Weights ofCells = vtkShapeCarry::ToWeights(found.Cells, giverCells);
   std::vector<vtkSmartPointer<vtkAbstractArray>> carried;
   for (const Field& field : fields)
   {
     progress(static_cast<double>(carried.size()) / static_cast<double>(fields.size()));
-    carried.push_back(
-      vtkShapeCarry::CarryArray(field.Values, field.OfCells ? ofCells : found.Weights));
+    carried.push_back(vtkShapeCarry::CarryArray(field.Values, field.OfCells ? ofCells : ofPoints));
     carried.back()->SetName(field.Name.c_str());
     receiver->GetPointData()->AddArray(carried.back());
   }
