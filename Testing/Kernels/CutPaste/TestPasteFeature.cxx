@@ -112,9 +112,9 @@ Cut BumpOfSquare()
 /// The points of the result that are the feature's.
 Eigen::MatrixXd FeaturePoints(const shape::PastedFeature& pasted)
 {
-  const auto first = static_cast<Eigen::Index>(pasted.TargetPoints.size());
-  const auto midpoints = static_cast<Eigen::Index>(pasted.Midpoints.size());
-  return pasted.Surface.Points.middleRows(first, pasted.Surface.Points.rows() - first - midpoints);
+  const Eigen::VectorXi& points = pasted.Feature.Points;
+  const auto first = std::find(points.begin(), points.end(), 0) - points.begin();
+  return pasted.Surface.Points.middleRows(first, points.maxCoeff() + 1);
 }
 
 TEST(PasteFeature, DroppedInPlaceNothingHasMoved)
@@ -162,11 +162,18 @@ TEST(PasteFeature, AnywhereElseTheResultIsAClosedManifold)
       EXPECT_LT(shape::ComputePercentile(pasted.AnglesAfter, 0.95), 10.0);
       EXPECT_GT(pasted.BandTriangles, 0);
       // Of the target, what is not covered is as it was.
-      for (std::size_t p = 0; p < pasted.TargetPoints.size(); ++p)
+      for (Eigen::Index p = 0; p < pasted.Target.Points.size(); ++p)
       {
-        ASSERT_EQ(pasted.Surface.Points.row(static_cast<Eigen::Index>(p)),
-          base.Points.row(pasted.TargetPoints[p]));
+        const int original = pasted.Target.Points(p);
+        if (original >= 0)
+        {
+          ASSERT_EQ(pasted.Surface.Points.row(p), base.Points.row(original));
+        }
       }
+      const Eigen::VectorXd sums =
+        pasted.Target.Weights * Eigen::VectorXd::Ones(pasted.Target.Weights.cols()) +
+        pasted.Feature.Weights * Eigen::VectorXd::Ones(pasted.Feature.Weights.cols());
+      EXPECT_TRUE((sums.array() == 1.0).all());
     }
   }
 }

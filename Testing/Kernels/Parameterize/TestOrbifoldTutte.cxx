@@ -73,7 +73,7 @@ TEST(OrbifoldTutte, CoversTheTileOnceWithoutAFlip)
     EXPECT_NEAR(ImageArea(image.Cut.Surface, image.Points), areas[static_cast<int>(type)], 1e-12);
     // The cut surface is a disk whose points know where they come from.
     EXPECT_GT(image.Cut.Surface.Points.rows(), mesh.Points.rows());
-    EXPECT_EQ(image.Cut.Surface.Points, mesh.Points(image.Cut.Originals, Eigen::all));
+    EXPECT_EQ(image.Cut.Surface.Points, mesh.Points(image.Cut.Provenance.Points, Eigen::all));
   }
 }
 
@@ -93,7 +93,8 @@ TEST(OrbifoldTutte, TheAnglesAroundConesAddUpToTheirOrders)
           image.Points.row(corners((k + 1) % 3)) - image.Points.row(corners(k));
         const Eigen::RowVector2d v =
           image.Points.row(corners((k + 2) % 3)) - image.Points.row(corners(k));
-        angles(image.Cut.Originals[corners(k)]) += std::atan2(u(0) * v(1) - u(1) * v(0), u.dot(v));
+        angles(image.Cut.Provenance.Points(corners(k))) +=
+          std::atan2(u(0) * v(1) - u(1) * v(0), u.dot(v));
       }
     }
     Eigen::VectorXd expected = Eigen::VectorXd::Constant(642, 2.0 * M_PI);

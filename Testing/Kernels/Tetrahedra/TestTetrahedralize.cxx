@@ -168,7 +168,7 @@ TEST(Tetrahedralize, TheBoundaryIsTheSurfaceAndTheVolumeItsVolume)
     EXPECT_EQ(Rotated(BoundaryOf(solid).Triangles), Rotated(mesh.Triangles));
     for (Eigen::Index i = 0; i < solid.Points.rows(); ++i)
     {
-      EXPECT_EQ(solid.OriginalPoint(i), i < mesh.Points.rows() ? i : -1);
+      EXPECT_EQ(solid.Provenance.Points(i), i < mesh.Points.rows() ? i : -1);
     }
     EXPECT_EQ(solid.SteinerPoints, solid.Points.rows() - mesh.Points.rows());
     EXPECT_EQ(solid.Regions, 1);
@@ -312,8 +312,8 @@ TEST(Tetrahedralize, UnusedAndCoincidentPointsAreLeftOut)
   EXPECT_EQ(solid.Points.rows() - solid.SteinerPoints, 15);
   for (Eigen::Index i = 0; i < 15; ++i)
   {
-    EXPECT_EQ(solid.OriginalPoint(i), i < 8 ? i : i + 1);
-    EXPECT_EQ(solid.Points.row(i), mesh.Points.row(solid.OriginalPoint(i)));
+    EXPECT_EQ(solid.Provenance.Points(i), i < 8 ? i : i + 1);
+    EXPECT_EQ(solid.Points.row(i), mesh.Points.row(solid.Provenance.Points(i)));
   }
 }
 

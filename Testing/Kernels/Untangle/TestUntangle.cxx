@@ -281,7 +281,6 @@ TEST(Untangle, SplitsWhatHasNoRoom)
   for (int cell = 0; cell < result.Solid.Kinds.size(); ++cell)
   {
     sum += Volume(result.Solid, cell);
-    EXPECT_LT(result.OriginalCell(cell), 4);
   }
   double given = 0.0;
   for (int cell = 0; cell < 4; ++cell)
@@ -289,8 +288,17 @@ TEST(Untangle, SplitsWhatHasNoRoom)
     given += Volume(cells, cell);
   }
   EXPECT_NEAR(sum, given, 1e-12) << "the boundary is the same";
-  ASSERT_EQ(result.Solid.Points.rows(), 6 + static_cast<Eigen::Index>(result.Parents.size()));
-  EXPECT_EQ(result.OriginalCell.head(4), Eigen::Vector4i(0, 1, 2, 3));
+  const shape::Provenance& provenance = result.Provenance;
+  ASSERT_EQ(result.Solid.Points.rows(), provenance.Points.size());
+  EXPECT_EQ(provenance.Points.head(6), Eigen::VectorXi::LinSpaced(6, 0, 5));
+  EXPECT_TRUE((provenance.Points.tail(provenance.Points.size() - 6).array() == -1).all());
+  EXPECT_LT((provenance.Weights * Eigen::VectorXd::Ones(6) -
+              Eigen::VectorXd::Ones(provenance.Points.size()))
+              .cwiseAbs()
+              .maxCoeff(),
+    1e-15);
+  EXPECT_EQ(provenance.Cells.head(4), Eigen::Vector4i(0, 1, 2, 3));
+  EXPECT_LT(provenance.Cells.maxCoeff(), 4);
 }
 
 TEST(Untangle, SaysWhatMustStayInverted)
