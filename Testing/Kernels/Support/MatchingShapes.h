@@ -92,11 +92,17 @@ inline shape::Mesh Mirrored(shape::Mesh mesh)
   return mesh;
 }
 
+/// Positions on a surface to which a map takes points.
+inline Eigen::MatrixXd PositionsOn(const shape::SurfacePoints& map, const shape::Mesh& target)
+{
+  return shape::PullBack(map, target.Triangles, target.Points);
+}
+
 /// How far in space points are taken from `wanted` (n x 3), over the longest side of `other`.
 inline Eigen::VectorXd MapErrors(
   const shape::SurfacePoints& map, const shape::Mesh& other, const Eigen::MatrixXd& wanted)
 {
-  return (shape::PullBack(map, other.Triangles, other.Points) - wanted).rowwise().norm() /
+  return (PositionsOn(map, other) - wanted).rowwise().norm() /
     shape::ComputeLongestBoxEdge(other.Points);
 }
 
