@@ -416,7 +416,7 @@ TEST(CutFeature, ANonManifoldPlaceElsewhereDoesNotMatter)
 TEST(CutFeature, RandomLoopsOnModels)
 {
   int filled = 0;
-  for (const char* name : { "bear", "bull", "homer", "lion-head" })
+  for (const char* name : { "bull", "lion-head" })
   {
     const shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
     const double size = shape::ComputeBoxDiagonal(mesh.Points);
@@ -442,7 +442,7 @@ TEST(CutFeature, RandomLoopsOnModels)
       ++filled;
     }
   }
-  EXPECT_EQ(filled, 24);
+  EXPECT_EQ(filled, 12);
 }
 
 TEST(CutFeature, NamesWhatIsWrong)

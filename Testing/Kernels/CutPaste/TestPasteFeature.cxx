@@ -9,6 +9,7 @@
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
+#include "Support/Refusals.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -241,19 +242,6 @@ TEST(PasteFeature, DraggingIsNearToTheFullResult)
   EXPECT_LT(shape::ComputePercentile(full.AnglesAfter, 0.5), 3.0);
 }
 
-std::string Refusal(const std::function<void()>& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const shape::InvalidInput& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
 {
   const Cut cut = BumpOfSquare();
@@ -261,7 +249,7 @@ TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
   shape::PasteTarget target(shapetest::FlatSquare(40, 0.2));
   shape::PastePlacement position;
   position.Seed << 0.8, 0.0, 0.0;
-  const std::string loop = Refusal([&] { feature.PasteOn(target, position); });
+  const std::string loop = shapetest::Refusal([&] { feature.PasteOn(target, position); });
   EXPECT_NE(loop.find("beyond the boundary"), std::string::npos) << loop;
   const auto at = loop.find("Scale to ");
   ASSERT_NE(at, std::string::npos) << loop;
@@ -276,14 +264,13 @@ TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
   shape::PastePlacement huge;
   huge.Seed << 1.0, 0.0, 0.0;
   huge.Scale = 8.0;
-  EXPECT_NE(Refusal([&] { large.PasteOn(small, huge); }).find("Scale"), std::string::npos);
+  EXPECT_REFUSED(large.PasteOn(small, huge), "Scale");
   huge.Scale = 0.0;
-  EXPECT_NE(Refusal([&] { large.PasteOn(small, huge); }).find("positive"), std::string::npos);
+  EXPECT_REFUSED(large.PasteOn(small, huge), "positive");
 
   shape::FeatureFootprint wrong = cut.Base;
   wrong.LoopPositions.row(3).swap(wrong.LoopPositions.row(20));
-  EXPECT_NE(
-    Refusal([&] { shape::FeatureToPaste(cut.Feature, wrong); }).find("crosses"), std::string::npos);
+  EXPECT_REFUSED(shape::FeatureToPaste(cut.Feature, wrong), "crosses");
 }
 
 } // namespace

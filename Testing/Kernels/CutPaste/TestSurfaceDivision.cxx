@@ -9,6 +9,7 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/DeformShapes.h"
+#include "Support/SimpleSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -377,9 +378,7 @@ TEST(SurfaceDivision, PinchesOfTheCutArePartedAndNoOthers)
   // Two disks that share their middle; of one, two triangles that meet there alone are cut out.
   const shape::Mesh disk = shapetest::FlatDisk(4);
   const auto points = static_cast<int>(disk.Points.rows());
-  shape::Mesh both{ Eigen::MatrixXd(2 * points, 3), Eigen::MatrixXi(2 * disk.Triangles.rows(), 3) };
-  both.Points << disk.Points, disk.Points.rowwise() + Eigen::RowVector3d(3, 0, 0);
-  both.Triangles << disk.Triangles, disk.Triangles.array() + points;
+  shape::Mesh both = shapetest::Twice(disk, { 3, 0, 0 });
   const int last = both.Triangles.bottomRows(disk.Triangles.rows()).maxCoeff();
   const auto isBowTie = [](const Eigen::RowVector3d& position)
   { return position.norm() < 0.2 && position(0) * position(1) > 1e-3; };

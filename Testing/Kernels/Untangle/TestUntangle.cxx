@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Support/Refusals.h"
 #include "Untangle/EllipticEnergy.h"
 #include "Untangle/Private/TutteEmbedding.h"
 #include "Untangle/Untangle.h"
@@ -346,32 +347,19 @@ TEST(Untangle, SlidesAlongTheBoundaryAndItsCreases)
 TEST(Untangle, RefusesWhatItCannotUse)
 {
   shape::Cells cells = Cube(2, 10);
-  const auto refused = [](const shape::Cells& input, const Eigen::MatrixXd& rest,
-                         const shape::UntangleOptions& options, const std::string& words)
-  {
-    try
-    {
-      shape::Untangle(input, rest, options);
-      FAIL() << words;
-    }
-    catch (const shape::InvalidInput& error)
-    {
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
-  };
-  refused(cells, cells.Points.topRows(3), {}, "the RestShape has 3 points");
+  EXPECT_REFUSED(shape::Untangle(cells, cells.Points.topRows(3), {}), "the RestShape has 3 points");
   shape::UntangleOptions options;
   options.MaximumIterations = 0;
-  refused(cells, {}, options, "MaximumIterations is 0");
+  EXPECT_REFUSED(shape::Untangle(cells, {}, options), "MaximumIterations is 0");
   shape::Cells twice = cells;
   twice.Corners(1) = twice.Corners(0);
-  refused(twice, {}, {}, "cell 0 repeats a point");
+  EXPECT_REFUSED(shape::Untangle(twice, {}, {}), "cell 0 repeats a point");
   twice = cells;
   twice.Kinds(3) = 7;
-  refused(twice, {}, {}, "cell 3 is no tetrahedron");
+  EXPECT_REFUSED(shape::Untangle(twice, {}, {}), "cell 3 is no tetrahedron");
   twice = cells;
   twice.Points(4, 1) = std::nan("");
-  refused(twice, {}, {}, "not finite");
+  EXPECT_REFUSED(shape::Untangle(twice, {}, {}), "not finite");
 }
 
 } // namespace
