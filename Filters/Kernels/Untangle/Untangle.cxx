@@ -277,9 +277,14 @@ UntangleResult BuildResult(Untangling& untangling)
   UntangleResult result;
   result.Iterations = untangling.Iterations;
   result.Solid = solid.Result();
-  result.OriginalCell =
-    Eigen::Map<const Eigen::VectorXi>(solid.OriginalCells.data(), solid.CellCount());
-  result.Parents = solid.Parents;
+  ProvenanceWriter provenance(solid.OriginalPointCount);
+  provenance.AddCopies(solid.OriginalPointCount);
+  for (const std::array<int, 4>& parents : solid.Parents)
+  {
+    provenance.AddMean({ parents.begin(), std::find(parents.begin(), parents.end(), -1) });
+  }
+  result.Provenance = provenance.Finish(
+    Eigen::Map<const Eigen::VectorXi>(solid.OriginalCells.data(), solid.CellCount()));
   result.Inverted = Eigen::VectorXi::Zero(solid.CellCount());
   for (const int cell : FindInvertedCells(solid))
   {

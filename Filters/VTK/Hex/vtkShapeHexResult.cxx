@@ -1,5 +1,6 @@
 #include "vtkShapeHexResult.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeMeasures.h"
 
@@ -8,7 +9,6 @@
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -159,15 +159,11 @@ void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
   {
     point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
   }
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("OriginalPointId");
-  for (const int point : used)
-  {
-    ids->InsertNextValue(point);
-  }
   output->SetPoints(ToVtkPoints(fit.Solid.Points(used, Eigen::all)));
   output->SetPolys(ToCellArray(quads));
-  output->GetPointData()->AddArray(ids);
+  vtkShapeCarry::AddOriginals(
+    Eigen::Map<const Eigen::VectorXi>(used.data(), static_cast<Eigen::Index>(used.size())),
+    "OriginalPointId", output->GetPointData());
   vtkCellData* data = output->GetCellData();
   data->AddArray(vtkShapeConvert::ToIntegers(patchOf, "Patch"));
   data->AddArray(vtkShapeConvert::ToIntegers(interfaceOf, "Interface"));

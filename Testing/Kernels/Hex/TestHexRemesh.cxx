@@ -4,6 +4,7 @@
 #include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
 #include "Support/Refusals.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ TEST(HexRemesh, EveryMethodFillsATorus)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.45, 60, 30);
   shape::HexRemeshOptions options;
-  options.CellSize = 0.14;
+  options.CellSize = 0.18;
   std::map<MethodType, Eigen::MatrixXd> points;
   for (const MethodType method : { MethodType::Grid, MethodType::Polycube, MethodType::Automatic })
   {
@@ -55,13 +56,9 @@ TEST(HexRemesh, EveryMethodFillsATorus)
 
 TEST(HexRemesh, ASurfaceThatCrossesItselfIsFilledByAGrid)
 {
-  const shape::Mesh sphere = shapetest::Icosphere(3);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh surface{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  surface.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(1.01, 0.02, 0.03);
-  surface.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  const shape::Mesh surface = shapetest::Twice(shapetest::Icosphere(3), { 1.01, 0.02, 0.03 });
   shape::HexRemeshOptions options;
-  options.CellSize = 0.2;
+  options.CellSize = 0.28;
   const shape::HexRemeshResult result = shape::RemeshHexahedra(surface, options);
   EXPECT_EQ(result.Method, MethodType::Grid);
   EXPECT_GT(result.Crossings, 0);
