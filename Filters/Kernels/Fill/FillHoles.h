@@ -37,8 +37,8 @@ struct FilledHole
   double Nonplanarity = 0.0;            ///< of the loop: see ComputeNonplanarity
   double DeviationBefore = 0.0;         ///< see HoleFill
   double DeviationAfter = 0.0;
-  /// Number of pairs of triangles, at least one of them in the fill, that intersect although they
-  /// share nothing.
+  /// Number of pairs of triangles that intersect beyond their common corners and edges, and of
+  /// which at least one is in the fill. A pair of two fills is counted for one of them only.
   int SelfIntersections = 0;
 };
 
@@ -50,32 +50,33 @@ struct FilledSurface
 };
 
 /**
- * Fills holes of a surface, or between curves, once or several times with different parameters.
- * Repeated calls only recompute what depends on the changed parameters.
+ * Fills the holes of a surface, or the gaps between curves, once or several times with different
+ * parameters. Repeated calls of Fill recompute only what depends on the changed parameters.
  *
  * Holes are filled as in Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
  * 2010), section 4.1, or by a fair surface, which is much closer to spheres and other round shapes.
- * The edges of a fill are as long as those of its loop. Points on loops and triangles beside them
- * are unchanged. So a manifold stays one, and becomes watertight if all of its loops are filled.
+ * The edges of a fill are as long as those of its loop. The points of the loops and the triangles
+ * beside them do not change. A manifold therefore remains a manifold, and becomes watertight if all
+ * of its loops are filled.
  */
 class SurfaceFiller
 {
 public:
-  /// loops: of the surface's points, with the surface to the left, as FindBoundaryLoops returns
-  /// them; each has at least 3 points. Throws InvalidInput if an index is out of range or a point
-  /// is not finite.
+  /// loops: indices of the surface's points, with the surface to the left, as FindBoundaryLoops
+  /// returns them; each loop has at least 3 points. Throws InvalidInput if an index is out of range
+  /// or a point is not finite.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& loops,
     const HoleFillerOptions& options = {});
 
-  /// rims: loops of the surface's points with the fill to the left. normals: n x 3, at the
-  /// surface's points; if one is zero, that of the membrane is used. The surface may have no
-  /// triangles.
+  /// rims: loops of the surface's points, with the fill to the left. normals: n x 3, the normals of
+  /// the fills at the surface's points; if a normal is zero, the membrane's is used. The surface
+  /// may have no triangles.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& rims,
     const Eigen::MatrixXd& normals, const HoleFillerOptions& options = {});
   ~SurfaceFiller();
 
   /// Fills all holes; options.Filler is ignored here. Throws InvalidInput if an option is out of
-  /// range, SolveFailure with the loop's first point, Aborted.
+  /// range; SolveFailure, with the first point of the hole, if a hole cannot be filled; Aborted.
   FilledSurface Fill(const FillHolesOptions& options, const Progress& progress = {});
 
 private:
@@ -94,8 +95,8 @@ private:
   std::vector<Hole> Holes;
 };
 
-/// Fills all holes of a surface of any triangles (FindBoundaryLoops). Throws the exceptions of
-/// SurfaceFiller.
+/// Fills all holes of a surface (FindBoundaryLoops), which may have any triangles. Throws the
+/// exceptions of SurfaceFiller.
 FilledSurface FillHoles(
   const Surface& surface, const FillHolesOptions& options = {}, const Progress& progress = {});
 
@@ -107,17 +108,18 @@ FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<in
 struct FillSources
 {
   std::vector<int> Points; ///< for each of the fill's points, the nearest point of the loop
-  /// For each of its triangles, the nearest triangle of the surface at the loop.
+  /// For each of the fill's triangles, the nearest triangle of the surface at the loop; -1 if no
+  /// triangle is at the loop.
   std::vector<int> Triangles;
 };
 
-/// Finds the sources of each fill. surface: with the fills, whose triangles come last. A triangle
-/// is -1 if no triangle is at the loop.
+/// Finds the sources of each fill. surface: the filled surface, with the triangles of the fills
+/// last.
 std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes);
 
-/// Returns values at a fill's points (hole.Points x d): the harmonic ones with the given values at
-/// the loop (SolveHarmonicValues). values: n x d, of all points; only the rows of the loop are
-/// used.
+/// Extends values at a hole's loop onto its fill by harmonic functions (SolveHarmonicValues).
+/// values: n x d, a row for each point of `surface`, of which only those of the loop are used.
+/// Returns the values at the fill's points (hole.Points x d).
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values);
 
