@@ -48,7 +48,7 @@ struct CutFeatureResult
 
 /**
  * Cuts features from one surface, any number of times, along closed curves on it or along the
- * border of selected triangles: section 4.2 of Schmidt and Singh, "Drag-and-drop surface
+ * border of selected triangles. See section 4.2 of Schmidt and Singh, "Drag-and-drop surface
  * composition" (Graphics Interface 2010). "To 'cut' a feature surface S, we simply segment it from
  * the base surface based on a fixed boundary loop, and fill the hole [...]. To ensure that the
  * original mesh is recovered if we drop a feature back in the same position, we embed the loop in a
@@ -77,9 +77,9 @@ public:
    * the last point is joined to the first. isSelected: m flags, non-zero for each selected
    * triangle.
    *
-   * Throws InvalidInput if an option is out of range or a point is not finite, if a curve encloses
-   * nothing or does not divide the surface, or if the selection has no edge in common with the
-   * rest. Throws the exceptions of SurfaceFiller; Aborted.
+   * Throws InvalidInput if an option is out of range or a point is not finite. Also throws it if a
+   * curve encloses nothing or does not divide the surface, or if the selection has no edge in
+   * common with the rest. Throws the exceptions of SurfaceFiller; Aborted.
    */
   CutFeatureResult Cut(const std::vector<Eigen::MatrixXd>& curves,
     const CutFeatureOptions& options = {}, const Progress& progress = {});

@@ -50,8 +50,9 @@ struct FilledSurface
 };
 
 /**
- * Fills the holes of a surface, or the gaps between curves, once or several times with different
- * parameters. Repeated calls of Fill recompute only what depends on the changed parameters.
+ * Fills the holes of a surface, or builds the patches between curves, once or several times with
+ * different parameters. Repeated calls of Fill recompute only what depends on the changed
+ * parameters.
  *
  * Holes are filled as in Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
  * 2010), section 4.1, or by a fair surface, which is much closer to spheres and other round shapes.

@@ -65,7 +65,7 @@ inline constexpr int DifferenceEigenfunctions = 10;
  *
  * first, second: 2-manifolds, open or closed. map: the images of the points of `first`. Throws
  * InvalidInput if a surface is not a 2-manifold or has fewer than NumberOfEigenpairs points, or if
- * `first` has at least NumberOfEigenpairs components; SolveFailure; Aborted.
+ * `first` has NumberOfEigenpairs or more components; SolveFailure; Aborted.
  */
 MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
   const SurfacePoints& map, const MapDifferenceOptions& options = {},

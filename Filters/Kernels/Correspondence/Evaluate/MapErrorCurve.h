@@ -57,9 +57,9 @@ struct MapErrorCurveResult
  * positions. A map that is mirrored only in parts therefore gains nothing.
  *
  * input, target: 2-manifolds, open or closed. map: the images of the points of `input` (n x 3).
- * truth: at least one position. Throws InvalidInput if a surface is not a 2-manifold, a size is
- * wrong, a value is not finite, an option is out of range, or no image is connected to its true
- * image; Aborted.
+ * truth: at least one position. Throws InvalidInput if a surface is not a 2-manifold, a matrix has
+ * the wrong size, a value is not finite, or an option is out of range. Also throws it if no image
+ * is connected to its true image. Throws Aborted.
  */
 MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::MatrixXd& map,
   const Surface& target, const GroundTruth& truth, const MapErrorCurveOptions& options = {},
@@ -71,15 +71,15 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
  * m x 3, the images on `input` of the points of `target`. Distances are exact along `input` and
  * divided by the root of its area. Returns them in ascending order, without points that return to
  * another component. All errors are 0 if the maps are inverse to each other. Throws InvalidInput if
- * a surface is not a 2-manifold, a size is wrong or a value is not finite; Aborted.
+ * a surface is not a 2-manifold, a matrix has the wrong size, or a value is not finite; Aborted.
  */
 Eigen::VectorXd ComputeRoundTripErrors(const Surface& input, const Eigen::MatrixXd& map,
   const Surface& target, const Eigen::MatrixXd& back, const Progress& progress = {});
 
-/// Returns the share of `target`'s area that the image of `input` covers. A triangle of `target` is
-/// covered if its centroid is at most a hundredth of the root of target's area away from that
-/// image: the surface of input's triangles with the points `map` (n x 3). Throws InvalidInput if a
-/// size is wrong or a value is not finite; Aborted.
+/// Returns the share of `target`'s area that the image of `input` covers. The image is the surface
+/// of input's triangles with the points `map` (n x 3). A triangle of `target` is covered if its
+/// centroid is at most a hundredth of the root of target's area away from the image. Throws
+/// InvalidInput if `map` has the wrong size or a value that is not finite; Aborted.
 double ComputeCoverage(const Surface& input, const Eigen::MatrixXd& map, const Surface& target,
   const Progress& progress = {});
 

@@ -12,8 +12,8 @@ struct SurfaceMapFacts
 {
   /// The Dirichlet energy of A's map: half the integral of the squared gradient of the positions on
   /// B (Pinkall and Polthier 1993). Negative edge weights are raised to 0. It is 1 for an isometry
-  /// and for any conformal map onto all of B; for a conformal map onto a part of B, it is the share
-  /// of B's area in that part.
+  /// and for any conformal map onto all of B. For a conformal map onto a part of B, it is that
+  /// part's share of B's area.
   double DirichletEnergy = 0.0;
   /// The mean over A's area of the straight distance between a point and its image under both maps
   /// in turn.

@@ -23,8 +23,8 @@ struct PartialFunctionalMapOptions
  * from the full surface to the part are therefore rectangular: rows and columns are the
  * eigenfunctions of each surface below the same bound (Rodola, Cosmo, Bronstein, Torsello and
  * Cremers, "Partial functional correspondence", 2017, section 3). The first map takes each sample
- * of the part to the point of the full surface with the nearest row of EmbedByLandmarks. It is
- * refined like in RefineByZoomOut (Melzi and others 2019, section on partial shapes), but only
+ * of the part to the point of the full surface with the nearest row of EmbedByLandmarks. This map
+ * is refined as RefineByZoomOut does (Melzi and others 2019, section on partial shapes). Only
  * samples of the part are used, since points of the full surface need not have a partner.
  *
  * The map back takes each point of the full surface to the position on the part whose image is
