@@ -44,8 +44,8 @@ public:
 
   /**
    * Pastes the feature: its loop is mapped to the target (PasteTarget::Land), the feature is
-   * deformed to follow it, and a band of triangles joins both. Section 4.2 of Schmidt and Singh,
-   * "Drag-and-drop surface composition" (Graphics Interface 2010).
+   * deformed to follow it, and a band of triangles joins both. See section 4.2 of Schmidt and
+   * Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
    *
    * The result is a 2-manifold if both inputs are; it is watertight if the target is and the
    * feature has no other boundary loop. A feature returns to its position if it is pasted at the

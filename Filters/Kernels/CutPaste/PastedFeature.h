@@ -32,8 +32,9 @@ struct PastedFeature
   /// For each of the remaining triangles, the original triangle of the feature.
   std::vector<int> FeatureTriangles;
   LoopOnTarget Position;
-  /// n values: for each point of the loop, the angle between the normals of the feature and the
-  /// target, in degrees about the loop's tangent. Before and after the optimisation of the frames.
+  /// n values each, before and after the optimisation of the frames. At each point of the loop,
+  /// this is the angle between the normals of the feature and the target, in degrees about the
+  /// loop's tangent.
   Eigen::VectorXd AnglesBefore, AnglesAfter;
   DeformFacts Facts;
   /// Expected Euler number of Surface, computed from those of the target and the feature.

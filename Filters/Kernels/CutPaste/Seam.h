@@ -18,10 +18,10 @@ namespace shape
  * boundary.
  *
  * A point next to the loop is rotated about the loop's tangent at each of its neighbours q_j on the
- * loop. The angle of rotation is that of the point above or below the tangent plane at q_j. Its new
- * position is the mean of the results (weights 1 / |p - q_j|^2). Other points within `width` are
- * rotated about the nearest points of the loop in the same way. Their angle is the mean angle there
- * times (1 - x^2)^3, where x is the distance divided by the width.
+ * loop. The angle of rotation is that of the point above or below the tangent plane at q_j. The
+ * point's new position is the mean of the results (weights 1 / |p - q_j|^2). Other points within
+ * `width` are rotated about the nearest points of the loop in the same way. Their angle is the mean
+ * angle there times (1 - x^2)^3, where x is the distance divided by the width.
  */
 class SeamNormals
 {

@@ -37,8 +37,8 @@ struct DeformedShape
  * A shape prepared for being deformed by one handle any number of times. It stores the weights, so
  * a new pose of the handle takes one pass over them.
  *
- * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010), equations 4 to
- * 9. If sample q_j goes to qhat_j and rotates by R_j, point p goes to
+ * See equations 4 to 9 of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics
+ * Interface 2010). If sample q_j goes to qhat_j and rotates by R_j, point p goes to
  *
  *   phat = sum_j w_j (qhat_j + s R_j (p - q_j)) / sum_j w_j,
  *
@@ -65,7 +65,8 @@ public:
   DeformedShape Deform(const HandlePose& pose,
     double reach = std::numeric_limits<double>::infinity(), const Progress& progress = {}) const;
 
-  /// The arrival time of the front at each point (n): its distance from the handle along edges.
+  /// The arrival time of the front at each point (n values): its distance from the handle along
+  /// edges.
   const Eigen::VectorXd& Arrivals() const;
 
   const DeformFacts& Facts() const;

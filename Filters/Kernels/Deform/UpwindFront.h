@@ -65,7 +65,8 @@ struct UpwindFrontOptions
 class UpwindFront
 {
 public:
-  /// graph and sweep must outlive this object. powers: n, k of equation 4 for each node, >= 0.
+  /// graph and sweep must outlive this object. powers: n values, k of equation 4 for each node; >=
+  /// 0.
   UpwindFront(const PointGraph& graph, const FrontSweep& sweep, const Eigen::VectorXd& powers,
     const UpwindFrontOptions& options = {});
 

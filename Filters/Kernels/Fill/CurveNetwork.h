@@ -24,8 +24,8 @@ struct CurveNetwork
 };
 
 /**
- * Finds the boundary loops of the patches between curves. These are closed curves or a network of
- * arcs.
+ * Finds the boundary loops of the patches between curves. The curves are closed, or they form a
+ * network of arcs.
  *
  * If no more than two segments meet at any point, each closed curve is a loop. It runs
  * counter-clockwise around the given normals. If these lie in its plane or are not given, it runs

@@ -46,7 +46,7 @@ struct FairSurfaceResult
  * for free-form surface design", 2001). It reproduces planes, spheres, cylinders and all other
  * surfaces of constant mean curvature, for any triangulation.
  *
- * The mean curvature of a point is the normal component of the cotangent Laplacian of the
+ * The mean curvature at a point is the normal component of the cotangent Laplacian of the
  * positions, divided by twice the Voronoi area. At the loop, only the triangles and the area of the
  * patch are used, which imposes the loop's normals as in mixed finite elements. Inside, the normals
  * are those of NormalWeight::Max. Normals and mean curvature are therefore exact if the corners of
@@ -58,8 +58,8 @@ struct FairSurfaceResult
  *
  * start: any surface, with the loop's points first; equilateral triangles are best. loopNormals: k
  * x 3. Near the solution, the factorisation is reused in the next iterations. If the iterations do
- * not converge, the result is the surface with the smallest Dirichlet energy of the mean curvature
- * that was found. Throws SolveFailure if a sparse factorisation fails; Aborted.
+ * not converge, the result is the surface with the smallest Dirichlet energy of its mean curvature
+ * among those found. Throws SolveFailure if a sparse factorisation fails; Aborted.
  */
 FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loopNormals,
   const FairSurfaceOptions& options = {}, const Progress& progress = {});

@@ -110,7 +110,7 @@ public:
   explicit HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options = {});
 
   /// Fills the hole. method: any except Automatic. Throws InvalidInput if an option is out of
-  /// range, SolveFailure, Aborted.
+  /// range; SolveFailure; Aborted.
   HoleFill Fill(FillMethod method, const DeformOptions& options = {},
     const PoseOptions& frames = {}, const Progress& progress = {});
 

@@ -16,7 +16,7 @@ struct LoopCorners
 {
   std::vector<int> Points; ///< points of the loop, of which no two consecutive ones coincide
   /// t x 3 indices of points: triangles without area between the loop and a fill of Points. With
-  /// them, each edge of the loop has triangles with its point indices on both sides.
+  /// them, the fill and the surface share edges by point index.
   Eigen::MatrixXi Slivers;
 };
 

@@ -25,12 +25,13 @@ struct BlendedIntrinsicOptions
  * of landmarks defines a Moebius map between the spheres (Lipman and Funkhouser, "Moebius voting
  * for surface correspondence", 2009). At most 300 triples are used, evenly spread. The trust in a
  * map at a point is 1 / cosh of the logarithm of its area scale there. The agreement of two maps is
- * the integral of the product of their trusts, times exp(-(d / Agreement)^2) for the distance d of
- * a point's two images. The leading eigenvector of the matrix of agreements gives the weights of
- * the maps, so maps that agree with no others get no weight (section 4 of the paper). Each point is
- * mapped to the position nearest to the mean of its images. The weight of an image is that of the
- * map times the trust in the map at the point. The mean is taken in the EmbedBySmacof positions of
- * the other surface, where straight distances approximate geodesic ones (section 5).
+ * an integral over the points of A. Its integrand is the product of both trusts and of exp(-(d /
+ * Agreement)^2), where d is the distance between the point's two images. The leading eigenvector of
+ * the matrix of agreements gives the weights of the maps, so maps that agree with no others get no
+ * weight (section 4 of the paper). Each point is mapped to the position nearest to the mean of its
+ * images. The weight of an image is that of the map times the trust in the map at the point. The
+ * mean is taken in the EmbedBySmacof positions of the other surface, where straight distances
+ * approximate geodesic ones (section 5).
  *
  * Moebius maps keep orientation, so nothing is mirrored, whatever landmarks are given. On surfaces
  * with very long, thin extremities, MapToSphere falls back on its last method, which is not

@@ -24,7 +24,7 @@ struct DifferenceOperator
   /// eigenfunctions that is nearest to a delta at the point. The value measures by how much the map
   /// scales the norms of functions around the point.
   Eigen::VectorXd Field;
-  Eigen::VectorXd Eigenvalues; ///< by decreasing absolute value of the logarithm
+  Eigen::VectorXd Eigenvalues; ///< in decreasing order of |log(eigenvalue)|
   /// n x the number of Eigenvalues: each function is large where the surfaces differ by its
   /// eigenvalue.
   Eigen::MatrixXd Eigenfunctions;
@@ -32,18 +32,19 @@ struct DifferenceOperator
 
 struct MapDifferenceResult
 {
-  /// For the inner product <f, g> = the integral of f g. Its Field is the ratio of areas.
+  /// The operator for the inner product <f, g> = the integral of f g. Its Field is the ratio of
+  /// areas.
   DifferenceOperator Area;
-  /// For the inner product <f, g> = the integral of grad f . grad g. Let s and t be the stretches
-  /// of the map in its principal directions. If functions vary equally in all directions, Field is
-  /// (s / t + t / s) / 2. On a part so thin that functions vary only along it, Field is t / s,
-  /// where s is the stretch along the part.
+  /// The operator for the inner product <f, g> = the integral of grad f . grad g. Let s and t be
+  /// the stretches of the map in its principal directions. If functions vary equally in all
+  /// directions, Field is (s / t + t / s) / 2. On a part so thin that functions vary only along it,
+  /// Field is t / s, where s is the stretch along the part.
   DifferenceOperator Conformal;
   /// Number of functions on the second surface that the map does not determine.
   int Undetermined = 0;
 };
 
-/// The maximum number of eigenfunctions returned for an operator; at most k are.
+/// The maximum number of eigenfunctions that are returned for an operator; never more than k.
 inline constexpr int DifferenceEigenfunctions = 10;
 
 /**

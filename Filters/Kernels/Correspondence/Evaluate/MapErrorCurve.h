@@ -34,7 +34,7 @@ struct GroundTruth
 struct MapErrorCurveResult
 {
   Eigen::VectorXd Errors; ///< ascending, of positions with an image connected to the true one
-  Eigen::VectorXd Shares; ///< for each error: the share of all k positions up to this one
+  Eigen::VectorXd Shares; ///< for each error e, the share of all k positions with errors <= e
   double Mean = 0.0, Median = 0.0, Percentile95 = 0.0, Maximum = 0.0; ///< statistics of Errors
   /// The mean share over errors from 0 to LargestError, in [0, 1]: 1 for the true map.
   double AreaUnderCurve = 0.0;

@@ -73,8 +73,8 @@ struct FunctionalMapOptions
  *
  * Both surfaces may have boundaries and several components. Their sizes may differ, since each is
  * scaled to area 1. Without landmarks, a symmetric surface may be mapped to its mirror image.
- * Throws InvalidInput if an option is out of range or a surface is not a consistently oriented
- * 2-manifold, SolveFailure, Aborted.
+ * Throws InvalidInput if a surface is not a consistently oriented 2-manifold; SolveFailure;
+ * Aborted.
  */
 SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options = {}, const Progress& progress = {});

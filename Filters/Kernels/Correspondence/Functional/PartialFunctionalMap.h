@@ -20,15 +20,15 @@ struct PartialFunctionalMapOptions
  *
  * Both are brought to one scale. By Weyl's law, the number of eigenvalues below a bound is about
  * proportional to the area, so the part has fewer of them than the full surface. Functional maps
- * from the full surface to the part are therefore rectangular: rows and columns are the
- * eigenfunctions of each surface below the same bound (Rodola, Cosmo, Bronstein, Torsello and
+ * from the full surface to the part are therefore rectangular: their rows and columns belong to the
+ * eigenvalues of the two surfaces below the same bound (Rodola, Cosmo, Bronstein, Torsello and
  * Cremers, "Partial functional correspondence", 2017, section 3). The first map takes each sample
  * of the part to the point of the full surface with the nearest row of EmbedByLandmarks. This map
  * is refined as RefineByZoomOut does (Melzi and others 2019, section on partial shapes). Only
  * samples of the part are used, since points of the full surface need not have a partner.
  *
  * The map back takes each point of the full surface to the position on the part whose image is
- * nearest. Distances are measured in the full surface's ComputeSpectralEmbedding: its
+ * nearest to it. Distances are measured in the full surface's ComputeSpectralEmbedding: its
  * eigenfunctions divided by the roots of their eigenvalues. Points inside the part's image return
  * to the points that are mapped there; others go near the cut.
  *

@@ -13,7 +13,7 @@ namespace shape
 
 struct ZoomOutOptions
 {
-  int Last = 120; ///< eigenfunctions of each surface at the end; at most those of either spectrum
+  int Last = 120; ///< eigenfunctions of each surface at the end; at most its eigenpairs
   int Step = 6;   ///< eigenfunctions added in each step; >= 1
 };
 

@@ -15,7 +15,7 @@ struct AutomaticLandmarksOptions
   /// Maximum number of assignments for each number of features and each tolerance; >= 1.
   int Candidates = 100;
   /// The hypotheses to try: both surfaces are complete, A is a part of B, or B is a part of A. A
-  /// surface is only tried as a part if it has a boundary or BothWhole is false.
+  /// surface is tried as a part only if it has a boundary or BothWhole is false.
   bool BothWhole = true, PartA = true, PartB = true;
 };
 
@@ -25,9 +25,10 @@ struct AutomaticLandmarksResult
   /// orientation.
   Landmarks Pairs;
   /// The mean difference between the distance of two samples and the distance of their images, over
-  /// both directions. If one surface is a part, only the part's samples count. It is relative to
-  /// the root of the area, or of the part's area. It is 0 for the same surface, about 0.03 for a
-  /// bent and remeshed one, and 0.06 for a stretched one. Above 0.07, the shapes are not similar.
+  /// both directions. If one surface is a part, only the part's samples count. The difference is
+  /// relative to the root of the area, or of the part's area. It is 0 for the same surface, about
+  /// 0.03 for a bent and remeshed one, and 0.06 for a stretched one. Above 0.07, the shapes are not
+  /// similar.
   double Distortion = 0.0;
   /// The distortion of the best map that reverses orientation. If it is close to Distortion, the
   /// shape is symmetric, and only orientation distinguishes its two sides.
@@ -37,8 +38,8 @@ struct AutomaticLandmarksResult
   /// are; two of these are shapes without a mirror symmetry.)
   bool MirrorImage = false;
   /// The distortion of the rival: the best map that keeps orientation but contradicts Pairs;
-  /// infinite if there is none. It contradicts Pairs if it takes at least half of the features that
-  /// both contain to other points.
+  /// infinite if there is none. A map contradicts Pairs if at least half of the features that both
+  /// assign go to different points.
   double RivalDistortion = 0.0;
   Landmarks Rival; ///< the pairs of the rival map
   /// 1 - Distortion / RivalDistortion, in [0, 1]; near 0 if the rival map is about as good.
@@ -55,7 +56,7 @@ struct AutomaticLandmarksResult
  * Features are the tips of extremities (FindFeatures). Candidates are assignments of features that
  * agree on the distances between them (AssignFeatures). Each candidate gives a map of samples, by
  * which the candidates are compared. A sample is mapped to the sample with the most similar
- * distances from the features. The features must also lie around both in the same sense of
+ * distances from the features. Around both samples, the features must also lie in the same sense of
  * rotation, or in the opposite sense for a mirror image. Therefore the two sides of an animal,
  * which distances cannot distinguish, are not exchanged.
  *

@@ -22,9 +22,10 @@ struct SampledSurface
   Eigen::MatrixXd Between() const; ///< s x s: distances of the samples, made symmetric
 };
 
-/// Samples a surface at the distinct points `first`, then at the other ones of its `count` farthest
-/// points (SampleFarthestPoints). Computes the distances of all points from the samples
-/// (ComputeHeatDistances). surface: as RequireConnected requires. Throws SolveFailure, Aborted.
+/// Samples a surface at the distinct points `first`, then at those of its `count` farthest points
+/// (SampleFarthestPoints) that are not in `first`. Computes the distances of all points from the
+/// samples (ComputeHeatDistances). surface: as RequireConnected requires. Throws SolveFailure,
+/// Aborted.
 SampledSurface SampleSurface(const Surface& surface, int count, const Progress& progress = {},
   const std::vector<int>& first = {});
 

@@ -35,7 +35,7 @@ struct SurfacePart
  * a part. If neither is a part, the scale is the root of B's area divided by A's.
  *
  * a, b: as RequireWhole requires. landmarks: as RequireLandmarks requires. Throws InvalidInput if
- * no two of the landmarks that are needed are distinct points on both surfaces; SolveFailure;
+ * landmarks are needed but no two of them are distinct points on both surfaces; SolveFailure;
  * Aborted.
  */
 SurfacePart FindPart(

@@ -16,11 +16,11 @@ struct ReversibleHarmonicOptions
   double Alpha = 2e-5; ///< final weight of the Dirichlet energy; in (0, 1)
   /// Initial weight of the Dirichlet energy, which decreases geometrically to Alpha; in (0, 1).
   double FirstAlpha = 3e-2;
-  int AlphaSteps = 40;    ///< number of iterations in which that weight decreases; >= 0
+  int AlphaSteps = 40;    ///< number of iterations from FirstAlpha to Alpha; >= 0
   double BetaStep = 5e-3; ///< increase of the penalty's weight in each iteration; > 0
-  int BetaSteps = 100;    ///< number of iterations in which that weight increases; >= 1
-  /// Number of the first iteration; >= 1. If it is above 1, the weights continue those of earlier
-  /// iterations, for maps that these have refined.
+  int BetaSteps = 100;    ///< number of iterations in which the penalty increases; >= 1
+  /// The number of the first iteration, on which its weights depend; >= 1. A number above 1
+  /// continues earlier iterations.
   int FirstIteration = 1;
   int MaximumIterations = 100; ///< maximum number of iterations; >= 1
   double Tolerance = 1e-4;     ///< relative change of the energy at which the iteration stops; >= 0
@@ -44,8 +44,8 @@ struct ReversibleHarmonicResult
 };
 
 /**
- * Computes two maps, from each surface onto the other one, that are smooth and nearly inverse to
- * each other (Ezuz, Solomon and Ben-Chen, "Reversible harmonic maps between discrete surfaces",
+ * Computes a map from each surface onto the other one. The two maps are smooth and nearly inverse
+ * to each other (Ezuz, Solomon and Ben-Chen, "Reversible harmonic maps between discrete surfaces",
  * 2019). They minimise
  *
  *   alpha (tr X12' W1 X12 + tr X21' W2 X21)
@@ -62,8 +62,8 @@ struct ReversibleHarmonicResult
  *
  * Alpha is larger at first because smoother maps move farther in an iteration. The smaller its
  * final value, the closer the maps are to inverses of each other. On the pairs of
- * CorrespondencePairs.py, the round-trip errors at 2e-5 are a fifth of those at 5e-4, and the maps
- * are as smooth.
+ * CorrespondencePairs.py, the round-trip errors for a final value of 2e-5 are a fifth of those for
+ * 5e-4, and the maps are equally smooth.
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus. start:
  * initial maps, such as those of MapByLandmarkCells or ComputeFunctionalMap; if they are mirrored,

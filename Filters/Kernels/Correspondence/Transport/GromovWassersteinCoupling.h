@@ -48,18 +48,18 @@ struct EntropicCoupling
  *
  *   sum (DistancesA(i, j) - DistancesB(k, l))^2 P(i, k) P(j, l) / 4 + e sum P log(P / (wA wB'))
  *
- * by Sinkhorn's iteration, in logarithms. Each iteration applies it to exp(DistancesA P DistancesB
- * / e), where P are the last masses (Solomon, Peyre, Kim and Sra, "Entropic metric alignment for
- * correspondence problems", 2016, algorithm 1). The entropy e decreases from a large to a small
- * value. The problem is not convex: `start` determines which minimum is reached. If distances are
- * of negative type, each iteration lowers the objective. An iteration that raises it is undone and
- * repeated with damping: a weighted geometric mean of the last and the new masses is used (the
- * paper's eta).
+ * which is found by Sinkhorn's iteration in logarithms. Each iteration applies it to exp(DistancesA
+ * P DistancesB / e), where P are the last masses (Solomon, Peyre, Kim and Sra, "Entropic metric
+ * alignment for correspondence problems", 2016, algorithm 1). The entropy e decreases from a large
+ * to a small value. The problem is not convex: `start` determines which minimum is reached. If
+ * distances are of negative type, each iteration lowers the objective. An iteration that raises it
+ * is undone and repeated with damping: a weighted geometric mean of the last and the new masses is
+ * used (the paper's eta).
  *
  * start: sA x sB, the logarithms of the similarity of A's samples to B's; the first masses are
  * proportional to their exponentials. fixed: pairs of samples that are coupled only to each other.
- * Both samples of a pair have equal weight, and no sample occurs twice. Throws InvalidInput,
- * SolveFailure if the masses remain far from the weights, Aborted.
+ * Both samples of a pair have equal weight, and no sample occurs twice. Throws InvalidInput;
+ * SolveFailure if the masses remain far from the weights; Aborted.
  */
 EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed = {}, const EntropicCouplingOptions& options = {},

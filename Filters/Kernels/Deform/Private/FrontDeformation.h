@@ -17,7 +17,7 @@ namespace shape
 class FrontDeformation : public NodeDeformation
 {
 public:
-  /// Throws InvalidInput if the graph is not connected, Aborted.
+  /// Throws InvalidInput if the graph is not connected; Aborted.
   explicit FrontDeformation(NodeProblem problem, const Progress& progress = {});
 
   NodeTransforms Move(

@@ -37,8 +37,8 @@ struct FlatDiskOptions
   double Growth = 0.5; ///< the maximum slope of `Size`
   /// The wanted edge length at a position, between Edge / 1000 and 1e6 Edge.
   std::function<double(const Eigen::RowVector2d&)> Size;
-  /// Returns whether no inner edge may join two corners of the outline; may be empty. Such an edge
-  /// is split at its midpoint.
+  /// Returns whether no inner edge may join two corners of the outline; may be empty. Such edges
+  /// are split at their midpoints.
   std::function<bool(int, int)> IsTaken;
   /// Returns whether an inner edge between two corners would be outside the filled region
   /// (FindOuterChords); may be empty. If the corners are two apart, the edge is flipped; otherwise

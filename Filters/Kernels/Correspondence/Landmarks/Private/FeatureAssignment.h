@@ -22,11 +22,11 @@ struct FeatureAssignment
  * the best first. Three pairs are a seed if every two of them agree by more than 1/2. The pair that
  * raises the score the most is added to the seed, until no pair raises it.
  *
- * The agreement of two pairs is exp(-(difference / tolerance)^2 / 2). The difference is between the
- * distance of the two features of A and that of the two features of B, relative to the longer one.
- * distancesA, distancesB: square, symmetric matrices. levelsA, levelsB: one positive value for each
- * feature. Two features are paired only if the ratio of their levels is between 1 / 1.65 and 1.65.
- * At most `count` assignments are returned. Throws Aborted.
+ * The agreement of two pairs is exp(-(difference / tolerance)^2 / 2). Here, difference is that
+ * between the distance of the two features of A and the distance of the two features of B, divided
+ * by the longer distance. distancesA, distancesB: square, symmetric matrices. levelsA, levelsB: one
+ * positive value for each feature. Two features are paired only if the ratio of their levels is
+ * between 1 / 1.65 and 1.65. At most `count` assignments are returned. Throws Aborted.
  */
 std::vector<FeatureAssignment> AssignFeatures(const Eigen::MatrixXd& distancesA,
   const Eigen::MatrixXd& distancesB, const Eigen::VectorXd& levelsA, const Eigen::VectorXd& levelsB,

@@ -18,15 +18,15 @@ public:
   /// rows, columns: positive weights with the same sum.
   Sinkhorn(const Eigen::VectorXd& rows, const Eigen::VectorXd& columns);
 
-  /// Returns the masses. The column sums are exact. The row sums differ from theirs by less than
-  /// `tolerance` in total, unless `iterations` steps do not suffice. likeness: each entry is
-  /// finite, or -infinity if the mass must be 0.
+  /// Returns the masses. The column sums are exact. The row sums differ from the prescribed ones by
+  /// less than `tolerance` in total, unless `iterations` steps do not suffice. likeness: each entry
+  /// is finite, or -infinity if the mass must be 0.
   Eigen::MatrixXd Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance);
 
   /// The sum of |row sum - weight| for the last masses.
   double Error() const { return this->RowError; }
 
-  /// Call this before a likeness that is `factor` times the last one.
+  /// Call this before Masses if the likeness is `factor` times the last one.
   void Scale(double factor);
 
 private:
