@@ -38,7 +38,7 @@ struct FilledHole
   double DeviationBefore = 0.0;         ///< see HoleFill
   double DeviationAfter = 0.0;
   /// Number of pairs of triangles that intersect beyond their common corners and edges, and of
-  /// which at least one is in the fill. A pair between two fills is counted for one of them only.
+  /// which at least one is in the fill. A pair between two fills is counted for the later one.
   int SelfIntersections = 0;
 };
 

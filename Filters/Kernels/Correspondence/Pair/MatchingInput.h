@@ -9,8 +9,8 @@
 namespace shape
 {
 
-// The requirements of methods that match two surfaces. `name` is the surface's name in
-// messages, such as "surface A".
+// The requirements of methods that match two surfaces. `name` is the surface's name in messages,
+// such as "surface A".
 
 /// Throws InvalidInput unless the surface has a positive, finite area.
 void RequireArea(const Surface& surface, const std::string& name);
