@@ -23,8 +23,8 @@ struct PastedFeature
   /// For each of the first points, the original point of the target. The feature's points follow in
   /// their order.
   std::vector<int> TargetPoints;
-  /// For each of the last points, the ends of the edge that it splits: an edge of the feature
-  /// between two points of its loop, or an edge of the band.
+  /// For each of the last points, the ends of the edge that it splits. This is an edge of the
+  /// feature between two points of its loop, or an edge of the band.
   std::vector<std::array<int, 2>> Midpoints;
   /// For each of the first triangles, the original triangle of the target.
   std::vector<int> TargetTriangles;

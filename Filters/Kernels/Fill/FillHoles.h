@@ -37,8 +37,9 @@ struct FilledHole
   double Nonplanarity = 0.0;            ///< of the loop: see ComputeNonplanarity
   double DeviationBefore = 0.0;         ///< see HoleFill
   double DeviationAfter = 0.0;
-  /// Number of pairs of triangles that intersect beyond their common corners and edges, and of
-  /// which at least one is in the fill. A pair between two fills is counted for the later one.
+  /// Number of pairs of triangles that intersect beyond their common corners and edges. At least
+  /// one triangle of each pair is in the fill. A pair between two fills is counted for the later
+  /// one.
   int SelfIntersections = 0;
 };
 
@@ -55,10 +56,10 @@ struct FilledSurface
  * parameters.
  *
  * Holes are filled as in Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
- * 2010), section 4.1, or by a fair surface, which is much closer to spheres and other round shapes.
- * The edges of a fill are as long as those of its loop. The points of the loops and the triangles
- * beside them do not change. A manifold therefore remains a manifold, and becomes watertight if all
- * of its loops are filled.
+ * 2010), section 4.1, or by a fair surface. A fair surface is much closer to spheres and other
+ * round shapes. The edges of a fill are as long as those of its loop. The points of the loops and
+ * the triangles beside them do not change. A manifold therefore remains a manifold, and becomes
+ * watertight if all of its loops are filled.
  */
 class SurfaceFiller
 {

@@ -49,8 +49,8 @@ private:
  * Returns a test of whether a fill should avoid an edge between two points of its loop, which are
  * given by their indices. The edge and the shorter part of the loop between its points form a
  * polygon. The test is true if this polygon runs clockwise around the loop's normals, since it is
- * then over the surface around the hole. It is also true if the polygon is collinear. It is false
- * if the part has more than eight edges, or if neither case is certain.
+ * then over the surface around the hole. It is also true if the points of the polygon are
+ * collinear. It is false if the part has more than eight edges, or if neither case is certain.
  */
 std::function<bool(int, int)> FindOuterChords(const BoundaryLoop& loop);
 

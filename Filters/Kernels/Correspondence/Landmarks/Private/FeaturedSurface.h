@@ -24,7 +24,7 @@ struct FeaturedSurface
   Eigen::MatrixXd Between;    ///< s x s: distances between the samples
   Eigen::MatrixXd ToFeatures; ///< s x k: distances from the samples to the features
   /// s x k^2: column i k + j is the sine of the angle at a sample from the direction of feature i
-  /// to that of feature j, seen from outside. For a mirror image, the sign is opposite.
+  /// to that of feature j. Angles are seen from outside. For a mirror image, the sign is opposite.
   Eigen::MatrixXd Turns;
 };
 
