@@ -48,7 +48,7 @@ struct HexRemeshResult
 {
   HexFit Fit;
   SurfaceFeatures Features; ///< the creases that the hexahedra were asked to follow
-  HexRemeshOptions::MethodType Method = HexRemeshOptions::MethodType::Grid; ///< the method that was used
+  HexRemeshOptions::MethodType Method = HexRemeshOptions::MethodType::Grid; ///< the method used
   std::string Reason;    ///< why this method was chosen, and which map carried the cells
   double CellSize = 0.0; ///< the size that was used, in the surface's units
   int Crossings = 0;     ///< number of pairs of triangles of the surface that cross
@@ -62,9 +62,9 @@ struct HexRemeshResult
  * Fills a closed surface with hexahedra. None is inverted, and the mesh has the surface's topology,
  * creases and corners.
  *
- * Automatic first tries a polycube. The result is accepted if the creases are kept, the minimum
- * scaled Jacobian is at least 0.3, and the distance to the surface is at most 1 % of the diagonal
- * of the bounding box. Otherwise the better of polycube and grid is taken.
+ * Automatic first tries a polycube. The result is accepted if it keeps the creases, its minimum
+ * scaled Jacobian is at least 0.3, and its distance to the surface is at most 1 % of the box
+ * diagonal. Otherwise the better of polycube and grid is taken.
  *
  * Sizes prescribe the size of the grid's cells along the surface (BuildSizedHexahedra). The options
  * must then not give a size. Inner surfaces divide the solid into regions (MultiMaterialVoxels),

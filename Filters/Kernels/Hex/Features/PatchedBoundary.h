@@ -27,7 +27,7 @@ struct PatchedBoundary
   std::vector<std::pair<int, int>> Copies;
   /// Initial positions of the points on curves and corners: pairs of a point and its position.
   std::vector<std::pair<int, Eigen::RowVector3d>> Starts;
-  std::map<int, Eigen::MatrixXd> Spans; ///< for points on curves: where each may move (CurvePositions)
+  std::map<int, Eigen::MatrixXd> Spans; ///< where each point on a curve may move (CurvePositions)
   std::vector<Surface> Patches;         ///< the patches of the surface (SplitIntoPatches)
 };
 

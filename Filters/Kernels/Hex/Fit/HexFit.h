@@ -90,7 +90,7 @@ struct HexFit
   FeatureDeviation Creases; ///< how far the hexahedra's creases are from the surface's
   Eigen::VectorXi RegionOf; ///< m: the region of each hexahedron (RegionCells)
   std::vector<Eigen::MatrixXi>
-    Interfaces;               ///< for each inner surface: its quads, counter-clockwise seen from outside
+    Interfaces; ///< for each inner surface: its quads, counter-clockwise seen from outside
   double InnerDistance = 0.0; ///< see ComputeInterfaceDistance
   int Released = 0; ///< number of points that may leave the surface (RelaxBoundaryAroundBad)
   /// The constraint on the points; null if solids were joined.
@@ -135,9 +135,9 @@ void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress 
 /**
  * Lets points around bad hexahedra leave the surface. The first step does so around inverted
  * hexahedra (RelaxBoundaryOfInverted). If none stays inverted, the second step does so around
- * hexahedra with a scaled Jacobian below 0.55 (RelaxBoundaryOfWorst). The second step keeps the
- * distance between boundary and surface at most maximumDistance, or at most 1.05 times the distance
- * before it if that is larger.
+ * hexahedra with a scaled Jacobian below 0.55 (RelaxBoundaryOfWorst). The second step lets the
+ * distance between boundary and surface grow to maximumDistance or to 1.05 times its previous
+ * value, whichever is larger.
  *
  * fit: from FitHexahedra with the same surface. Throws Aborted.
  */

@@ -27,7 +27,7 @@ struct GridHexesOptions : HexMeshOptions
   /// The target distance between the creases of the surface and those of the hexahedra, as a
   /// fraction of Diagonal; > 0.
   double WantedCreaseDistance = 0.001;
-  bool Snap = true; ///< whether the boundary is snapped to the surface where it is far (SnapToSurface)
+  bool Snap = true; ///< whether boundary points are moved to far parts (SnapToSurface)
   std::vector<RefinementSeed> Seeds; ///< seeds that refine the first grid; require a CellSize
   int Rounds = 6;                    ///< maximum number of refinement rounds; >= 1
 };

@@ -21,8 +21,10 @@ struct RegionCells
   /// m: the region of each cell. It is i + 1 if inner surface i is the innermost around the cell,
   /// and 0 if no inner surface is around it.
   Eigen::VectorXi RegionOf;
-  std::vector<std::vector<char>> Inside;   ///< for each inner surface: whether each cell is inside
-  std::vector<Eigen::MatrixXi> Interfaces; ///< for each: the quads around these cells, counter-clockwise from outside
+  std::vector<std::vector<char>> Inside; ///< for each inner surface: whether each cell is inside
+  /// For each inner surface: the boundary quads of the cells inside, counter-clockwise seen from
+  /// outside.
+  std::vector<Eigen::MatrixXi> Interfaces;
 };
 
 /**

@@ -26,9 +26,9 @@ inline constexpr double LevelBand = 2.0;
 SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size);
 
 /**
- * Computes the level of a solid at the centre of each cell of a grid: the signed distance to the
- * solid's boundary, negative inside, limited to LevelBand cells on either side. The solid is the
- * region where `surface` has a winding number of at least 1.
+ * Computes the level of a solid at the centre of each cell of a grid. The level is the signed
+ * distance to the solid's boundary, negative inside, limited to LevelBand cells on either side. The
+ * solid is the region where `surface` has a winding number of at least 1.
  *
  * surface: closed, consistently oriented, facing outwards, inside the grid; may cross itself.
  * boundary: the part of the surface that bounds the solid (ExtractSolidBoundary). Throws Aborted.

@@ -19,7 +19,7 @@ struct WellComposedVoxels
 /**
  * Returns the cells whose samples are negative, with some cells changed so that the boundary is a
  * manifold. Where the solid or its complement touches itself only at a corner or an edge, one of
- * the eight cells there is added or removed: the cell whose sample is closest to 0. This repeats
+ * the eight cells there is changed, namely the cell whose sample is closest to 0. This repeats
  * until the solid is "well-composed" (Latecki, "3D well-composed pictures", 1997).
  *
  * levels: values at the centres of the cells. The outermost cells of the grid always count as
