@@ -15,8 +15,8 @@
 namespace shape
 {
 
-/// Cells become smaller than CellSize where the surface needs it. If CellSize is 0, cells are sized
-/// to give about 20,000 hexahedra. MaximumHexahedra applies only in this case.
+/// Cells become smaller than CellSize where the surface needs it. If no size is given, cells are
+/// sized to give about 20,000 hexahedra. MaximumHexahedra applies only in this case.
 struct HexRemeshOptions : HexMeshOptions
 {
   enum class MethodType
@@ -39,8 +39,8 @@ struct HexRemeshGuides
   Eigen::VectorXd Sizes;
   /// Closed surfaces inside the solid that separate its regions; they may be nested.
   std::vector<Surface> InnerSurfaces;
-  /// A polycube of the surface, whose cells become the hexahedra. None is given if it has no
-  /// triangles.
+  /// A polycube of the surface, whose cells become the hexahedra. If it has no triangles, no
+  /// polycube is given.
   GivenPolycube Polycube;
 };
 
@@ -59,18 +59,19 @@ struct HexRemeshResult
 };
 
 /**
- * Fills a closed surface with hexahedra. None is inverted, and the mesh has the surface's topology,
- * creases and corners.
+ * Fills a closed surface with hexahedra. No hexahedron is inverted, and the mesh has the surface's
+ * topology. The mesh follows the surface's creases and corners, unless hexahedra would become too
+ * bad (FitHexahedra).
  *
  * Automatic first tries a polycube. The result is accepted if it keeps the creases, its minimum
  * scaled Jacobian is at least 0.3, and its distance to the surface is at most 1 % of the box
  * diagonal. Otherwise the better of polycube and grid is taken.
  *
- * Sizes prescribe the size of the grid's cells along the surface (BuildSizedHexahedra). The options
- * must then not give a size. Inner surfaces divide the solid into regions (MultiMaterialVoxels),
- * and the hexahedra on both sides of an inner surface share its points. Sizes and inner surfaces
- * require a grid, so Automatic then selects Grid. If a polycube is given, its own map carries its
- * cells into the solid (BuildPolycubeCells).
+ * `Sizes` prescribes the size of the grid's cells along the surface (BuildSizedHexahedra). If
+ * `Sizes` is given, the options must not give a size. Inner surfaces divide the solid into regions
+ * (MultiMaterialVoxels), and the hexahedra on both sides of an inner surface share its points.
+ * `Sizes` and inner surfaces require a grid, so Automatic then selects Grid. If a polycube is
+ * given, its own map carries its cells into the solid (BuildPolycubeCells).
  *
  * surface: closed and consistently oriented. If the surface crosses itself, the solid is the region
  * with a winding number of at least 1, and Automatic selects Grid.

@@ -38,7 +38,7 @@ struct CoarseSurface
 CoarseSurface CoarsenSurface(const Surface& surface, int points, const std::vector<int>& kept = {},
   const Progress& progress = {});
 
-/// Locates positions on the coarse surface at nearby positions on the finer one. A walk over the
+/// Maps positions on the coarse surface to nearby positions on the finer one. A walk over the
 /// finer triangles (TriangleWalk) searches for the closest position. It starts at the nearest of
 /// the finer points that lie on the same coarse triangle. Throws Aborted.
 SurfacePoints LocateOnFinerSurface(const CoarseSurface& coarse, const Mesh& finer,

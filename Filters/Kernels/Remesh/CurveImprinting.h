@@ -15,9 +15,9 @@ namespace shape
 struct CurveImprintingOptions
 {
   /// The snapping tolerance, as a fraction of an edge's length, in [0, 0.5). If a loop crosses an
-  /// edge this close to an end of the edge, it is moved to the end. If a point of a loop inside a
-  /// triangle is this close to an edge, it is moved to the edge. If snapping makes more loops
-  /// touch, it is not done.
+  /// edge this close to an end of the edge, the crossing is moved to the end. If a loop has a point
+  /// inside a triangle this close to an edge, the point is moved to the edge. Nothing is snapped if
+  /// that makes loops touch more often.
   double SnapShare = 0.05;
 };
 

@@ -12,12 +12,12 @@ struct TetrahedralizeOptions
 {
   /// Upper bound on the ratio of each tetrahedron's circumradius to its shortest edge: > 1, or 0
   /// for no bound. Near sharp angles of the surface and along a preserved boundary, the ratio may
-  /// exceed it.
+  /// exceed the bound.
   double MaximumRadiusEdgeRatio = 2.0;
 
   /// Upper bound on each tetrahedron's volume, in the model's units cubed; 0 for no bound. Along a
-  /// preserved boundary, the volume may exceed it. Elsewhere, flips after refinement may exceed it
-  /// by a few percent.
+  /// preserved boundary, the volume may exceed the bound. Elsewhere it may do so by a few percent,
+  /// because of flips after refinement.
   double MaximumVolume = 0.0;
 
   /// Whether every triangle of the surfaces stays unchanged. If false, points may be added on the
@@ -28,7 +28,7 @@ struct TetrahedralizeOptions
 struct TetrahedralizeResult
 {
   /// n x 3: first the points that triangles of the surface use, in order and without duplicates.
-  /// Those of the inner surfaces follow, and then the new points.
+  /// The points of the inner surfaces follow, and then the new points.
   Eigen::MatrixXd Points;
   Eigen::MatrixXi Tetrahedra;    ///< m x 4: (b - a) x (c - a) . (d - a) > 0
   Eigen::VectorXi RegionId;      ///< m: the region of each tetrahedron, see Tetrahedralize

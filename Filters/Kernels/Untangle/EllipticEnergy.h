@@ -18,8 +18,8 @@ struct ReferenceSimplex
   Eigen::Matrix<double, 4, 3> Gradients; ///< of each corner's hat function on the reference shape
 };
 
-/// Returns the Gradients of a reference shape. edges (columns): the edges from its first corner to
-/// the other three.
+/// Returns the gradients of the hat functions on a reference shape (ReferenceSimplex). edges
+/// (columns): the edges from its first corner to the other three.
 Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges);
 
 /**

@@ -25,8 +25,8 @@ public:
   /// Returns the directions in which a point may move from `position`. The point must be neither
   /// fixed nor free.
   virtual PointDirections Directions(int point, const Eigen::RowVector3d& position) const = 0;
-  /// Returns the closest position to `position` that is allowed for the point. The point must not
-  /// be free.
+  /// Returns, among the positions allowed for the point, the one closest to `position`. The point
+  /// must not be free.
   virtual Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& position) const = 0;
 };
 
@@ -41,11 +41,11 @@ struct PatchOptions
 {
   int MaximumSteps = 100;    ///< maximum number of Newton steps
   int FurtherSteps = 3;      ///< number of steps that follow once all simplices are positive
-  double LeastGain = 1e-3;   ///< these steps end if one lowers the energy by a smaller fraction
+  double LeastGain = 1e-3;   ///< further steps end when one lowers the energy by a smaller fraction
   double FirstEpsilon = 1.0; ///< the initial epsilon if a simplex is not positive
   /// Whether to start from the minimiser of the sum of |J|^2 if a simplex is not positive and the
-  /// minimiser has less energy. Set to false if no point is fixed, because all points then coincide
-  /// in this minimiser.
+  /// minimiser has less energy. Set it to false if no point is fixed, because all points of this
+  /// minimiser then coincide.
   bool FromSmoothest = true;
 };
 
@@ -53,7 +53,7 @@ struct PatchResult
 {
   int Steps = 0;
   int Negative = 0; ///< number of simplices that are not positive (exact predicates)
-  double EnergyBefore = 0.0, EnergyAfter = 0.0; ///< means at the first and the last epsilon
+  double EnergyBefore = 0.0, EnergyAfter = 0.0; ///< mean energies at the first and last epsilon
 };
 
 /**

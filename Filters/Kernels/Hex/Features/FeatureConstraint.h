@@ -41,7 +41,7 @@ private:
   mutable std::vector<int> Guesses;      ///< for each point: the triangle found last, or -1
 };
 
-/// A constraint that copies another one, except that single points can be held or released.
+/// A copy of another constraint in which single points can be held or released.
 class OverridableConstraint : public PointConstraint
 {
 public:

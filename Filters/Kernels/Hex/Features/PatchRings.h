@@ -12,15 +12,16 @@
 namespace shape
 {
 
-/// The patches around a point, in counter-clockwise order. A patch that several consecutive quads
-/// or triangles belong to is listed once.
+/// The patches around a point, in counter-clockwise order. Consecutive quads or triangles of the
+/// same patch count once.
 using PatchRing = std::vector<int>;
 
 /// Returns the ring of a cyclic sequence of patches. The ring is rotated to a canonical start, so
 /// that equal rings are equal vectors.
 PatchRing BuildPatchRing(const std::vector<int>& patches);
 
-/// Returns the ring of each of the surface's corners. It is empty for a corner on a boundary loop.
+/// Returns the ring of each of the surface's corners. The ring of a corner on a boundary loop is
+/// empty.
 std::vector<PatchRing> FindCornerRings(const Mesh& surface, const SurfaceFeatures& features);
 
 /// Returns the distance of a quad's centroid to a patch.

@@ -35,8 +35,8 @@ public:
   /// Adds `layers` layers of hexahedra to the mesh on each side of each interface.
   InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers);
 
-  /// Returns the region of each hexahedron. hexahedra: their number, at least that after
-  /// construction; hexahedra added since then get region 0.
+  /// Returns the region of each hexahedron. hexahedra: the number of hexahedra that the mesh has
+  /// now. Those that were added after construction get region 0.
   Eigen::VectorXi Regions(Eigen::Index hexahedra) const;
 
   /// Distributes the points of the layers evenly between the interface and the deepest points of

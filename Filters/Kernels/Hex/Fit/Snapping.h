@@ -16,18 +16,19 @@ struct SnappingOptions
   /// surface's units, >= 0.
   double WantedDistance = 0.0;
   /// Lower bounds on the minimum scaled Jacobian after a round, the stricter first. The bound for a
-  /// round is the first that the minimum before the round reaches. If it reaches neither, it must
-  /// not fall.
+  /// round is the first that the minimum before the round reaches. If the minimum reaches neither,
+  /// it must not fall.
   std::array<double, 2> ScaledJacobians = { 0.62, 0.55 };
   int Rounds = 6; ///< the maximum number of rounds
 };
 
 /**
  * Restores ridges and tips that the boundary cuts off because they are finer than the cells. In
- * each round, the positions of the surface that are farthest from the boundary are found. The
- * boundary points nearest to them are moved there and held. The points around are then moved to
- * maximise the minimum scaled Jacobian (OptimizeHexahedra). A round is undone if it does not lower
- * the distance or makes hexahedra too bad. Points on creases are not moved to far positions.
+ * each round, the positions are found where surface and boundary are farthest apart. The boundary
+ * points nearest to these positions are moved to the surface there and held. The points around them
+ * are then moved to maximise the minimum scaled Jacobian (OptimizeHexahedra). A round is undone if
+ * it does not lower the distance or makes hexahedra too bad. Points on creases are not moved to far
+ * positions.
  *
  * mesh: the hexahedra whose points are moved, within the constraint. quads: the quads of the mesh's
  * boundary, as in HexFit. constraint: a constraint on all points. Returns the larger one-sided

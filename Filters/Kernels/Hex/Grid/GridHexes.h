@@ -27,7 +27,9 @@ struct GridHexesOptions : HexMeshOptions
   /// The target distance between the creases of the surface and those of the hexahedra, as a
   /// fraction of Diagonal; > 0.
   double WantedCreaseDistance = 0.001;
-  bool Snap = true; ///< whether boundary points are moved to far parts (SnapToSurface)
+  /// Whether the boundary is snapped to parts of the surface that are too far from it
+  /// (SnapToSurface).
+  bool Snap = true;
   std::vector<RefinementSeed> Seeds; ///< seeds that refine the first grid; require a CellSize
   int Rounds = 6;                    ///< maximum number of refinement rounds; >= 1
 };
@@ -49,7 +51,7 @@ struct GridHexesResult
 
 /**
  * Fills a closed surface with hexahedra. The core consists of the cells of a regular grid whose
- * centres lie inside the surface. Layers of hexahedra around it connect it to the surface and
+ * centres lie inside the surface. Layers of hexahedra around the core connect it to the surface and
  * follow the creases (FitHexahedra).
  *
  * Where the result is too far from the surface or has bad hexahedra, the next grid has smaller

@@ -23,8 +23,9 @@ struct SizedGrid
 };
 
 /**
- * Magnifies the space around a surface so that the cells of a uniform grid in it have the wanted
- * sizes along the surface. This holds for the cells before their points are optimised.
+ * Magnifies the space around a surface. The cells of a uniform grid in the magnified space, mapped
+ * back, then have the wanted sizes along the surface. This holds for the cells before their points
+ * are optimised.
  *
  * The cell size at x is CellSize / det(DF(x))^(1/3), where F is the flow of the seeds
  * (GridDensity). Its logarithm depends almost linearly on the strengths of the seeds, so a

@@ -21,8 +21,10 @@ struct GivenPolycube
 
 struct GivenPolycubeCells
 {
-  HexMesh Solid;         ///< the cells, close to the surface
-  double CellSize = 0.0; ///< scaled to a polycube of the solid's volume, in the surface's units
+  HexMesh Solid; ///< the cells, close to the surface
+  /// The size of a cell of the polycube, if the polycube is scaled to the solid's volume; in the
+  /// surface's units.
+  double CellSize = 0.0;
 };
 
 /**

@@ -42,8 +42,8 @@ struct PolycubeHexesResult
 
 /**
  * Fills a closed surface with hexahedra. The core consists of the unit cells of a polycube of the
- * solid (FindPolycubeMap). Layers of hexahedra around it connect it to the surface and follow the
- * creases (FitHexahedra).
+ * solid (FindPolycubeMap). Layers of hexahedra around the core connect it to the surface and follow
+ * the creases (FitHexahedra).
  *
  * One of two maps carries the cells into the solid. The first is the harmonic map that extends the
  * map of the polycube's boundary onto the surface (ComputeHarmonicVolumeMap). The second is the

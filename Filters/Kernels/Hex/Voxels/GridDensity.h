@@ -62,12 +62,13 @@ public:
   {
   }
 
-  /// Adds a seed. times: the strength of the seed, as a multiple of the usual strength.
+  /// Adds a seed at a position. times: the strength of the seed, as a multiple of the usual
+  /// strength.
   void Add(const Eigen::RowVector3d& centre, double times = 1.0);
 
-  /// Adds the positions whose distance is at least 0.9 times `wanted`, the farthest first. From 4
-  /// times `wanted` on, the strength grows with the distance, up to twice the usual strength at 8
-  /// times.
+  /// Adds the positions whose distance is at least 0.9 times `wanted`, the farthest first. For
+  /// distances above 4 times `wanted`, the strength of the seed grows with the distance. It is
+  /// twice the usual strength from 8 times on.
   void AddDistant(const SampledDistances& far, double wanted);
 
   /// Adds the centroids of the hexahedra whose scaled Jacobian is below `accepted`.

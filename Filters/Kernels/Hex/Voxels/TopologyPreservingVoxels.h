@@ -17,7 +17,7 @@
 namespace shape
 {
 
-/// The distance from the surface, in cells, up to which a level is the exact distance.
+/// The distance from the surface, in cells, up to which a level equals the distance.
 inline constexpr double LevelBand = 2.0;
 
 /// Returns a grid of cubic cells around points (n x 3), without values. Its outermost cells lie

@@ -21,9 +21,9 @@ namespace shape
 class SolidCells
 {
 public:
-  /// rest (n x 3, or empty): the positions at rest. If empty, the regular cell of each kind is its
-  /// rest shape. name: the name of the cells in messages. Throws InvalidInput if there is no cell,
-  /// or if a cell is of another kind, repeats a point or has an index out of range.
+  /// rest (n x 3, or empty): the positions at rest. If it is empty, regular cells are the rest
+  /// shapes. name: the name of the cells in messages. Throws InvalidInput if there is no cell, or
+  /// if a cell is of another kind, repeats a point or has an index out of range.
   SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const std::string& name);
 
   Eigen::MatrixXd Points; ///< n x 3: current positions

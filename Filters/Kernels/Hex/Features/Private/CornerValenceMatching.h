@@ -20,7 +20,7 @@ namespace shape
  * quads around it is grown until its boundary loop has the corner's patches in their order.
  * Wherever the patch changes along the loop, a chain of edges leads to the point. The chains share
  * no other point. A minimum-cost flow makes them as short and as close to the curves as possible.
- * The quads between two consecutive chains get the patch of the part of the loop between them. A
+ * The quads between two consecutive chains get the patch that the loop has there. A
  * corner without such a disk is left unchanged.
  *
  * points: n x 3. patchOf: the patch of each quad.

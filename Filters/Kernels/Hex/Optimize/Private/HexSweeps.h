@@ -115,7 +115,7 @@ private:
   std::vector<std::vector<int>> IndependentSets;
   double Sharpness = 0.0;             ///< the sharpness of the last sweep
   int Now = 0;                        ///< number of independent sets processed so far
-  std::vector<int> MovedAt, LookedAt; ///< value of Now when each point last moved, was last updated
+  std::vector<int> MovedAt, LookedAt; ///< Now at each point's last move, and at its last update
 };
 
 } // namespace shape

@@ -20,7 +20,7 @@ Eigen::Matrix3d FindAxisRotation(const Mesh& surface);
  * Deforms a solid with little distortion until the normals of its surface are close to the axes.
  * Two steps alternate (Gregson, Sheffer and Zhang, "All-hex mesh generation via volumetric polycube
  * deformation", 2011, section 4). The first finds rotations that align the normals and vary
- * smoothly inside the solid. The second finds the shape whose tetrahedra are rotated by them.
+ * smoothly inside the solid. The second finds the shape whose tetrahedra are rotated accordingly.
  *
  * Returns the new positions of the points (n x 3). Tetrahedra may be inverted. Throws Aborted.
  */
@@ -29,7 +29,7 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
 /**
  * Deforms a solid until each triangle of its surface is nearly perpendicular to a given axis. The
  * tetrahedra stay as rigid as possible, while the weight of the flatness of the triangles grows
- * from round to round. Returns positions like AlignWithAxes. Throws Aborted.
+ * from round to round. Returns the new positions of the points (n x 3). Throws Aborted.
  *
  * labels: for each triangle, the label of its axis (GetLabelAxis). start: the initial positions of
  * the points (n x 3).

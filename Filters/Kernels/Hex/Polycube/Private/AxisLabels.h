@@ -34,9 +34,9 @@ Eigen::VectorXi SolveGraphCutLabelling(
  * base-complex construction", 2013, section 3).
  *
  * For a triangle of mean area with normal n, a label costs 1 - exp(-((n . axis - 1) / 0.2)^2 / 2).
- * For an edge of mean length, a border costs compactness exp(-((n . m - 1) / 0.25)^2 / 2). Here n
- * and m are the normals of the edge's triangles in the undeformed solid. Adjacent triangles never
- * have opposite labels.
+ * For an edge of mean length, a border costs compactness times exp(-((n . m - 1) / 0.25)^2 / 2).
+ * Here n and m are the normals of the edge's triangles in the undeformed solid. Adjacent triangles
+ * never have opposite labels.
  *
  * positions (n x 3): the points of the deformed solid. further (m x 6, or empty): additional costs
  * of each label for each triangle.

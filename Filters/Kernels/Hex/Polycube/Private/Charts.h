@@ -77,7 +77,7 @@ std::string DescribeChart(const Charts& charts, int chart);
 ConstrainedCoordinates ConstrainCharts(const Charts& charts, Eigen::Index points);
 
 /// Finds edges inside a chart whose ends share an unknown along an axis other than the chart's. A
-/// triangle whose three points share one would be degenerate.
+/// triangle whose three points share such an unknown would be degenerate.
 std::vector<std::pair<int, int>> FindConstrainedEdges(
   const Eigen::MatrixXi& triangles, const Charts& charts, const ConstrainedCoordinates& tied);
 

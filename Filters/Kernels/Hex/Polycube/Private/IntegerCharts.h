@@ -9,9 +9,9 @@ namespace shape
 {
 
 /**
- * Rounds the coordinates of a polycube's charts to nearby integers. Two charts keep their order,
- * and a distance of at least 1, if they bound the same edge of the polycube at its two ends or face
- * each other across the solid.
+ * Rounds the coordinates of a polycube's charts to nearby integers. Two kinds of pairs keep their
+ * order and a distance of at least 1: charts at the two ends of an edge of the polycube, and charts
+ * that face each other across the solid.
  *
  * positions (n x 3): the positions of the solid's points on the polycube, in units of cells; every
  * tetrahedron is positive there. Returns one integer for each chart: its coordinate along its axis.

@@ -19,10 +19,10 @@ struct VoxelPolycube
 };
 
 /**
- * Finds a polycube whose faces need no charts (Yu, Zhang, Wan and Li, "Optimizing polycube domain
- * construction for hexahedral remeshing", 2014). The solid inside a surface is deformed towards the
- * axes (AlignWithAxes, FlattenAlongAxes). The cells of a grid inside the deformed solid are taken
- * and mapped back. Their union is a polycube by construction, and it has the surface's topology. It
+ * Builds a polycube of the solid inside a surface from the cells of a grid (Yu, Zhang, Wan and Li,
+ * "Optimizing polycube domain construction for hexahedral remeshing", 2014). The solid is deformed
+ * towards the axes (AlignWithAxes, FlattenAlongAxes). The cells inside the deformed solid form the
+ * polycube, and they are mapped back into the solid. The polycube has the surface's topology. It
  * has a step wherever the deformed surface is not quite flat.
  *
  * surface: closed, facing outwards. compactness: see FindAxisLabels. cells: the approximate number
