@@ -318,7 +318,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     {
       throw InvalidInput("the RestShape has " + std::to_string(rest.rows()) +
         " points, but the Input has " + std::to_string(cells.Points.rows()) +
-        "; give the Input before it was moved");
+        "; give the cells of the Input before they were moved");
     }
   }
   // If inverted cells remain, they may need more iterations, or another start.
