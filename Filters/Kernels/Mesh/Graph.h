@@ -39,7 +39,7 @@ struct GraphSources
 {
   std::vector<int> Nodes; ///< a node may be there several times
   Eigen::VectorXd Distances;
-  std::vector<int> Before; ///< the node before each on the path, or -1; empty: -1 for all
+  std::vector<int> Before = {}; ///< the node before each on the path, or -1; empty: -1 for all
 };
 
 /**

@@ -81,6 +81,10 @@ private:
   std::shared_ptr<Data> Impl;
 };
 
+/// Returns the components of a surface in the order of ComponentId, each with the points it uses,
+/// in their original order.
+std::vector<Mesh> SplitComponents(const Surface& surface);
+
 /// Throws InvalidInput unless `surface` has triangles and is a consistently oriented 2-manifold,
 /// open or closed. Every coordinate must be finite, and the longest edge of the bounding box
 /// between 1e-50 and 1e50. `name` is used for the surface in the message. Returns the topology.

@@ -7,24 +7,24 @@ namespace shape
 namespace
 {
 
-std::atomic<SurfaceWork*> Active{ nullptr };
+std::atomic<SurfaceWork*> active{ nullptr };
 
 } // namespace
 
 SurfaceWork::SurfaceWork(Eigen::MatrixXd points)
   : Points(std::move(points))
 {
-  Active = this;
+  active = this;
 }
 
 SurfaceWork::~SurfaceWork()
 {
-  Active = nullptr;
+  active = nullptr;
 }
 
 void SurfaceWork::Note(Kind kind, const Eigen::MatrixXd& points)
 {
-  SurfaceWork* work = Active;
+  SurfaceWork* work = active;
   if (work && points.rows() == work->Points.rows() && points == work->Points)
   {
     ++work->Counts[static_cast<std::size_t>(kind)];

@@ -171,33 +171,6 @@ Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
   return topology;
 }
 
-std::vector<Mesh> SplitComponents(const Mesh& mesh)
-{
-  const Topology topology = ComputeTopology(mesh);
-  std::vector<std::vector<int>> triangles(topology.Components), points(topology.Components);
-  std::vector<int> newId(mesh.Points.rows(), -1);
-  for (int i = 0; i < mesh.Points.rows(); ++i)
-  {
-    if (topology.ComponentId(i) >= 0)
-    {
-      std::vector<int>& own = points[topology.ComponentId(i)];
-      newId[i] = static_cast<int>(own.size());
-      own.push_back(i);
-    }
-  }
-  for (int t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    triangles[topology.ComponentId(mesh.Triangles(t, 0))].push_back(t);
-  }
-  std::vector<Mesh> components;
-  for (int c = 0; c < topology.Components; ++c)
-  {
-    components.push_back({ mesh.Points(points[c], Eigen::all),
-      mesh.Triangles(triangles[c], Eigen::all).unaryExpr([&](int i) { return newId[i]; }) });
-  }
-  return components;
-}
-
 void RequireFinite(const Eigen::MatrixXd& values, const std::string& name)
 {
   if (values.allFinite())

@@ -37,10 +37,6 @@ Topology ComputeTopology(const Mesh& mesh);
 /// The same for a mesh whose indices are in range, with its sorted half-edges (SortHalfEdges).
 Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sorted);
 
-/// Returns the components of a surface in the order of ComponentId, each with the points it uses,
-/// in their original order.
-std::vector<Mesh> SplitComponents(const Mesh& mesh);
-
 /// Throws InvalidInput if `values` contains a NaN or an infinity: "`name` has 3 values that are not
 /// finite (first at point 17)".
 void RequireFinite(const Eigen::MatrixXd& values, const std::string& name);

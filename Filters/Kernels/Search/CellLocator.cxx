@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Mesh/SurfaceWork.h"
 #include "Search/ClosestPoint.h"
 #include "Search/Private/CellInterpolation.h"
 
@@ -310,6 +311,7 @@ CellLocator::CellLocator(const Cells& cells, const Progress& progress)
   progress(0.5);
   if (dimension == 3)
   {
+    SurfaceWork::Note(SurfaceWork::Kind::SearchTree, cells.Points);
     this->Impl = std::make_unique<SolidSearch>(cells, numbers);
   }
   else

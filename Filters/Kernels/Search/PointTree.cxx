@@ -1,5 +1,7 @@
 #include "Search/PointTree.h"
 
+#include "Mesh/SurfaceWork.h"
+
 #include <nanoflann.hpp>
 
 #include <algorithm>
@@ -99,6 +101,7 @@ struct PointTree::Index
 PointTree::PointTree(const Eigen::MatrixXd& points)
   : Impl(std::make_unique<Index>(points))
 {
+  SurfaceWork::Note(SurfaceWork::Kind::SearchTree, points);
 }
 
 PointTree::~PointTree() = default;

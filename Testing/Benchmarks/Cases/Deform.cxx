@@ -5,7 +5,7 @@
 
 #include "Deform/ShapeDeformation.h"
 #include "Mesh/BoundaryLoops.h"
-#include "Mesh/Topology.h"
+#include "Mesh/Surface.h"
 #include "Remesh/Coarsening.h"
 
 #include <CGAL/Simple_cartesian.h>

@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
 #include "Geodesics/ExactGeodesics.h"
-#include "Mesh/Topology.h"
+#include "Mesh/Surface.h"
 #include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 

@@ -170,7 +170,7 @@ bool AddSeeds(const GridHexesResult& result, const GridBoundary& boundary,
 {
   const HexMesh& solid = result.Fit.Solid;
   RefinementSeeds positions(result.CellSize);
-  const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
+  const auto addFarOnSurface = [&](const Surface& surface, const Eigen::MatrixXi& quads)
   {
     positions.AddDistant(
       ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),

@@ -118,7 +118,7 @@ constexpr double Reaches[] = { 0.15, 0.0, 0.3, -0.15 };
 constexpr double CoverReach = 0.7;
 
 /// Returns the number of components of a surface that bound solids from outside.
-int CountSolids(const Mesh& surface)
+int CountSolids(const Surface& surface)
 {
   const std::vector<Mesh> components = SplitComponents(surface);
   return static_cast<int>(std::count_if(components.begin(), components.end(),
