@@ -13,24 +13,25 @@ namespace shape
 struct PlanarPoint
 {
   int Triangle = -1;              ///< -1: outside all triangles
-  Eigen::RowVector3d Barycentric; ///< >= 0
+  Eigen::RowVector3d Barycentric; ///< each >= 0
 };
 
 /// Finds the triangle of a planar triangulation that contains a position; built in linear time.
 class PlanarLocator
 {
 public:
-  /// points: n x 2, finite. triangles: m x 3; those that are not counter-clockwise are ignored.
-  /// Both are kept by reference. leftOut: rows of further triangles to ignore.
+  /// points: n x 2, finite. triangles: m x 3; a triangle that is not counter-clockwise is ignored.
+  /// Both arguments are kept by reference. leftOut: numbers of further triangles to ignore.
   PlanarLocator(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
     const std::vector<int>& leftOut = {});
 
   /// Returns the lowest-numbered triangle that contains the position, inside or on its boundary.
-  /// Exact.
+  /// The choice of the triangle is exact; the barycentric coordinates are rounded.
   PlanarPoint Find(const Eigen::RowVector2d& position) const;
 
-  /// Calls use(triangle) for the triangles whose boxes may intersect the given box, in a fixed
-  /// order and possibly several times, until it returns true. Returns whether it did.
+  /// Calls use(triangle) for the triangles whose boxes may intersect the given box, until a call
+  /// returns true. The order is fixed, and a triangle may be visited several times. Returns whether
+  /// a call returned true.
   bool AnyNear(const Eigen::RowVector2d& lower, const Eigen::RowVector2d& upper,
     const std::function<bool(int)>& use) const;
 
@@ -39,7 +40,7 @@ private:
 
   const Eigen::MatrixXd& Points;
   const Eigen::MatrixXi& Triangles;
-  Eigen::RowVector2d Lower, Upper; ///< the box of the points
+  Eigen::RowVector2d Lower, Upper; ///< the corners of the points' bounding box
   double CellSize = 1.0;
   std::array<int, 2> Cells = { 1, 1 };
   std::vector<int> First, Inside; ///< Inside[First[i]], ... are the triangles at cell i, ascending
