@@ -57,9 +57,9 @@ struct ExponentialPatch
  *
  * The weights of the mean are the inverse squared edge lengths, balanced on both sides of the line
  * from the seed. So the result converges to the exponential map under refinement, for any
- * arrangement of triangles. Predictions too far from that of the neighbour from which the front
- * came are ignored, because there the front has met itself. Finally the mean is moved to the
- * point's distance from the seed.
+ * arrangement of triangles. The front comes to a point from one neighbour. Predictions too far from
+ * the prediction of this neighbour are ignored, because there the front has met itself. Finally the
+ * mean is moved to the point's distance from the seed.
  *
  * Behind bumps and protrusions, where straight lines from both sides meet, the means may flip
  * triangles that are not torn. This affects a tenth of the triangles in patches that contain

@@ -23,11 +23,11 @@ struct ExponentialFacts
   double FlipRate = 0.0;
   DistortionStatistics ConformalDistortion; ///< of sound triangles; 1 if angles are preserved
   DistortionStatistics SymmetricDirichlet;  ///< of sound triangles; 4 for an isometry
-  /// area of the images of sound triangles, divided by the area of the disk of the patch's radius
+  /// area of the images of sound triangles, divided by that of a disk with the patch's radius
   double Coverage = 0.0;
   bool Overlaps = false;                ///< see IsOverlappingItself
-  Eigen::VectorXd ConformalDistortions; ///< t: for each triangle, as in EvaluateMapQuality
-  Eigen::VectorXd SymmetricDirichlets;  ///< t: for each triangle
+  Eigen::VectorXd ConformalDistortions; ///< t: MapMeasure::ConformalDistortion of each triangle
+  Eigen::VectorXd SymmetricDirichlets;  ///< t: MapMeasure::SymmetricDirichlet of each triangle
 };
 
 /// Computes the quality of a patch's image. radius: the patch's radius. Throws Aborted.

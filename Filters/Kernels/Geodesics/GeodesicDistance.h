@@ -15,7 +15,7 @@ struct GeodesicDistanceOptions
   {
     Heat,    ///< HeatGeodesics: smooth, close to the exact distance
     Exact,   ///< ComputeExactGeodesics
-    Dijkstra ///< ComputeEdgeGeodesics: along edges, never too short
+    Dijkstra ///< ComputeEdgeGeodesics: along edges, never less than the exact distance
   };
   MethodType Method = MethodType::Heat;
 };

@@ -24,9 +24,9 @@ Eigen::MatrixXd SolveHarmonicValues(const Surface& patch, const Eigen::MatrixXd&
  * disk, whose first k points are those of the curve. The mean curvature vectors inside are nearly
  * zero: "the membrane surface should be as close to both minimal area and developable as possible
  * [...] a minimal mean-curvature mesh suffices" (Schmidt and Singh, "Drag-and-drop surface
- * composition", section 4.1). It starts with the harmonic map of the disk, then solves `rounds`
- * times for the harmonic map of the result (Pinkall and Polthier, "Computing discrete minimal
- * surfaces and their conjugates", 1993).
+ * composition", section 4.1). The computation starts with the harmonic map of the disk, then solves
+ * `rounds` times for the harmonic map of the result (Pinkall and Polthier, "Computing discrete
+ * minimal surfaces and their conjugates", 1993).
  *
  * disk: n points in the plane or in space; the first k are those of its loop. loop: k x 3, the
  * positions of the curve. Throws SolveFailure when SolveHarmonicValues does; Aborted.

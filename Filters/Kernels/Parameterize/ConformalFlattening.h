@@ -25,7 +25,7 @@ namespace shape
  * The map is conformal in the limit of fine meshes. Triangles may flip if the mesh is coarse, or if
  * the surface is so curved that its image overlaps itself.
  *
- * Throws InvalidInput when RequireSurfaceWithBoundary with LoopCount::AtLeastOne does. Throws
+ * Throws InvalidInput when RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne) does. Throws
  * SolveFailure if the factorisation breaks down or the flips of the intrinsic Delaunay
  * triangulation do not end. Throws Aborted.
  */

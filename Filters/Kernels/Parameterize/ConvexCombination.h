@@ -15,12 +15,12 @@ enum class CombinationWeights
   /// w_ij = 1 (Tutte 1963, "How to draw a graph"): never flips a triangle, but ignores the shape.
   Uniform = 0,
   /// w_ij = (cot a + cot b) / 2 over the angles opposite the edge: the discrete harmonic map
-  /// (Pinkall & Polthier 1993; Eck et al. 1995). It is negative if a + b > pi; then triangles may
-  /// flip.
+  /// (Pinkall & Polthier 1993; Eck et al. 1995). A weight is negative if a + b > pi; then triangles
+  /// may flip.
   Cotangent = 1,
   /// w_ij = (tan(a / 2) + tan(b / 2)) / |x_i - x_j| over the angles at i on both sides of the edge
-  /// (Floater 2003, "Mean value coordinates", equation 2.1). It is positive, so no triangle flips;
-  /// it is not symmetric.
+  /// (Floater 2003, "Mean value coordinates", equation 2.1). The weights are positive, so no
+  /// triangle flips. They are not symmetric: w_ij and w_ji differ.
   MeanValue = 2
 };
 

@@ -41,9 +41,9 @@ struct DiskMapResult
  *
  * With Uniform and MeanValue weights no triangle of the exact solution is flipped (Tutte 1963,
  * Floater 2003). The square needs one more condition: no inner edge may join two points that are
- * mapped to the same side. A surface with such an edge is rejected. Cotangent weights may flip
- * triangles if angles are obtuse. Every triangle of the image is checked with exact orientation
- * predicates, so a result has no flipped triangle.
+ * mapped to the same side. Cotangent weights may flip triangles if angles are obtuse. Every
+ * triangle of the image is checked with exact orientation predicates, so a result has no flipped
+ * triangle.
  *
  * The loop's point with the greatest x (ties: greatest y, then z) is mapped to (1, 0) on the
  * circle, or to the corner (1, 1) of the square. So the map does not depend on the numbering of the
@@ -52,11 +52,12 @@ struct DiskMapResult
  * points are placed by arc length. Translating or scaling the surface changes the result by
  * rounding only.
  *
- * Throws InvalidInput when RequireSurfaceWithBoundary with LoopCount::One does, or if an edge of
- * the loop has no length. For the square, the loop must also have at least four points. Throws
- * SolveFailure if the image has flipped triangles, or triangles too small to determine their
- * orientation. An extremity shrinks exponentially with the ratio of its length to its girth. The
- * factorisation is one library call that cannot be interrupted. Throws Aborted.
+ * Throws InvalidInput when RequireSurfaceWithBoundary(surface, LoopCount::One) does, or if an edge
+ * of the loop has no length. For the square, it also throws if the loop has fewer than four points,
+ * or an inner edge joins two points that are mapped to the same side. Throws SolveFailure if the
+ * image has flipped triangles, or triangles too small to determine their orientation. An extremity
+ * shrinks exponentially with the ratio of its length to its girth. The factorisation is one library
+ * call that cannot be interrupted. Throws Aborted.
  */
 DiskMapResult MapToDisk(
   const Surface& surface, const DiskMapOptions& options = {}, const Progress& progress = {});

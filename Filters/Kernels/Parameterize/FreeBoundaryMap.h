@@ -38,7 +38,7 @@ struct FreeBoundaryMapResult
  * positive; if it vanishes, the first point off the centre has positive x. So a rigid motion of the
  * surface does not change the image. Triangles are counter-clockwise seen from +z.
  *
- * Throws InvalidInput when RequireSurfaceWithBoundary with LoopCount::AtLeastOne does, if the
+ * Throws InvalidInput when RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne) does, if the
  * surface has no area, or if an option of Refinement is out of range. Throws SolveFailure when
  * FlattenConformally or RefineInjectively does. Throws it, too, if the conformal map flips a
  * triangle and Refine is not set, or if triangles are too small for double precision. Throws

@@ -45,7 +45,7 @@ struct ParameterizeResult
 {
   /// n x 3: the image of each point; on the Orbifold, one of the images of a point on the cut
   Eigen::MatrixXd Positions;
-  /// Orbifold: the surface cut open, which is what is mapped; else empty
+  /// Orbifold: the surface cut open, on which the map is defined; else empty
   CutSurface Cut;
   Eigen::MatrixXd CutPositions; ///< Orbifold: the image of each point of the cut surface
   std::string Method;           ///< name of the method that computed the image, in one word

@@ -32,16 +32,17 @@ struct SphereMapOptions
   /// Maximum share of the points, but at least 16 points, that may be reinserted after
   /// ConformalFlow; >= 0.
   double LargestRepair = 0.01;
-  double AreaWeight = 1.0;    ///< GlobalReinsertion: weight of equal areas relative to equal angles
-  int RelaxationSweeps = 400; ///< sweeps over the reinserted points and two rings around them
+  double AreaWeight = 1.0; ///< GlobalReinsertion: weight of equal areas relative to equal angles
+  /// maximum number of sweeps over the reinserted points and two rings around them
+  int RelaxationSweeps = 400;
 };
 
 struct SphereMapResult
 {
   Eigen::MatrixXd Points; ///< n x 3: the image of each point, on the unit sphere
   SphereMapMethod Method = SphereMapMethod::ConformalFlow;
-  int Iterations = 0; ///< steps of the flow of Method
-  /// number of flipped triangles that the method First left for repair
+  int Iterations = 0; ///< number of steps of the flow
+  /// number of flipped triangles in the image of the method First, before any repair
   int FlipsBeforeRelaxation = 0;
   /// number of points that were reinserted to repair flipped triangles
   int Reinserted = 0;

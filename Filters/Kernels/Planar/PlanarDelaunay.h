@@ -29,7 +29,7 @@ struct PlanarTriangulation
 {
   Eigen::MatrixXd Points;    ///< the given points (n x 2), then the points added at crossings
   Eigen::MatrixXi Triangles; ///< m x 3, counter-clockwise, none without area
-  /// n: for each point, the first point at the same position, which Triangles and Edges use
+  /// n: for each point, the first point at the same position; Triangles and Edges use only these
   Eigen::VectorXi SamePoint;
   /// e x 2: the edges that the segments consist of, segment by segment, in order along each segment
   Eigen::MatrixXi Edges;
@@ -44,9 +44,9 @@ struct PlanarTriangulation
  * the order of the points.
  *
  * Points are inserted one by one along a space-filling curve, and edges are flipped (Lawson 1977).
- * Then each segment becomes an edge by flips. All predicates are exact (EvaluateOrientation,
- * EvaluateInCircle), so collinear, cocircular and nearly coincident points are no special cases.
- * The time is O(n log n).
+ * Then edges are flipped until each segment is an edge. All predicates are exact
+ * (EvaluateOrientation, EvaluateInCircle), so collinear, cocircular and nearly coincident points
+ * need no special treatment. The time is O(n log n).
  *
  * points: n x 2, finite; the longest side of their bounding box is 0, or between 1e-50 and 1e50.
  * segments: k x 2 indices of points. A segment whose ends coincide is ignored. A segment that runs

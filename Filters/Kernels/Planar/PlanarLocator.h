@@ -16,7 +16,8 @@ struct PlanarPoint
   Eigen::RowVector3d Barycentric; ///< each >= 0
 };
 
-/// Finds the triangle of a planar triangulation that contains a position; built in linear time.
+/// Finds the triangle of a planar triangulation that contains a position. A locator is built in
+/// linear time.
 class PlanarLocator
 {
 public:
@@ -43,7 +44,8 @@ private:
   Eigen::RowVector2d Lower, Upper; ///< the corners of the points' bounding box
   double CellSize = 1.0;
   std::array<int, 2> Cells = { 1, 1 };
-  std::vector<int> First, Inside; ///< Inside[First[i]], ... are the triangles at cell i, ascending
+  /// the triangles at cell i, ascending: Inside[First[i]] to Inside[First[i + 1] - 1]
+  std::vector<int> First, Inside;
 };
 
 } // namespace shape

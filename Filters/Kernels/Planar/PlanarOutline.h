@@ -32,8 +32,8 @@ public:
   /// or the triangle is inside the polygon.
   bool Covers(const Eigen::Matrix<double, 3, 2>& triangle) const;
 
-  /// Calls body(i) for each edge, from corner i to the next, whose box intersects the box from low
-  /// to high. body returns false to stop. Returns whether it was never stopped.
+  /// Calls body(i) for each edge i, from corner i to the next, if the box of the edge intersects
+  /// the box from low to high. Stops when body returns false. Returns whether it never stopped.
   template <typename Body>
   bool ForEachNear(
     const Eigen::RowVector2d& low, const Eigen::RowVector2d& high, const Body& body) const

@@ -35,7 +35,7 @@ struct CellSimplices
 
   /// Adds a shape to the current cell. points: the 3, 4, 5, 6 or 8 points of the shape.
   void Add(CellShape shape, const int* points);
-  /// Ends the current cell. It may have no simplex, as points and lines have.
+  /// Ends the current cell. Like points and lines, it may have no simplex.
   void EndCell();
   int Count() const { return static_cast<int>(this->Offsets.size()) - 1; } ///< number of cells
 };

@@ -80,7 +80,8 @@ struct MapQualityResult
 MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
   const CellSimplices& cells, const MapExtent& extent, const Progress& progress = {});
 
-/// Sums over cells. Those of several parts of the data can be combined.
+/// Sums, minima and maxima of the measures over cells. Those of several parts of the data can be
+/// combined.
 struct MapQualitySums
 {
   Eigen::Array<double, MapMeasureCount, 1> Minima; ///< LargestMeasure if there are no cells

@@ -27,7 +27,8 @@ public:
     const Eigen::MatrixXd& normals, bool upwindAverage);
 
   /// Runs from a seed until the next node is beyond the radius. seed: the tangent frame there.
-  /// corners: the nodes of the seed's triangle. Throws Aborted.
+  /// corners, barycentric: the nodes of the seed's triangle, and the coordinates of the seed in it.
+  /// Throws Aborted.
   void Run(const TangentFrame& seed, const Eigen::RowVector3i& corners,
     const Eigen::RowVector3d& barycentric, double radius, const Progress& progress = {});
 

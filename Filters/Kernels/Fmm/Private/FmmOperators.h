@@ -23,7 +23,7 @@ struct FmmAccuracy
 
 /**
  * The operators that expand the field of the charges in a box, translate it to other boxes and
- * evaluate it there, for 1/r: a kernel-independent multipole method.
+ * evaluate it there, for the kernel 1/r: a kernel-independent multipole method.
  *
  * Lengths are in units of half the box's edge. Charges in the box are replaced by equivalent
  * charges on the surface of the inner cube, which has half edge 1 and is the box itself. The
@@ -57,10 +57,14 @@ struct FmmOperators
   int Modes = 0;  ///< number of coefficients of a box, for each column of the charges
   int Stride = 0; ///< Modes, rounded up to whole vectors
   Eigen::MatrixXd InnerPoints, OuterPoints; ///< the Gauss points of the two cubes, one per row
-  Eigen::MatrixXd Expansion; ///< number of OuterPoints, rounded up to whole vectors, x Stride
+  /// a row for each outer point, rounded up to whole vectors; Stride columns
+  Eigen::MatrixXd Expansion;
   Eigen::MatrixXd Collected; ///< transpose of Expansion
-  Eigen::MatrixXd Inner; ///< number of InnerPoints, rounded up, x Stride: equivalent charges from c
-  std::vector<Real> Signs; ///< [mirrored axes as bits][Stride]
+  /// A row for each inner point, rounded up to whole vectors; Stride columns. The equivalent
+  /// charges are Inner times c.
+  Eigen::MatrixXd Inner;
+  /// 8 x Stride: the sign of each coefficient after mirroring along the axes in the bits of the row
+  std::vector<Real> Signs;
 
   /// A matrix, stored column by column; each column has Stride entries.
   struct Operator

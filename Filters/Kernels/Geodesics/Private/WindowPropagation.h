@@ -14,8 +14,8 @@ namespace shape
 {
 
 /// The half-edges of a surface as coordinate frames in the plane. Half-edge 3 t + k runs from
-/// corner k of triangle t, at the origin, to the next corner on the x axis. Its triangle lies above
-/// the x axis.
+/// corner k of triangle t, at the origin, to the next corner, on the x axis. Its triangle lies
+/// above the x axis.
 class HalfEdgeFrames
 {
 public:
@@ -57,8 +57,8 @@ public:
   void AddSeed(int triangle, const Eigen::RowVector3d& weights);
 
   /// Restricts the search to the shortest path to this position, the goal. Windows are then ordered
-  /// by a lower bound of the length of a path through them to the goal. It includes the remaining
-  /// straight distance (Hart, Nilsson and Raphael 1968). Call it before AddSeed.
+  /// by a lower bound of the length of a path through them to the goal. The bound includes the
+  /// remaining straight distance (Hart, Nilsson and Raphael 1968). Call it before AddSeed.
   void SetGoal(int triangle, const Eigen::RowVector3d& weights);
 
   /// Processes at most `steps` windows and points. Returns whether the computation is complete.

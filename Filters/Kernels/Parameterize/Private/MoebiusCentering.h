@@ -27,11 +27,11 @@ struct MoebiusCenteringResult
  * step is an inversion p -> (1 - |c|^2) (p + c) / |p + c|^2 + c, which preserves orientation and
  * does not rotate around the centre.
  *
- * points: n x 3; none is at the origin, and they are normalised first. weights: n values >= 0.
- * Throws InvalidInput if the sizes differ, a value is not finite, a weight is negative, a point is
- * at the origin, or all weights are zero. It also throws if one point has at least half of the
- * total weight, because no transform can then centre the points. If rounding stops the descent
- * before Tolerance is reached, MeanLength is larger than Tolerance.
+ * points: n x 3, none at the origin; they are normalised first. weights: n values >= 0. Throws
+ * InvalidInput if the sizes differ, a value is not finite, a weight is negative, a point is at the
+ * origin, or all weights are zero. It also throws if one point has at least half of the total
+ * weight, because no transform can then centre the points. If rounding stops the descent before
+ * Tolerance is reached, MeanLength is larger than Tolerance.
  */
 MoebiusCenteringResult CenterOnSphere(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights,
   const MoebiusCenteringOptions& options = {}, const Progress& progress = {});

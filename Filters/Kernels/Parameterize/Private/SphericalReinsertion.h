@@ -41,10 +41,10 @@ SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
  * are reinserted level by level. Throws SolveFailure if rounding leaves no room for a point;
  * Aborted.
  *
- * areaWeight (>= 0) is the weight of equal areas relative to equal angles. Neighbouring triangles
- * get areas in proportion to the number of points still to be inserted there, level by level. With
- * 0, long extremities shrink exponentially. With 3, the smallest triangle of a figure with arms and
- * legs has about 1e-4 of the mean area.
+ * areaWeight (>= 0) is the weight of equal areas relative to equal angles. At each level,
+ * neighbouring triangles get areas in proportion to the number of points that are still to be
+ * inserted there. With 0, long extremities shrink exponentially. With 3, the smallest triangle of a
+ * figure with arms and legs has about 1e-4 of the mean area.
  */
 SphericalReinsertionResult ReinsertAll(
   const Eigen::MatrixXi& triangles, int n, double areaWeight, const Progress& progress = {});

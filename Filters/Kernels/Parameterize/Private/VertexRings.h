@@ -30,7 +30,7 @@ public:
   /// two points opposite their edge (the link condition), and more than a tetrahedron is left.
   bool CanMerge(int point, int into) const;
 
-  /// Merges `point` into `into`. Returns its ring, starting with `into`, for Restore.
+  /// Merges `point` into `into`. Returns the ring of `point`, starting with `into`, for Restore.
   std::vector<int> Merge(int point, int into);
 
   /// Undoes Merge(point, ring[0]). Merges must be undone in the reverse order.

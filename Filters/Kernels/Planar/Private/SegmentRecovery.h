@@ -9,8 +9,7 @@
 namespace shape
 {
 
-/// Makes segments between the corners of a planar triangulation edges of the triangulation, by
-/// flips.
+/// Flips edges of a planar triangulation until given segments between its corners are edges.
 class SegmentRecovery
 {
 public:
@@ -19,11 +18,11 @@ public:
   /// segments that will be recovered.
   SegmentRecovery(PlanarTriangles& plane, bool addCrossings, Eigen::Index segments);
 
-  /// Makes a segment between two points a sequence of edges; points on the segment split it. Each
-  /// of these edges is marked with the number of the group of segments that contain it. winding: 1
-  /// for an outline, else 0. Throws InvalidInput if the segment crosses a marked edge and
-  /// addCrossings is false. Throws SolveFailure if rounded crossings cause new crossings without
-  /// end.
+  /// Flips edges until a segment between two points is a sequence of edges; points on the segment
+  /// split it. Each of these edges is marked with the number of the group of segments that contain
+  /// it. winding: 1 for an outline, else 0. Throws InvalidInput if the segment crosses a marked
+  /// edge and addCrossings is false. Throws SolveFailure if rounded crossings cause new crossings
+  /// without end.
   void Recover(int begin, int end, int segment, int winding);
 
   /// Returns the segments of a group, ascending.
