@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Mesh/SurfacePoints.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -8,13 +10,6 @@
 
 namespace shape
 {
-
-/// A position in a planar triangulation.
-struct PlanarPoint
-{
-  int Triangle = -1;              ///< -1: outside all triangles
-  Eigen::RowVector3d Barycentric; ///< each >= 0
-};
 
 /// Finds the triangle of a planar triangulation that contains a position. A locator is built in
 /// linear time.
@@ -26,9 +21,9 @@ public:
   PlanarLocator(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
     const std::vector<int>& leftOut = {});
 
-  /// Returns the lowest-numbered triangle that contains the position, inside or on its boundary.
-  /// The choice of the triangle is exact; the barycentric coordinates are rounded.
-  PlanarPoint Find(const Eigen::RowVector2d& position) const;
+  /// Returns the lowest-numbered triangle that contains the position, inside or on its boundary;
+  /// -1 if none does. The choice of the triangle is exact; the barycentric coordinates are rounded.
+  SurfacePoint Find(const Eigen::RowVector2d& position) const;
 
   /// Calls use(triangle) for the triangles whose boxes may intersect the given box, until a call
   /// returns true. The order is fixed, and a triangle may be visited several times. Returns whether
