@@ -52,7 +52,7 @@ struct PatchLayoutOptions : ExponentialMapOptions
 struct PatchLayout
 {
   ExponentialPatch Patch;
-  shape::Provenance Provenance; ///< of the patch as a mesh, from the surface
+  shape::Provenance Provenance; ///< where the patch, as a mesh, comes from on the surface
   ExponentialFacts Facts;
   double Radius = 0.0;
   double SeedDistance = 0.0; ///< distance of the given position from the surface
