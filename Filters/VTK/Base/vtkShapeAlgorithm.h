@@ -51,7 +51,7 @@ class vtkUnstructuredGrid;
     return this->options.name;                                                                     \
   }
 
-/// Set/Get such a field of this->Options.
+/// vtkShapeOptionOf for a field of this->Options.
 #define vtkShapeOption(name, type) vtkShapeOptionOf(Options, name, type)
 
 /// Set/Get a field of this->`options` that is a std::array of three numbers.
@@ -217,7 +217,7 @@ private:
 
   std::vector<InputPort> InputPorts;
   std::vector<std::string> OutputTypes; ///< class names; empty: the type of an input
-  std::map<int, int> LikeInput;         ///< output to input, if the input is not the first
+  std::map<int, int> LikeInput;         ///< from output to input, if the input is not the first
   std::set<int> MovedOutputs;
   std::set<std::string> MadeMeasures;
   std::vector<std::vector<GatheredInput>> GatheredInputs;

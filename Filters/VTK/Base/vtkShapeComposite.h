@@ -47,8 +47,8 @@ void ForEach(vtkDataObject* input, vtkDataObject* output, Points points,
 struct PointField
 {
   std::string Name;
-  Eigen::MatrixXd Values;
-  bool AreIds = false; ///< whether the values are written as vtkIdType; then d = 1
+  Eigen::MatrixXd Values; ///< n x d
+  bool AreIds = false;    ///< whether the array is of vtkIdType; then d = 1
 };
 
 /// Copies `input` to `output` and adds the fields. Their rows are the points of all blocks, in

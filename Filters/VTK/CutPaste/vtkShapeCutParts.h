@@ -5,17 +5,17 @@
 
 class vtkPolyData;
 
-/// Conversion of a cut feature and the rest of the surface to data.
+/// Conversion of a cut feature, and of the rest of the surface, to VTK data.
 namespace vtkShapeCutParts
 {
 
 /**
- * Writes both with the arrays of points and cells of `surface`. The values at new points are
- * interpolated from the corners of the triangle that contains them. On fills, floating-point values
- * continue smoothly from the boundary loop (shape::ExtendValuesOntoFill). Other data are those of
- * the nearest point or cell at the loop, and `Normals` are dropped. Adds `OriginalPointId`
- * (vtkIdType; -1: new) to both, the cell array `Filled` to the rest, and the base to the feature:
- * see vtkShapeCutFeature. numbered: the surface's triangles.
+ * Writes the feature and the rest with the point and cell arrays of `surface`. The values at new
+ * points are interpolated from the corners of the triangle that contains them. On fills,
+ * floating-point values continue smoothly from the boundary loop (shape::ExtendValuesOntoFill).
+ * Other data on fills are copied from the nearest point or cell at the loop. `Normals` are dropped.
+ * Adds `OriginalPointId` (vtkIdType; -1: new) to both, the cell array `Filled` to the rest, and the
+ * base to the feature: see vtkShapeCutFeature. numbered: the surface's triangles.
  */
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Conversion of the result of Shape Paste Feature to data.
+/// Conversion of the inputs of Shape Paste Feature to kernel types, and of its result to VTK data.
 namespace vtkShapePastedData
 {
 
@@ -17,23 +17,23 @@ namespace vtkShapePastedData
 struct Part
 {
   vtkSmartPointer<vtkPolyData> Data;
-  shape::NumberedSurface Triangles; ///< over points that triangles use only
-  std::vector<int> Points;          ///< for each of these points, the point of Data
+  shape::NumberedSurface Triangles; ///< has only the points that a triangle uses
+  std::vector<int> Points;          ///< for each point of Triangles, its index in Data
   int WeldedPoints = 0;
 };
 
-/// Reads a surface. name: denotes the data in errors. Throws shape::InvalidInput as
-/// shape::WeldedSurface does.
+/// Reads a surface. name: denotes the data in errors. Throws the exceptions of
+/// shape::WeldedSurface.
 Part Read(vtkPolyData* data, const std::string& name, const shape::Progress& progress);
 
 /**
- * Writes the pasted surface with the arrays of points and cells of both parts. If only one part has
- * an array, it is 0 on the other one. Arrays with the same name but different types or numbers of
- * components are different arrays, of which the target's is kept. Floating-point numbers and
- * colours (unsigned char) at the feature's points are blended to agree with the target's at the
- * loop: shape::BlendAtSeam over `blendWidth` of the feature's depth. The band's cells get the
- * target's values there. `Normals` are left out. The cell array `Part` is 0 on the target, 1 on the
- * band and 2 on the feature.
+ * Writes the pasted surface with the point and cell arrays of target and feature. If only one of
+ * them has an array, its values are 0 on the other. If arrays with the same name have different
+ * types or numbers of components, only the array of the target is kept. Floating-point values and
+ * colours (unsigned char) at the points of the feature are changed to agree with the target at the
+ * loop (shape::BlendAtSeam). blendWidth: the width of the changed band, as a share of the depth of
+ * the feature. The cells of the seam band get the values of the target at the loop. `Normals` are
+ * dropped. The cell array `Part` is 0 on the target, 1 on the seam band and 2 on the feature.
  */
 void Write(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature,
   const Part& target, const Part& featurePart, double blendWidth, vtkPolyData* output);

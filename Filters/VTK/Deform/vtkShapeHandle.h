@@ -7,7 +7,8 @@
 class vtkDataObject;
 class vtkUnstructuredGrid;
 
-/// Conversion of the shape and the handle of vtkShapeDeform.
+/// Conversion of the shape and the handle of vtkShapeDeform to kernel types, and of the deformed
+/// shape to VTK data.
 namespace vtkShapeHandle
 {
 
@@ -16,9 +17,9 @@ namespace vtkShapeHandle
 shape::ShapeElements ToElements(
   vtkUnstructuredGrid* grid, const std::string& name, const shape::Progress& progress = {});
 
-/// Returns labels of the points from a point array or a cell array of one component. With a cell
-/// array, a point gets the most frequent label of the cells around it, or the lowest of several.
-/// Throws shape::InvalidInput if there is neither array.
+/// Returns a label for each point from a point array or a cell array with one component. With a
+/// cell array, a point gets the most frequent label of the cells around it. If several labels are
+/// equally frequent, it gets the lowest. Throws shape::InvalidInput if there is neither array.
 Eigen::VectorXi ToLabels(vtkUnstructuredGrid* grid, const std::string& array);
 
 struct Boundary
@@ -31,9 +32,10 @@ struct Boundary
 /// `FrameSet`. Throws shape::InvalidInput.
 Boundary Read(vtkUnstructuredGrid* boundary);
 
-/// Writes the deformed `input`, which is a part of the shape, to `output`. whole: the points of the
-/// complete shape before the deformation; deformed: the complete shape. Adds the point array
-/// `SourcePosition`, and rotates point normals. Throws shape::InvalidInput.
+/// Writes the deformed `input`, which is a part of the shape, to `output`. Adds the point array
+/// `SourcePosition`, and rotates point normals. whole: n x 3, the points of the complete shape
+/// before the deformation. deformed: the complete shape after it. Throws shape::InvalidInput if a
+/// point of `input` is not in `whole`. Throws shape::InvalidInput.
 void Write(vtkDataObject* input, const Eigen::MatrixXd& whole, const shape::DeformedShape& deformed,
   vtkDataObject* output);
 

@@ -8,13 +8,14 @@
 class vtkDataArray;
 class vtkDataSetAttributes;
 
-/// Point data of fills.
+/// Point data on fills.
 namespace vtkShapeFillValues
 {
 
-/// Extends a surface's values (vtkShapeConvert::AreValues) from the boundary loops onto the fills:
-/// see shape::ExtendValuesOntoFill. points: arrays with tuples for the points of the fills as well;
-/// bytes, which are colours, are rounded. leftOut: an array that is not changed, or nullptr.
+/// Extends the values of a surface from the boundary loops onto the fills
+/// (shape::ExtendValuesOntoFill). points: the arrays, which already have tuples for the points of
+/// the fills. Only arrays of values (vtkShapeConvert::AreValues) are changed. Values of colours are
+/// rounded to bytes. leftOut: an array that is not changed, or nullptr.
 void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,
   vtkDataSetAttributes* points, const vtkDataArray* leftOut = nullptr);
 
