@@ -3,15 +3,15 @@
  * @brief   cut a feature from a surface and fill the hole
  *
  * Inputs
- * - Input: a surface, open or closed, also non-manifold. Polygons are triangulated internally, and
- *   seams are closed (shape::WeldedSurface). Blocks and distributed pieces are joined first.
+ * - Input: a surface, open or closed, which may be non-manifold. Polygons are triangulated
+ *   internally, and seams are closed (shape::WeldedSurface). Blocks and distributed pieces are
+ *   joined first.
  * - Loop (optional): closed curves on the surface or near it. Their points are projected to the
  *   surface and joined by locally shortest paths. Lines connected end to end, in any order, are
  *   one curve.
- * - Selection (optional): a selection of cells, a selection of points, which selects the cells
- *   whose points are all selected, or the output of Extract Selection (with vtkOriginalCellIds).
- *   Loop, Selection or LoopPoints is required. LoopPoints are the positions (x, y, z) of a closed
- *   curve.
+ * - Selection (optional): selected cells, selected points, or the output of Extract Selection (with
+ *   vtkOriginalCellIds). Selected points stand for the cells whose points are all selected. Loop,
+ *   Selection or LoopPoints is required. LoopPoints are the positions (x, y, z) of a closed curve.
  *
  * Outputs: 0 is the feature, and 1 is the rest of the surface with the hole filled. Both consist of
  * triangles and have all point and cell data (see vtkShapeCutParts). Triangles that the loop
@@ -19,8 +19,8 @@
  * - Point array `OriginalPointId` (vtkIdType): the index of the point in Input, or -1 for a new
  *   point.
  * - Cell array `Filled` (int) of the rest: 1 on the fill, otherwise 0. If KeepOriginal is on,
- *   output 1 is the unchanged Input without further arrays. In parallel, the first process has both
- *   outputs.
+ *   output 1 is the unchanged Input without further arrays.
+ * In parallel, the first process has both outputs.
  *
  * The feature stores the base on which it stood, so that vtkShapePasteFeature can return it to its
  * position (shape::FeatureFootprint). The points of its longest filled loop have these arrays,
@@ -40,8 +40,8 @@
  *   that touch themselves. Only the longest part of such a curve is used.
  * - .CutLength: length of the cut. .FeatureArea: area of the feature. .WeldedPoints: number of
  *   welded points of Input. .Holes: number of filled holes.
- * - .Refused, .Refusal: 1 and the reason if Dragging is on and the loop cannot be cut. The outputs
- *   are then the last valid ones.
+ * - .Refused: 1 if Dragging is on and the loop cannot be cut, otherwise 0. .Refusal is then the
+ *   reason, and the outputs are the last valid ones.
  *
  * If only the loop changes, everything that depends only on Input is reused.
  *

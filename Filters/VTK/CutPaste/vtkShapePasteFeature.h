@@ -22,8 +22,8 @@
  * - .DeviationBefore, .DeviationAfter: median angle between the normals of feature and target at
  *   the loop, in degrees, before and after optimisation. .Deviation95Before, .Deviation95After: the
  *   95th percentile of these angles.
- * - .Refused, .Refusal: 1 and the reason if Dragging is on and the feature does not fit, otherwise
- *   0.
+ * - .Refused: 1 if Dragging is on and the feature does not fit, otherwise 0. .Refusal is then the
+ *   reason.
  * - .Layout: "exponential map"; "conformal" if the exponential map flips triangles at the loop; or
  *   "least distortion" if the conformal map flips triangles, too.
  * - .Base: "where it was cut" or "own fill".

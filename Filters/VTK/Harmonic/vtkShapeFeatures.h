@@ -17,9 +17,9 @@ namespace vtkShapeFeatures
  *
  * If a feature has the point array `mapArray`, this array contains its images. Among the features
  * without this array, the i-th is paired with the i-th of `targets`. Curves are paired with curves
- * by arc length. Points are added to a curve if its points are more than `longestStep` apart. Lines
- * that are connected end to end form one curve. Features without curves are paired with their
- * targets point by point, in order.
+ * by arc length. Points are added to a curve if its points are more than `longestStep` apart.
+ * Two-point lines that are connected end to end form one curve. Features without curves are paired
+ * with their targets point by point, in order.
  *
  * The weights are the point array `Weight` (1 component) if it exists, otherwise `defaultWeight`.
  *
@@ -38,11 +38,11 @@ struct Split
 };
 
 /**
- * Separates the surfaces from the other features. Surfaces are features with polygons; their images
- * are `mapArray` or the points of their target in order. The other features must have `Weight`.
+ * Separates the surfaces from the other features. Surfaces are features with polygons. Their images
+ * are `mapArray` or the points of their target, in order. The other features must have `Weight`.
  *
- * Throws shape::InvalidInput if points or curves have no `Weight`, since they would then have to be
- * matched exactly. Throws the exceptions of Read.
+ * Throws shape::InvalidInput if points or curves have no `Weight`, because they would then have to
+ * be fitted exactly. Throws the exceptions of Read.
  */
 Split TakeSurfaces(const std::vector<vtkPolyData*>& features,
   const std::vector<vtkPolyData*>& targets, const std::string& mapArray);

@@ -3,8 +3,8 @@
  * @brief   map a solid onto another by the harmonic map that a boundary map determines
  *
  * Each coordinate of the map is a harmonic function inside the boundary surface. On the boundary,
- * the map equals the map array. It is the sum of an affine map and the potentials of point charges
- * outside the solid (the method of fundamental solutions).
+ * the map equals the map array. The map is the sum of an affine map and the potentials of point
+ * charges outside the solid (the method of fundamental solutions).
  *
  * Inputs
  * - Domain: any data set, which may be composite or distributed.
@@ -16,8 +16,8 @@
  *   FeatureWeight.
  * - TargetFeatures (optional, repeatable): the images of the Features that have no map array, in
  *   the same order. Curves are paired by arc length, and points by their order.
- * - Target (optional): the surface to which the boundary goes. It is an error if its genus or its
- *   number of components differs from the boundary.
+ * - Target (optional): the surface to which the boundary goes. It must have the same genus and the
+ *   same number of components as the boundary.
  *
  * Outputs
  * - 0: the moved domain, without point normals, with the point arrays `SourcePosition` (double, 3)
@@ -40,9 +40,9 @@
  *   from Target, divided by the longest edge of its bounding box.
  * - .Iterations, .RefinedPoints (number of points added to the boundary): only for Accelerated,
  *   otherwise 0.
- * - .PointsWithoutCharge: only for Accelerated, otherwise 0. It is the number of boundary points in
- *   gaps that are too narrow for a charge, or without a normal.
- * - .Method (a string).
+ * - .PointsWithoutCharge: only for Accelerated, otherwise 0. It is the number of boundary points
+ *   that have no normal or lie in gaps too narrow for a charge.
+ * - .Method (a string): the method that was used.
  * - .Stop (a string): why no further level was fitted. Tolerance: it was reached. Levels: all
  *   levels were fitted. NoImprovement: the last levels gained less than LeastGain. Refinement:
  *   further refinement would exceed MostRefined.
