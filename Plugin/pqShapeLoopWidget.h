@@ -10,7 +10,7 @@ class QPushButton;
  * While the button Draw Loop is pressed, a click on the surface appends a position, and a drag
  * still rotates the camera. A double click or Enter closes the loop, and Backspace removes the last
  * position. Escape cancels: the filter keeps its previous loop. The positions of a closed loop are
- * balls that can be dragged over the surface. Delete removes the one under the mouse.
+ * balls that can be dragged over the surface. Delete removes the position under the mouse.
  *
  * Functions of the property group (panel_widget="ShapeLoop"): Surface and Points (3 numbers for
  * each position; the last is connected with the first). Dragging is optional.

@@ -82,8 +82,8 @@ class vtkUnstructuredGrid;
     if (value < static_cast<int>(first) || value > static_cast<int>(last))                         \
     {                                                                                              \
       vtkErrorMacro(<< this->GetLabel() << ": " #name " " << value                                 \
-                    << " does not exist; it ranges "                                               \
-                    << "from " << static_cast<int>(first) << " to " << static_cast<int>(last));    \
+                    << " does not exist; use a value from " << static_cast<int>(first) << " to "   \
+                    << static_cast<int>(last));                                                    \
     }                                                                                              \
     else if (this->options.name != static_cast<type>(value))                                       \
     {                                                                                              \

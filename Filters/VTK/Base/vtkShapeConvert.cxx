@@ -105,7 +105,7 @@ shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& nam
   if (polys->GetNumberOfCells() != CountTriangles(surface))
   {
     throw shape::InvalidInput(name +
-      " has a polygon that cannot be triangulated; find it with Triangulate, which leaves it out, "
+      " has a polygon that cannot be triangulated; find it with Triangulate, which omits it, "
       "and repair it");
   }
   shape::Mesh mesh{ ToPoints(surface), Eigen::MatrixXi(polys->GetNumberOfCells(), 3) };
@@ -204,7 +204,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
     data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
   {
     throw shape::InvalidInput(name +
-      " has more than 2^31 points, or more cells than 2^31 corners allow; divide it into blocks, "
+      " has more than 2^31 points or more than 2^28 cells; divide it into blocks, "
       "or use more processes");
   }
   shape::CellSimplices cells;
@@ -253,8 +253,8 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   vtkDataArray* values = data->GetPointData()->GetArray(array.c_str());
   if (!values && data->GetPointData()->HasArray(array.c_str()))
   {
-    throw shape::InvalidInput(
-      "the point array '" + array + "' of " + name + " has strings; choose an array of numbers");
+    throw shape::InvalidInput("the point array '" + array + "' of " + name +
+      " contains strings; choose an array of numbers");
   }
   if (!values)
   {

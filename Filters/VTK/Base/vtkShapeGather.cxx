@@ -150,7 +150,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const st
     auto* surface = vtkPolyData::SafeDownCast(block);
     if (!surface)
     {
-      throw shape::InvalidInput("the input '" + name + "' holds a " + block->GetClassName() +
+      throw shape::InvalidInput("the input '" + name + "' contains a " + block->GetClassName() +
         ", which is not a surface; apply Extract Surface first, or remove it with Extract Block");
     }
     surfaces.push_back(WithoutGhostCells(surface));

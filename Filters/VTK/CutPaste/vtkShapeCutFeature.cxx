@@ -163,8 +163,9 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   {
     throw shape::InvalidInput("there is no loop, and Loop Points has " +
       std::to_string(loopPoints) +
-      " positions instead of at least 3; draw a loop, or connect a closed polyline to Loop or a "
-      "selection to Selection");
+      " positions, but needs at least 3; draw a loop, connect a closed polyline to Loop, or "
+      "connect "
+      "a selection to Selection");
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
   Kept& kept = *this->Cache;

@@ -71,7 +71,7 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
     if (!(values(i) >= shape::PiecewiseCharges::Void && values(i) < regions))
     {
       throw shape::InvalidInput(name + " has " + std::to_string(regions) +
-        " affine parts, but RegionId " + std::to_string(values(i)) + " at point " +
+        " affine parts, but RegionId is " + std::to_string(values(i)) + " at point " +
         std::to_string(i) + "; number the regions from 0, and use -1 at the boundaries of voids");
     }
     ids[i] = static_cast<int>(values(i));

@@ -81,9 +81,9 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
       other.Corners.size() != given.Corners.size() || other.Kinds != given.Kinds ||
       other.Corners != given.Corners)
     {
-      throw shape::InvalidInput("the RestShape does not have the cells of the Input (" +
-        std::to_string(other.Kinds.size()) + " and " + std::to_string(given.Kinds.size()) +
-        " cells, " + std::to_string(other.Points.rows()) + " and " +
+      throw shape::InvalidInput("the RestShape does not have the cells of the Input (it has " +
+        std::to_string(other.Kinds.size()) + " cells and " + std::to_string(other.Points.rows()) +
+        " points, and the Input has " + std::to_string(given.Kinds.size()) + " cells and " +
         std::to_string(given.Points.rows()) +
         " points); connect the same mesh before it was moved");
     }
