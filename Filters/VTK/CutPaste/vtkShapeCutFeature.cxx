@@ -164,8 +164,7 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
     throw shape::InvalidInput("there is no loop, and Loop Points has " +
       std::to_string(loopPoints) +
       " positions, but needs at least 3; draw a loop, connect a closed polyline to Loop, or "
-      "connect "
-      "a selection to Selection");
+      "connect a selection to Selection");
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
   Kept& kept = *this->Cache;
