@@ -12,9 +12,9 @@ namespace shape
  * Writes a mesh in the text format of Medit (Frey, "MEDIT: an interactive mesh visualization
  * software", 2001, appendix), version 2, which Gmsh and Mmg also read.
  *
- * - Vertices have exact coordinates and reference 0. - The reference of Hexahedra, Tetrahedra,
- *   Prisms, Pyramids, Quadrilaterals, Triangles and Edges is the region + 1. Gmsh 4.8 does not read
- *   Prisms and Pyramids. Vertex cells become Corners.
+ * - Vertices have exact coordinates and reference 0.
+ * - The reference of Hexahedra, Tetrahedra, Prisms, Pyramids, Quadrilaterals, Triangles and Edges
+ *   is the region + 1. Gmsh 4.8 does not read Prisms and Pyramids. Vertex cells become Corners.
  * - If the mesh has solid cells but no surface cells, its boundary faces are written, too. They are
  *   oriented outwards, and their reference is the patch + 1. The faces between regions follow,
  *   oriented out of the lower region. Each pair of regions has the next reference.

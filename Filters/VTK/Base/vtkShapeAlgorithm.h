@@ -96,7 +96,7 @@ class vtkUnstructuredGrid;
     return static_cast<int>(this->options.name);                                                   \
   }
 
-/// Set/Get such a field of this->Options.
+/// vtkShapeEnumOptionOf for a field of this->Options.
 #define vtkShapeEnumOption(name, type, first, last)                                                \
   vtkShapeEnumOptionOf(Options, name, type, first, last)
 

@@ -43,8 +43,8 @@ vtkIdType CountTriangles(vtkPolyData* surface)
   return count;
 }
 
-/// Returns the shape whose corners a cell type has; a voxel has those of a hexahedron, in another
-/// order.
+/// Finds the shape of a type of cell. A voxel has the corners of a hexahedron, in another order.
+/// Returns false for other types, which have no such shape.
 bool ShapeOf(int cellType, shape::CellShape& shape)
 {
   switch (cellType)
@@ -70,7 +70,7 @@ bool ShapeOf(int cellType, shape::CellShape& shape)
   }
 }
 
-/// Adds the triangles or tetrahedra into which a cell is divided.
+/// Appends the triangles or tetrahedra into which a cell is divided.
 void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
 {
   const int corners = cell->GetCellDimension() + 1;
@@ -157,7 +157,8 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
   return cells;
 }
 
-/// VTK numbers the corners of pixels and voxels row by row, those of quads and hexahedra around.
+/// VTK numbers the corners of pixels and voxels row by row, but the corners of quads and hexahedra
+/// around each face.
 void vtkShapeConvert::ReorderVoxels(shape::Cells& cells)
 {
   for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)

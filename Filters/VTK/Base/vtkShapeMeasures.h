@@ -25,7 +25,7 @@ const std::vector<std::string>& NamesOfHexahedra();
 /// hexahedra.
 void AddToHexahedra(const std::vector<std::string>& names, vtkDataSet* hexahedra);
 
-/// What a filter has executed: its name, inputs and measures.
+/// An executed filter: its name, its inputs and the measures that it computed.
 struct Filter
 {
   std::string Name;                   ///< such as HexRemesh: the prefix of the filter's facts

@@ -32,7 +32,7 @@ using shape::DividedPart;
 using shape::FilledHole;
 
 /// Interpolates an array at points of the surface or positions on it. Data that cannot be averaged
-/// are those of the nearest corner.
+/// are copied from the nearest corner.
 void InterpolateArray(
   const DividedPart& part, const shape::Mesh& mesh, vtkAbstractArray* from, vtkAbstractArray* to)
 {
@@ -106,9 +106,9 @@ void AddOriginals(const DividedPart& part, vtkPointData* data)
   data->AddArray(ids);
 }
 
-/// Writes a part and its fills, if it has any.
-/// Points of the cut: interpolated. Points of a fill: harmonic. Triangles: the data of the cell
-/// that contains them; of a fill, those of the nearest cell at the loop.
+/// Writes a part and its fills, if it has any. Points on the cut get interpolated values, and
+/// points of a fill get harmonic values. Triangles get the data of the cell that contains them.
+/// Triangles of a fill get the data of the nearest cell at the loop.
 void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
   const shape::NumberedSurface& numbered, vtkPolyData* surface, vtkPolyData* output)
 {
@@ -128,7 +128,8 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
       vtkAbstractArray* array = points->GetAbstractArray(a);
       for (int i = 0; i < hole.Points; ++i)
       {
-        // Data that cannot be averaged, such as labels and strings; numbers are replaced below.
+        // Data that cannot be averaged, such as labels and strings, are copied. Values are replaced
+        // below.
         array->InsertTuple(hole.FirstPoint + i, fill.Points[i], array);
       }
     }
@@ -150,7 +151,7 @@ void WritePart(const DividedPart& part, const std::vector<FilledHole>& holes,
     data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     if (!holes.empty())
     {
-      // The fill has no normals, and those of the loop have changed.
+      // The fill has no normals, and the normals at the loop have changed.
       data->RemoveArray("Normals");
     }
   }

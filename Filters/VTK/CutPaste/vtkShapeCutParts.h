@@ -15,7 +15,7 @@ namespace vtkShapeCutParts
  * floating-point values continue smoothly from the boundary loop (shape::ExtendValuesOntoFill).
  * Other data on fills are copied from the nearest point or cell at the loop. `Normals` are dropped.
  * Adds `OriginalPointId` (vtkIdType; -1: new) to both, the cell array `Filled` to the rest, and the
- * base to the feature: see vtkShapeCutFeature. numbered: the surface's triangles.
+ * base to the feature: see vtkShapeCutFeature. numbered: the triangles of `surface`.
  */
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);

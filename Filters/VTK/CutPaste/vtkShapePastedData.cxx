@@ -25,8 +25,8 @@
 namespace
 {
 
-/// The sources of the result's tuples: the first are from one part, the next from the other, and
-/// the last are between two of these.
+/// The sources of the tuples of the result. The first tuples are from one part, the next from the
+/// other part, and the last are between two of these.
 struct Sources
 {
   std::vector<vtkIdType> First;
@@ -40,8 +40,8 @@ bool AreAlike(vtkAbstractArray* one, vtkAbstractArray* other)
     one->GetNumberOfComponents() == other->GetNumberOfComponents();
 }
 
-/// Copies tuples `from` of an array to the result from `at` on. Without the array, they are zeros
-/// or empty strings.
+/// Copies the tuples `from` of an array to the result, beginning at `at`. If there is no array, the
+/// tuples become zeros or empty strings.
 void CopyTuples(
   vtkAbstractArray* values, const std::vector<vtkIdType>& from, vtkIdType at, vtkAbstractArray* to)
 {
@@ -72,7 +72,7 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
   const auto append = [&](vtkAbstractArray* like, vtkAbstractArray* one, vtkAbstractArray* other)
   {
     const std::string name = like->GetName() ? like->GetName() : "";
-    // Arrays without a name cannot be paired; ghosts and global ids are no longer true.
+    // Arrays without a name cannot be paired. Ghost markers and global ids are no longer valid.
     if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
       like == first->GetGlobalIds() || like == second->GetGlobalIds() ||
       result->HasArray(name.c_str()))
@@ -93,14 +93,14 @@ void Merge(vtkDataSetAttributes* first, vtkDataSetAttributes* second, const Sour
     vtkAbstractArray* array = first->GetAbstractArray(i);
     vtkAbstractArray* other =
       array->GetName() ? second->GetAbstractArray(array->GetName()) : nullptr;
-    // An array of one part only, or with another type, is zero on the other part.
+    // An array that only one part has, or that has another type on the other part, is zero there.
     append(array, array, AreAlike(array, other) ? other : nullptr);
   }
   for (int i = 0; i < second->GetNumberOfArrays(); ++i)
   {
     append(second->GetAbstractArray(i), nullptr, second->GetAbstractArray(i));
   }
-  // Not normals: those of the feature have been rotated with it.
+  // Normals are omitted, because the feature has been rotated.
   for (const int role : { vtkDataSetAttributes::SCALARS, vtkDataSetAttributes::VECTORS,
          vtkDataSetAttributes::TCOORDS, vtkDataSetAttributes::TENSORS })
   {
@@ -134,7 +134,7 @@ void FillMiddles(const Sources& sources, vtkDataSetAttributes* result)
   }
 }
 
-/// Returns the values of an array at these points.
+/// Returns the values of an array at the given points.
 Eigen::MatrixXd ToMatrix(vtkDataArray* array, const std::vector<int>& points)
 {
   Eigen::MatrixXd values(static_cast<Eigen::Index>(points.size()), array->GetNumberOfComponents());
@@ -190,7 +190,7 @@ void Blend(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feat
   }
 }
 
-/// The target's cell under each triangle of the band: that of one of its corners.
+/// Returns the cell of the target for each triangle of the band: a cell at one of its corners.
 std::vector<vtkIdType> CellsUnderBand(
   const shape::PastedFeature& pasted, const shape::NumberedSurface& target)
 {

@@ -12,8 +12,9 @@ class vtkUnstructuredGrid;
 namespace vtkShapeHandle
 {
 
-/// Returns the points and cells of a grid of any type, as lines, triangles and tetrahedra. Other
-/// cells are divided into these. Throws shape::InvalidInput, shape::Aborted.
+/// Returns the points of a grid, and its cells as lines, triangles and tetrahedra. Cells of other
+/// types are divided into these. name: denotes the grid in errors. Throws the exceptions of
+/// vtkShapeConvert::ToSimplices.
 shape::ShapeElements ToElements(
   vtkUnstructuredGrid* grid, const std::string& name, const shape::Progress& progress = {});
 

@@ -24,7 +24,7 @@ double ValueFor(const vtkDataArray* array, double value)
                                                    : value;
 }
 
-/// values: has space for those of all points.
+/// values: has a row for each point of the surface.
 void ContinueColumns(const shape::Mesh& surface, const shape::FilledHole& hole,
   const std::vector<Column>& columns, Eigen::MatrixXd& values)
 {

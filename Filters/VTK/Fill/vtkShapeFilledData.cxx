@@ -121,7 +121,7 @@ void WriteCellData(const FilledSurface& filled, const std::vector<shape::FillSou
   data->CopyGlobalIdsOff();
   data->CopyAllocate(input->GetCellData(), output->GetNumberOfCells());
   data->CopyData(input->GetCellData(), 0, begin, 0);
-  // Strips come after the polygons, so the new triangles push them back.
+  // Strips come after the polygons, so their indices increase by the number of new triangles.
   data->CopyData(input->GetCellData(), begin + count, input->GetNumberOfCells() - begin, begin);
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
@@ -135,7 +135,7 @@ void WriteCellData(const FilledSurface& filled, const std::vector<shape::FillSou
       }
       else
       {
-        // Between curves there is no cell to copy from.
+        // A fill between curves has no cell at its loop from which data could be copied.
         data->NullData(cell);
       }
     }

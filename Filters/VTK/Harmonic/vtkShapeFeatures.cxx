@@ -152,8 +152,8 @@ shape::VolumeFeatures vtkShapeFeatures::Read(const std::vector<vtkPolyData*>& fe
   return all;
 }
 
-/// Surfaces are met exactly as boundaries of regions; points and curves remain least-squares
-/// constraints.
+/// Surfaces are fitted exactly, as boundaries of regions. Points and curves are still fitted in the
+/// least-squares sense.
 vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPolyData*>& features,
   const std::vector<vtkPolyData*>& targets, const std::string& mapArray)
 {

@@ -17,8 +17,9 @@
  *   on it, and its creases are rounded. Inner surfaces need the Grid method.
  *
  * Output 0: hexahedra (vtkUnstructuredGrid) with the cell arrays
- * - `ScaledJacobian` (double): Verdict's, 1 for a box. - `RegionId` (int): i + 1 if inner surface i
- *   (counted from 0) is the innermost surface around the cell; 0 outside all inner surfaces.
+ * - `ScaledJacobian` (double): Verdict's scaled Jacobian, 1 for a box.
+ * - `RegionId` (int): i + 1 if inner surface i (counted from 0) is the innermost surface around the
+ *   cell; 0 outside all inner surfaces.
  * - `Jacobian`, `Volume`, `EdgeRatio` (longest to shortest edge), `MaxAspectFrobenius` (1 for a
  *   cube).
  * - `EquiangleSkew` (0 for a box, 1 if an angle of a face is 0 or 180 degrees).
@@ -54,8 +55,8 @@
  *   larger FeatureAngle, real creases of a noisy scan may be found.
  * - .ReleasedPoints: number of boundary points that left the surface because hexahedra would
  *   otherwise be inverted or have low quality.
- * - .Crossings: pairs of triangles of the surface that intersect. - .EulerNumber, .Components:
- *   Euler number and number of components of the boundary.
+ * - .Crossings: number of pairs of triangles of the surface that intersect.
+ * - .EulerNumber, .Components: Euler number and number of components of the boundary.
  * - Minimum, mean and maximum of each further measure, such as .Volume.
  *
  * The mathematics: shape::RemeshHexahedra.
@@ -74,7 +75,7 @@ public:
   vtkTypeMacro(vtkShapeHexRemesh, vtkShapeAlgorithm);
 
   ///@{
-  /// The interfaces between materials.
+  /// The connections of the input InnerSurfaces.
   void AddInnerSurfaces(vtkAlgorithmOutput* surface);
   void RemoveAllInnerSurfaces();
   ///@}

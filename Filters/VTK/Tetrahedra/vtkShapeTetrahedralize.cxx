@@ -72,8 +72,7 @@ void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surfac
       others.push_back(i);
     }
   }
-  // New points have no data of their own: those of the closest position on the surface stand for
-  // them.
+  // New points have no data, so they get the data at the closest position on the surface.
   const shape::ClosestPoints closest = shape::SurfaceLocator(mesh).Find(
     vtkShapeConvert::Rows(solid.Points, others), progress.Part(0.0, 0.9));
   vtkPointData* from = surface->GetPointData();

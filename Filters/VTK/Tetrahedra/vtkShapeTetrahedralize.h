@@ -44,7 +44,7 @@ public:
   vtkTypeMacro(vtkShapeTetrahedralize, vtkShapeAlgorithm);
 
   ///@{
-  /// The interfaces between materials.
+  /// The connections of the input InnerSurfaces.
   void AddInnerSurfaces(vtkAlgorithmOutput* surface);
   void RemoveAllInnerSurfaces();
   ///@}
