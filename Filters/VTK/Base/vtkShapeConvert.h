@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkDataObject;
 class vtkDataSet;
 class vtkDoubleArray;
@@ -64,10 +63,6 @@ vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std
 
 /// Returns the given rows of `values`, in order.
 Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows);
-
-/// Returns whether the values of an array can be averaged. This is true for floating-point numbers
-/// and colours, and false for integers and names that identify something.
-bool AreValues(vtkAbstractArray* array);
 
 /// Converts a mesh to a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);

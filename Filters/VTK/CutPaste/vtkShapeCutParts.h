@@ -10,12 +10,10 @@ namespace vtkShapeCutParts
 {
 
 /**
- * Writes the feature and the rest with the point and cell arrays of `surface`. The values at new
- * points are interpolated from the corners of the triangle that contains them. On fills,
- * floating-point values continue smoothly from the boundary loop (shape::ExtendValuesOntoFill).
- * Other data on fills are copied from the nearest point or cell at the loop. `Normals` are dropped.
- * Adds `OriginalPointId` (vtkIdType; -1: new) to both, the cell array `Filled` to the rest, and the
- * base to the feature: see vtkShapeCutFeature. numbered: the triangles of `surface`.
+ * Writes the feature and the rest with the data of `surface` (vtkShapeCarry). vtkShapeFillValues
+ * computes the data on fills. Adds `OriginalPointId` (vtkIdType; -1: new) to both, the cell array
+ * `Filled` to the rest, and the base to the feature: see vtkShapeCutFeature. numbered: the
+ * triangles of `surface`.
  */
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);

@@ -2,8 +2,6 @@
 
 #include "CutPaste/CutFeature.h"
 
-#include <vector>
-
 class vtkPolyData;
 
 /**
@@ -27,12 +25,12 @@ struct Feature
 };
 
 /**
- * Returns the base of a feature at one of its loops. surface: the triangles of the feature. points:
- * for each point of `surface`, its index in `data`. loopIndex: 0 for the loop that was cut or, if
- * none was cut, the longest loop. Throws shape::InvalidInput if there is no such loop, the
- * exceptions of shape::BuildFootprintOnOwnFill, and shape::Aborted.
+ * Returns the base of a feature at one of its loops. surface: the points and triangles of `data`.
+ * loopIndex: 0 for the loop that was cut or, if none was cut, the longest loop. Throws
+ * shape::InvalidInput if there is no such loop, the exceptions of shape::BuildFootprintOnOwnFill,
+ * and shape::Aborted.
  */
-Feature Read(vtkPolyData* data, const shape::Mesh& surface, const std::vector<int>& points,
-  int loopIndex, const shape::Progress& progress);
+Feature Read(
+  vtkPolyData* data, const shape::Mesh& surface, int loopIndex, const shape::Progress& progress);
 
 } // namespace vtkShapeFeatureBase

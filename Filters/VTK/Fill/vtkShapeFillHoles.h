@@ -10,10 +10,11 @@
  *
  * Output: the input, followed by the fills, with the cell array `Filled` (int, 1 in fills,
  * otherwise 0). The triangles of a fill are as large as the triangles at its loop. The points and
- * cells of the input and their data do not change. On fills, floating-point values continue
- * smoothly from the loop, and `Normals` are computed from the fill. Other point data are copied
- * from the nearest point of the loop, and cell data from the nearest cell at the loop. Loops that
- * touch themselves at a point are split there. In parallel, the first process has the output.
+ * cells of the input and their data do not change. On fills, floating-point values and colours
+ * continue smoothly from the loop, and normals are computed from the fill. Other point data are
+ * copied from the nearest point of the loop, and cell data from a cell at this point. Loops that
+ * touch themselves at a point are split at this point. In parallel, the first process has the
+ * output.
  *
  * The parameters of vtkShapeDeformingAlgorithm apply to the FillMethod Deformation and may be
  * changed interactively. The frames at the loop are optimised once, for the default parameters. A

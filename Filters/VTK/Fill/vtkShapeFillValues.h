@@ -3,20 +3,23 @@
 #include "Fill/FillHoles.h"
 #include "Mesh/Mesh.h"
 
+#include "vtkType.h"
+
 #include <vector>
 
-class vtkDataArray;
-class vtkDataSetAttributes;
+class vtkPolyData;
 
-/// Point data on fills.
+/// Data on fills.
 namespace vtkShapeFillValues
 {
 
-/// Extends the values of a surface from the boundary loops onto the fills
-/// (shape::ExtendValuesOntoFill). points: the arrays, which already have tuples for the points of
-/// the fills. Only arrays of values (vtkShapeConvert::AreValues) are changed. Values of colours are
-/// rounded to bytes. leftOut: an array that is not changed, or nullptr.
+/**
+ * Replaces data on fills, which were copied from the nearest point of the loop. Values
+ * (vtkShapeCarry::AreValues) continue smoothly from the loop (shape::ExtendValuesOntoFill). Normals
+ * of points and cells are computed from the fill. surface: the surface with the fills. The
+ * triangles of the fills are the cells of `output` from `firstCell` on.
+ */
 void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,
-  vtkDataSetAttributes* points, const vtkDataArray* leftOut = nullptr);
+  vtkIdType firstCell, vtkPolyData* output);
 
 } // namespace vtkShapeFillValues

@@ -19,7 +19,7 @@ void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
 /// Writes the quads of the boundary, then the quads of each interface. innerSurfaces: the inner
 /// surface of each interface.
 void WriteBoundary(const shape::HexRemeshResult& result, const shape::Surface& surface,
-  const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output);
+  const std::vector<shape::Surface>& innerSurfaces, vtkPolyData* output);
 
 /// Adds the field data. hexahedra: the output of WriteHexahedra.
 void AddFacts(

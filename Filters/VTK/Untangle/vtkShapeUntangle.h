@@ -16,8 +16,8 @@
  * tetrahedron. A cell is inverted if one of these tetrahedra does not have positive volume, which
  * an exact predicate decides. All corners of hexahedra and wedges are checked, and the four corners
  * of the base of pyramids. Some tetrahedra cannot have positive volume while the boundary is fixed.
- * They are split, together with their neighbours. New points come last and get the mean of the data
- * at the points around them. No new point lies on the boundary.
+ * They are split, together with their neighbours. New points come last and get the mean of the
+ * values at the points around them. No new point lies on the boundary.
  * - Point arrays `OriginalPointId` (vtkIdType; -1 at new points) and `SourcePosition` (double, 3):
  *   the position in RestShape. If RestShape is not connected, it is the array SourcePosition of
  *   Input or, if there is none, the position in Input.
