@@ -38,9 +38,9 @@
  *   measures how much distances between samples change. The second measures how far the masses of
  *   samples are from their prescribed weights.
  * - .CoarsePoints: number of points of the larger of the two surfaces on which the method was run.
- * - .Iterations: number of iterations of ReversibleHarmonic, otherwise 0. It is also 0 if one
- *   surface is a part. The result is then the initial functional map, because iterations would
- *   spread the part over the other surface.
+ * - .Iterations: number of iterations of ReversibleHarmonic, otherwise 0. If one surface is a part
+ *   of the other, .Iterations is also 0. The result is then the initial functional map, because
+ *   iterations would spread the part over the other surface.
  *
  * A sparse factorisation cannot be interrupted, so an abort takes effect at its end.
  *

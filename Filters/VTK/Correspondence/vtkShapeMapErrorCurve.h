@@ -4,8 +4,8 @@
  *
  * Inputs
  * - Input: a surface with the map array (double, 3).
- * - Target: the surface onto which the map takes Input. If it has the map array, too, that array is
- *   the map back to Input.
+ * - Target: the surface onto which the map takes Input. If Target has the map array, too, that
+ *   array is the map back to Input.
  * - Truth: any data set with points on Input. Its map array gives their true images on Target. Its
  *   optional array SymmetryArray gives the mirror images of the true images under a symmetry of the
  *   shape. Errors are then measured from both, and the errors with the smaller mean are reported.

@@ -21,7 +21,7 @@ void Write(const shape::CutFeatureResult& cut, vtkPolyData* feature);
 struct Feature
 {
   shape::FeatureFootprint Base;
-  bool HasOwnFill; ///< whether no base was stored, and a fill of the feature's loop replaces it
+  bool HasOwnFill; ///< if true, no base was stored, and a fill of the feature's loop replaces it
 };
 
 /**

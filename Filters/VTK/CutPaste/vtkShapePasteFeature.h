@@ -3,10 +3,10 @@
  * @brief   paste a feature on a surface with a smooth seam
  *
  * Inputs
- * - Feature: triangles around an open loop, such as the first output of vtkShapeCutFeature, which
- *   stores the base on which it stood. If no base is stored, the hole at the loop is filled
- *   (shape::FillHole), and the feature stands on the fill. Away from the loop, the feature may be
- *   non-manifold.
+ * - Feature: a surface with an open loop, such as the first output of vtkShapeCutFeature. That
+ *   output also stores the base on which the feature stood. If no base is stored, the hole at the
+ *   loop is filled (shape::FillHole), and the feature stands on the fill. Away from the loop, the
+ *   feature may be non-manifold.
  * - Target: an oriented 2-manifold, open or closed.
  * In both inputs, polygons are triangulated, seams are closed (shape::WeldedSurface), and points
  * without triangles are removed.

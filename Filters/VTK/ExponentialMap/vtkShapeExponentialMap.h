@@ -6,8 +6,8 @@
  * internally, and coincident points are treated as one. Blocks and distributed pieces are joined
  * first. In parallel, the first process has the patch.
  *
- * Output: the patch, which consists of the triangles whose points the front reaches within Radius.
- * The patch has their point and cell data, and the point arrays
+ * Output: the patch, which consists of the triangles whose points are all within the distance
+ * Radius of the seed. The patch has the point and cell data of the input, and the point arrays
  * - `ExponentialMap` (double, 2): texture coordinates. The seed is at (0.5, 0.5), and the disk with
  *   the radius of the patch touches all edges of the unit square.
  * - `TargetPosition` (double, 3): the same coordinates in the units of the surface, with z = 0 and

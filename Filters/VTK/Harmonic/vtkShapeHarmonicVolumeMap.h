@@ -49,8 +49,8 @@
  * - With Exact, the counts are sums over the maps of all layers.
  *
  * With Exact, the images of closed surfaces among the Features are fitted as exactly as the images
- * of the boundary. By the maximum principle no single harmonic map can do this. Therefore, each of
- * these surfaces is an interface between two layers. Each layer has its own harmonic map, which
+ * of the boundary. By the maximum principle, a single harmonic map cannot do this. Therefore, each
+ * of these surfaces is an interface between two layers. Each layer has its own harmonic map, which
  * Method computes, with charges outside the layer. The map is continuous across interfaces. Points
  * and curves are fitted in the least-squares sense, in the layer that contains them. They must have
  * `Weight`. Without it, they would have to be fitted exactly, which is an error.

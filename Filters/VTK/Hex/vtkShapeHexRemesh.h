@@ -49,10 +49,10 @@
  *   the creases of the boundary. If no crease is kept, it is the distance of the creases of the
  *   surface from the boundary.
  * - .CreaseShare: length of the creases that the method tries to keep, divided by the length of all
- *   edges that are as sharp as a crease. It is less than 1 if some of these edges end inside a
- *   patch or bound patches smaller than 4 cells. It is 0 if less than two thirds of this length
- *   bounds patches larger than a thousandth of the area. The sharp edges are then noise. With a
- *   larger FeatureAngle, real creases of a noisy scan may be found.
+ *   edges that are as sharp as a crease. The share is less than 1 if some of these edges end inside
+ *   a patch or bound patches smaller than 4 cells. The share is 0 if less than two thirds of the
+ *   length of these edges bounds patches larger than a thousandth of the area. The sharp edges are
+ *   then noise. With a larger FeatureAngle, real creases of a noisy scan may be found.
  * - .ReleasedPoints: number of boundary points that left the surface because hexahedra would
  *   otherwise be inverted or have low quality.
  * - .Crossings: number of pairs of triangles of the surface that intersect.

@@ -24,8 +24,8 @@
  *   solids.
  * - `ConformalDistortion`: |J|^2 / (d |det J|^(2/d)). Its minimum, for similarities, is 1.
  * - `ARAP`: the sum of (s_i - 1)^2. In flipped cells, the smallest s_i is taken as negative.
- * - `Degenerate` (int): 1 if the cell or a part of its image has no area or volume. If the cell has
- *   none, the measures have the values of an isometry. Otherwise, SymmetricDirichlet and
+ * - `Degenerate` (int): 1 if the cell or a part of its image has no area or volume. If the cell
+ *   itself has none, the measures have the values of an isometry. Otherwise, SymmetricDirichlet and
  *   ConformalDistortion are 1e30.
  * Energies are means over the cell. Infinite values are replaced by 1e30.
  *

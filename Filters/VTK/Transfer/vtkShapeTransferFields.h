@@ -16,7 +16,7 @@
  *
  * Inputs
  * - Input: any data set, which may be composite or distributed.
- * - Source: a solid or, if it has no solid cells, a surface. It is gathered from all blocks and
+ * - Source: a solid or, if it has no solid cells, a surface. Source is gathered from all blocks and
  *   processes, with the arrays that all of them have.
  *
  * Output: the receiver with these additional point arrays:

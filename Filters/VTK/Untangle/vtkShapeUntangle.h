@@ -9,8 +9,8 @@
  * - Input: tetrahedra, pyramids, wedges, hexahedra and voxels (which become hexahedra), of any data
  *   set, which may be composite or distributed. Coincident points of different pieces are merged.
  * - RestShape (optional): the same cells before they were moved. The distortion of the map from
- *   RestShape to the output is then minimised. If it is not connected, the cells become as regular
- *   as possible.
+ *   RestShape to the output is then minimised. If RestShape is not connected, the cells become as
+ *   regular as possible.
  *
  * Output (vtkUnstructuredGrid): the cells, after untangling. The edges at a corner of a cell span a
  * tetrahedron. A cell is inverted if one of these tetrahedra does not have positive volume, which
