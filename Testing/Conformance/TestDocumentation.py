@@ -1,6 +1,6 @@
-"""The pages say what is there: no dead link, a page and a row for every filter and writer, the rooms
-of the code in their order, an entry for every paper that a comment cites, generated parts that are up
-to date, and none of the words that the glossary forbids. Run with python3 TestDocumentation.py ROOT."""
+"""The pages say what is there: no dead link, a page and a row for every filter and writer, every
+benchmark on its page, the rooms of the code in their order, an entry for every paper that a comment
+cites, generated parts that are up to date, and none of the words that the glossary forbids. Run with python3 TestDocumentation.py ROOT."""
 import glob
 import os
 import re
@@ -42,6 +42,17 @@ for page, text in texts.items():
             faults.append('%s:%d has %d characters' % (page, number, len(line)))
 if texts['README.md'].count('\n') > ONE_SCREEN:
     faults.append('README.md has %d lines, more than a screen' % texts['README.md'].count('\n'))
+
+# The page of the benchmarks names each script and each case of the program.
+benchmarks = 'Testing/Benchmarks/README.md'
+for path in documentation.files('Testing', 'Benchmarks', ends='.py'):
+    if '`%s`' % os.path.basename(path) not in texts[benchmarks]:
+        faults.append('%s has no `%s`' % (benchmarks, os.path.basename(path)))
+for path in documentation.files('Testing', 'Benchmarks', 'Cases', ends='.cxx'):
+    for case in re.findall(r'benchmark::Entry \w+\("(\w+)"', documentation.read(
+            'Testing', 'Benchmarks', 'Cases', path)):
+        if '`%s`' % case not in texts[benchmarks]:
+            faults.append('%s has no `%s`' % (benchmarks, case))
 
 # Filters are what the menu shows, writers what a writer's factory names.
 names = set()
