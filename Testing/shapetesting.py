@@ -117,15 +117,22 @@ def add_array(data, values, name):
     data.GetPointData().AddArray(values)
 
 
+def closed_curves(curves):
+    """One closed polyline for each list of places."""
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    set_points(data, numpy.vstack(curves).astype(float))
+    data.SetLines(vtkCellArray())
+    first = 0
+    for places in curves:
+        count = len(places)
+        data.InsertNextCell(VTK_POLY_LINE, count + 1, [first + i % count for i in range(count + 1)])
+        first += count
+    return data
+
+
 def closed_curve(places):
-    """One closed polyline."""
-    count = len(places)
-    curve = vtkPolyData()
-    curve.SetPoints(vtkPoints())
-    set_points(curve, numpy.array(places, dtype=float))
-    curve.SetLines(vtkCellArray())
-    curve.InsertNextCell(VTK_POLY_LINE, count + 1, [i % count for i in range(count + 1)])
-    return curve
+    return closed_curves([places])
 
 
 def without_cells(surface, cells):
@@ -170,6 +177,50 @@ def run(algorithm):
     for source, tag in tags:
         source.RemoveObserver(tag)
     return messages
+
+
+def new(kind, *inputs, **settings):
+    """An algorithm of a class with an input for each port, None for none and a list for several, and
+    its settings by name."""
+    algorithm = kind()
+    for port, data in enumerate(inputs):
+        for each in data if isinstance(data, (list, tuple)) else [data]:
+            if each is not None:
+                algorithm.AddInputDataObject(port, each)
+    for name, value in settings.items():
+        getattr(algorithm, 'Set' + name)(value)
+    return algorithm
+
+
+def outputs(algorithm):
+    """The outputs of an algorithm, which must not fail."""
+    messages = run(algorithm)
+    assert not messages, messages
+    return [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+
+
+def refusal(algorithm):
+    """What an algorithm says when it fails, which leaves its outputs empty; '' if it does not."""
+    messages = run(algorithm)
+    for port in range(algorithm.GetNumberOfOutputPorts() if messages else 0):
+        output = algorithm.GetOutputDataObject(port)
+        assert output.GetNumberOfElements(output.POINT) == 0, 'an error left a part of output %d' % port
+        assert output.GetNumberOfElements(output.ROW) == 0, 'an error left a part of output %d' % port
+    return ' '.join(messages)
+
+
+def check_refused(algorithm, *words):
+    """It fails with a message that has all of the words: the fact and the remedy."""
+    said = refusal(algorithm)
+    for word in words:
+        assert word in said, said
+
+
+def parallel():
+    """How many processes run this script, and the number of this one."""
+    from vtkmodules.vtkParallelCore import vtkMultiProcessController
+    controller = vtkMultiProcessController.GetGlobalController()
+    return (controller.GetNumberOfProcesses(), controller.GetLocalProcessId()) if controller else (1, 0)
 
 
 @contextlib.contextmanager

@@ -25,4 +25,14 @@ EXPECTED = tuple(
     (r'^Shape(Tetrahedralize|Untangle|Deform|Morph|PasteFeature|FillHoles|CutFeature|ApplyVolumeMap|'
      r'HarmonicVolumeMap): ', r'^\d+: (cell|point) (Outwards|Normals|active Normals)$',
      'normals of the surface are not those of an output with points of its own'),
+    # Data are carried onto derived meshes by one rule (vtkShapeCarry).
+    (r'^Shape(Tetrahedralize|Untangle|HarmonicVolumeMap): ',
+     r'^\d+: (point|cell) (active )?(Region|Label|Number|Integers?|Words?|\w*Ids?)$',
+     'integers, ids and words come from the source with the largest weight and are not averaged; global '
+     'ids are left out'),
+    (r'^Shape(CutFeature|PasteFeature): ', r'^\d+: point (active )?(Region|Label|Number|Integers?|Words?)$',
+     'of several sources with the same weight, the one with the lowest number counts'),
+    (r'^ShapeTransferFields: ', r'^\d+: point (Giver)?(Colou?rs?|RGB)$', 'colours are interpolated'),
+    (r'^Shape(PasteFeature|ExponentialMap): ', r'^\d+: (point|cell) active ',
+     'the roles of arrays are kept'),
 )

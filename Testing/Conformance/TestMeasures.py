@@ -40,7 +40,7 @@ def data_sets(outputs):
 
 
 def outputs(name, inputs):
-    algorithm = filters.new(name)
+    algorithm = filters.quick(name)
     for port, data in inputs.items():
         algorithm.SetInputDataObject(port, data)
     algorithm.UpdateInformation()

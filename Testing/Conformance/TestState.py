@@ -36,39 +36,52 @@ def values_of(smproxy):
     return values
 
 
-for name in filters.names():
-    source = simple.XMLPolyDataReader(
-        FileName=[shapetesting.data_file('DentedSphere600.vtp')])
-    inputs = {key: source for key, property in filters.properties(filters.proxy(name))
-              if property.IsA('vtkSMInputProperty')}
-    made = getattr(simple, name)(registrationName='saved', **inputs)
+def change(smproxy):
+    """Gives every saved property other values; returns how many differ."""
     changed = 0
-    for key, property in filters.properties(made.SMProxy):
+    for key, property in filters.properties(smproxy):
         if not is_saved(property):
             continue
         for i in range(property.GetNumberOfElements()):
             value = other_value(property, i)
             changed += value != property.GetElement(i)
             property.SetElement(i, value)
-    made.SMProxy.UpdateVTKObjects()
-    before = values_of(made.SMProxy)
-    before_inputs = {key: made.GetProperty(key).SMProperty.GetNumberOfProxies() for key in inputs}
-    path = os.path.join(tempfile.mkdtemp(), name + '.pvsm')
+    smproxy.UpdateVTKObjects()
+    return changed
+
+
+def inputs_of(made):
+    """The number of inputs of each port."""
+    return {key: property.GetNumberOfProxies() for key, property in filters.properties(made.SMProxy)
+            if property.IsA('vtkSMInputProperty')}
+
+
+# One state with every filter.
+source = simple.XMLPolyDataReader(FileName=[shapetesting.data_file('DentedSphere600.vtp')])
+changed, before, before_inputs = {}, {}, {}
+for name in filters.names():
+    inputs = {key: source for key, property in filters.properties(filters.proxy(name))
+              if property.IsA('vtkSMInputProperty')}
+    made = getattr(simple, name)(registrationName=name, **inputs)
+    changed[name] = change(made.SMProxy)
+    before[name], before_inputs[name] = values_of(made.SMProxy), inputs_of(made)
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, 'filters.pvsm')
     simple.SaveState(path)
     simple.ResetSession()
     simple.LoadState(path)
-    loaded = simple.FindSource('saved')
+for name in filters.names():
+    loaded = simple.FindSource(name)
     assert loaded is not None, name + ' was not in the state file'
     after = values_of(loaded.SMProxy)
-    assert before == after, '%s: saved %s, loaded %s' % (name, before, after)
-    after_inputs = {key: loaded.GetProperty(key).SMProperty.GetNumberOfProxies() for key in inputs}
-    assert before_inputs == after_inputs and all(after_inputs.values()), '%s: inputs %s, %s' % (
-        name, before_inputs, after_inputs)
+    assert before[name] == after, '%s: saved %s, loaded %s' % (name, before[name], after)
+    after_inputs = inputs_of(loaded)
+    assert before_inputs[name] == after_inputs and all(after_inputs.values()), '%s: inputs %s, %s' % (
+        name, before_inputs[name], after_inputs)
     # The object itself must have received them.
     held = loaded.SMProxy.GetClientSideObject()
-    for key, saved in before.items():
+    for key, saved in before[name].items():
         value = getattr(held, 'Get' + key)()
         value = list(value) if isinstance(value, (tuple, list)) else [value]
         assert all(type(b)(a) == b for a, b in zip(saved, value)), '%s.%s' % (name, key)
-    simple.ResetSession()
-    print('%s: %d of %d properties changed, saved and loaded' % (name, changed, len(before)))
+    print('%s: %d of %d properties changed, saved and loaded' % (name, changed[name], len(before[name])))

@@ -11,15 +11,12 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkArrayCalculator
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 import shapemap
 
 import shapetesting
 from shapetesting import array, points, read
 
-controller = vtkMultiProcessController.GetGlobalController()
-processes = controller.GetNumberOfProcesses() if controller else 1
-rank = controller.GetLocalProcessId() if controller else 0
+processes, rank = shapetesting.parallel()
 
 
 def piece(data):

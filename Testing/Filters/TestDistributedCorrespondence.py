@@ -9,16 +9,13 @@ import sys
 import numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.util.numpy_support import vtk_to_numpy
 import shapemap
 
 import shapetesting
 from shapetesting import add_array, array, copy, fact, points, read, triangles
 
-controller = vtkMultiProcessController.GetGlobalController()
-processes = controller.GetNumberOfProcesses() if controller else 1
-rank = controller.GetLocalProcessId() if controller else 0
+processes, rank = shapetesting.parallel()
 METHODS = ['ReversibleHarmonic', 'FunctionalMap', 'GromovWasserstein', 'HeatKernel',
            'BlendedIntrinsic', 'CommonSphere', 'CommonOrbifold']
 

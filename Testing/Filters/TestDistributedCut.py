@@ -8,16 +8,13 @@ import sys
 
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkSelection, vtkSelectionNode
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 import shapemap
 
 import shapetesting
 from shapetesting import closed_curve, fact, points, read, triangles
 
-controller = vtkMultiProcessController.GetGlobalController()
-processes = controller.GetNumberOfProcesses() if controller else 1
-rank = controller.GetLocalProcessId() if controller else 0
+processes, rank = shapetesting.parallel()
 
 # Every process has the cells on its side of x = 0.
 whole = read('DentedSphere600.vtp')

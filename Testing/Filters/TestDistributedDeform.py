@@ -9,15 +9,12 @@ import sys
 import numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 import shapemap
 
 import shapetesting
 from shapetesting import add_array, array, fact, points, set_points
 
-controller = vtkMultiProcessController.GetGlobalController()
-processes = controller.GetNumberOfProcesses() if controller else 1
-rank = controller.GetLocalProcessId() if controller else 0
+processes, rank = shapetesting.parallel()
 
 
 def piece(data, axis=0):

@@ -7,15 +7,12 @@ import os
 import sys
 
 import numpy
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 import shapemap
 
 import shapetesting
 from shapetesting import array, copy, fact, points, read
 
-controller = vtkMultiProcessController.GetGlobalController()
-processes = controller.GetNumberOfProcesses() if controller else 1
-rank = controller.GetLocalProcessId() if controller else 0
+processes, rank = shapetesting.parallel()
 
 
 def piece(surface):

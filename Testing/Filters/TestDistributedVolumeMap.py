@@ -17,15 +17,12 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkFiltersCore import vtkExtractCells
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkImagingCore import vtkImageChangeInformation, vtkRTAnalyticSource
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 import shapemap
 
 import shapetesting
 from shapetesting import array, fact, points, read
 
-controller = vtkMultiProcessController.GetGlobalController()
-processes = controller.GetNumberOfProcesses() if controller else 1
-rank = controller.GetLocalProcessId() if controller else 0
+processes, rank = shapetesting.parallel()
 
 
 def cells(data, chosen):

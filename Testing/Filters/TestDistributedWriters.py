@@ -5,12 +5,11 @@ two: TestDistributedWriters.py FOLDER."""
 import os
 import sys
 
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from paraview import simple
 
-controller = vtkMultiProcessController.GetGlobalController()
-processes = controller.GetNumberOfProcesses() if controller else 1
-rank = controller.GetLocalProcessId() if controller else 0
+import shapetesting
+
+processes, rank = shapetesting.parallel()
 
 
 def facts(path):

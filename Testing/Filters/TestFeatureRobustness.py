@@ -9,7 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 import shapemap
 
 import shapetesting
-from shapetesting import (add_array, array, closed_curve, copy, edges, edges_of, fact, points,
+from shapetesting import (add_array, array, closed_curve, closed_curves, copy, edges, edges_of, fact, points,
                           triangles)
 
 AXES = {'x': [1.0, 0.0, 0.0], 'z': [0.0, 0.0, 1.0]}
@@ -204,17 +204,7 @@ for name, make in (('soup', soup), ('soup, moved', lambda mesh: soup(mesh, 2e-10
         name == 'degenerate') > 0
 for name, variant in list(VARIANTS.items()) + [('quadrangles', QUADS)]:
     two = numpy.vstack([circle(0.5), circle(2.2)])
-    loops = vtkPolyData()
-    coordinates = vtkPoints()
-    coordinates.SetDataTypeToDouble()
-    loops.SetPoints(coordinates)
-    shapetesting.set_points(loops, two @ TURN.T + [1.0, 2.0, 3.0])
-    lines = vtkCellArray()
-    for first in (0, 60):
-        lines.InsertNextCell(61)
-        for k in range(61):
-            lines.InsertCellPoint(first + k % 60)
-    loops.SetLines(lines)
+    loops = closed_curves(numpy.split(two @ TURN.T + [1.0, 2.0, 3.0], 2))
     add_array(loops, two, 'SourcePosition')
     eight = numpy.vstack([circle(0.5), circle(1.1)])
     eight[60] = eight[0]
@@ -271,18 +261,7 @@ for name, variant in VARIANTS.items():
     on_loop = numpy.linalg.norm(array(feature, 'LoopNormal'), axis=1) > 0
     assert abs(points(feature)[on_loop][:, 2] - numpy.cos(0.6)).max() < 0.01, name
 # Of several loops the one that is meant; of one that touches itself the longest part.
-belt = [numpy.vstack([circle(0.7), circle(1.4)])]
-loops = vtkPolyData()
-loops.DeepCopy(closed_curve(circle(0.7)))
-both = vtkPolyData()
-both.SetPoints(vtkPoints())
-shapetesting.set_points(both, belt[0])
-lines = vtkCellArray()
-for first in (0, 60):
-    lines.InsertNextCell(61)
-    for k in range(61):
-        lines.InsertCellPoint(first + k % 60)
-both.SetLines(lines)
+both = closed_curves([circle(0.7), circle(1.4)])
 areas = [area(result('CutFeature', BALL, both, LoopIndex=index)[0]) for index in (0, 1, -1)]
 assert abs(areas[0] / (2 * numpy.pi * (1 - numpy.cos(0.7))) - 1) < 0.02
 assert abs(areas[1] / (2 * numpy.pi * (1 - numpy.cos(1.4))) - 1) < 0.02

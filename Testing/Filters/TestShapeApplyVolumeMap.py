@@ -12,25 +12,15 @@ from shapetesting import add_array, array, copy, fact, points, read
 
 
 def new(data, charges, inverse=False):
-    algorithm = shapemap.vtkShapeApplyVolumeMap()
-    algorithm.SetInputDataObject(0, data)
-    algorithm.SetInputDataObject(1, charges)
-    algorithm.SetInverse(inverse)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeApplyVolumeMap, data, charges, Inverse=inverse)
 
 
 def applied(data, charges, inverse=False):
-    algorithm = new(data, charges, inverse)
-    messages = shapetesting.run(algorithm)
-    assert not messages, messages
-    return algorithm.GetOutputDataObject(0)
+    return shapetesting.outputs(new(data, charges, inverse))[0]
 
 
 def error_of(data, charges):
-    algorithm = new(data, charges)
-    messages = shapetesting.run(algorithm)
-    assert algorithm.GetOutputDataObject(0).GetNumberOfElements(0) == 0
-    return ' '.join(messages)
+    return shapetesting.refusal(new(data, charges))
 
 
 def scaled(data, factor):

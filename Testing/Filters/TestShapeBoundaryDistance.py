@@ -13,10 +13,7 @@ from shapetesting import array, copy, points, read
 
 
 def new(data, surface):
-    algorithm = shapemap.vtkShapeBoundaryDistance()
-    algorithm.SetInputDataObject(0, data)
-    algorithm.SetInputDataObject(1, surface)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeBoundaryDistance, data, surface)
 
 
 def distances(data, surface, signed=True):
@@ -27,10 +24,7 @@ def distances(data, surface, signed=True):
 
 
 def error_of(data, surface):
-    algorithm = new(data, surface)
-    messages = shapetesting.run(algorithm)
-    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
-    return ' '.join(messages)
+    return shapetesting.refusal(new(data, surface))
 
 
 def cube(side, turned=False):

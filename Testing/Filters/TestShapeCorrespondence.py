@@ -15,20 +15,11 @@ HARMONIC, FUNCTIONAL, WASSERSTEIN, HEAT, BLENDED, SPHERE, ORBIFOLD = range(7)
 
 
 def new(a, b, landmarks=None, method=FUNCTIONAL):
-    algorithm = shapemap.vtkShapeCorrespondence()
-    algorithm.SetInputDataObject(0, a)
-    algorithm.SetInputDataObject(1, b)
-    if landmarks is not None:
-        algorithm.SetInputDataObject(2, landmarks)
-    algorithm.SetMethod(method)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeCorrespondence, a, b, landmarks, Method=method)
 
 
 def maps(*arguments, **options):
-    algorithm = new(*arguments, **options)
-    messages = shapetesting.run(algorithm)
-    assert not messages, messages
-    return algorithm.GetOutputDataObject(0), algorithm.GetOutputDataObject(1)
+    return shapetesting.outputs(new(*arguments, **options))
 
 
 def refusal(*arguments, **options):

@@ -19,29 +19,15 @@ def circle(height, radius, count=60):
 
 
 def new(surface, loop=None, selection=None, **properties):
-    algorithm = shapemap.vtkShapeCutFeature()
-    algorithm.SetInputDataObject(0, surface)
-    if loop is not None:
-        algorithm.SetInputDataObject(1, loop)
-    if selection is not None:
-        algorithm.SetInputDataObject(2, selection)
-    for name, value in properties.items():
-        getattr(algorithm, 'Set' + name)(value)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeCutFeature, surface, loop, selection, **properties)
 
 
 def cut(*args, **properties):
-    algorithm = new(*args, **properties)
-    messages = shapetesting.run(algorithm)
-    assert not messages, messages
-    return algorithm.GetOutputDataObject(0), algorithm.GetOutputDataObject(1)
+    return shapetesting.outputs(new(*args, **properties))
 
 
 def refused(words, *args, **properties):
-    algorithm = new(*args, **properties)
-    messages = shapetesting.run(algorithm)
-    assert any(words in message for message in messages), messages
-    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+    shapetesting.check_refused(new(*args, **properties), words)
 
 
 def cells(data, name):

@@ -15,16 +15,11 @@ from shapetesting import add_array, array, copy, fact, points, read, set_points
 
 
 def new(shape, boundary):
-    algorithm = shapemap.vtkShapeDeform()
-    algorithm.SetInputDataObject(0, shape)
-    algorithm.SetInputDataObject(1, boundary)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeDeform, shape, boundary)
 
 
 def deformed(algorithm):
-    messages = shapetesting.run(algorithm)
-    assert not messages, messages
-    return algorithm.GetOutputDataObject(0)
+    return shapetesting.outputs(algorithm)[0]
 
 
 def curve(places, targets, closed=True):

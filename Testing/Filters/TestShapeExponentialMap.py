@@ -12,13 +12,7 @@ from shapetesting import add_array, array, copy, fact, points, read, triangles
 
 
 def new(surface, seed, radius, **options):
-    algorithm = shapemap.vtkShapeExponentialMap()
-    algorithm.SetInputDataObject(surface)
-    algorithm.SetSeed(seed)
-    algorithm.SetRadius(radius)
-    for name, value in options.items():
-        getattr(algorithm, 'Set' + name)(value)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeExponentialMap, surface, Seed=seed, Radius=radius, **options)
 
 
 def patch_of(*arguments, **options):

@@ -14,18 +14,11 @@ from shapetesting import array, copy, fact, points, read
 
 
 def new(surface, **properties):
-    algorithm = shapemap.vtkShapeFillHoles()
-    algorithm.SetInputDataObject(0, surface)
-    for name, value in properties.items():
-        getattr(algorithm, 'Set' + name)(value)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeFillHoles, surface, **properties)
 
 
 def filled(surface, **properties):
-    algorithm = new(surface, **properties)
-    messages = shapetesting.run(algorithm)
-    assert not messages, messages
-    return algorithm.GetOutputDataObject(0)
+    return shapetesting.outputs(new(surface, **properties))[0]
 
 
 def facts(data, name):

@@ -13,17 +13,11 @@ HEAT, EXACT, DIJKSTRA = range(3)
 
 
 def new(surface, seeds, method=EXACT):
-    algorithm = shapemap.vtkShapeGeodesicDistance()
-    algorithm.SetInputDataObject(0, surface)
-    algorithm.SetInputDataObject(1, seeds)
-    algorithm.SetMethod(method)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeGeodesicDistance, surface, seeds, Method=method)
 
 
 def distances(surface, seeds, method=EXACT):
-    algorithm = new(surface, seeds, method)
-    assert not shapetesting.run(algorithm)
-    return array(algorithm.GetOutputDataObject(0), 'GeodesicDistance')
+    return array(shapetesting.outputs(new(surface, seeds, method))[0], 'GeodesicDistance')
 
 
 # The example: the distance to the nearer pole of the unit sphere, and its level set.

@@ -11,22 +11,11 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 import shapemap
 
 import shapetesting
-from shapetesting import add_array, array, copy, fact, points, read
-
-
-def error_of(algorithm):
-    messages = shapetesting.run(algorithm)
-    for port in range(3):
-        output = algorithm.GetOutputDataObject(port)
-        assert output.GetNumberOfElements(output.POINT) == 0
-    return ' '.join(messages)
+from shapetesting import add_array, array, copy, fact, points, read, refusal
 
 
 def new(domain, boundary):
-    algorithm = shapemap.vtkShapeHarmonicVolumeMap()
-    algorithm.SetInputDataObject(0, domain)
-    algorithm.SetInputDataObject(1, boundary)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeHarmonicVolumeMap, domain, boundary)
 
 
 def with_targets(surface, targets):
@@ -340,12 +329,7 @@ assert fact(emptied.GetOutputDataObject(0), 'HarmonicVolumeMap.OutsidePoints') =
 
 
 def refused_features(features, targets=(), boundary=moved_boundary):
-    algorithm = new(inside, boundary)
-    for data in features:
-        algorithm.AddInputDataObject(2, data)
-    for data in targets:
-        algorithm.AddInputDataObject(3, data)
-    return error_of(algorithm)
+    return refusal(shapetesting.new(shapemap.vtkShapeHarmonicVolumeMap, inside, boundary, features, targets))
 
 
 # Features outside the solid are refused: beyond its boundary, in its void, as points and as curves.
@@ -399,39 +383,39 @@ for target, words in (
         (placed(surface, numpy.nan, [0, 0, 0]), 'the Target has 642 points')):
     other_genus = new(inside, moved_boundary)
     other_genus.SetInputDataObject(4, target)
-    message = error_of(other_genus)
+    message = refusal(other_genus)
     assert 'Shape Harmonic Volume Map: ' in message and words in message, (words, message)
 
 # Wrong inputs: the error names the filter, the fact and what is there instead.
 wrong = new(inside, moved_boundary)
 wrong.SetMapArray('Elsewhere')
-message = error_of(wrong)
+message = refusal(wrong)
 assert "Shape Harmonic Volume Map: the Boundary has no point array 'Elsewhere'" in message, message
 assert 'TargetPosition' in message
-solid_boundary = error_of(new(inside, inside))
+solid_boundary = refusal(new(inside, inside))
 assert "the input 'Boundary' holds a vtkUnstructuredGrid" in solid_boundary, solid_boundary
 short = copy(feature)
 short.GetPoints().InsertNextPoint(0.0, 0.1, 0.0)
 unpaired = new(inside, moved_boundary)
 unpaired.AddInputDataObject(2, short)
-assert "has 1 tuples for 2 points" in error_of(unpaired)
+assert "has 1 tuples for 2 points" in refusal(unpaired)
 weightless = copy(feature)
 add_array(weightless, numpy.array([0.0]), 'Weight')
 unweighted = new(inside, moved_boundary)
 unweighted.AddInputDataObject(2, weightless)
-assert "feature 0 has a Weight that is not greater than 0" in error_of(unweighted)
+assert "feature 0 has a Weight that is not greater than 0" in refusal(unweighted)
 tables = vtkMultiBlockDataSet()
 tables.SetBlock(0, inside)
 tables.SetBlock(1, vtkTable())
-assert 'a block is a vtkTable' in error_of(new(tables, moved_boundary))
+assert 'a block is a vtkTable' in refusal(new(tables, moved_boundary))
 open_boundary = copy(moved_boundary)
 open_boundary.BuildLinks()
 open_boundary.DeleteCell(3)
 open_boundary.RemoveDeletedCells()
-assert '1 open loop' in error_of(new(inside, open_boundary))
+assert '1 open loop' in refusal(new(inside, open_boundary))
 not_finite = array(moved_boundary, 'TargetPosition').copy()
 not_finite[5] = numpy.nan
-assert 'first at point 5' in error_of(new(inside, with_targets(surface, not_finite)))
+assert 'first at point 5' in refusal(new(inside, with_targets(surface, not_finite)))
 
 # FoldFree: tetrahedra that a coarse map inverts are untangled, their boundary exactly on its image;
 # the charges stay the map.
@@ -468,7 +452,7 @@ for domain, words in ((cloud([[0.0, 0.0, 0.0]]), 'FoldFree needs a Domain with s
     unfit.SetFoldFree(True)
     if domain is tables:
         tables.SetBlock(1, tetrahedra)
-    assert words in error_of(unfit), words
+    assert words in refusal(unfit), words
 
 # FreeBoundary: the images slide on the target, and the map is distorted less.
 sphere = with_targets(surface, known)
@@ -488,5 +472,5 @@ radii = numpy.linalg.norm(points(solid)[:len(ids)][ids >= 0], axis=1)
 assert radii.max() < 1.0 + 1e-6 and radii.min() > 0.98, 'they left the target'
 homeless = new(tetrahedra, with_targets(surface, twisted))
 homeless.SetFreeBoundary(True)
-assert "FreeBoundary needs the input 'Target'" in error_of(homeless)
+assert "FreeBoundary needs the input 'Target'" in refusal(homeless)
 print('solids follow their boundary')

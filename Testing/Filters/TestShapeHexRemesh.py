@@ -145,7 +145,7 @@ ring = simple.Clean(Input=simple.Triangulate(Input=source), PointMerging=1)
 ring.UpdatePipeline()
 torus = shapetesting.output(ring)
 for method, name in ((1, 'Polycube'), (2, 'Grid')):
-    solid, boundary, said = made(torus, Method=method, CellSize=0.05)
+    solid, boundary, said = made(torus, Method=method, CellSize=0.06)
     assert not said, said
     check(solid, boundary, 0)
     assert words(solid, 'HexRemesh.Method') == name
@@ -285,7 +285,7 @@ tube.GetClientSideObject().SetOutput(torus)
 box = simple.Clean(Input=simple.Triangulate(Input=simple.Box(XLength=2.0)))
 ellipsoid = simple.Transform(Input=simple.Sphere(ThetaResolution=40, PhiResolution=40))
 ellipsoid.Transform.Scale = [2.0, 1.0, 1.0]
-for surface, size, euler in ((box, 0.25, 2), (ellipsoid, 0.1, 2), (tube, 0.2, 0)):
+for surface, size, euler in ((box, 0.25, 2), (ellipsoid, 0.15, 2), (tube, 0.2, 0)):
     polycube = simple.ShapePolycube(Input=surface, TargetEdgeLength=size)
     polycube.UpdatePipeline()
     remesh = simple.ShapeHexRemesh(Surface=surface, CellSize=size)

@@ -11,10 +11,7 @@ from shapetesting import array, copy, points, read
 
 
 def new(surface, pairs=30):
-    algorithm = shapemap.vtkShapeLaplaceSpectrum()
-    algorithm.SetInputDataObject(0, surface)
-    algorithm.SetNumberOfEigenpairs(pairs)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeLaplaceSpectrum, surface, NumberOfEigenpairs=pairs)
 
 
 def eigenvalues(data):

@@ -17,9 +17,7 @@ def at(algorithm, time):
 
 
 def new(data):
-    algorithm = shapemap.vtkShapeMorph()
-    algorithm.SetInputDataObject(data)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapeMorph, data)
 
 
 # The example: a dented sphere becomes round.

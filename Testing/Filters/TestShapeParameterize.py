@@ -37,15 +37,11 @@ def signed_areas(image):
 
 
 def error_of(data, landmarks=None, **properties):
-    algorithm = shapemap.vtkShapeParameterize()
-    for name, value in properties.items():
-        getattr(algorithm, 'Set' + name)(value)
-    algorithm.SetInputDataObject(data)
-    if landmarks is not None:
-        algorithm.SetInputDataObject(1, cloud(landmarks))
-    messages = shapetesting.run(algorithm)
-    assert bool(messages) == (algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0)
-    return ' '.join(messages)
+    algorithm = shapetesting.new(
+        shapemap.vtkShapeParameterize, data, None if landmarks is None else cloud(landmarks), **properties)
+    said = shapetesting.refusal(algorithm)
+    assert said or algorithm.GetOutputDataObject(0).GetNumberOfPoints() > 0
+    return said
 
 
 # The example: through ParaView's own proxies.

@@ -99,27 +99,15 @@ def parts(surface, **properties):
 
 
 def new(feature, target, seed, **properties):
-    algorithm = shapemap.vtkShapePasteFeature()
-    algorithm.SetInputDataObject(0, feature)
-    algorithm.SetInputDataObject(1, target)
-    algorithm.SetSeed(*seed)
-    for name, value in properties.items():
-        getattr(algorithm, 'Set' + name)(value)
-    return algorithm
+    return shapetesting.new(shapemap.vtkShapePasteFeature, feature, target, Seed=seed, **properties)
 
 
 def paste(*args, **properties):
-    algorithm = new(*args, **properties)
-    messages = shapetesting.run(algorithm)
-    assert not messages, messages
-    return algorithm.GetOutputDataObject(0)
+    return shapetesting.outputs(new(*args, **properties))[0]
 
 
 def refused(words, *args, **properties):
-    algorithm = new(*args, **properties)
-    messages = shapetesting.run(algorithm)
-    assert any(words in message for message in messages), messages
-    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+    shapetesting.check_refused(new(*args, **properties), words)
 
 
 whole = horn()

@@ -46,16 +46,9 @@ def scaled(surface, factor):
 
 def made(surface, *inner, **settings):
     """The solid and what the filter said."""
-    algorithm = shapemap.vtkShapeTetrahedralize()
-    algorithm.SetInputDataObject(surface)
-    for border in inner:
-        algorithm.AddInputDataObject(1, border)
-    for name, value in settings.items():
-        getattr(algorithm, 'Set' + name)(value)
-    messages = shapetesting.run(algorithm)
-    solid = algorithm.GetOutputDataObject(0)
-    assert not messages or solid.GetNumberOfPoints() == 0, 'an error left a part of an output'
-    return solid, ' '.join(messages)
+    algorithm = shapetesting.new(shapemap.vtkShapeTetrahedralize, surface, inner, **settings)
+    said = shapetesting.refusal(algorithm)
+    return algorithm.GetOutputDataObject(0), said
 
 
 # The example: through ParaView's own proxies, a skull of 2 regions from the phantom head.

@@ -31,25 +31,16 @@ def field(places):
 
 
 def new(receiver, giver, direction='Pull'):
-    algorithm = shapemap.vtkShapeTransferFields()
-    algorithm.SetInputDataObject(0, receiver)
-    algorithm.SetInputDataObject(1, giver)
-    algorithm.SetDirection(['Pull', 'Push'].index(direction))
-    return algorithm
+    return shapetesting.new(
+        shapemap.vtkShapeTransferFields, receiver, giver, Direction=['Pull', 'Push'].index(direction))
 
 
 def result(*arguments):
-    algorithm = new(*arguments)
-    messages = shapetesting.run(algorithm)
-    assert not messages, messages
-    return algorithm.GetOutputDataObject(0)
+    return shapetesting.outputs(new(*arguments))[0]
 
 
 def error_of(*arguments):
-    algorithm = new(*arguments)
-    messages = shapetesting.run(algorithm)
-    assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
-    return ' '.join(messages)
+    return shapetesting.refusal(new(*arguments))
 
 
 def lattice(low, high, count):

@@ -2,11 +2,7 @@
 import window
 
 w = window.Window()
-w.open('DentedSphere600.vtp')
-w.filter('Shape Exponential Map')
-w.wait(100)
-w.apply()
-w.wait(100)
+w.open_with('DentedSphere600.vtp', 'Shape Exponential Map')
 w.python('''
     import numpy
     import onsurface

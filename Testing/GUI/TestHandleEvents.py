@@ -7,11 +7,7 @@ SHOW = window.PROPERTIES + 'ShapeHandle/ShowHandle'
 CONTROL_KEY, RETURN_KEY = 0x01000021, 0x01000004
 
 w = window.Window()
-w.open('DentedSphere600.vtp')
-w.filter('Shape Exponential Map')
-w.wait(100)
-w.apply()
-w.wait(100)
+w.open_with('DentedSphere600.vtp', 'Shape Exponential Map')
 w.python('''
     import subprocess
 

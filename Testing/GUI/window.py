@@ -85,6 +85,14 @@ class Window:
         self.event('menubar', 'activate', 'menuFilters')
         self.event('menubar/menuFilters/ShapeMap', 'activate', label)
 
+    def open_with(self, name, label):
+        """Opens a file and applies a filter to it, whose handle is shown then."""
+        self.open(name)
+        self.filter(label)
+        self.wait(100)
+        self.apply()
+        self.wait(100)
+
     def apply(self):
         self.click(PANEL + 'Accept')
 

@@ -20,23 +20,17 @@ namespace shape
 namespace
 {
 
-/// Adds the fills to the rest; their points and triangles have no original triangle.
+/// Adds the fills to the rest.
 void Append(const FilledSurface& filled, DividedPart& rest)
 {
-  const Eigen::Index own = rest.Surface.Points.rows(), all = filled.Surface.Points.rows();
   const Eigen::Index given = rest.Surface.Triangles.rows();
   const Eigen::Index triangles = filled.Surface.Triangles.rows();
   rest.Surface.Points = filled.Surface.Points;
   rest.Surface.Triangles.conservativeResize(triangles, 3);
   rest.Surface.Triangles.bottomRows(triangles - given) =
     filled.Surface.Triangles.bottomRows(triangles - given);
-  rest.OriginalPoints.resize(all, -1);
-  rest.Ids.resize(all, -1);
-  rest.OriginalTriangles.resize(triangles, -1);
-  rest.Positions.Triangles.conservativeResize(all);
-  rest.Positions.Triangles.tail(all - own).setConstant(-1);
-  rest.Positions.Barycentrics.conservativeResize(all, 3);
-  rest.Positions.Barycentrics.bottomRows(all - own).setZero();
+  rest.Provenance = Compose(rest.Provenance, filled.Provenance);
+  rest.Ids.resize(filled.Surface.Points.rows(), -1);
 }
 
 /// Returns, for each point of a loop of the feature, the coincident point of the rest. Of duplicate
@@ -257,10 +251,10 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<char>& isSelected,
   const CutFeatureOptions& options, const Progress& progress) const
 {
   progress(0.0);
-  const auto count = static_cast<int>(this->Joined.Triangles.size());
   ImprintedCurves split;
   split.Surface = this->Joined.Surface;
-  split.OriginalTriangles = Eigen::VectorXi::LinSpaced(count, 0, count - 1);
+  split.Provenance =
+    TraceIdentity(this->Joined.Surface.Points.rows(), this->Joined.Surface.Triangles.rows());
   std::vector<char> isFeature;
   for (const int triangle : this->Joined.Triangles)
   {

@@ -147,7 +147,7 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
     if (!rows.empty())
     {
       FeatureFootprint base{ std::move(loop), patch.Positions(rows, Eigen::all),
-        filled.PointNormals()(on, Eigen::all), patch.Seed.Normal, patch.Seed.XAxis };
+        GetVertexNormals(filled)(on, Eigen::all), patch.Seed.Normal, patch.Seed.XAxis };
       base.ReturnsInPlace = home && StaysInPlace(*home, base, on, seed);
       if (home && !base.ReturnsInPlace)
       {

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "ExponentialMap/ConformalPatch.h"
+#include "Geometry/VertexNormals.h"
 
 #include <Eigen/Geometry>
 
@@ -266,7 +267,7 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
   landing.Seed = trial.Seed;
   const Eigen::MatrixXi& triangles = this->Surface().Triangles();
   landing.Positions = this->GetLoopPositions(trial.Cover);
-  landing.Normals = PullBack(trial.Cover.Positions, triangles, this->Surface().PointNormals())
+  landing.Normals = PullBack(trial.Cover.Positions, triangles, GetVertexNormals(this->Surface()))
                       .rowwise()
                       .normalized();
   landing.Cover = std::move(trial.Cover);

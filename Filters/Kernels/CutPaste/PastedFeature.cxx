@@ -1,5 +1,8 @@
 #include "CutPaste/PastedFeature.h"
 
+#include <map>
+#include <vector>
+
 namespace shape
 {
 namespace
@@ -29,22 +32,32 @@ public:
     {
       isGone[triangle] = true;
     }
-    const std::vector<int> number = this->Number(result.TargetPoints);
-    const auto kept = static_cast<int>(result.TargetPoints.size());
+    std::vector<int> targetPoints;
+    const std::vector<int> number = this->Number(targetPoints);
+    const auto kept = static_cast<int>(targetPoints.size());
     const auto count = this->Target.Triangles().rows() -
       static_cast<Eigen::Index>(this->Position.Cover.Triangles.size());
     const Eigen::MatrixXi& band = this->Position.Join.Triangles;
     result.BandTriangles = static_cast<int>(band.rows());
-    result.TargetTriangles.reserve(count);
+    const Eigen::Index given =
+      deformed.rows() - static_cast<Eigen::Index>(this->Feature.Midpoints.size());
     const auto midpoints = static_cast<Eigen::Index>(this->Position.Join.Midpoints.size());
     result.Surface.Points.resize(kept + deformed.rows() + midpoints, 3);
-    for (int i = 0; i < kept; ++i)
+    ProvenanceWriter ofTarget(this->Target.Points().rows());
+    ProvenanceWriter ofFeature(given);
+    result.Surface.Points.topRows(kept) = this->Target.Points()(targetPoints, Eigen::all);
+    for (const int point : targetPoints)
     {
-      result.Surface.Points.row(i) = this->Target.Points().row(result.TargetPoints[i]);
+      ofTarget.AddCopy(point);
     }
+    ofFeature.AddNone(kept);
+    ofFeature.AddCopies(given);
+    ofTarget.AddNone(given);
     result.Surface.Points.middleRows(kept, deformed.rows()) = deformed;
     Eigen::MatrixXi& triangles = result.Surface.Triangles;
     triangles.resize(count + band.rows() + this->Feature.Triangles.rows(), 3);
+    Eigen::VectorXi targetCells = Eigen::VectorXi::Constant(triangles.rows(), -1);
+    Eigen::VectorXi featureCells = targetCells;
     int next = 0;
     for (int t = 0; t < static_cast<int>(isGone.size()); ++t)
     {
@@ -54,8 +67,7 @@ public:
         {
           triangles(next, k) = number[this->Target.Triangles()(t, k)];
         }
-        result.TargetTriangles.push_back(t);
-        ++next;
+        targetCells(next++) = t;
       }
     }
     const auto loop = static_cast<int>(this->Base.Loop.size());
@@ -68,31 +80,64 @@ public:
         : corner < loop + ring ? number[this->Position.Cover.Ring[corner - loop]]
                                : last + corner - loop - ring;
     };
+    const auto addMidpoint = [&](int a, int b)
+    {
+      ofTarget.AddMean({ a, b });
+      ofFeature.AddMean({ a, b });
+    };
     for (const auto& [a, b] : this->Feature.Midpoints)
     {
-      result.Midpoints.push_back({ kept + a, kept + b });
+      addMidpoint(kept + a, kept + b);
     }
     for (Eigen::Index i = 0; i < midpoints; ++i)
     {
       const int a = numberOf(this->Position.Join.Midpoints[i][0]);
       const int b = numberOf(this->Position.Join.Midpoints[i][1]);
-      result.Midpoints.push_back({ a, b });
+      addMidpoint(a, b);
       result.Surface.Points.row(last + i) =
         0.5 * (result.Surface.Points.row(a) + result.Surface.Points.row(b));
     }
+    const std::vector<int> under = this->TrianglesUnderBand();
     for (Eigen::Index t = 0; t < band.rows(); ++t, ++next)
     {
+      targetCells(next) = under[t];
       for (int k = 0; k < 3; ++k)
       {
         triangles(next, k) = numberOf(band(t, k));
       }
     }
     triangles.bottomRows(this->Feature.Triangles.rows()) = this->Feature.Triangles.array() + kept;
-    result.FeatureTriangles = this->Feature.Original;
+    featureCells.tail(this->Feature.Triangles.rows()) = Eigen::Map<const Eigen::VectorXi>(
+      this->Feature.Original.data(), this->Feature.Triangles.rows());
+    result.Target = ofTarget.Finish(targetCells);
+    result.Feature = ofFeature.Finish(featureCells);
     return result;
   }
 
 private:
+  /// Returns, for each triangle of the band, the target's triangle at one of its corners.
+  std::vector<int> TrianglesUnderBand() const
+  {
+    const CoveredRegion& cover = this->Position.Cover;
+    const auto loop = static_cast<int>(cover.Loop.rows());
+    std::map<int, int> around; // a covered triangle at each point of the ring
+    for (const int triangle : cover.Triangles)
+    {
+      for (const int point : this->Target.Triangles().row(triangle))
+      {
+        around.emplace(point, triangle);
+      }
+    }
+    std::vector<int> triangles;
+    for (const auto& corners : this->Position.Join.Triangles.rowwise())
+    {
+      const int corner = corners.minCoeff(); // points of the loop come before those of the ring
+      triangles.push_back(
+        corner < loop ? cover.Positions.Triangles(corner) : around.at(cover.Ring[corner - loop]));
+    }
+    return triangles;
+  }
+
   /// Returns, for each point of the target, its index in the result, or -1. points: the kept ones.
   /// Three groups: points strictly inside the region are dropped, points of the ring are kept
   /// unless a point of the loop coincides with them, all others are kept.

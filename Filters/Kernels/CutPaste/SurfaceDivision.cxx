@@ -1,9 +1,9 @@
 #include "CutPaste/SurfaceDivision.h"
 
 #include "Base/DisjointSets.h"
-#include "Geodesics/TriangleStrip.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/HalfEdges.h"
+#include "Mesh/UsedPoints.h"
 
 #include <Eigen/Geometry>
 
@@ -65,7 +65,7 @@ double SurfaceDivision::MeanArea() const
     {
       if (this->Cut.count(std::minmax(corners(k), corners((k + 1) % 3))) > 0)
       {
-        beside.insert(this->Split.OriginalTriangles(t));
+        beside.insert(this->Split.Provenance.Cells(t));
       }
     }
   }
@@ -80,27 +80,29 @@ double SurfaceDivision::MeanArea() const
 
 int SurfaceDivision::OriginalOf(int triangle) const
 {
-  return this->Joined.Triangles[this->Split.OriginalTriangles(triangle)];
+  return this->Joined.Triangles[this->Split.Provenance.Cells(triangle)];
 }
 
 /// The given point of a triangle that corresponds to a welded one.
 int SurfaceDivision::GivenPoint(int triangle, int point) const
 {
   const Eigen::RowVector3i joined =
-    this->Joined.Surface.Triangles.row(this->Split.OriginalTriangles(triangle));
+    this->Joined.Surface.Triangles.row(this->Split.Provenance.Cells(triangle));
   const auto k = std::find(joined.begin(), joined.end(), point) - joined.begin();
   return this->Surface.Triangles()(this->OriginalOf(triangle), k);
 }
 
-/// The position of a new point in a given triangle that contains it.
-SurfacePoint SurfaceDivision::NewPosition(int triangle, int point) const
+/// The barycentric coordinates of a new point in the given triangle that a triangle is a part of.
+Eigen::RowVector3d SurfaceDivision::WeightsOf(int triangle, int point) const
 {
-  const SurfacePoints& added = this->Split.NewPoints;
-  const Eigen::Index row = point - this->Surface.Points().rows();
-  const PointSupport support(
-    this->Joined.Surface, { added.Triangles(row), added.Barycentrics.row(row) });
-  const int joined = this->Split.OriginalTriangles(triangle);
-  return { this->OriginalOf(triangle), support.In(this->Joined.Surface, joined).Barycentric };
+  const int joined = this->Split.Provenance.Cells(triangle);
+  Eigen::RowVector3d weights;
+  for (int k = 0; k < 3; ++k)
+  {
+    weights(k) =
+      this->Split.Provenance.Weights.coeff(point, this->Joined.Surface.Triangles(joined, k));
+  }
+  return weights;
 }
 
 DividedPart SurfaceDivision::PartOf(bool feature) const
@@ -110,27 +112,37 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
   std::vector<Eigen::RowVector3i> triangles; // indices of the given points, then of the added ones
   // On a seam, a new point is duplicated as the given points are, since both sides have their own
   // data.
-  std::map<std::array<int, 3>, int> numberOfAdded;
-  std::vector<std::pair<int, SurfacePoint>> added;
+  struct AddedPoint
+  {
+    int Id;
+    Eigen::RowVector3i Corners; ///< given points
+    Eigen::RowVector3d Weights;
+  };
+  std::map<std::array<int, 4>, int> numberOfAdded; // by the point and the given ones around it
+  std::vector<AddedPoint> added;
   const auto add = [&](int triangle, int point)
   {
-    const SurfacePoint position = this->NewPosition(triangle, point);
-    const PointSupport support(this->Surface, position);
-    const auto [low, high] = std::minmax(support.Points[0], support.Points[1]);
+    const Eigen::RowVector3i corners = this->Surface.Triangles().row(this->OriginalOf(triangle));
+    const Eigen::RowVector3d weights = this->WeightsOf(triangle, point);
     // The given edge that contains the point distinguishes the two sides of a seam.
+    std::array<int, 4> key{ -1, -1, -1, point };
+    std::transform(corners.begin(), corners.end(), weights.begin(), key.begin(),
+      [](int corner, double weight) { return weight > 0.0 ? corner : -1; });
+    std::sort(key.begin(), key.begin() + 3);
     const auto [found, isNew] =
-      numberOfAdded.insert({ { point, low, high }, given + static_cast<int>(added.size()) });
+      numberOfAdded.insert({ key, given + static_cast<int>(added.size()) });
     if (isNew)
     {
-      added.emplace_back(point, position);
+      added.push_back({ point, corners, weights });
     }
     return found->second;
   };
+  std::vector<int> cells;
   for (int t = 0; t < static_cast<int>(this->IsFeature.size()); ++t)
   {
     if ((this->IsFeature[t] != 0) == feature)
     {
-      part.OriginalTriangles.push_back(this->OriginalOf(t));
+      cells.push_back(this->OriginalOf(t));
       triangles.emplace_back();
       for (int k = 0; k < 3; ++k)
       {
@@ -139,46 +151,33 @@ DividedPart SurfaceDivision::PartOf(bool feature) const
       }
     }
   }
-  // The first triangle of each point.
-  std::vector<int> firsts(given + added.size(), -1), numbers(firsts.size(), -1), points;
-  for (int t = static_cast<int>(triangles.size()) - 1; t >= 0; --t)
-  {
-    for (const int point : triangles[t])
-    {
-      firsts[point] = part.OriginalTriangles[t];
-    }
-  }
-  for (int point = 0; point < static_cast<int>(firsts.size()); ++point)
-  {
-    if (firsts[point] >= 0)
-    {
-      numbers[point] = static_cast<int>(points.size());
-      points.push_back(point);
-    }
-  }
-  const auto count = static_cast<Eigen::Index>(points.size());
-  part.Surface.Points.resize(count, 3);
-  part.Positions = { Eigen::VectorXi(count), Eigen::MatrixXd(count, 3) };
-  for (Eigen::Index row = 0; row < count; ++row)
-  {
-    const int point = points[row], triangle = firsts[point];
-    const bool isGiven = point < given;
-    const int id = isGiven ? this->Joined.First[point] : added[point - given].first;
-    part.OriginalPoints.push_back(isGiven ? point : -1);
-    part.Ids.push_back(id);
-    part.Surface.Points.row(row) = this->Split.Surface.Points.row(id);
-    part.Positions.Triangles(row) = isGiven ? triangle : added[point - given].second.Triangle;
-    part.Positions.Barycentrics.row(row) = isGiven
-      ? Eigen::RowVector3d(
-          (this->Surface.Triangles().row(triangle).array() == point).cast<double>())
-      : added[point - given].second.Barycentric;
-  }
-  part.Surface.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  Eigen::MatrixXi& corners = part.Surface.Triangles;
+  corners.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    part.Surface.Triangles.row(static_cast<Eigen::Index>(t)) =
-      triangles[t].unaryExpr([&](int point) { return numbers[point]; });
+    corners.row(static_cast<Eigen::Index>(t)) = triangles[t];
   }
+  const Eigen::Index all = given + static_cast<Eigen::Index>(added.size());
+  const std::vector<int> points = FindUsedPoints(corners, all);
+  corners = RenumberPoints(corners, points, all);
+  ProvenanceWriter provenance(given);
+  for (const int point : points)
+  {
+    if (point < given)
+    {
+      part.Ids.push_back(this->Joined.First[point]);
+      provenance.AddCopy(point);
+    }
+    else
+    {
+      const AddedPoint& own = added[point - given];
+      part.Ids.push_back(own.Id);
+      provenance.AddOnTriangle(own.Corners, own.Weights);
+    }
+  }
+  part.Surface.Points = this->Split.Surface.Points(part.Ids, Eigen::all);
+  part.Provenance = provenance.Finish(
+    Eigen::Map<const Eigen::VectorXi>(cells.data(), static_cast<Eigen::Index>(cells.size())));
   return part;
 }
 
@@ -246,11 +245,11 @@ void SurfaceDivision::PartPinches(DividedPart& part) const
     }
   }
   mesh.Points = mesh.Points(all, Eigen::all).eval();
-  part.Positions.Triangles = part.Positions.Triangles(all).eval();
-  part.Positions.Barycentrics = part.Positions.Barycentrics(all, Eigen::all).eval();
+  const auto triangles = static_cast<int>(mesh.Triangles.rows());
+  part.Provenance = Compose(part.Provenance,
+    TraceCopies(all, points, Eigen::VectorXi::LinSpaced(triangles, 0, triangles - 1)));
   for (std::size_t i = points; i < all.size(); ++i)
   {
-    part.OriginalPoints.push_back(part.OriginalPoints[all[i]]);
     part.Ids.push_back(part.Ids[all[i]]);
   }
 }

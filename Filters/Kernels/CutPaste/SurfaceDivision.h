@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Geometry/SurfaceWelding.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
-#include "Mesh/SurfacePoints.h"
 #include "Remesh/CurveImprinting.h"
 
 #include <set>
@@ -15,12 +15,9 @@ namespace shape
 /// A part of a surface.
 struct DividedPart
 {
-  Mesh Surface;                    ///< the points of the surface in their order, then new ones
-  std::vector<int> OriginalPoints; ///< for each point, the original point of the surface, or -1
-  SurfacePoints Positions;         ///< of the points on the surface; triangle -1: not on it
-  /// For each triangle, the original triangle that contains it, or -1.
-  std::vector<int> OriginalTriangles;
-  std::vector<int> Ids; ///< for each point: see SurfaceDivision; -1: not on the surface
+  Mesh Surface;                 ///< the points of the surface in their order, then new ones
+  shape::Provenance Provenance; ///< from the surface
+  std::vector<int> Ids;         ///< for each point: see SurfaceDivision; -1: not on the surface
 };
 
 /// Closes the seams of a part. The points are the same, but only the first of those with the same
@@ -56,7 +53,7 @@ public:
 private:
   int OriginalOf(int triangle) const;
   int GivenPoint(int triangle, int point) const;
-  SurfacePoint NewPosition(int triangle, int point) const;
+  Eigen::RowVector3d WeightsOf(int triangle, int point) const;
 
   shape::Surface Surface;
   const WeldedSurface& Joined;

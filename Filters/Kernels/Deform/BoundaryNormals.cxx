@@ -28,7 +28,8 @@ double AngleBetween(const RowVector3d& a, const RowVector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Minimises equation 12.
+/// Minimises equation 12. Order of calls: Search with one angle for all samples, then with one for
+/// each; then take the Pose.
 class NormalSearch
 {
 public:

@@ -28,60 +28,58 @@ double EvaluateInverseDistanceWeight(double distance, double power)
   return 1.0 / (power == 2.0 ? square : std::pow(square, 0.5 * power));
 }
 
+namespace
+{
+
+/// Returns the length of the link between two nodes that are linked.
+double GetLinkLength(const Graph& graph, int from, int to)
+{
+  const auto begin = graph.Neighbours.begin() + graph.First[from];
+  const auto end = graph.Neighbours.begin() + graph.First[from + 1];
+  return graph.Lengths[std::lower_bound(begin, end, to) - graph.Neighbours.begin()];
+}
+
+} // namespace
+
 /// The arrival times of section 2.1, by Dijkstra's algorithm from all sources at once.
 FrontSweep SweepFront(
   const PointGraph& graph, const std::vector<int>& sources, const Progress& progress)
 {
   const int n = graph.Size();
-  constexpr double never = std::numeric_limits<double>::infinity();
-  std::vector<double> arrivals(n, never), steps(n, 0.0);
-  std::vector<int> parents(n, -1);
-  std::vector<char> done(n, 0);
-  // For equal times the queue orders by node, so the ranks are unique.
-  using Item = std::pair<double, int>; // arrival, node
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  Eigen::VectorXd arrivals = Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
+  arrivals(sources).setZero();
+  // The sources are ranked in their own order: the search starts at their neighbours.
+  GraphSources starts;
+  std::vector<double> lengths;
+  for (const int source : sources)
+  {
+    for (int k = graph.First[source]; k < graph.First[source + 1]; ++k)
+    {
+      starts.Nodes.push_back(graph.Neighbours[k]);
+      starts.Before.push_back(source);
+      lengths.push_back(graph.Lengths[k]);
+    }
+  }
+  starts.Distances =
+    Eigen::Map<const Eigen::VectorXd>(lengths.data(), static_cast<Eigen::Index>(lengths.size()));
   FrontSweep sweep;
   sweep.Sources = static_cast<int>(sources.size());
   sweep.Nodes = sources;
-  for (const int source : sources)
-  {
-    arrivals[source] = 0.0;
-    done[source] = 1;
-  }
-  const auto spread = [&](int node)
-  {
-    for (int k = graph.First[node]; k < graph.First[node + 1]; ++k)
+  std::vector<int> parents(n, -1);
+  // For equal times the queue orders by node, so the ranks are unique.
+  RunDijkstra(
+    graph, starts, arrivals,
+    [&](double distance, int link) { return distance + graph.Lengths[link]; },
+    [&](int node, int before) { parents[node] = before; },
+    [&](int node)
     {
-      const int next = graph.Neighbours[k];
-      const double arrival = arrivals[node] + graph.Lengths[k];
-      if (!done[next] && arrival < arrivals[next])
+      if (sweep.Nodes.size() % 65536 == 0)
       {
-        arrivals[next] = arrival;
-        parents[next] = node;
-        steps[next] = graph.Lengths[k];
-        queue.emplace(arrival, next);
+        progress(static_cast<double>(sweep.Nodes.size()) / n);
       }
-    }
-  };
-  for (const int source : sources)
-  {
-    spread(source);
-  }
-  for (int step = 0; !queue.empty(); ++step)
-  {
-    if (step % 65536 == 0)
-    {
-      progress(static_cast<double>(sweep.Nodes.size()) / n);
-    }
-    const int node = queue.top().second;
-    queue.pop();
-    if (!done[node])
-    {
-      done[node] = 1;
       sweep.Nodes.push_back(node);
-      spread(node);
-    }
-  }
+      return false;
+    });
   if (static_cast<int>(sweep.Nodes.size()) < n)
   {
     throw InvalidInput("the front does not reach " +
@@ -95,9 +93,10 @@ FrontSweep SweepFront(
   }
   for (const int node : sweep.Nodes)
   {
-    sweep.Arrivals.push_back(arrivals[node]);
-    sweep.Parents.push_back(parents[node] < 0 ? -1 : sweep.Ranks[parents[node]]);
-    sweep.Steps.push_back(steps[node]);
+    const int parent = parents[node];
+    sweep.Arrivals.push_back(arrivals(node));
+    sweep.Parents.push_back(parent < 0 ? -1 : sweep.Ranks[parent]);
+    sweep.Steps.push_back(parent < 0 ? 0.0 : GetLinkLength(graph, parent, node));
   }
   progress(1.0);
   return sweep;

@@ -177,8 +177,8 @@ ExponentialMap::ExponentialMap(
         surface.Triangles().unaryExpr([&](int point) { return graph.NodeOf(point); }))
     : surface;
   const Eigen::MatrixXi& nodes = welded.Triangles();
-  Eigen::MatrixXd normals =
-    SmoothNormals(graph, welded.PointNormals(), options.NormalSmoothing, progress.Part(0.4, 0.6));
+  Eigen::MatrixXd normals = SmoothNormals(
+    graph, GetVertexNormals(welded), options.NormalSmoothing, progress.Part(0.4, 0.6));
   ExponentialFront front(graph, nodes, normals, options.UpwindAverage);
   progress(0.7);
   SurfaceLocator locator(surface);

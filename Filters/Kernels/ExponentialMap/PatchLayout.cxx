@@ -89,6 +89,8 @@ PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
     throw InvalidInput("no point of the surface lies within Radius (" +
       std::to_string(layout.Radius) + ") of the Seed; raise Radius, or refine the surface there");
   }
+  layout.Provenance = TraceCopies(layout.Patch.Points, map.Surface().Points().rows(),
+    Eigen::Map<const Eigen::VectorXi>(layout.Patch.Triangles.data(), layout.Patch.Corners.rows()));
   if (options.MendFlips)
   {
     layout.Mended = Mend(map.Surface(), layout.Patch, progress.Part(0.4, 0.8));

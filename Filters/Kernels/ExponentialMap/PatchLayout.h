@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "ExponentialMap/ExponentialMap.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
 #include <Eigen/Core>
@@ -49,6 +50,7 @@ struct PatchLayoutOptions : ExponentialMapOptions
 struct PatchLayout
 {
   ExponentialPatch Patch;
+  shape::Provenance Provenance; ///< of the patch as a mesh, from the surface
   ExponentialFacts Facts;
   double Radius = 0.0;
   double SeedDistance = 0.0; ///< distance of the given position from the surface

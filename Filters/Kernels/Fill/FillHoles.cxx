@@ -13,6 +13,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -45,6 +46,37 @@ int OwnerOf(const FilledSurface& filled, int triangle)
   const auto after = std::upper_bound(filled.Holes.begin(), filled.Holes.end(), triangle,
     [](int value, const FilledHole& hole) { return value < hole.FirstTriangle; });
   return static_cast<int>(after - filled.Holes.begin()) - 1;
+}
+
+/// The provenance of the filled surface. A fill's point comes from the nearest point of its loop, a
+/// triangle from the first triangle at that point. surface: without the fills.
+Provenance TraceFills(const Mesh& surface, const FilledSurface& filled)
+{
+  Eigen::VectorXi triangleAt = Eigen::VectorXi::Constant(surface.Points.rows(), -1);
+  // Backwards, so that the first triangle at each point is the one that stays.
+  for (int t = static_cast<int>(surface.Triangles.rows()) - 1; t >= 0; --t)
+  {
+    triangleAt(surface.Triangles.row(t)).setConstant(t);
+  }
+  ProvenanceWriter writer(surface.Points.rows());
+  writer.AddCopies(surface.Points.rows());
+  Eigen::VectorXi cells(filled.Surface.Triangles.rows());
+  std::iota(cells.begin(), cells.begin() + surface.Triangles.rows(), 0);
+  for (const FilledHole& hole : filled.Holes)
+  {
+    const PointTree tree(surface.Points(hole.Loop, Eigen::all));
+    const auto nearest = [&](const Eigen::RowVector3d& position)
+    { return hole.Loop[tree.Nearest(position, 1).front()]; };
+    for (int i = hole.FirstPoint; i < hole.FirstPoint + hole.Points; ++i)
+    {
+      writer.AddNearest(nearest(filled.Surface.Points.row(i)));
+    }
+    for (int t = hole.FirstTriangle; t < hole.FirstTriangle + hole.Triangles; ++t)
+    {
+      cells(t) = triangleAt(nearest(GetCorners(filled.Surface, t).colwise().mean()));
+    }
+  }
+  return writer.Finish(cells);
 }
 
 /// The progress of the i-th of `count` equal parts.
@@ -136,7 +168,7 @@ FilledSurface SurfaceFiller::Joined(const Hole* last) const
   {
     order.push_back(last);
   }
-  FilledSurface joined{ this->Surface, {} };
+  FilledSurface joined{ this->Surface, {}, {} };
   Eigen::Index points = this->Surface.Points().rows(), triangles = this->Surface.Triangles().rows();
   for (const Hole* hole : order)
   {
@@ -337,6 +369,7 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
   {
     ++filled.Holes[OwnerOf(filled, crossing.Second)].SelfIntersections;
   }
+  filled.Provenance = TraceFills(this->Surface, filled);
   progress(1.0);
   return filled;
 }
@@ -353,56 +386,20 @@ FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<in
   return SurfaceFiller(surface, loops, options.Filler).Fill(options, progress);
 }
 
-std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes)
-{
-  std::vector<int> triangleAt(surface.Points.rows(), -1);
-  const int count = holes.empty() ? 0 : holes.front().FirstTriangle;
-  // Backwards, so that the first triangle at each point is the one that stays.
-  for (int t = count - 1; t >= 0; --t)
-  {
-    for (const int point : surface.Triangles.row(t))
-    {
-      triangleAt[point] = t;
-    }
-  }
-  std::vector<FillSources> sources;
-  for (const FilledHole& hole : holes)
-  {
-    Eigen::MatrixXd loop(hole.Loop.size(), 3);
-    for (std::size_t i = 0; i < hole.Loop.size(); ++i)
-    {
-      loop.row(static_cast<Eigen::Index>(i)) = surface.Points.row(hole.Loop[i]);
-    }
-    const PointTree tree(loop);
-    const auto nearest = [&](const Eigen::RowVector3d& position)
-    { return hole.Loop[tree.Nearest(position, 1).front()]; };
-    FillSources& own = sources.emplace_back();
-    for (int i = hole.FirstPoint; i < hole.FirstPoint + hole.Points; ++i)
-    {
-      own.Points.push_back(nearest(surface.Points.row(i)));
-    }
-    for (int t = hole.FirstTriangle; t < hole.FirstTriangle + hole.Triangles; ++t)
-    {
-      own.Triangles.push_back(triangleAt[nearest(GetCorners(surface, t).colwise().mean())]);
-    }
-  }
-  return sources;
-}
-
 /// The Dirichlet problem on the fill, with the values at the loop.
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values)
 {
   std::map<int, int> rows; // of the patch: the rim, then the fill's own points
-  std::vector<int> points;
-  for (const int point : hole.Loop)
+  std::vector<int> points, firsts;
+  for (int i = 0; i < static_cast<int>(hole.Loop.size()); ++i)
   {
-    if (rows.insert({ point, static_cast<int>(points.size()) }).second)
+    if (rows.insert({ hole.Loop[i], static_cast<int>(points.size()) }).second)
     {
-      points.push_back(point);
+      points.push_back(hole.Loop[i]);
+      firsts.push_back(i);
     }
   }
-  const auto loop = static_cast<Eigen::Index>(points.size());
   for (int i = 0; i < hole.Points; ++i)
   {
     rows[hole.FirstPoint + i] = static_cast<int>(points.size());
@@ -414,10 +411,7 @@ Eigen::MatrixXd ExtendValuesOntoFill(
   {
     corner = rows.at(corner);
   }
-  const Eigen::MatrixXd loopValues =
-    values(std::vector<int>(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loop)),
-      Eigen::all);
-  return SolveHarmonicValues(patch, loopValues).bottomRows(hole.Points);
+  return SolveHarmonicValues(patch, values(firsts, Eigen::all)).bottomRows(hole.Points);
 }
 
 } // namespace shape

@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Fill/HoleFiller.h"
 #include "Fill/LoopCorners.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
 #include <Eigen/Core>
@@ -47,6 +48,10 @@ struct FilledSurface
   /// The surface's points and triangles first, unchanged; then those of the fills, hole by hole.
   Mesh Surface;
   std::vector<FilledHole> Holes;
+  /// From the surface. A point of a fill takes its data from the nearest point of the loop, a
+  /// triangle from a triangle of the surface at the loop; for smooth values see
+  /// ExtendValuesOntoFill.
+  shape::Provenance Provenance;
 };
 
 /**
@@ -103,21 +108,8 @@ FilledSurface FillHoles(
 FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<int>>& loops,
   const FillHolesOptions& options = {}, const Progress& progress = {});
 
-/// The original points and triangles from which the data on a fill are copied.
-struct FillSources
-{
-  std::vector<int> Points; ///< for each of the fill's points, the nearest point of the loop
-  /// For each of its triangles, the nearest triangle of the surface at the loop.
-  std::vector<int> Triangles;
-};
-
-/// Finds the sources of each fill. surface: with the fills, whose triangles come last. A triangle
-/// is -1 if no triangle is at the loop.
-std::vector<FillSources> FindFillSources(const Mesh& surface, const std::vector<FilledHole>& holes);
-
 /// Returns values at a fill's points (hole.Points x d): the harmonic ones with the given values at
-/// the loop (SolveHarmonicValues). values: n x d, of all points; only the rows of the loop are
-/// used.
+/// the loop (SolveHarmonicValues). values: one row for each point of hole.Loop, in order.
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values);
 

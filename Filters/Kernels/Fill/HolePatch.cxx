@@ -72,7 +72,7 @@ public:
   /// Linear in the triangle that contains the position; outside, the value of the nearest point.
   double At(const RowVector2d& position, const Eigen::VectorXd& values) const
   {
-    const PlanarPoint found = this->Locator.Find(position);
+    const SurfacePoint found = this->Locator.Find(position);
     return found.Triangle < 0 ? values(this->Nearest(position))
                               : found.Barycentric.dot(values(this->Corners(found)));
   }
@@ -81,7 +81,7 @@ public:
   RowVector3d OnSurface(const RowVector2d& position, const Eigen::MatrixXd& points,
     const Eigen::MatrixXd& normals) const
   {
-    const PlanarPoint found = this->Locator.Find(position);
+    const SurfacePoint found = this->Locator.Find(position);
     if (found.Triangle < 0)
     {
       return points.row(this->Nearest(position));
@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  Eigen::RowVector3i Corners(const PlanarPoint& position) const
+  Eigen::RowVector3i Corners(const SurfacePoint& position) const
   {
     return this->Triangles.row(position.Triangle);
   }

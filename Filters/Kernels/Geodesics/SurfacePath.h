@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Geodesics/TriangleStrip.h"
 #include "Mesh/Surface.h"
-#include "Mesh/SurfacePoint.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <memory>
 #include <vector>

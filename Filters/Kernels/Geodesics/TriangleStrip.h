@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Mesh/Mesh.h"
-#include "Mesh/SurfacePoint.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
 

@@ -221,42 +221,7 @@ Eigen::MatrixXi Unwelded(const Eigen::MatrixXi& triangles)
 
 void SetLinks(PointGraph& graph, std::vector<std::pair<int, int>> links)
 {
-  for (auto& [a, b] : links)
-  {
-    if (b < a)
-    {
-      std::swap(a, b);
-    }
-  }
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
-  graph.First.assign(graph.Size() + 1, 0);
-  for (const auto& [a, b] : links)
-  {
-    ++graph.First[a + 1];
-    ++graph.First[b + 1];
-  }
-  for (int i = 0; i < graph.Size(); ++i)
-  {
-    graph.First[i + 1] += graph.First[i];
-  }
-  graph.Neighbours.resize(2 * links.size());
-  graph.Lengths.resize(2 * links.size());
-  std::vector<int> next = graph.First;
-  const auto put = [&](int from, int to, double length)
-  {
-    graph.Neighbours[next[from]] = to;
-    graph.Lengths[next[from]++] = length;
-  };
-  // The lower neighbours of each node first: they come in order, and so do the higher ones.
-  for (const bool lower : { true, false })
-  {
-    for (const auto& [a, b] : links)
-    {
-      const double length = (graph.Positions.row(a) - graph.Positions.row(b)).norm();
-      lower ? put(b, a, length) : put(a, b, length);
-    }
-  }
+  static_cast<Graph&>(graph) = BuildGraph(graph.Positions, std::move(links));
 }
 
 std::vector<std::pair<int, int>> ListLinks(const PointGraph& graph)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Mesh/Graph.h"
 #include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
@@ -30,17 +31,12 @@ struct PointGraphOptions
  * The graph of a shape's points, for propagation over shapes of any kind: curves, surfaces, solids,
  * soups and point sets, manifold or not.
  *
- * Nodes are the points; coincident ones are welded (FindPointsWithinTolerance). The neighbours of
- * node i are Neighbours[First[i]] ... Neighbours[First[i + 1] - 1], ascending, at the distances
- * Lengths[...].
+ * Nodes are the points; coincident ones are welded (FindPointsWithinTolerance).
  */
-struct PointGraph
+struct PointGraph : Graph
 {
   Eigen::MatrixXd Points;    ///< all points of the shape, before welding
   Eigen::MatrixXd Positions; ///< n x 3
-  std::vector<int> First;    ///< n + 1
-  std::vector<int> Neighbours;
-  std::vector<double> Lengths;
   /// n: how much of the shape a node represents (equation 8 of Schmidt and Singh, "Drag-and-drop
   /// surface composition"), so that dense regions do not dominate. It is the area of the triangles,
   /// volume of the tetrahedra or length of the lines around the node; if there are none, the
@@ -54,6 +50,7 @@ struct PointGraph
   std::vector<int> PointOf; ///< n: the first point of each node
   double MeanLength = 0.0;  ///< ComputeMeanLinkLength
 
+  /// Nodes, also before they are linked.
   int Size() const { return static_cast<int>(this->Positions.rows()); }
 };
 

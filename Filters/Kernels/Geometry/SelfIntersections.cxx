@@ -2,14 +2,13 @@
 
 #include "Base/Parallel.h"
 #include "Geometry/Orientation.h"
+#include "Search/TriangleBoxes.h"
 
 #include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
 namespace shape
 {
@@ -232,24 +231,26 @@ std::vector<int> FindDegenerateTriangles(const Mesh& mesh)
   return flat;
 }
 
-std::vector<Crossing> FindSelfIntersections(const Mesh& mesh, const Progress& progress)
+std::vector<Crossing> FindSelfIntersections(const Surface& surface, const Progress& progress)
 {
-  return FindSelfIntersectionsFrom(mesh, 0, std::numeric_limits<int>::max(), progress);
+  return FindSelfIntersectionsFrom(surface, 0, std::numeric_limits<int>::max(), progress);
 }
 
 std::vector<Crossing> FindSelfIntersectionsFrom(
-  const Mesh& mesh, int first, int maximum, const Progress& progress)
+  const Surface& surface, int first, int maximum, const Progress& progress)
 {
+  const Mesh& mesh = surface;
   const int count = static_cast<int>(mesh.Triangles.rows());
-  std::vector<int> triangles(count);
-  std::iota(triangles.begin(), triangles.end(), 0);
+  if (first >= count)
+  {
+    return {};
+  }
   std::vector<Eigen::AlignedBox3d> boxes(count);
-  for (const int t : triangles)
+  for (int t = 0; t < count; ++t)
   {
     boxes[t] = BoxOf(mesh, t);
   }
-  Eigen::KdBVH<double, 3, int> tree;
-  tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+  const std::shared_ptr<const BoxTree> tree = GetTriangleBoxes(surface);
 
   // In batches, so that the search ends soon after the maximum is reached.
   constexpr int grain = 256, batch = 64 * grain;
@@ -266,7 +267,7 @@ std::vector<Crossing> FindSelfIntersectionsFrom(
         for (int t = begin; t < end; ++t)
         {
           Search search{ mesh, boxes, from + t, first, found[begin / grain] };
-          Eigen::BVIntersect(tree, search);
+          Eigen::BVIntersect(*tree, search);
         }
       },
       progress.Part(static_cast<double>(from - first) / (count - first),

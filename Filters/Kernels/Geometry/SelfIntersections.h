@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 
 #include <vector>
 
@@ -30,16 +31,16 @@ std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
  * Finds every pair of triangles of a surface that cross, touch, overlap or coincide beyond their
  * shared corners and edge, ordered by First, then Second.
  *
- * A hierarchy of boxes finds the candidates, and exact orientations (Geometry/Orientation.h)
- * decide: a pair is listed if and only if the triangles intersect. Points are shared by index, so
- * coincident points must be joined first. mesh: any triangles except those of
- * FindDegenerateTriangles. Throws Aborted.
+ * A hierarchy of boxes (GetTriangleBoxes) finds the candidates, and exact orientations
+ * (Geometry/Orientation.h) decide: a pair is listed if and only if the triangles intersect. Points
+ * are shared by index, so coincident points must be joined first. surface: any triangles except
+ * those of FindDegenerateTriangles. Throws Aborted.
  */
-std::vector<Crossing> FindSelfIntersections(const Mesh& mesh, const Progress& progress = {});
+std::vector<Crossing> FindSelfIntersections(const Surface& surface, const Progress& progress = {});
 
 /// The same for pairs whose second triangle is `first` or a later one. Stops soon after `maximum`
 /// pairs are found.
 std::vector<Crossing> FindSelfIntersectionsFrom(
-  const Mesh& mesh, int first, int maximum, const Progress& progress = {});
+  const Surface& surface, int first, int maximum, const Progress& progress = {});
 
 } // namespace shape

@@ -40,6 +40,11 @@ RowVector3d WeightedNormal(const Eigen::MatrixXd& points, const Eigen::RowVector
   }
 }
 
+struct KeptVertexNormals
+{
+  Eigen::MatrixXd ByAngle;
+};
+
 /// Computes normals of points, areas around them and their rings on demand.
 class Neighbourhoods
 {
@@ -255,17 +260,25 @@ Eigen::MatrixXd ComputeVertexNormals(const Mesh& surface, NormalWeight weight)
   }
   for (auto normal : normals.rowwise())
   {
-    // Only Max's weights, the inverse of a squared length, can be so large that squares overflow.
-    if (weight == NormalWeight::Max)
-    {
-      normal.stableNormalize();
-    }
-    else
+    // Angles can be so small, and Max's weights so large, that squares under- or overflow.
+    if (weight == NormalWeight::Area)
     {
       normal.normalize();
     }
+    else
+    {
+      normal.stableNormalize();
+    }
   }
   return normals;
+}
+
+const Eigen::MatrixXd& GetVertexNormals(const Surface& surface)
+{
+  return surface
+    .Cached<KeptVertexNormals>(
+      [&]() { return KeptVertexNormals{ ComputeVertexNormals(surface, NormalWeight::Angle) }; })
+    ->ByAngle;
 }
 
 Eigen::MatrixXd ComputeVertexNormals(const Eigen::MatrixXd& points,

@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Geometry/PointGraph.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Surface.h"
 #include "Search/TriangleWalk.h"
 
 #include <Eigen/Core>
@@ -12,7 +13,7 @@
 namespace shape
 {
 
-/// The weights of the normals of the triangles around a vertex. Surface::PointNormals uses Angle.
+/// The weights of the normals of the triangles around a vertex.
 enum class NormalWeight
 {
   Area,  ///< the area of the triangle
@@ -30,6 +31,10 @@ Eigen::MatrixXd ComputeVertexNormals(const Eigen::MatrixXd& points,
   const Eigen::MatrixXi& triangles, const TriangleFans& fans, const std::vector<int>& vertices,
   NormalWeight weight);
 ///@}
+
+/// Returns the normals of a surface weighted by angle (n x 3), which are computed once and cached
+/// in the surface: valid as long as the surface or a copy of it.
+const Eigen::MatrixXd& GetVertexNormals(const Surface& surface);
 
 /**
  * Returns unit normals at vertices on a surface's boundary (k x 3), where the mean of the

@@ -1,7 +1,7 @@
 #include "Harmonic/HarmonicVolumeMap.h"
 
 #include "Base/Errors.h"
-#include "Harmonic/NearSourceSystem.h"
+#include "Harmonic/NearSurfaceCharges.h"
 #include "Harmonic/Private/AcceleratedSolver.h"
 #include "Harmonic/Private/FundamentalSolutionSolvers.h"
 #include "Mesh/Topology.h"

@@ -19,11 +19,11 @@ struct AcceleratedSetup;
  * Accelerated places one charge outside each boundary point, at 0.9 spacings, and a few hundred
  * coarse charges farther out. The equations at the boundary points and triangle centroids are
  * solved by least squares. GMRES is preconditioned by local blocks, and sums use the multipole
- * method (NearSourceSystem.h, SchwarzPreconditioner.h, FmmSummation.h). Then the triangles with the
- * largest residual are bisected and a further map is fitted to the residual, until the tolerance is
- * met. Time and memory grow nearly linearly with the boundary. Sphere maps (CPU seconds,
- * RMSEInside): bear_bis with 10096 points 1.8, 9.1e-5; bunny00 with 37706 points 3.0, 7.5e-5, and
- * with 113114 points 6.0, 6.4e-5 (Testing/Benchmarks/VolumeMap.py).
+ * method (NearSurfaceCharges.h, SchwarzPreconditioner.h, FmmSummation.h). Then the triangles with
+ * the largest residual are bisected and a further map is fitted to the residual, until the
+ * tolerance is met. Time and memory grow nearly linearly with the boundary. Sphere maps (CPU
+ * seconds, RMSEInside): bear_bis with 10096 points 1.8, 9.1e-5; bunny00 with 37706
+ * points 3.0, 7.5e-5, and with 113114 points 6.0, 6.4e-5 (Testing/Benchmarks/VolumeMap.py).
  *
  * MultiLevel fits soft features better; SingleShot is the paper's first method. Both decompose
  * dense matrices and are meant for small boundaries. The paper's offset is 0.15 of the size. Here
@@ -36,8 +36,8 @@ struct AcceleratedSetup;
  * between the collocation points, as SingleShot's can with more sources than collocation points.
  *
  * boundary: the closed surface of one solid and of its voids, with any orientation, in the space of
- * the domain. Charges are placed in the voids, too (SourceShells). targets: n x 3, the image of
- * each boundary point. setup: Accelerated's system for this boundary (NearSourceSystem.h). It is
+ * the domain. Charges are placed in the voids, too (ChargeShells). targets: n x 3, the image of
+ * each boundary point. setup: Accelerated's system for this boundary (NearSurfaceCharges.h). It is
  * kept between calls and rebuilt only if the boundary has changed.
  *
  * Throws InvalidInput if the surface is not closed or bounds several solids, a value is not finite,

@@ -37,7 +37,7 @@ struct HexRemeshGuides
   /// The wanted size of the hexahedra at each point of the surface, in its units; may be empty.
   Eigen::VectorXd Sizes;
   /// Closed surfaces inside the solid that separate its regions; they may be nested.
-  std::vector<Mesh> InnerSurfaces;
+  std::vector<Surface> InnerSurfaces;
   /// A polycube of the surface whose cells become the hexahedra; without triangles: none is given.
   GivenPolycube Polycube;
 };

@@ -23,6 +23,8 @@ constexpr int Restarts = 100;
 /// Blocks between two convergence tests; one test costs as much as a few blocks.
 constexpr int Patience = 4;
 
+/// The thick-restart iteration: Find extends the basis block by block, diagonalises the operator on
+/// it, and restarts with the best Ritz vectors when it is full.
 class Iteration
 {
 public:

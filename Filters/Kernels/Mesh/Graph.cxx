@@ -6,36 +6,37 @@
 
 namespace shape
 {
-namespace
-{
 
-Graph BuildEdgeGraph(const Surface& surface)
+Graph BuildGraph(const Eigen::MatrixXd& positions, std::vector<std::pair<int, int>> links)
 {
-  const Eigen::MatrixXd& points = surface.Points();
-  std::vector<HalfEdge> edges = surface.HalfEdges();
-  const auto same = [](const HalfEdge& a, const HalfEdge& b)
-  { return a.Low() == b.Low() && a.High() == b.High(); };
-  edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
-  Graph graph;
-  graph.First.assign(points.rows() + 1, 0);
-  for (const HalfEdge& edge : edges)
+  for (auto& [a, b] : links)
   {
-    ++graph.First[edge.Begin + 1];
-    ++graph.First[edge.End + 1];
+    if (b < a)
+    {
+      std::swap(a, b);
+    }
+  }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  Graph graph;
+  graph.First.assign(positions.rows() + 1, 0);
+  for (const auto& [a, b] : links)
+  {
+    ++graph.First[a + 1];
+    ++graph.First[b + 1];
   }
   for (std::size_t i = 1; i < graph.First.size(); ++i)
   {
     graph.First[i] += graph.First[i - 1];
   }
-  graph.Neighbours.resize(2 * edges.size());
-  graph.Lengths.resize(2 * edges.size());
+  graph.Neighbours.resize(2 * links.size());
+  graph.Lengths.resize(2 * links.size());
   std::vector<int> next = graph.First;
   // Sorted by lower ends, so that each node's neighbours are in ascending order.
-  for (const HalfEdge& edge : edges)
+  for (const auto& [a, b] : links)
   {
-    const double length = (points.row(edge.Low()) - points.row(edge.High())).norm();
-    for (const auto& [from, to] :
-      { std::pair(edge.Low(), edge.High()), std::pair(edge.High(), edge.Low()) })
+    const double length = (positions.row(a) - positions.row(b)).norm();
+    for (const auto& [from, to] : { std::pair(a, b), std::pair(b, a) })
     {
       graph.Neighbours[next[from]] = to;
       graph.Lengths[next[from]++] = length;
@@ -44,14 +45,21 @@ Graph BuildEdgeGraph(const Surface& surface)
   return graph;
 }
 
-} // namespace
-
 std::shared_ptr<const Graph> GetEdgeGraph(const Surface& surface)
 {
   struct EdgeGraph : Graph
   {
   };
-  return surface.Cached<EdgeGraph>([&]() { return EdgeGraph{ BuildEdgeGraph(surface) }; });
+  return surface.Cached<EdgeGraph>(
+    [&]()
+    {
+      std::vector<std::pair<int, int>> edges;
+      for (const HalfEdge& edge : surface.HalfEdges())
+      {
+        edges.emplace_back(edge.Low(), edge.High());
+      }
+      return EdgeGraph{ BuildGraph(surface.Points(), std::move(edges)) };
+    });
 }
 
 void LowerDistances(const Graph& graph, const GraphSources& sources, Eigen::VectorXd& distances,

@@ -26,6 +26,10 @@ struct Graph
   int Size() const { return static_cast<int>(this->First.size()) - 1; }
 };
 
+/// Builds the graph of these links: pairs of different nodes in any order, possibly repeated. The
+/// length of an edge is the distance between its nodes' positions (n x 3).
+Graph BuildGraph(const Eigen::MatrixXd& positions, std::vector<std::pair<int, int>> links);
+
 /// Returns the graph of a surface's points and edges, which is computed once and cached in the
 /// surface. Throws InvalidInput under the conditions of RequireIndices.
 std::shared_ptr<const Graph> GetEdgeGraph(const Surface& surface);
@@ -33,8 +37,9 @@ std::shared_ptr<const Graph> GetEdgeGraph(const Surface& surface);
 /// The nodes where paths start, and the initial distance of each.
 struct GraphSources
 {
-  std::vector<int> Nodes;
+  std::vector<int> Nodes; ///< a node may be there several times
   Eigen::VectorXd Distances;
+  std::vector<int> Before; ///< the node before each on the path, or -1; empty: -1 for all
 };
 
 /**
@@ -64,7 +69,8 @@ void RunDijkstra(const Graph& graph, const GraphSources& sources, Eigen::VectorX
   };
   for (std::size_t i = 0; i < sources.Nodes.size(); ++i)
   {
-    lower(sources.Nodes[i], sources.Distances(static_cast<Eigen::Index>(i)), -1);
+    lower(sources.Nodes[i], sources.Distances(static_cast<Eigen::Index>(i)),
+      sources.Before.empty() ? -1 : sources.Before[i]);
   }
   while (!queue.empty())
   {

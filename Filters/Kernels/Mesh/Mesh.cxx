@@ -36,29 +36,6 @@ Eigen::MatrixXd ComputeAreaVectors(const Mesh& mesh)
   return vectors;
 }
 
-Eigen::MatrixXd ComputePointNormals(const Mesh& mesh)
-{
-  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
-  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    const Eigen::Matrix3d corners = GetCorners(mesh, t);
-    const Eigen::RowVector3d first = corners.row(1) - corners.row(0);
-    const Eigen::RowVector3d normal =
-      first.cross(corners.row(2) - corners.row(0)).stableNormalized();
-    for (int k = 0; k < 3 && normal.squaredNorm() > 0.0; ++k)
-    {
-      const Eigen::RowVector3d a = corners.row((k + 1) % 3) - corners.row(k);
-      const Eigen::RowVector3d b = corners.row((k + 2) % 3) - corners.row(k);
-      normals.row(mesh.Triangles(t, k)) += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;
-    }
-  }
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
-  {
-    normals.row(i) = normals.row(i).stableNormalized();
-  }
-  return normals;
-}
-
 double ComputeArea(const Mesh& mesh)
 {
   return 0.5 * ComputeAreaVectors(mesh).rowwise().norm().sum();

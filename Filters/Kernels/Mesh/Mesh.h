@@ -42,10 +42,6 @@ Eigen::MatrixXd ComputeAreaVectors(const Mesh& mesh);
 /// Returns the area of the surface.
 double ComputeArea(const Mesh& mesh);
 
-/// Returns unit normals at the points (n x 3): the mean of the normals of the triangles around
-/// each, weighted by their angles there; 0 if none of these triangles has an area.
-Eigen::MatrixXd ComputePointNormals(const Mesh& mesh);
-
 /// Returns a third of the total area of the triangles around each point (n).
 Eigen::VectorXd ComputePointAreas(const Mesh& mesh);
 

@@ -24,10 +24,6 @@ struct KeptAreaVectors
 {
   Eigen::MatrixXd OfTriangles;
 };
-struct KeptPointNormals
-{
-  Eigen::MatrixXd OfPoints;
-};
 /// Throws unless the coordinates are finite and of a usable size.
 struct KeptSoundness
 {
@@ -234,14 +230,6 @@ const Eigen::MatrixXd& Surface::AreaVectors() const
   return this
     ->Cached<KeptAreaVectors>([&]() { return KeptAreaVectors{ shape::ComputeAreaVectors(*this) }; })
     ->OfTriangles;
-}
-
-const Eigen::MatrixXd& Surface::PointNormals() const
-{
-  return this
-    ->Cached<KeptPointNormals>(
-      [&]() { return KeptPointNormals{ shape::ComputePointNormals(*this) }; })
-    ->OfPoints;
 }
 
 Topology RequireManifold(const Surface& surface, const std::string& name)

@@ -15,8 +15,8 @@ namespace shape
 {
 
 /**
- * An immutable triangulated surface with cached data derived from it: half-edges, topology,
- * normals, and whatever kernels add (a search tree, a Laplacian).
+ * An immutable triangulated surface with cached data derived from it: half-edges, topology, area
+ * vectors, and whatever kernels add (a search tree, a Laplacian).
  *
  * Each of these is computed once, on first use, and shared by all copies; a copy costs as much as
  * a pointer. Kernels take a `const Surface&`, so a kernel that calls ten others checks and indexes
@@ -60,9 +60,6 @@ public:
 
   /// The twice-area vectors of the triangles (m x 3, ComputeAreaVectors).
   const Eigen::MatrixXd& AreaVectors() const;
-
-  /// The unit normals at the points (n x 3, ComputePointNormals).
-  const Eigen::MatrixXd& PointNormals() const;
 
   /// Returns an object of type T derived from the surface: the result of `make()` on first use,
   /// kept for all later calls. There is one object per type, so a kernel defines a type for the

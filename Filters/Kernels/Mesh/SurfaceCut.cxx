@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -89,10 +90,8 @@ CutSurface CutAlongEdges(const Surface& surface, const std::vector<std::array<in
     }
   }
   CutSurface result{ surface, {} };
-  for (int point = 0; point < static_cast<int>(surface.Points().rows()); ++point)
-  {
-    result.Originals.push_back(point);
-  }
+  std::vector<int> originals(surface.Points().rows());
+  std::iota(originals.begin(), originals.end(), 0);
   std::vector<int> number(twins.size(), -1);
   std::vector<char> isTaken(surface.Points().rows(), 0);
   for (int corner = 0; corner < static_cast<int>(twins.size()); ++corner)
@@ -106,14 +105,17 @@ CutSurface CutAlongEdges(const Surface& surface, const std::vector<std::array<in
       own = point;
       if (isTaken[point] != 0)
       {
-        own = static_cast<int>(result.Originals.size());
-        result.Originals.push_back(point);
+        own = static_cast<int>(originals.size());
+        originals.push_back(point);
       }
       isTaken[point] = 1;
     }
     result.Surface.Triangles(corner / 3, corner % 3) = own;
   }
-  result.Surface.Points = surface.Points()(result.Originals, Eigen::all);
+  result.Surface.Points = surface.Points()(originals, Eigen::all);
+  const auto count = static_cast<int>(triangles.rows());
+  result.Provenance = TraceCopies(
+    originals, surface.Points().rows(), Eigen::VectorXi::LinSpaced(count, 0, count - 1));
   return result;
 }
 

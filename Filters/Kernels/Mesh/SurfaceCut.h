@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
 #include <array>
@@ -13,8 +14,8 @@ namespace shape
 /// A surface that was cut open along edges.
 struct CutSurface
 {
-  Mesh Surface;               ///< the same triangles; copied points come after the original ones
-  std::vector<int> Originals; ///< the original point of each point
+  Mesh Surface;                 ///< the same triangles; copied points come after the original ones
+  shape::Provenance Provenance; ///< from the uncut surface
 };
 
 /// Cuts along the given edges. A point is copied for each further part into which the cut divides

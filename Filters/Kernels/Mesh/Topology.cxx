@@ -2,6 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
+#include "Mesh/SurfaceWork.h"
 
 #include <vector>
 
@@ -119,6 +120,7 @@ Topology ComputeTopology(const Mesh& mesh)
 
 Topology ComputeTopology(const Mesh& mesh, const std::vector<HalfEdge>& sides)
 {
+  SurfaceWork::Note(SurfaceWork::Kind::Topology, mesh.Points);
   RequireDistinctCorners(mesh);
   Topology topology;
   CountComponents(mesh, topology);

@@ -2,7 +2,7 @@
 
 #include "Laplacian/IntrinsicDelaunay.h"
 #include "Linear/DirichletProblem.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 
 #include <Eigen/LU>
 

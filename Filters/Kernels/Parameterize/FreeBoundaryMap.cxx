@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Parameterize/ConformalFlattening.h"
 #include "Parameterize/ConvexCombination.h"
 

@@ -4,7 +4,7 @@
 #include "Geometry/Orientation.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
@@ -90,10 +90,10 @@ std::pair<std::vector<Position>, int> GetLoopPositions(
   std::vector<int> loop = FindManifoldBoundaryLoops(cut.Surface).front();
   std::rotate(loop.begin(),
     std::find_if(loop.begin(), loop.end(),
-      [&](int point) { return cut.Originals[point] == path.Points.front(); }),
+      [&](int point) { return cut.Provenance.Points(point) == path.Points.front(); }),
     loop.end());
-  std::vector<Position> positions(cut.Originals.size());
-  std::vector<char> isDone(cut.Originals.size(), 0);
+  std::vector<Position> positions(cut.Surface.Points.rows());
+  std::vector<char> isDone(positions.size(), 0);
   const auto count = static_cast<int>(loop.size());
   const auto twin = [&](int i) { return loop[(count - i) % count]; };
   const auto last = static_cast<int>(path.Stops.size()) - 1;

@@ -91,9 +91,9 @@ std::array<int, 2> PlanarLocator::CellOf(const RowVector2d& position) const
   return cell;
 }
 
-PlanarPoint PlanarLocator::Find(const RowVector2d& position) const
+SurfacePoint PlanarLocator::Find(const RowVector2d& position) const
 {
-  PlanarPoint found;
+  SurfacePoint found;
   if (!((position - this->Lower).minCoeff() >= 0.0 && (this->Upper - position).minCoeff() >= 0.0))
   {
     return found;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Mesh/SurfacePoints.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -8,13 +10,6 @@
 
 namespace shape
 {
-
-/// A position in a planar triangulation.
-struct PlanarPoint
-{
-  int Triangle = -1;              ///< -1: outside all triangles
-  Eigen::RowVector3d Barycentric; ///< >= 0
-};
 
 /// Finds the triangle of a planar triangulation that contains a position; built in linear time.
 class PlanarLocator
@@ -25,9 +20,9 @@ public:
   PlanarLocator(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
     const std::vector<int>& leftOut = {});
 
-  /// Returns the lowest-numbered triangle that contains the position, inside or on its boundary.
-  /// Exact.
-  PlanarPoint Find(const Eigen::RowVector2d& position) const;
+  /// Returns the lowest-numbered triangle that contains the position, inside or on its boundary;
+  /// -1 if none does. Exact.
+  SurfacePoint Find(const Eigen::RowVector2d& position) const;
 
   /// Calls use(triangle) for the triangles whose boxes may intersect the given box, in a fixed
   /// order and possibly several times, until it returns true. Returns whether it did.

@@ -80,16 +80,17 @@ public:
     const auto added = static_cast<Eigen::Index>(this->Numbered.NewPoints().size());
     result.Surface.Points.resize(given + added, 3);
     result.Surface.Points.topRows(given) = this->Surface.Points;
-    result.NewPoints = { Eigen::VectorXi(added), Eigen::MatrixXd(added, 3) };
+    ProvenanceWriter provenance(given);
+    provenance.AddCopies(given);
     for (Eigen::Index i = 0; i < added; ++i)
     {
       const SurfacePoint& position = this->Numbered.NewPoints()[i];
       result.Surface.Points.row(given + i) =
         position.Barycentric * GetCorners(this->Surface, position.Triangle);
-      result.NewPoints.Triangles(i) = position.Triangle;
-      result.NewPoints.Barycentrics.row(i) = position.Barycentric;
+      provenance.AddOnTriangle(
+        this->Surface.Triangles.row(position.Triangle), position.Barycentric);
     }
-    this->JoinTriangles(result);
+    result.Provenance = provenance.Finish(this->JoinTriangles(result.Surface.Triangles));
     this->FindLoops(result);
     return result;
   }
@@ -240,15 +241,16 @@ private:
     progress(1.0);
   }
 
-  void JoinTriangles(ImprintedCurves& result) const
+  /// Writes all triangles, and returns the one that each is a part of.
+  Eigen::VectorXi JoinTriangles(Eigen::MatrixXi& triangles) const
   {
     Eigen::Index count = this->Surface.Triangles.rows();
     for (const auto& [triangle, parted] : this->Split)
     {
       count += static_cast<Eigen::Index>(parted.Triangles.size()) - 1;
     }
-    result.Surface.Triangles.resize(count, 3);
-    result.OriginalTriangles.resize(count);
+    triangles.resize(count, 3);
+    Eigen::VectorXi originals(count);
     Eigen::Index row = 0;
     auto next = this->Split.begin();
     for (int t = 0; t < static_cast<int>(this->Surface.Triangles.rows()); ++t)
@@ -256,16 +258,17 @@ private:
       // The map is ordered by triangle, so one pass suffices.
       if (next == this->Split.end() || next->first != t)
       {
-        result.OriginalTriangles(row) = t;
-        result.Surface.Triangles.row(row++) = this->Surface.Triangles.row(t);
+        originals(row) = t;
+        triangles.row(row++) = this->Surface.Triangles.row(t);
         continue;
       }
       for (const Eigen::RowVector3i& part : (next++)->second.Triangles)
       {
-        result.OriginalTriangles(row) = t;
-        result.Surface.Triangles.row(row++) = part;
+        originals(row) = t;
+        triangles.row(row++) = part;
       }
     }
+    return originals;
   }
 
   /// Returns the points from a node to the next one along an edge, including the first.

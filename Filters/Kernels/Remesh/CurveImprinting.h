@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Geodesics/SurfaceLoop.h"
 #include "Mesh/Mesh.h"
-#include "Mesh/SurfacePoints.h"
+#include "Mesh/Provenance.h"
 
 #include <Eigen/Core>
 
@@ -24,8 +24,7 @@ struct CurveImprintingOptions
 struct ImprintedCurves
 {
   Mesh Surface;                        ///< the given points come first
-  SurfacePoints NewPoints;             ///< position of each further point on the given surface
-  Eigen::VectorXi OriginalTriangles;   ///< for each triangle, the given one that contains it
+  shape::Provenance Provenance;        ///< from the given surface
   std::vector<std::vector<int>> Loops; ///< closed; none repeats a point; the longest first
   std::vector<int> LoopIds;            ///< for each of these, the given loop that contains it
 };

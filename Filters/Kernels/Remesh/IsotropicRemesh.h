@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Geometry/FeatureAngle.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Surface.h"
 
@@ -9,9 +10,10 @@ namespace shape
 
 struct IsotropicRemeshOptions
 {
-  double EdgeLength = 0.0;   ///< the target length of edges, in the surface's units; > 0
-  double CreaseAngle = 40.0; ///< degrees between normals above which an edge is a crease
-  int Rounds = 6;            ///< number of rounds; >= 1
+  double EdgeLength = 0.0; ///< the target length of edges, in the surface's units; > 0
+  /// Degrees between normals above which an edge is a crease.
+  double CreaseAngle = DefaultFeatureAngle;
+  int Rounds = 6; ///< number of rounds; >= 1
 };
 
 /**

@@ -2,14 +2,13 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Search/TriangleBoxes.h"
 
 #include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -34,8 +33,6 @@ RowVector3d OnSegment(const Eigen::Matrix3d& corners, int i, int j, const RowVec
   return barycentric;
 }
 
-using BoxTree = Eigen::KdBVH<double, 3, int>;
-
 /// A triangle and data of its plane, contiguous for the search.
 struct Facet
 {
@@ -43,7 +40,7 @@ struct Facet
   RowVector3d Normal; ///< unit; zero where there is none
 };
 
-/// The triangle closest to Place among those tested so far.
+/// The triangle closest to Position among those tested so far.
 struct Nearest
 {
   RowVector3d Position;
@@ -159,7 +156,7 @@ RowVector3d FindClosestPointInTriangle(const Eigen::Matrix3d& corners, const Row
 struct SurfaceLocator::Tree
 {
   std::vector<Facet> Facets;
-  BoxTree Boxes; ///< of the triangles
+  std::shared_ptr<const BoxTree> Boxes; ///< of the triangles
 };
 
 SurfaceLocator::SurfaceLocator(const Surface& surface)
@@ -172,19 +169,13 @@ SurfaceLocator::SurfaceLocator(const Surface& surface)
       throw InvalidInput("the surface to search has no triangle");
     }
     Tree tree;
-    std::vector<int> triangles(surface.Triangles().rows());
-    std::iota(triangles.begin(), triangles.end(), 0);
-    std::vector<Eigen::AlignedBox3d> boxes;
-    boxes.reserve(triangles.size());
-    tree.Facets.reserve(triangles.size());
+    tree.Facets.reserve(surface.Triangles().rows());
     const Eigen::MatrixXd normals = surface.AreaVectors().rowwise().normalized();
-    for (const int t : triangles)
+    for (Eigen::Index t = 0; t < surface.Triangles().rows(); ++t)
     {
-      const Eigen::Matrix3d corners = GetCorners(surface, t);
-      tree.Facets.push_back({ corners, normals.row(t) });
-      boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
+      tree.Facets.push_back({ GetCorners(surface, t), normals.row(t) });
     }
-    tree.Boxes.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
+    tree.Boxes = GetTriangleBoxes(surface);
     return tree;
   };
   this->Impl = surface.Cached<Tree>(build);
@@ -208,12 +199,12 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
         const RowVector3d place = points.row(i);
         const double bound2 = i == begin ? maximum : margin * (place - before).squaredNorm();
         Nearest nearest{ place, bound2 };
-        Search(this->Impl->Boxes, this->Impl->Facets, nearest);
+        Search(*this->Impl->Boxes, this->Impl->Facets, nearest);
         if (nearest.Triangle < 0 && bound2 < maximum)
         {
           // For a point on the surface, rounding can exceed the margin.
           nearest.Bound2 = maximum;
-          Search(this->Impl->Boxes, this->Impl->Facets, nearest);
+          Search(*this->Impl->Boxes, this->Impl->Facets, nearest);
         }
         RequireFound(nearest);
         result.Triangles(i) = nearest.Triangle;
@@ -237,11 +228,11 @@ ClosestPoint SurfaceLocator::FindOne(const RowVector3d& point, int guess) const
   constexpr double rounding2 = 1e-28; // of the square of the coordinates
   if (guess < 0 || nearest.Bound2 > rounding2 * this->Impl->Facets[guess].Corners.squaredNorm())
   {
-    Search(this->Impl->Boxes, this->Impl->Facets, nearest);
+    Search(*this->Impl->Boxes, this->Impl->Facets, nearest);
   }
   RequireFound(nearest);
   const RowVector3d position = nearest.Barycentric * this->Impl->Facets[nearest.Triangle].Corners;
-  return { nearest.Triangle, nearest.Barycentric, position, (position - point).norm() };
+  return { { nearest.Triangle, nearest.Barycentric }, position, (position - point).norm() };
 }
 
 } // namespace shape

@@ -19,10 +19,9 @@ struct ClosestPoints : SurfacePoints
 };
 
 /// The point on a surface closest to one point.
-struct ClosestPoint
+struct ClosestPoint : SurfacePoint
 {
-  int Triangle = -1;
-  Eigen::RowVector3d Barycentric, Position;
+  Eigen::RowVector3d Position;
   double Distance = 0.0;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Mesh/SurfacePoints.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -8,10 +10,8 @@ namespace shape
 {
 
 /// The nearest point in a set of triangles.
-struct NearestTriangle
+struct NearestTriangle : SurfacePoint
 {
-  int Triangle = -1;
-  Eigen::RowVector3d Barycentric; ///< on an edge, exactly 0 for the opposite corner
   double SquaredDistance = 0.0;
 };
 

@@ -3,9 +3,9 @@
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
 #include "Mesh/Topology.h"
+#include "Search/TriangleBoxes.h"
 
 #include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
 
 #include <cmath>
 #include <optional>
@@ -25,67 +25,96 @@ struct Component
 {
   std::vector<int> Triangles;
   Eigen::AlignedBox3d Box;
-  Eigen::KdBVH<double, 3, int> Tree; ///< of triangles
 };
 
-/// The components, each with a tree of its triangles' boxes.
+Eigen::AlignedBox3d BoxOf(const Mesh& mesh, int triangle)
+{
+  const Eigen::Matrix3d corners = GetCorners(mesh, triangle);
+  return { corners.colwise().minCoeff(), corners.colwise().maxCoeff() };
+}
+
 std::vector<Component> Split(const Mesh& mesh, const Topology& topology)
 {
   std::vector<Component> components(topology.Components);
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
   {
-    components[topology.ComponentId(mesh.Triangles(t, 0))].Triangles.push_back(t);
-  }
-  for (Component& component : components)
-  {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    boxes.reserve(component.Triangles.size());
-    for (const int t : component.Triangles)
-    {
-      const Eigen::Matrix3d corners = GetCorners(mesh, t);
-      boxes.emplace_back(corners.colwise().minCoeff(), corners.colwise().maxCoeff());
-      component.Box.extend(boxes.back());
-    }
-    component.Tree.init(
-      component.Triangles.begin(), component.Triangles.end(), boxes.begin(), boxes.end());
+    Component& component = components[topology.ComponentId(mesh.Triangles(t, 0))];
+    component.Triangles.push_back(t);
+    component.Box.extend(BoxOf(mesh, t));
   }
   return components;
 }
 
-/// The visitor of Eigen's search in two trees: whether a triangle of one meets one of the other.
+/// The visitor of Eigen's search in the tree of all triangles: finds the first component that one
+/// triangle meets, among those after its own.
 struct Meeting
 {
   const Mesh& Searched;
-  const Progress& Report;
-  double Done; ///< what is reported while the search lasts
-  bool Found = false;
-  int Visits = 0;
+  const Eigen::VectorXi& ComponentId; ///< of each point
+  int Number = 0;                     ///< the triangle
+  Eigen::AlignedBox3d Box;            ///< around it
+  int First;                          ///< the component found; the number of components if none
+
+  int ComponentOf(int triangle) const
+  {
+    return this->ComponentId(this->Searched.Triangles(triangle, 0));
+  }
 
   // Eigen's search calls these by their names. NOLINTBEGIN(readability-identifier-naming)
-  bool intersectVolumeVolume(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
+  bool intersectVolume(const Eigen::AlignedBox3d& box) const { return box.intersects(this->Box); }
+  bool intersectObject(int other)
   {
-    if (++this->Visits % 65536 == 0)
+    const int component = this->ComponentOf(other);
+    if (component > this->ComponentOf(this->Number) && component < this->First &&
+      this->Box.intersects(BoxOf(this->Searched, other)) &&
+      DoTrianglesIntersect(this->Searched, this->Number, other))
     {
-      this->Report(this->Done);
+      this->First = component;
     }
-    return a.intersects(b);
-  }
-  bool intersectVolumeObject(const Eigen::AlignedBox3d& box, int triangle) const
-  {
-    const Eigen::Matrix3d corners = GetCorners(this->Searched, triangle);
-    return box.intersects({ corners.colwise().minCoeff(), corners.colwise().maxCoeff() });
-  }
-  bool intersectObjectVolume(int triangle, const Eigen::AlignedBox3d& box) const
-  {
-    return this->intersectVolumeObject(box, triangle);
-  }
-  bool intersectObjectObject(int a, int b)
-  {
-    this->Found = DoTrianglesIntersect(this->Searched, a, b);
-    return this->Found; // true ends the search
+    return false; // go on
   }
   // NOLINTEND(readability-identifier-naming)
 };
+
+/// Throws InvalidInput if component `one` meets a later one.
+void RequireApart(const Surface& surface, const std::vector<Component>& components, std::size_t one,
+  const std::string& name, const Progress& progress)
+{
+  Eigen::AlignedBox3d later;
+  for (std::size_t j = one + 1; j < components.size(); ++j)
+  {
+    later.extend(components[j].Box);
+  }
+  if (!components[one].Box.intersects(later))
+  {
+    return;
+  }
+  const auto count = static_cast<int>(components.size());
+  const std::shared_ptr<const BoxTree> tree = GetTriangleBoxes(surface);
+  const Mesh& mesh = surface;
+  Meeting meeting{ mesh, surface.Topology().ComponentId, 0, {}, count };
+  const std::vector<int>& triangles = components[one].Triangles;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    if (i % 4096 == 0)
+    {
+      progress(static_cast<double>(i) / static_cast<double>(triangles.size()));
+    }
+    meeting.Number = triangles[i];
+    meeting.Box = BoxOf(mesh, triangles[i]);
+    if (meeting.Box.intersects(later))
+    {
+      Eigen::BVIntersect(*tree, meeting);
+    }
+  }
+  if (meeting.First < count)
+  {
+    throw InvalidInput(name + " has components that touch or cross (those of points " +
+      std::to_string(mesh.Triangles(triangles[0], 0)) + " and " +
+      std::to_string(mesh.Triangles(components[meeting.First].Triangles[0], 0)) +
+      "); move them apart, or unite them");
+  }
+}
 
 /// Whether a component faces outwards; `apex` is one of its points.
 bool IsFacingOutwards(const Mesh& mesh, const Component& component, const RowVector3d& apex)
@@ -114,28 +143,15 @@ KeptOrientation Orient(const Surface& surface, const std::string& name, const Pr
   for (std::size_t i = 0; i < components.size(); ++i)
   {
     const RowVector3d position = mesh.Points.row(mesh.Triangles(components[i].Triangles[0], 0));
-    const double done = static_cast<double>(i) / static_cast<double>(components.size());
+    const auto count = static_cast<double>(components.size());
+    const auto before = static_cast<double>(i);
+    RequireApart(
+      surface, components, i, name, progress.Part(before / count, (before + 1.0) / count));
     int depth = 0;
     for (std::size_t j = 0; j < components.size(); ++j)
     {
-      if (i == j || !components[i].Box.intersects(components[j].Box))
-      {
-        continue;
-      }
-      Meeting meeting{ mesh, progress, done };
-      if (i < j)
-      {
-        Eigen::BVIntersect(components[i].Tree, components[j].Tree, meeting);
-      }
-      if (meeting.Found)
-      {
-        throw InvalidInput(name + " has components that touch or cross (those of points " +
-          std::to_string(mesh.Triangles(components[i].Triangles[0], 0)) + " and " +
-          std::to_string(mesh.Triangles(components[j].Triangles[0], 0)) +
-          "); move them apart, or unite them");
-      }
       // The magnitude, because the other component may face either way.
-      depth += components[j].Box.contains(components[i].Box) &&
+      depth += i != j && components[j].Box.contains(components[i].Box) &&
         std::abs(ComputeWindingNumber(
           mesh.Points, mesh.Triangles(components[j].Triangles, Eigen::all), position)) > 0.5;
     }

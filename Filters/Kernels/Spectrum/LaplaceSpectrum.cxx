@@ -1,255 +1,37 @@
 #include "Spectrum/LaplaceSpectrum.h"
 
 #include "Base/Errors.h"
-#include "Laplacian/IntrinsicDelaunay.h"
-#include "Linear/BlockLanczos.h"
-#include "Linear/SparseSolve.h"
-#include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
-
-#include <Eigen/Eigenvalues>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
+#include "Spectrum/Private/ClassicalMds.h"
+#include "Spectrum/SpectralSignatures.h"
 
 namespace shape
 {
-namespace
+
+LaplaceSpectrumResult ComputeLaplaceSpectrum(
+  const Surface& surface, const LaplaceSpectrumOptions& options, const Progress& progress)
 {
-
-/// The eigenpairs of a connected surface without unused points.
-class ComponentSpectrum
-{
-public:
-  explicit ComponentSpectrum(const Surface& component)
-    : Laplacian(GetIntrinsicLaplacian(component))
-    , Shares(this->Masses() / this->Masses().sum())
+  RequireOption(options.EmbeddingDimensions >= 1, "EmbeddingDimensions",
+    options.EmbeddingDimensions, "at least 1");
+  const bool isSpectral = options.Embedding == LaplaceSpectrumOptions::EmbeddingType::Spectral;
+  const double share = isSpectral ? 0.9 : 0.5; // share of the time
+  LaplaceSpectrumResult analysis;
+  analysis.Spectrum =
+    SolveLaplaceEigenproblem(surface, options.NumberOfEigenpairs, progress.Part(0.0, share));
+  if (isSpectral) // comes first, because it needs the most eigenpairs
   {
+    analysis.Embedding = ComputeSpectralEmbedding(analysis.Spectrum, options.EmbeddingDimensions);
   }
-
-  const Eigen::VectorXd& Masses() const { return this->Laplacian->Masses; } ///< n
-
-  /// pairs: from 1 to the number of points.
-  void Find(int pairs, double tolerance, const Progress& progress)
+  analysis.HeatKernel = ComputeHeatKernelSignature(analysis.Spectrum);
+  analysis.WaveKernel = ComputeWaveKernelSignature(analysis.Spectrum);
+  if (!isSpectral)
   {
-    progress(0.0);
-    constexpr int few = 600; // up to this many points, all eigenpairs are found as quickly
-    const auto points = static_cast<int>(this->Masses().size());
-    // The first pair is known: the constant function.
-    this->Values = Eigen::VectorXd::Zero(1);
-    this->Vectors = this->Shares.cwiseSqrt();
-    if (points <= std::max(few, 3 * pairs))
-    {
-      this->FindDensely(pairs);
-    }
-    else if (pairs > 1)
-    {
-      this->FindByLanczos(pairs, tolerance, progress);
-    }
-    progress(1.0);
-  }
-
-  /// k: >= 0, ascending, in 1 / length^2.
-  Eigen::VectorXd Eigenvalues() const { return this->Values.cwiseMax(0.0) / this->Masses().sum(); }
-
-  /// n x k: orthonormal with respect to the masses.
-  Eigen::MatrixXd Eigenfunctions() const
-  {
-    return this->Masses().cwiseSqrt().cwiseInverse().asDiagonal() * this->Vectors;
-  }
-
-private:
-  void FindDensely(int pairs)
-  {
-    // M^-1/2 L M^-1/2 has the same eigenvalues and is symmetric.
-    const Eigen::VectorXd inverse = this->Shares.cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(
-      inverse.asDiagonal() * Eigen::MatrixXd(this->Laplacian->Stiffness) * inverse.asDiagonal());
-    this->Append(
-      all.eigenvalues().segment(1, pairs - 1), all.eigenvectors().middleCols(1, pairs - 1));
-  }
-
-  void FindByLanczos(int pairs, double tolerance, const Progress& progress)
-  {
-    constexpr double shift = 1.0; // less than the first eigenvalue, unless the surface has a neck
-    // Shift and invert: the smallest eigenvalues lambda become the largest ones, 1 / (lambda +
-    // shift).
-    Eigen::SparseMatrix<double> shifted = this->Laplacian->Stiffness;
-    shifted.diagonal() += shift * this->Shares;
-    SparseCholesky factor;
-    factor.Factorize(shifted);
-    const Eigen::VectorXd roots = this->Shares.cwiseSqrt();
-    const Eigenpairs found =
-      FindExtremeEigenpairs([&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd
-        { return roots.asDiagonal() * factor.Solve(roots.asDiagonal() * columns); },
-        this->Vectors, pairs - 1, progress.Part(0.1, 1.0), tolerance);
-    this->Append(found.Values.cwiseInverse().array() - shift, found.Vectors);
-  }
-
-  /// Appends eigenpairs after the constant one, which is known.
-  void Append(const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors)
-  {
-    this->Values.conservativeResize(1 + values.size());
-    this->Values.tail(values.size()) = values;
-    this->Vectors.conservativeResize(Eigen::NoChange, 1 + vectors.cols());
-    this->Vectors.rightCols(vectors.cols()) = vectors;
-  }
-
-  std::shared_ptr<const IntrinsicLaplacian> Laplacian;
-  Eigen::VectorXd Shares;  ///< masses / total mass
-  Eigen::VectorXd Values;  ///< k: eigenvalues for a total mass of 1
-  Eigen::MatrixXd Vectors; ///< n x k: eigenfunctions times the square roots of Shares
-};
-
-/// One eigenpair of one component.
-struct Position
-{
-  double Value;
-  std::size_t Component;
-  Eigen::Index Column;
-};
-
-std::vector<Position> InOrder(const std::vector<ComponentSpectrum>& parts)
-{
-  std::vector<Position> positions;
-  for (std::size_t c = 0; c < parts.size(); ++c)
-  {
-    const Eigen::VectorXd values = parts[c].Eigenvalues();
-    for (Eigen::Index k = 0; k < values.size(); ++k)
-    {
-      positions.push_back({ values(k), c, k });
-    }
-  }
-  std::stable_sort(positions.begin(), positions.end(),
-    [](const Position& a, const Position& b) { return a.Value < b.Value; });
-  return positions;
-}
-
-/// Computes eigenpairs of each component, enough to include the smallest of all components.
-std::vector<ComponentSpectrum> FindEnough(
-  const std::vector<Surface>& components, int pairs, double tolerance, const Progress& progress)
-{
-  std::vector<ComponentSpectrum> parts(components.begin(), components.end());
-  double area = 0.0;
-  for (const ComponentSpectrum& part : parts)
-  {
-    area += part.Masses().sum();
-  }
-  // The number of eigenvalues below a bound is roughly proportional to the area (Weyl's law).
-  std::vector<int> wanted, found(parts.size(), 0);
-  for (const ComponentSpectrum& part : parts)
-  {
-    wanted.push_back(1 + static_cast<int>(std::ceil(pairs * part.Masses().sum() / area)));
-  }
-  double begin = 0.0;
-  // A component has enough pairs if its largest eigenvalue is at least the largest one needed.
-  // Otherwise the number of its pairs is doubled.
-  while (found != wanted)
-  {
-    const double step = 0.5 * (1.0 - begin) / static_cast<double>(parts.size());
-    for (std::size_t c = 0; c < parts.size(); ++c, begin += step)
-    {
-      wanted[c] = std::min({ wanted[c], pairs, static_cast<int>(parts[c].Masses().size()) });
-      if (found[c] < wanted[c])
-      {
-        parts[c].Find(wanted[c], tolerance, progress.Part(begin, begin + step));
-        found[c] = wanted[c];
-      }
-    }
-    const std::vector<Position> positions = InOrder(parts);
-    const double largest = static_cast<int>(positions.size()) < pairs
-      ? std::numeric_limits<double>::infinity()
-      : positions[pairs - 1].Value;
-    for (std::size_t c = 0; c < parts.size(); ++c)
-    {
-      const int maximum = std::min(pairs, static_cast<int>(parts[c].Masses().size()));
-      if (found[c] < maximum && parts[c].Eigenvalues().tail(1)(0) < largest)
-      {
-        wanted[c] = std::min(2 * found[c], maximum);
-      }
-    }
-  }
-  return parts;
-}
-
-/// Returns the components, each with the points that it uses, in order. A connected surface is
-/// returned as it is, with its cached data.
-std::vector<Surface> SplitIntoComponents(const Surface& surface, int used)
-{
-  if (surface.Topology().Components == 1 && used == surface.Points().rows())
-  {
-    return { surface };
-  }
-  const std::vector<Mesh> components = SplitComponents(surface);
-  return { components.begin(), components.end() };
-}
-
-/// Returns the points of each component, in order.
-std::vector<std::vector<int>> PointsOfComponents(const Topology& topology)
-{
-  std::vector<std::vector<int>> points(topology.Components);
-  for (int i = 0; i < static_cast<int>(topology.ComponentId.size()); ++i)
-  {
-    if (topology.ComponentId(i) >= 0)
-    {
-      points[topology.ComponentId(i)].push_back(i);
-    }
-  }
-  return points;
-}
-
-} // namespace
-
-LaplaceSpectrum SolveLaplaceEigenproblem(
-  const Surface& surface, int pairs, const Progress& progress, double tolerance)
-{
-  progress(0.0);
-  // Outline:
-  // 1. Each component is solved separately, with enough pairs.
-  // 2. The pairs of all components are sorted; the smallest are kept.
-  // 3. The sign of each eigenfunction is made independent of the solver.
-  const Topology topology = RequireManifold(surface, "the surface");
-  const auto used = static_cast<int>((topology.ComponentId.array() >= 0).count());
-  if (pairs < 1 || pairs > used)
-  {
-    throw InvalidInput("NumberOfEigenpairs is " + std::to_string(pairs) +
-      "; it must be at least 1 and at most the number of points that triangles use, " +
-      std::to_string(used));
-  }
-  // Step 1: the pairs of each component.
-  const std::vector<ComponentSpectrum> parts =
-    FindEnough(SplitIntoComponents(surface, used), pairs, tolerance, progress.Part(0.0, 0.95));
-  const std::vector<std::vector<int>> pointsOf = PointsOfComponents(topology);
-  LaplaceSpectrum spectrum;
-  spectrum.Eigenvalues.resize(pairs);
-  spectrum.Eigenfunctions = Eigen::MatrixXd::Zero(surface.Points().rows(), pairs);
-  spectrum.Masses = Eigen::VectorXd::Zero(surface.Points().rows());
-  std::vector<Eigen::MatrixXd> functions;
-  for (std::size_t c = 0; c < parts.size(); ++c)
-  {
-    spectrum.Masses(pointsOf[c]) = parts[c].Masses();
-    functions.push_back(parts[c].Eigenfunctions());
-  }
-  // Step 2: the smallest pairs.
-  const std::vector<Position> positions = InOrder(parts);
-  for (int k = 0; k < pairs; ++k)
-  {
-    const Position& position = positions[k];
-    const auto function = functions[position.Component].col(position.Column);
-    // Step 3: the sign.
-    Eigen::Index largest = 0;
-    function.cwiseAbs().maxCoeff(&largest);
-    spectrum.Eigenvalues(k) = position.Value;
-    spectrum.Eigenfunctions(pointsOf[position.Component], k) =
-      (function(largest) < 0.0 ? -1.0 : 1.0) * function;
+    // The default of EmbedByClassicalMds.
+    constexpr int samples = 500;
+    analysis.Embedding =
+      EmbedByClassicalMds(surface, options.EmbeddingDimensions, samples, progress.Part(share, 1.0));
   }
   progress(1.0);
-  return spectrum;
+  return analysis;
 }
 
 } // namespace shape

@@ -2,37 +2,42 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Surface.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Core>
 
 namespace shape
 {
 
-/// The smallest eigenvalues of the Laplacian of a surface, and their eigenfunctions.
-struct LaplaceSpectrum
+struct LaplaceSpectrumOptions
 {
-  Eigen::VectorXd Eigenvalues;    ///< k: >= 0, ascending, in 1 / length^2
-  Eigen::MatrixXd Eigenfunctions; ///< n x k: orthonormal with respect to Masses; 0 at unused points
-  Eigen::VectorXd Masses;         ///< n: a third of the area of the triangles around each point
+  enum class EmbeddingType
+  {
+    Spectral, ///< ComputeSpectralEmbedding
+    MDS       ///< EmbedByClassicalMds
+  };
+  /// Number of smallest eigenpairs, including the constants; see SolveLaplaceEigenproblem.
+  int NumberOfEigenpairs = 100;
+  EmbeddingType Embedding = EmbeddingType::Spectral;
+  int EmbeddingDimensions = 3; ///< >= 1
+};
+
+struct LaplaceSpectrumResult
+{
+  LaplaceEigenpairs Spectrum;
+  Eigen::MatrixXd HeatKernel; ///< n x 100: ComputeHeatKernelSignature
+  Eigen::MatrixXd WaveKernel; ///< n x 100: ComputeWaveKernelSignature
+  Eigen::MatrixXd Embedding;  ///< n x EmbeddingDimensions
 };
 
 /**
- * Solves L f = lambda M f for the smallest eigenvalues lambda, with the stiffness L and the lumped
- * masses M of GetIntrinsicLaplacian, whose edge weights are not negative. On a boundary the normal
- * derivative is 0.
+ * Computes the spectrum of a surface, its signatures and an embedding.
  *
- * Each component is solved separately, so each eigenfunction is nonzero on one component only, and
- * the first of each is constant. FindExtremeEigenpairs is applied to (L + s M)^-1; one sparse
- * factorisation solves for many columns at a time. If there are few points, a dense decomposition
- * computes all eigenpairs. An eigenfunction's value of largest magnitude is positive. The number of
- * threads changes the result by rounding only.
- *
- * surface: a consistently oriented 2-manifold, open or closed. pairs: in [1, number of points that
- * triangles use]. tolerance: of the residuals, relative to the eigenvalues of (L + s M)^-1. Throws
- * InvalidInput if `pairs` is out of range, SolveFailure if an iteration does not converge, and
- * Aborted.
+ * surface: a consistently oriented 2-manifold, open or closed; for MDS with one component. Throws
+ * InvalidInput if it is not, if an option is out of range, or if it has fewer eigenpairs than
+ * requested; SolveFailure, Aborted.
  */
-LaplaceSpectrum SolveLaplaceEigenproblem(
-  const Surface& surface, int pairs, const Progress& progress = {}, double tolerance = 1e-9);
+LaplaceSpectrumResult ComputeLaplaceSpectrum(const Surface& surface,
+  const LaplaceSpectrumOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -13,7 +13,7 @@ namespace
 {
 
 /// Returns the number of zero eigenvalues. Throws InvalidInput if fewer than `others` are nonzero.
-Eigen::Index ZeroCount(const LaplaceSpectrum& spectrum, int others)
+Eigen::Index ZeroCount(const LaplaceEigenpairs& spectrum, int others)
 {
   const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
   if (spectrum.Eigenvalues.size() < zeros + others)
@@ -34,7 +34,7 @@ double Between(double first, double last, int i, int count)
 }
 
 /// Returns the weight of each eigenfunction at each time (k x times); each column sums to 1.
-Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
+Eigen::MatrixXd HeatWeights(const LaplaceEigenpairs& spectrum, int times)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
   // exp(-4 ln 10) = 1e-4. So at the first time the last eigenfunction has decayed to 1e-4, and at
@@ -54,7 +54,7 @@ Eigen::MatrixXd HeatWeights(const LaplaceSpectrum& spectrum, int times)
 }
 
 /// Returns the weight of each eigenfunction at each energy (k x energies).
-Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
+Eigen::MatrixXd WaveWeights(const LaplaceEigenpairs& spectrum, int energies)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, 1);
   // Aubry et al. 2011, equation 6: a normal distribution of the logarithm of the energy.
@@ -76,24 +76,24 @@ Eigen::MatrixXd WaveWeights(const LaplaceSpectrum& spectrum, int energies)
 }
 
 /// Returns the weighted sum of the squared eigenfunctions, times the area.
-Eigen::MatrixXd Signature(const LaplaceSpectrum& spectrum, const Eigen::MatrixXd& weights)
+Eigen::MatrixXd Signature(const LaplaceEigenpairs& spectrum, const Eigen::MatrixXd& weights)
 {
   return spectrum.Masses.sum() * (spectrum.Eigenfunctions.array().square().matrix() * weights);
 }
 
 } // namespace
 
-Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times)
+Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceEigenpairs& spectrum, int times)
 {
   return Signature(spectrum, HeatWeights(spectrum, times));
 }
 
-Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int energies)
+Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceEigenpairs& spectrum, int energies)
 {
   return Signature(spectrum, WaveWeights(spectrum, energies));
 }
 
-Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceSpectrum& spectrum, int point, int energies)
+Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceEigenpairs& spectrum, int point, int energies)
 {
   return spectrum.Masses.sum() *
     (spectrum.Eigenfunctions *
@@ -101,7 +101,7 @@ Eigen::MatrixXd ComputeWaveKernelFrom(const LaplaceSpectrum& spectrum, int point
         WaveWeights(spectrum, energies)));
 }
 
-Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions)
+Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceEigenpairs& spectrum, int dimensions)
 {
   const Eigen::Index zeros = ZeroCount(spectrum, dimensions);
   // Rustamov 2007, section 4.

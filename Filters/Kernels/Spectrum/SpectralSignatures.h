@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Core>
 
@@ -18,7 +18,7 @@ namespace shape
  * ln 10 / the smallest nonzero one. The signature is 0 at points without a triangle. times: >= 1.
  * Throws InvalidInput if all eigenvalues are 0.
  */
-Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int times = 100);
+Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceEigenpairs& spectrum, int times = 100);
 
 /**
  * Computes the wave kernel signature: the probability of finding a quantum particle of about a
@@ -30,13 +30,13 @@ Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceSpectrum& spectrum, int 
  * inside. The standard deviation is 7 % of that range. energies: >= 1. Throws InvalidInput if all
  * eigenvalues are 0.
  */
-Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceSpectrum& spectrum, int energies = 100);
+Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceEigenpairs& spectrum, int energies = 100);
 
 /// Computes the wave kernel between each point and the given point: phi(x) phi(point) replaces
 /// phi(x)^2. Returns n x energies. It distinguishes points that a symmetry of the surface
 /// exchanges, unless the symmetry maps `point` to itself.
 Eigen::MatrixXd ComputeWaveKernelFrom(
-  const LaplaceSpectrum& spectrum, int point, int energies = 100);
+  const LaplaceEigenpairs& spectrum, int point, int energies = 100);
 
 /**
  * Computes the eigenfunctions of the smallest nonzero eigenvalues, each divided by the square root
@@ -44,6 +44,6 @@ Eigen::MatrixXd ComputeWaveKernelFrom(
  * representation", 2007, section 4). Returns n x dimensions, dimensionless; bending the surface
  * changes it little. dimensions: >= 1. Throws InvalidInput if there are fewer nonzero eigenvalues.
  */
-Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceSpectrum& spectrum, int dimensions);
+Eigen::MatrixXd ComputeSpectralEmbedding(const LaplaceEigenpairs& spectrum, int dimensions);
 
 } // namespace shape

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Search/ClosestPoint.h"
 #include "Solids/SolidRegions.h"
 #include "Solids/SurfaceComplex.h"
 #include "Tetrahedra/Private/TetGen.h"
@@ -341,8 +342,13 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   Eigen::VectorXi used = Eigen::VectorXi::Zero(static_cast<Eigen::Index>(surfaces.size()));
   used(result.RegionId).setOnes();
   result.Regions = used.sum();
-  result.OriginalPoint = Eigen::VectorXi::Constant(mesh.Points.rows(), -1);
-  result.OriginalPoint.head(complex.OriginalPoint.size()) = complex.OriginalPoint;
+  ProvenanceWriter provenance(surface.Points().rows());
+  for (const int point : complex.OriginalPoint)
+  {
+    provenance.AddCopy(point);
+  }
+  provenance.AddNone(mesh.Points.rows() - complex.OriginalPoint.size());
+  result.Provenance = provenance.Finish(Eigen::VectorXi::Constant(mesh.Tetrahedra.rows(), -1));
   result.SteinerPoints = static_cast<int>(mesh.Points.rows() - given);
   result.Volume = measures.Volumes.sum() / (scale * scale * scale);
   result.MinimumScaledJacobian = measures.MinimumScaledJacobian;
@@ -350,6 +356,37 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   result.Tetrahedra = std::move(mesh.Tetrahedra);
   progress(1.0);
   return result;
+}
+
+Provenance TraceClosestPositions(
+  const Surface& surface, const TetrahedralizeResult& solid, const Progress& progress)
+{
+  std::vector<int> others;
+  for (int i = 0; i < static_cast<int>(solid.Points.rows()); ++i)
+  {
+    if (solid.Provenance.Points(i) < 0)
+    {
+      others.push_back(i);
+    }
+  }
+  const ClosestPoints closest =
+    SurfaceLocator(surface).Find(solid.Points(others, Eigen::all), progress);
+  ProvenanceWriter provenance(surface.Points().rows());
+  Eigen::Index other = 0;
+  for (const int point : solid.Provenance.Points)
+  {
+    if (point >= 0)
+    {
+      provenance.AddCopy(point);
+    }
+    else
+    {
+      provenance.AddOnTriangle(
+        surface.Triangles().row(closest.Triangles(other)), closest.Barycentrics.row(other));
+      ++other;
+    }
+  }
+  return provenance.Finish(solid.Provenance.Cells);
 }
 
 } // namespace shape

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
 #include <vector>
@@ -27,12 +28,13 @@ struct TetrahedralizeResult
   /// n x 3: first the points of the surface that triangles use, in order, without duplicates; then
   /// those of the inner surfaces; then the new ones.
   Eigen::MatrixXd Points;
-  Eigen::MatrixXi Tetrahedra;    ///< m x 4: (b - a) x (c - a) . (d - a) > 0
-  Eigen::VectorXi RegionId;      ///< m: the region of each tetrahedron, see Tetrahedralize
-  Eigen::VectorXi OriginalPoint; ///< n: the index of the surface's point, or -1
-  int SteinerPoints = 0;         ///< number of points that belong to no surface
-  int Regions = 0;               ///< number of regions that contain tetrahedra
-  double Volume = 0.0;           ///< total volume of the tetrahedra
+  Eigen::MatrixXi Tetrahedra; ///< m x 4: (b - a) x (c - a) . (d - a) > 0
+  Eigen::VectorXi RegionId;   ///< m: the region of each tetrahedron, see Tetrahedralize
+  /// From the surface. Only points of the surface have a source; see TraceClosestPositions.
+  shape::Provenance Provenance;
+  int SteinerPoints = 0; ///< number of points that belong to no surface
+  int Regions = 0;       ///< number of regions that contain tetrahedra
+  double Volume = 0.0;   ///< total volume of the tetrahedra
   /// The minimum scaled Jacobian. For one tetrahedron it is 6 sqrt(2) times the volume, over the
   /// largest product of the three edges at a corner: 1 if regular, near 0 if flat.
   double MinimumScaledJacobian = 0.0;
@@ -64,5 +66,10 @@ struct TetrahedralizeResult
 TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const std::vector<Surface>& innerSurfaces = {}, const TetrahedralizeOptions& options = {},
   const Progress& progress = {});
+
+/// The solid's provenance in which the points that are none of the surface's have the values at the
+/// closest positions on it. Throws Aborted.
+Provenance TraceClosestPositions(
+  const Surface& surface, const TetrahedralizeResult& solid, const Progress& progress = {});
 
 } // namespace shape

@@ -1,5 +1,6 @@
 #include "Transfer/PreciseArrays.h"
 
+#include "Mesh/Provenance.h"
 #include "Mesh/Topology.h"
 
 #include <cmath>
@@ -87,21 +88,13 @@ SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurfa
 
 TransferWeights LocateOnTriangles(const SurfacePoints& map, const NumberedSurface& giver)
 {
-  const Eigen::Index n = map.Triangles.size();
-  TransferWeights positions{ { n, giver.Surface.Points.rows() }, giver.Cells(map.Triangles),
-    FindNearestCorners(map, giver.Surface.Triangles), Eigen::VectorXi::Zero(n) };
-  std::vector<Eigen::Triplet<double>> weights;
-  weights.reserve(3 * n);
-  for (Eigen::Index i = 0; i < n; ++i)
+  ProvenanceWriter points(giver.Surface.Points.rows());
+  for (Eigen::Index i = 0; i < map.Triangles.size(); ++i)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      weights.emplace_back(
-        static_cast<int>(i), giver.Surface.Triangles(map.Triangles(i), k), map.Barycentrics(i, k));
-    }
+    points.AddOnTriangle(giver.Surface.Triangles.row(map.Triangles(i)), map.Barycentrics.row(i));
   }
-  positions.Weights.setFromTriplets(weights.begin(), weights.end());
-  return positions;
+  return { points.Finish({}).Weights, giver.Cells(map.Triangles),
+    Eigen::VectorXi::Zero(map.Triangles.size()) };
 }
 
 } // namespace shape

@@ -63,21 +63,7 @@ TransferWeights TransferFields::Find(
   const bool pull = this->Direction == TransferFieldsOptions::DirectionType::Pull;
   RequireFinite(positions, pull ? "the map array of the Input" : "the Input");
   const CellPoints found = this->Locator.Find(positions, progress);
-  TransferWeights result{ found.Weights, found.Ids, Eigen::VectorXi(positions.rows()),
-    (found.Distances.array() > this->Farthest).cast<int>() };
-  for (Eigen::Index i = 0; i < positions.rows(); ++i)
-  {
-    double maximum = -1.0;
-    for (decltype(found.Weights)::InnerIterator corner(found.Weights, i); corner; ++corner)
-    {
-      if (corner.value() > maximum)
-      {
-        maximum = corner.value();
-        result.Nearest(i) = static_cast<int>(corner.col());
-      }
-    }
-  }
-  return result;
+  return { found.Weights, found.Ids, (found.Distances.array() > this->Farthest).cast<int>() };
 }
 
 } // namespace shape

@@ -30,7 +30,6 @@ struct TransferWeights
   /// cells takes the value at the closest point in a cell.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
   Eigen::VectorXi Cells;   ///< r: the giver's cell, or the closest one if outside
-  Eigen::VectorXi Nearest; ///< r: the point of the cell with the largest weight
   Eigen::VectorXi Outside; ///< r: 1 if farther than the tolerance from every cell, else 0
 };
 

@@ -4,7 +4,7 @@
 #include "Geometry/Orientation.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 #include "Untangle/Private/CellSplits.h"
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"
@@ -34,242 +34,271 @@ constexpr std::size_t MaximumIncrease = 2;
 /// After this many consecutive rounds the edges of a fixed point may be split again.
 constexpr int RoundsPerCollar = 4;
 
-class Untangler
+/// A solid on the way to one without inverted cells.
+struct Untangling
 {
-public:
-  Untangler(const Cells& cells, const Eigen::MatrixXd& rest, const UntangleOptions& options)
-    : Options(options)
-    , Solid(cells, rest, "the Input")
-  {
-    if (!options.FixBoundary)
-    {
-      this->Sliding =
-        std::make_unique<SlidingBoundary>(this->Solid.Points, this->Solid.BoundaryTriangles());
-    }
-  }
+  SolidCells Solid;
+  std::unique_ptr<SlidingBoundary> Sliding; ///< none if the boundary is fixed
+  int Iterations = 0;                       ///< Newton steps so far
 
-  /// Restarts with each inner point at the mean of its neighbours.
-  void StartFromMeans() { this->Solid.Points = SolveTutteEmbedding(this->Solid); }
-
-  /// Moves points until no cell is inverted or no further progress is found, with up to `patience`
-  /// times the maximum number of iterations. Returns the number of inverted cells.
-  int Run(int patience, const Progress& progress)
-  {
-    this->MaximumSteps = patience *
-      std::min(this->Options.MaximumIterations, std::numeric_limits<int>::max() / patience);
-    progress(0.02);
-    std::vector<int> bad = this->InvertedCells(progress.Part(0.02, 0.05));
-    CellSplits splits(this->Solid, [this](int point) { return this->Movable(point); });
-    std::size_t minimum = bad.size();
-    auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(this->Solid);
-    for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience;
-         ++round)
-    {
-      const Progress part =
-        progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
-      splits.Impossible(bad);
-      if (round >= FirstSplitting)
-      {
-        splits.Stubborn(this->InvertedCells(),
-          round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar);
-      }
-      this->MovePoints(Rings[round], part);
-      bad = this->InvertedCells(part.Part(0.99, 1.0));
-      if (bad.size() < minimum)
-      {
-        minimum = bad.size();
-        last = round;
-        *best = this->Solid;
-      }
-      else if (bad.size() > MaximumIncrease * minimum)
-      {
-        this->Solid = *best;
-        bad = this->InvertedCells();
-      }
-    }
-    if (bad.size() > minimum)
-    {
-      this->Solid = *best;
-      bad = this->InvertedCells();
-    }
-    progress(1.0);
-    return static_cast<int>(bad.size());
-  }
-
-  UntangleResult Finish()
-  {
-    UntangleResult result;
-    result.Iterations = this->Iterations;
-    result.Solid = this->Solid.Result();
-    result.OriginalCell =
-      Eigen::Map<const Eigen::VectorXi>(this->Solid.OriginalCells.data(), this->Solid.CellCount());
-    result.Parents = this->Solid.Parents;
-    result.Inverted = Eigen::VectorXi::Zero(this->Solid.CellCount());
-    for (const int cell : this->InvertedCells())
-    {
-      result.Inverted(cell) = 1;
-    }
-    result.InvertedAfter = result.Inverted.sum();
-    Eigen::VectorXi parts = Eigen::VectorXi::Zero(this->Solid.CellCount());
-    for (const int original : this->Solid.OriginalCells)
-    {
-      ++parts(original);
-    }
-    result.SplitCells = static_cast<int>((parts.array() > 1).count());
-    return result;
-  }
-
-  std::vector<int> InvertedCells(const Progress& progress = {})
-  {
-    std::vector<int> inverted;
-    for (int cell = 0; cell < this->Solid.CellCount(); ++cell)
-    {
-      if (cell % 16384 == 0)
-      {
-        progress(static_cast<double>(cell) / this->Solid.CellCount());
-      }
-      if (this->Solid.Inverted(cell))
-      {
-        inverted.push_back(cell);
-      }
-    }
-    return inverted;
-  }
-
-private:
-  bool Movable(int point) const
+  bool IsMovable(int point) const
   {
     return !this->Solid.OnBoundary(point) || (this->Sliding && this->Sliding->Freedom(point) > 0);
   }
+};
 
-  /// Each connected set of movable points around inverted cells is a separate patch.
-  void MovePoints(int rings, const Progress& progress)
+Untangling BeginUntangling(
+  const Cells& cells, const Eigen::MatrixXd& rest, const UntangleOptions& options)
+{
+  Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr, 0 };
+  if (!options.FixBoundary)
   {
-    const Eigen::VectorXd sizes = ComputeLogarithmicSizes(this->Solid);
-    std::vector<char> chosen(this->Solid.PointCount(), 0);
-    std::vector<int> front;
-    for (const int cell : this->InvertedCells())
+    begun.Sliding =
+      std::make_unique<SlidingBoundary>(begun.Solid.Points, begun.Solid.BoundaryTriangles());
+  }
+  return begun;
+}
+
+std::vector<int> FindInvertedCells(SolidCells& solid, const Progress& progress = {})
+{
+  std::vector<int> inverted;
+  for (int cell = 0; cell < solid.CellCount(); ++cell)
+  {
+    if (cell % 16384 == 0)
     {
-      this->Choose(this->Solid.PointsOf(cell), chosen, front);
+      progress(static_cast<double>(cell) / solid.CellCount());
     }
-    for (int ring = 1; ring < rings; ++ring)
+    if (solid.Inverted(cell))
     {
-      std::vector<int> next;
-      for (const int point : front)
-      {
-        for (const int cell : this->Solid.CellsOf(point))
-        {
-          this->Choose(this->Solid.PointsOf(cell), chosen, next);
-        }
-      }
-      front = std::move(next);
-    }
-    std::vector<char> taken(this->Solid.PointCount(), 0);
-    std::vector<std::vector<int>> patches;
-    for (int point = 0; point < this->Solid.PointCount(); ++point)
-    {
-      if (chosen[point] && this->Movable(point) && !taken[point])
-      {
-        patches.push_back(this->Together(point, chosen, taken));
-      }
-    }
-    for (std::size_t i = 0; i < patches.size(); ++i)
-    {
-      this->Move(patches[i], sizes,
-        progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size()));
+      inverted.push_back(cell);
     }
   }
+  return inverted;
+}
 
-  void Choose(const std::vector<int>& points, std::vector<char>& chosen, std::vector<int>& front)
+/// Marks the points of inverted cells and of the `rings` - 1 rings of cells around these.
+std::vector<char> MarkAroundInverted(SolidCells& solid, int rings)
+{
+  std::vector<char> marked(solid.PointCount(), 0);
+  const auto mark = [&](int cell, std::vector<int>& fresh)
   {
-    for (const int point : points)
+    for (const int point : solid.PointsOf(cell))
     {
-      if (!chosen[point])
+      if (!marked[point])
       {
-        chosen[point] = 1;
-        front.push_back(point);
+        marked[point] = 1;
+        fresh.push_back(point);
       }
+    }
+  };
+  std::vector<int> front;
+  for (const int cell : FindInvertedCells(solid))
+  {
+    mark(cell, front);
+  }
+  for (int ring = 1; ring < rings; ++ring)
+  {
+    std::vector<int> next;
+    for (const int point : front)
+    {
+      for (const int cell : solid.CellsOf(point))
+      {
+        mark(cell, next);
+      }
+    }
+    front = std::move(next);
+  }
+  return marked;
+}
+
+/// Returns the movable points among the marked ones. Each set of them that cells connect is a
+/// separate patch (ascending).
+std::vector<std::vector<int>> FindPatches(
+  const Untangling& untangling, const std::vector<char>& marked)
+{
+  const SolidCells& solid = untangling.Solid;
+  std::vector<char> taken(solid.PointCount(), 0);
+  const auto take = [&](int point, std::vector<int>& patch)
+  {
+    if (marked[point] && untangling.IsMovable(point) && !taken[point])
+    {
+      taken[point] = 1;
+      patch.push_back(point);
+    }
+  };
+  std::vector<std::vector<int>> patches;
+  for (int first = 0; first < solid.PointCount(); ++first)
+  {
+    std::vector<int> patch;
+    take(first, patch);
+    for (std::size_t i = 0; i < patch.size(); ++i)
+    {
+      for (const int cell : solid.CellsOf(patch[i]))
+      {
+        for (const int point : solid.PointsOf(cell))
+        {
+          take(point, patch);
+        }
+      }
+    }
+    if (!patch.empty())
+    {
+      std::sort(patch.begin(), patch.end());
+      patches.push_back(std::move(patch));
     }
   }
+  return patches;
+}
 
-  std::vector<int> Together(int first, const std::vector<char>& chosen, std::vector<char>& taken)
+/// Returns the corner tetrahedra at `points` (ascending), which are free. sizes: the logarithm of
+/// the target size at each point (ComputeLogarithmicSizes).
+SimplexPatch BuildPatch(
+  SolidCells& solid, const std::vector<int>& points, const Eigen::VectorXd& sizes)
+{
+  SimplexPatch patch;
+  patch.FreePoints = points;
+  std::vector<int> cells;
+  for (const int point : points)
   {
-    std::vector<int> all = { first };
-    taken[first] = 1;
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      for (const int cell : this->Solid.CellsOf(all[i]))
-      {
-        for (const int point : this->Solid.PointsOf(cell))
-        {
-          if (chosen[point] && this->Movable(point) && !taken[point])
-          {
-            taken[point] = 1;
-            all.push_back(point);
-          }
-        }
-      }
-    }
-    std::sort(all.begin(), all.end());
-    return all;
+    const std::vector<int>& around = solid.CellsOf(point);
+    cells.insert(cells.end(), around.begin(), around.end());
   }
-
-  void Move(const std::vector<int>& points, const Eigen::VectorXd& sizes, const Progress& progress)
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  for (const int cell : cells)
   {
-    SimplexPatch patch;
-    patch.FreePoints = points;
-    std::vector<int> cells;
-    for (const int point : points)
+    const auto simplices = solid.SimplicesOf(cell);
+    for (std::size_t k = 0; k < simplices.size(); ++k)
     {
-      const std::vector<int>& around = this->Solid.CellsOf(point);
-      cells.insert(cells.end(), around.begin(), around.end());
-    }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    int before = 0;
-    for (const int cell : cells)
-    {
-      const auto simplices = this->Solid.SimplicesOf(cell);
-      for (std::size_t k = 0; k < simplices.size(); ++k)
+      const std::array<int, 4>& corners = simplices[k];
+      if (std::none_of(corners.begin(), corners.end(),
+            [&](int point) { return std::binary_search(points.begin(), points.end(), point); }))
       {
-        const std::array<int, 4>& c = simplices[k];
-        if (std::none_of(c.begin(), c.end(),
-              [&](int point) { return std::binary_search(points.begin(), points.end(), point); }))
-        {
-          continue;
-        }
-        double size = 0.0;
-        for (const int point : c)
-        {
-          size += 0.25 * sizes(point);
-        }
-        patch.Simplices.push_back({ c,
-          ComputeHatGradients(this->Solid.Reference(cell, static_cast<int>(k), std::exp(size))) });
-        const Eigen::MatrixXd& x = this->Solid.Points;
-        before += EvaluateOrientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0;
+        continue;
       }
+      double size = 0.0;
+      for (const int point : corners)
+      {
+        size += 0.25 * sizes(point);
+      }
+      patch.Simplices.push_back({ corners,
+        ComputeHatGradients(solid.Reference(cell, static_cast<int>(k), std::exp(size))) });
     }
+  }
+  return patch;
+}
+
+int CountNegative(const SimplexPatch& patch, const Eigen::MatrixXd& x)
+{
+  return static_cast<int>(std::count_if(patch.Simplices.begin(), patch.Simplices.end(),
+    [&](const ReferenceSimplex& simplex)
+    {
+      const std::array<int, 4>& c = simplex.Corners;
+      return EvaluateOrientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0;
+    }));
+}
+
+/// Minimises the energy of each patch of points around inverted cells. A patch that would have more
+/// negative tetrahedra than before is not moved.
+void MovePoints(Untangling& untangling, int rings, int maximumSteps, const Progress& progress)
+{
+  SolidCells& solid = untangling.Solid;
+  const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid);
+  const std::vector<std::vector<int>> patches =
+    FindPatches(untangling, MarkAroundInverted(solid, rings));
+  PatchOptions options;
+  options.MaximumSteps = maximumSteps;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    const SimplexPatch patch = BuildPatch(solid, patches[i], sizes);
+    const int before = CountNegative(patch, solid.Points);
     if (before == 0)
     {
-      return;
+      continue;
     }
-    PatchOptions options;
-    options.MaximumSteps = this->MaximumSteps;
-    const Eigen::MatrixXd kept = this->Solid.Points(points, Eigen::all);
-    const PatchResult moved =
-      MinimizeEnergy(this->Solid.Points, patch, this->Sliding.get(), options, progress);
-    this->Iterations += moved.Steps;
+    const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
+    const PatchResult moved = MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options,
+      progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size()));
+    untangling.Iterations += moved.Steps;
     if (moved.Negative > before)
     {
-      this->Solid.Points(points, Eigen::all) = kept;
+      solid.Points(patches[i], Eigen::all) = kept;
     }
   }
+}
 
-  UntangleOptions Options;
-  SolidCells Solid;
-  std::unique_ptr<SlidingBoundary> Sliding;
-  int MaximumSteps = 0, Iterations = 0;
-};
+/// Moves points and splits cells until no cell is inverted or no further progress is found.
+/// maximumSteps: the maximum number of Newton steps for each patch in each round. Returns the
+/// number of inverted cells.
+int ReduceInverted(Untangling& untangling, int maximumSteps, const Progress& progress)
+{
+  SolidCells& solid = untangling.Solid;
+  progress(0.02);
+  std::vector<int> bad = FindInvertedCells(solid, progress.Part(0.02, 0.05));
+  CellSplits splits(solid, [&](int point) { return untangling.IsMovable(point); });
+  std::size_t minimum = bad.size();
+  auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(solid);
+  for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience; ++round)
+  {
+    const Progress part =
+      progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
+    splits.Impossible(bad);
+    if (round >= FirstSplitting)
+    {
+      splits.Stubborn(FindInvertedCells(solid),
+        round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar);
+    }
+    MovePoints(untangling, Rings[round], maximumSteps, part);
+    bad = FindInvertedCells(solid, part.Part(0.99, 1.0));
+    if (bad.size() < minimum)
+    {
+      minimum = bad.size();
+      last = round;
+      *best = solid;
+    }
+    else if (bad.size() > MaximumIncrease * minimum)
+    {
+      solid = *best;
+      bad = FindInvertedCells(solid);
+    }
+  }
+  if (bad.size() > minimum)
+  {
+    solid = *best;
+    bad = FindInvertedCells(solid);
+  }
+  progress(1.0);
+  return static_cast<int>(bad.size());
+}
+
+UntangleResult BuildResult(Untangling& untangling)
+{
+  SolidCells& solid = untangling.Solid;
+  UntangleResult result;
+  result.Iterations = untangling.Iterations;
+  result.Solid = solid.Result();
+  ProvenanceWriter provenance(solid.OriginalPointCount);
+  provenance.AddCopies(solid.OriginalPointCount);
+  for (const std::array<int, 4>& parents : solid.Parents)
+  {
+    provenance.AddMean({ parents.begin(), std::find(parents.begin(), parents.end(), -1) });
+  }
+  result.Provenance = provenance.Finish(
+    Eigen::Map<const Eigen::VectorXi>(solid.OriginalCells.data(), solid.CellCount()));
+  result.Inverted = Eigen::VectorXi::Zero(solid.CellCount());
+  for (const int cell : FindInvertedCells(solid))
+  {
+    result.Inverted(cell) = 1;
+  }
+  result.InvertedAfter = result.Inverted.sum();
+  Eigen::VectorXi parts = Eigen::VectorXi::Zero(solid.CellCount());
+  for (const int original : solid.OriginalCells)
+  {
+    ++parts(original);
+  }
+  result.SplitCells = static_cast<int>((parts.array() > 1).count());
+  return result;
+}
 
 } // namespace
 
@@ -292,22 +321,25 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
         "; give the Input before it was moved");
     }
   }
-  // The rest may need more iterations, or another start.
+  // If inverted cells remain, they may need more iterations, or another start.
+  const int steps = options.MaximumIterations;
   constexpr int patience = 3;
-  auto best = std::make_unique<Untangler>(cells, rest, options);
-  const auto invertedBefore = static_cast<int>(best->InvertedCells().size());
-  int left = best->Run(1, progress.Part(0.0, 0.5));
-  left = left > 0 ? best->Run(patience, progress.Part(0.5, 0.7)) : 0;
+  const int moreSteps = patience * std::min(steps, std::numeric_limits<int>::max() / patience);
+  Untangling best = BeginUntangling(cells, rest, options);
+  const auto invertedBefore = static_cast<int>(FindInvertedCells(best.Solid).size());
+  int left = ReduceInverted(best, steps, progress.Part(0.0, 0.5));
+  left = left > 0 ? ReduceInverted(best, moreSteps, progress.Part(0.5, 0.7)) : 0;
   if (left > 0)
   {
-    auto other = std::make_unique<Untangler>(cells, rest, options);
-    other->StartFromMeans();
-    if (other->Run(patience, progress.Part(0.7, 0.95)) < left)
+    Untangling other = BeginUntangling(cells, rest, options);
+    // Restarts with each inner point at the mean of its neighbours.
+    other.Solid.Points = SolveTutteEmbedding(other.Solid);
+    if (ReduceInverted(other, moreSteps, progress.Part(0.7, 0.95)) < left)
     {
-      best.swap(other);
+      best = std::move(other);
     }
   }
-  UntangleResult result = best->Finish();
+  UntangleResult result = BuildResult(best);
   result.InvertedBefore = invertedBefore;
   progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)

@@ -3,11 +3,9 @@
 #include "Base/Progress.h"
 #include "Mesh/Cells.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/Provenance.h"
 
 #include <Eigen/Core>
-
-#include <array>
-#include <vector>
 
 namespace shape
 {
@@ -21,10 +19,9 @@ struct UntangleOptions
 struct UntangleResult
 {
   Cells Solid; ///< one part of a split cell has its index, the other parts are appended
-  Eigen::VectorXi OriginalCell; ///< for each cell, the input cell that contains it
-  /// For each new point, which are numbered after the input's: the points of which it is the
-  /// centroid, padded with -1 if they are fewer than four.
-  std::vector<std::array<int, 4>> Parents;
+  /// From the input, whose points come first. A new point is the centroid of the points that it was
+  /// inserted between.
+  shape::Provenance Provenance;
   Eigen::VectorXi Inverted; ///< for each cell: 1 if it stays inverted, else 0
   int InvertedBefore = 0;   ///< number of inverted cells in the input
   int InvertedAfter = 0;    ///< number of inverted cells in the result

@@ -341,12 +341,6 @@ void vtkShapeConvert::FromMesh(const shape::Mesh& mesh, vtkPolyData* output)
   output->SetPolys(polys);
 }
 
-bool vtkShapeConvert::AreValues(vtkAbstractArray* array)
-{
-  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE ||
-    array->GetDataType() == VTK_UNSIGNED_CHAR;
-}
-
 void vtkShapeConvert::AddFact(vtkDataObject* output, const std::string& name, double value)
 {
   output->GetFieldData()->AddArray(ToArray(Eigen::MatrixXd::Constant(1, 1, value), name));

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkDataObject;
 class vtkDataSet;
 class vtkDoubleArray;
@@ -63,10 +62,6 @@ vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std
 
 /// Returns the given rows of `values`, in order.
 Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows);
-
-/// Returns whether the values of an array can be averaged (floating-point numbers or colours), in
-/// contrast to numbers or names that identify something.
-bool AreValues(vtkAbstractArray* array);
 
 /// Converts a mesh to a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);

@@ -1,5 +1,6 @@
 #include "vtkShapeSolid.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
@@ -12,9 +13,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -27,44 +25,11 @@
 #include "Base/Errors.h"
 #include "Untangle/Untangle.h"
 
-#include <map>
 #include <utility>
 #include <vector>
 
 namespace
 {
-
-/// Computes the weights of the input's points in each new point; its parents may also be new
-/// points.
-std::vector<std::map<int, double>> WeightsOf(
-  const std::vector<std::array<int, 4>>& parents, int originalPoints)
-{
-  std::vector<std::map<int, double>> weights(parents.size());
-  for (std::size_t i = 0; i < parents.size(); ++i)
-  {
-    // A new point is the mean of its parents, which are earlier points: one pass is enough.
-    double count = 0.0;
-    for (const int parent : parents[i])
-    {
-      count += parent >= 0;
-    }
-    for (const int parent : parents[i])
-    {
-      if (parent >= originalPoints)
-      {
-        for (const auto& [point, weight] : weights[parent - originalPoints])
-        {
-          weights[i][point] += weight / count;
-        }
-      }
-      else if (parent >= 0)
-      {
-        weights[i][parent] += 1.0 / count;
-      }
-    }
-  }
-  return weights;
-}
 
 void WriteCells(const shape::Cells& solid, vtkUnstructuredGrid* output)
 {
@@ -86,14 +51,6 @@ void WriteCells(const shape::Cells& solid, vtkUnstructuredGrid* output)
   }
   output->SetPoints(points);
   output->SetCells(types, cells);
-}
-
-vtkSmartPointer<vtkIdTypeArray> Ids(const char* name, vtkIdType count)
-{
-  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
-  ids->SetName(name);
-  ids->SetNumberOfValues(count);
-  return ids;
 }
 
 } // namespace
@@ -147,52 +104,13 @@ void vtkShapeSolid::Write(const shape::UntangleResult& result, vtkUnstructuredGr
   const Eigen::MatrixXd& sources, vtkUnstructuredGrid* output)
 {
   WriteCells(result.Solid, output);
-  const int kept = static_cast<int>(input->GetNumberOfPoints());
-  const int points = static_cast<int>(result.Solid.Points.rows());
-  const auto weights = WeightsOf(result.Parents, kept);
-  vtkPointData* from = input->GetPointData();
-  vtkPointData* to = output->GetPointData();
-  to->CopyAllOn();
-  to->InterpolateAllocate(from, points);
-  auto pointIds = Ids("OriginalPointId", points);
-  Eigen::MatrixXd positions(points, 3);
-  positions.topRows(kept) = sources;
-  for (int i = 0; i < kept; ++i)
-  {
-    to->CopyData(from, i, i);
-    pointIds->SetValue(i, i);
-  }
-  vtkNew<vtkIdList> parents;
-  std::vector<double> shares;
-  for (int i = kept; i < points; ++i)
-  {
-    parents->Reset();
-    shares.clear();
-    positions.row(i).setZero();
-    for (const auto& [point, weight] : weights[i - kept])
-    {
-      parents->InsertNextId(point);
-      shares.push_back(weight);
-      positions.row(i) += weight * sources.row(point);
-    }
-    to->InterpolatePoint(from, i, parents, shares.data());
-    // A new point has no original.
-    pointIds->SetValue(i, -1);
-  }
-  to->AddArray(pointIds);
-  to->AddArray(vtkShapeConvert::ToArray(positions, "SourcePosition"));
+  vtkShapeCarry::Carry({ { input, result.Provenance } }, output);
+  vtkPointData* points = output->GetPointData();
+  vtkShapeCarry::AddOriginals(result.Provenance.Points, "OriginalPointId", points);
+  points->AddArray(vtkShapeConvert::ToArray(result.Provenance.Weights * sources, "SourcePosition"));
   vtkCellData* cells = output->GetCellData();
-  cells->CopyAllOn();
-  cells->CopyAllocate(input->GetCellData(), result.OriginalCell.size());
-  auto cellIds = Ids("OriginalCellId", result.OriginalCell.size());
-  for (Eigen::Index cell = 0; cell < result.OriginalCell.size(); ++cell)
-  {
-    cells->CopyData(input->GetCellData(), result.OriginalCell(cell), cell);
-    cellIds->SetValue(cell, result.OriginalCell(cell));
-  }
-  cells->AddArray(cellIds);
+  vtkShapeCarry::AddOriginals(result.Provenance.Cells, "OriginalCellId", cells);
   cells->AddArray(vtkShapeConvert::ToIntegers(result.Inverted, "Inverted"));
-  output->GetFieldData()->PassData(input->GetFieldData());
 }
 
 void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessController* controller)

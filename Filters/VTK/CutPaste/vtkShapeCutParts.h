@@ -10,12 +10,10 @@ namespace vtkShapeCutParts
 {
 
 /**
- * Writes both with the arrays of points and cells of `surface`. The values at new points are
- * interpolated from the corners of the triangle that contains them. On fills, floating-point values
- * continue smoothly from the boundary loop (shape::ExtendValuesOntoFill). Other data are those of
- * the nearest point or cell at the loop, and `Normals` are dropped. Adds `OriginalPointId`
- * (vtkIdType; -1: new) to both, the cell array `Filled` to the rest, and the base to the feature:
- * see vtkShapeCutFeature. numbered: the surface's triangles.
+ * Writes both with the data of `surface` (vtkShapeCarry); those on fills are from
+ * vtkShapeFillValues. Adds `OriginalPointId` (vtkIdType; -1: new) to both, the cell array `Filled`
+ * to the rest, and the base to the feature: see vtkShapeCutFeature. numbered: the surface's
+ * triangles.
  */
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);

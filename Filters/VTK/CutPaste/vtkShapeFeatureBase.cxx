@@ -40,11 +40,10 @@ std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& nam
 }
 
 /// Returns the array at the feature's points; empty if it does not exist.
-Eigen::MatrixXd LoopArray(
-  vtkPolyData* data, const std::string& name, const std::vector<int>& points)
+Eigen::MatrixXd LoopArray(vtkPolyData* data, const std::string& name)
 {
   return data->GetPointData()->HasArray(name.c_str())
-    ? vtkShapeConvert::Rows(vtkShapeConvert::ToPointArray(data, name, 3, "the Feature"), points)
+    ? vtkShapeConvert::ToPointArray(data, name, 3, "the Feature")
     : Eigen::MatrixXd(0, 3);
 }
 
@@ -114,12 +113,11 @@ void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData*
   vtkShapeConvert::AddFact(feature, Facts + "ReturnsInPlace", base.ReturnsInPlace ? 1.0 : 0.0);
 }
 
-vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
-  const shape::Mesh& surface, const std::vector<int>& points, int loopIndex,
-  const shape::Progress& progress)
+vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(
+  vtkPolyData* data, const shape::Mesh& surface, int loopIndex, const shape::Progress& progress)
 {
-  const Eigen::MatrixXd positions = LoopArray(data, Positions, points);
-  Eigen::MatrixXd normals = LoopArray(data, Normals, points);
+  const Eigen::MatrixXd positions = LoopArray(data, Positions);
+  Eigen::MatrixXd normals = LoopArray(data, Normals);
   const auto normal = Fact(data, "SeedNormal", 3), axis = Fact(data, "SeedDirection", 3);
   // A base is used as a whole or not at all.
   if (positions.rows() == 0 || !normal || !axis)

@@ -2,8 +2,6 @@
 
 #include "CutPaste/CutFeature.h"
 
-#include <vector>
-
 class vtkPolyData;
 
 /**
@@ -26,12 +24,11 @@ struct Feature
 };
 
 /**
- * Returns the feature's base at one of its loops. surface: its triangles. points: for each point of
- * the surface, that of `data`. loopIndex: 0 for the longest loop, or the one that was cut. Throws
- * shape::InvalidInput if there is no such loop, the exceptions of shape::BuildFootprintOnOwnFill,
- * shape::Aborted.
+ * Returns the feature's base at one of its loops. surface: the points and triangles of `data`.
+ * loopIndex: 0 for the longest loop, or the one that was cut. Throws shape::InvalidInput if there
+ * is no such loop, the exceptions of shape::BuildFootprintOnOwnFill, shape::Aborted.
  */
-Feature Read(vtkPolyData* data, const shape::Mesh& surface, const std::vector<int>& points,
-  int loopIndex, const shape::Progress& progress);
+Feature Read(
+  vtkPolyData* data, const shape::Mesh& surface, int loopIndex, const shape::Progress& progress);
 
 } // namespace vtkShapeFeatureBase

@@ -105,9 +105,9 @@ void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
   kept.LastResult->Initialize();
   kept.Feature = vtkShapePastedData::Read(
     this->GetGatheredInput(0).Data, "the Feature", progress.Part(0.0, 0.1));
-  const shape::Mesh& surface = kept.Feature.Triangles.Surface;
-  vtkShapeFeatureBase::Feature feature = vtkShapeFeatureBase::Read(
-    kept.Feature.Data, surface, kept.Feature.Points, this->LoopIndex, progress.Part(0.1, 0.5));
+  const shape::Mesh& surface = kept.Feature.Surface;
+  vtkShapeFeatureBase::Feature feature =
+    vtkShapeFeatureBase::Read(kept.Feature.Data, surface, this->LoopIndex, progress.Part(0.1, 0.5));
   kept.HasOwnFill = feature.HasOwnFill;
   const shape::Topology topology = shape::ComputeTopology(surface);
   kept.NonManifold = topology.NonManifoldEdges + topology.NonManifoldPoints;
@@ -129,7 +129,7 @@ void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
   kept.Target =
     vtkShapePastedData::Read(this->GetGatheredInput(1).Data, "the Target", progress.Part(0.0, 0.3));
   kept.Position = std::make_unique<shape::PasteTarget>(
-    kept.Target.Triangles.Surface, shape::ExponentialMapOptions(), progress.Part(0.3, 1.0));
+    kept.Target.Surface, shape::ExponentialMapOptions(), progress.Part(0.3, 1.0));
 }
 
 void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress& progress)

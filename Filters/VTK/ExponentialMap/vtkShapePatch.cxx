@@ -1,13 +1,12 @@
 #include "vtkShapePatch.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -28,41 +27,23 @@ Eigen::VectorXi Marked(const std::vector<int>& rows, Eigen::Index count)
   return marks;
 }
 
-void WritePointData(const shape::PatchLayout& layout, vtkPolyData* surface, vtkPolyData* output)
+void AddPointData(const shape::PatchLayout& layout, vtkPointData* fields)
 {
   const shape::ExponentialPatch& patch = layout.Patch;
-  vtkPointData* fields = output->GetPointData();
-  fields->CopyAllocate(surface->GetPointData(), patch.Positions.rows());
-  vtkNew<vtkIdTypeArray> originals;
-  originals->SetName("OriginalPointId");
-  for (std::size_t row = 0; row < patch.Points.size(); ++row)
-  {
-    fields->CopyData(surface->GetPointData(), patch.Points[row], static_cast<vtkIdType>(row));
-    originals->InsertNextValue(patch.Points[row]);
-  }
-  fields->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  fields->AddArray(originals);
+  vtkShapeCarry::AddOriginals(layout.Provenance.Points, "OriginalPointId", fields);
   Eigen::MatrixXd flat = Eigen::MatrixXd::Zero(patch.Positions.rows(), 3);
   flat.leftCols(2) = patch.Positions;
   fields->AddArray(vtkShapeConvert::ToArray(flat, "TargetPosition"));
   fields->AddArray(vtkShapeConvert::ToArray(patch.Distances, "GeodesicDistance"));
   // The disk of the given radius fills the unit square of the texture.
   const Eigen::MatrixXd texture = (patch.Positions.array() / (2.0 * layout.Radius) + 0.5).matrix();
-  fields->SetTCoords(vtkShapeConvert::ToArray(texture, "ExponentialMap"));
+  fields->AddArray(vtkShapeConvert::ToArray(texture, "ExponentialMap"));
+  fields->SetActiveTCoords("ExponentialMap");
 }
 
-void WriteCellData(const shape::PatchLayout& layout, const Eigen::VectorXi& cells,
-  vtkPolyData* surface, vtkPolyData* output)
+void AddCellData(const shape::PatchLayout& layout, vtkCellData* fields)
 {
   const shape::ExponentialPatch& patch = layout.Patch;
-  vtkCellData* fields = output->GetCellData();
-  fields->CopyAllocate(surface->GetCellData(), patch.Corners.rows());
-  for (std::size_t row = 0; row < patch.Triangles.size(); ++row)
-  {
-    fields->CopyData(
-      surface->GetCellData(), cells(patch.Triangles[row]), static_cast<vtkIdType>(row));
-  }
-  fields->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   const Eigen::Index count = patch.Corners.rows();
   fields->AddArray(vtkShapeConvert::ToIntegers(Marked(patch.Flipped, count), "Flipped"));
   fields->AddArray(vtkShapeConvert::ToIntegers(Marked(patch.Torn, count), "Torn"));
@@ -110,8 +91,10 @@ void vtkShapePatch::Write(const shape::PatchLayout& layout, const shape::Mesh& m
   vtkPolyData* surface, const Eigen::VectorXi& cells, vtkPolyData* output)
 {
   vtkShapeConvert::FromMesh(shape::BuildPatchSurface(mesh, layout.Patch), output);
-  WritePointData(layout, surface, output);
-  WriteCellData(layout, cells, surface, output);
-  output->GetFieldData()->PassData(surface->GetFieldData());
+  shape::Provenance provenance = layout.Provenance;
+  provenance.Cells = shape::ComposeIndices(cells, layout.Provenance.Cells);
+  vtkShapeCarry::Carry({ { surface, provenance } }, output);
+  AddPointData(layout, output->GetPointData());
+  AddCellData(layout, output->GetCellData());
   WriteFacts(layout, output);
 }

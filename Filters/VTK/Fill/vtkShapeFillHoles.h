@@ -9,9 +9,9 @@
  *
  * Output: the input with the fills, whose triangles are as large as those at the loops, and the
  * cell array `Filled` (int, 1 in fills, otherwise 0). Points, cells and their data are those of
- * the input. On fills, floating-point values continue smoothly from the loop, and `Normals` are
- * those of the fill. Other point data are those of the nearest point of the loop, and cell data
- * those of the nearest cell at it. Loops that touch themselves at a point are split there. In
+ * the input. On fills, floating-point values and colours continue smoothly from the loop, and
+ * normals are those of the fill. Other point data are those of the nearest point of the loop, and
+ * cell data those of a cell there. Loops that touch themselves at a point are split there. In
  * parallel the first process has the output.
  *
  * The parameters of the deformation apply to FillMethod Deformation and may change interactively.

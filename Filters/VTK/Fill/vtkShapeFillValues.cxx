@@ -1,77 +1,63 @@
 #include "vtkShapeFillValues.h"
 
-#include "vtkShapeConvert.h"
+#include "vtkShapeCarry.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include "Fill/FillHoles.h"
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-namespace
-{
-
-/// Returns a component of an array.
-using Column = std::pair<vtkDataArray*, int>;
-
-/// Colours are bytes, from 0 to 255.
-double ValueFor(const vtkDataArray* array, double value)
-{
-  return array->GetDataType() == VTK_UNSIGNED_CHAR ? std::clamp(std::round(value), 0.0, 255.0)
-                                                   : value;
-}
-
-/// values: has space for those of all points.
-void ContinueColumns(const shape::Mesh& surface, const shape::FilledHole& hole,
-  const std::vector<Column>& columns, Eigen::MatrixXd& values)
-{
-  for (Eigen::Index column = 0; column < values.cols(); ++column)
-  {
-    const auto& [array, component] = columns[column];
-    for (const int point : hole.Loop)
-    {
-      values(point, column) = array->GetComponent(point, component);
-    }
-  }
-  const Eigen::MatrixXd own = shape::ExtendValuesOntoFill(surface, hole, values);
-  for (Eigen::Index column = 0; column < own.cols(); ++column)
-  {
-    const auto& [array, component] = columns[column];
-    for (int i = 0; i < hole.Points; ++i)
-    {
-      array->SetComponent(hole.FirstPoint + i, component, ValueFor(array, own(i, column)));
-    }
-  }
-}
-
-} // namespace
+#include "Geometry/VertexNormals.h"
 
 void vtkShapeFillValues::Continue(const shape::Mesh& surface,
-  const std::vector<shape::FilledHole>& holes, vtkDataSetAttributes* points,
-  const vtkDataArray* leftOut)
+  const std::vector<shape::FilledHole>& holes, vtkIdType firstCell, vtkPolyData* output)
 {
-  std::vector<Column> columns;
+  vtkPointData* points = output->GetPointData();
+  vtkDataArray* normals = vtkShapeCarry::GetNormals(points);
+  // All arrays side by side, so that the equations of a fill are solved once.
+  std::vector<vtkDataArray*> arrays;
+  Eigen::MatrixXd values(surface.Points.rows(), 0);
   for (int i = 0; i < points->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = points->GetArray(i);
-    if (array && array != leftOut && vtkShapeConvert::AreValues(array))
+    if (array && array != normals && vtkShapeCarry::AreValues(array))
     {
-      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-      {
-        columns.emplace_back(array, k);
-      }
+      const int width = array->GetNumberOfComponents();
+      arrays.push_back(array);
+      values.conservativeResize(Eigen::NoChange, values.cols() + width);
+      values.rightCols(width) = vtkShapeCarry::GetTuples(array);
     }
   }
-  const auto width = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(width > 0 ? surface.Points.rows() : 0, width);
+  const Eigen::MatrixXd pointNormals = normals
+    ? shape::ComputeVertexNormals(surface, shape::NormalWeight::Max)
+    : Eigen::MatrixXd(0, 3);
   for (const shape::FilledHole& hole : holes)
   {
-    if (width > 0 && hole.Points > 0)
+    if (hole.Points > 0 && !arrays.empty())
     {
-      ContinueColumns(surface, hole, columns, values);
+      const Eigen::MatrixXd own =
+        shape::ExtendValuesOntoFill(surface, hole, values(hole.Loop, Eigen::all));
+      Eigen::Index column = 0;
+      for (vtkDataArray* array : arrays)
+      {
+        const int width = array->GetNumberOfComponents();
+        vtkShapeCarry::SetTuples(own.middleCols(column, width), hole.FirstPoint, array);
+        column += width;
+      }
     }
+    if (normals)
+    {
+      vtkShapeCarry::SetTuples(
+        pointNormals.middleRows(hole.FirstPoint, hole.Points), hole.FirstPoint, normals);
+    }
+  }
+  vtkDataArray* cellNormals = vtkShapeCarry::GetNormals(output->GetCellData());
+  if (cellNormals && !holes.empty())
+  {
+    const Eigen::Index count = surface.Triangles.rows() - holes.front().FirstTriangle;
+    vtkShapeCarry::SetTuples(
+      shape::ComputeAreaVectors(surface).bottomRows(count).rowwise().normalized(), firstCell,
+      cellNormals);
   }
 }

@@ -3,19 +3,23 @@
 #include "Fill/FillHoles.h"
 #include "Mesh/Mesh.h"
 
+#include "vtkType.h"
+
 #include <vector>
 
-class vtkDataArray;
-class vtkDataSetAttributes;
+class vtkPolyData;
 
-/// Point data of fills.
+/// Data on fills.
 namespace vtkShapeFillValues
 {
 
-/// Extends a surface's values (vtkShapeConvert::AreValues) from the boundary loops onto the fills:
-/// see shape::ExtendValuesOntoFill. points: arrays with tuples for the points of the fills as well;
-/// bytes, which are colours, are rounded. leftOut: an array that is not changed, or nullptr.
+/**
+ * Replaces the data that the points of fills took from the nearest point of their loop. Values
+ * (vtkShapeCarry::AreValues) continue smoothly from the loop (shape::ExtendValuesOntoFill); normals
+ * of points and cells are those of the fill. surface: with the fills, whose triangles are the cells
+ * of `output` from `firstCell` on.
+ */
 void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,
-  vtkDataSetAttributes* points, const vtkDataArray* leftOut = nullptr);
+  vtkIdType firstCell, vtkPolyData* output);
 
 } // namespace vtkShapeFillValues

@@ -1,26 +1,23 @@
 #include "vtkShapeFilledData.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFillValues.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
 #include "Fill/FillHoles.h"
-#include "Geometry/VertexNormals.h"
-
-#include <Eigen/Geometry>
 
 #include <functional>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -65,90 +62,21 @@ vtkIdType WriteCells(
   return input->GetNumberOfVerts() + input->GetNumberOfLines() + input->GetNumberOfPolys();
 }
 
-void WriteNormals(
-  const Eigen::MatrixXd& normals, Eigen::Index first, vtkIdType at, vtkDataArray* array)
-{
-  for (Eigen::Index i = first; i < normals.rows(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      array->SetComponent(at + i - first, k, normals(i, k));
-    }
-  }
-}
-
-vtkDataArray* NormalsOf(vtkDataSetAttributes* data)
-{
-  vtkDataArray* normals = data->GetNormals() ? data->GetNormals() : data->GetArray("Normals");
-  const bool areDirections = normals && normals->GetNumberOfComponents() == 3 &&
-    (normals->GetDataType() == VTK_FLOAT || normals->GetDataType() == VTK_DOUBLE);
-  return areDirections ? normals : nullptr;
-}
-
-void WritePointData(const FilledSurface& filled, const std::vector<shape::FillSources>& sources,
-  vtkPolyData* input, vtkPolyData* output)
-{
-  const vtkIdType old = input->GetNumberOfPoints();
-  vtkPointData* data = output->GetPointData();
-  data->CopyAllOn();
-  data->CopyGlobalIdsOff(); // fills have no global ids
-  data->CopyAllocate(input->GetPointData(), filled.Surface.Points.rows());
-  data->CopyData(input->GetPointData(), 0, old, 0);
-  for (std::size_t i = 0; i < sources.size(); ++i)
-  {
-    for (int p = 0; p < filled.Holes[i].Points; ++p)
-    {
-      data->CopyData(input->GetPointData(), sources[i].Points[p], filled.Holes[i].FirstPoint + p);
-    }
-  }
-  data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  vtkDataArray* normals = NormalsOf(data);
-  vtkShapeFillValues::Continue(filled.Surface, filled.Holes, data, normals);
-  if (normals)
-  {
-    WriteNormals(
-      shape::ComputeVertexNormals(filled.Surface, shape::NormalWeight::Max), old, old, normals);
-  }
-}
-
-void WriteCellData(const FilledSurface& filled, const std::vector<shape::FillSources>& sources,
-  const shape::NumberedSurface& numbered, vtkIdType begin, vtkPolyData* input, vtkPolyData* output)
+/// Returns the provenance from the cells of the input. begin: the first cell of the fills. Strips
+/// come after the polygons, so the new triangles push them back.
+shape::Provenance FindProvenance(const FilledSurface& filled,
+  const shape::NumberedSurface& numbered, vtkIdType begin, vtkIdType cells)
 {
   const Eigen::Index first = numbered.Surface.Triangles.rows();
-  const vtkIdType count = filled.Surface.Triangles.rows() - first;
-  vtkCellData* data = output->GetCellData();
-  data->CopyAllOn();
-  data->CopyGlobalIdsOff();
-  data->CopyAllocate(input->GetCellData(), output->GetNumberOfCells());
-  data->CopyData(input->GetCellData(), 0, begin, 0);
-  // Strips come after the polygons, so the new triangles push them back.
-  data->CopyData(input->GetCellData(), begin + count, input->GetNumberOfCells() - begin, begin);
-  for (std::size_t i = 0; i < sources.size(); ++i)
-  {
-    for (int t = 0; t < filled.Holes[i].Triangles; ++t)
-    {
-      const int source = sources[i].Triangles[t];
-      const vtkIdType cell = begin + filled.Holes[i].FirstTriangle - first + t;
-      if (source >= 0 && source < first)
-      {
-        data->CopyData(input->GetCellData(), numbered.Cells(source), cell);
-      }
-      else
-      {
-        // Between curves there is no cell to copy from.
-        data->NullData(cell);
-      }
-    }
-  }
-  data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  if (vtkDataArray* normals = NormalsOf(data))
-  {
-    WriteNormals(
-      shape::ComputeAreaVectors(filled.Surface).rowwise().normalized(), first, begin, normals);
-  }
-  Eigen::VectorXi isFilled = Eigen::VectorXi::Zero(output->GetNumberOfCells());
-  isFilled.segment(begin, count).setOnes();
-  data->AddArray(vtkShapeConvert::ToIntegers(isFilled, "Filled"));
+  const Eigen::Index count = filled.Surface.Triangles.rows() - first;
+  shape::Provenance provenance = filled.Provenance;
+  provenance.Cells.resize(cells);
+  std::iota(provenance.Cells.begin(), provenance.Cells.begin() + begin, 0);
+  provenance.Cells.segment(begin, count) =
+    shape::ComposeIndices(numbered.Cells, filled.Provenance.Cells.tail(count));
+  std::iota(
+    provenance.Cells.begin() + begin + count, provenance.Cells.end(), static_cast<int>(begin));
+  return provenance;
 }
 
 const char* NameOf(shape::FillMethod method)
@@ -170,12 +98,15 @@ void vtkShapeFilledData::Write(const FilledSurface& filled, const shape::Numbere
   vtkPolyData* input, vtkPolyData* output)
 {
   WritePoints(filled, input, output);
-  const vtkIdType begin = WriteCells(filled, numbered.Surface.Triangles.rows(), input, output);
-  const std::vector<shape::FillSources> sources =
-    shape::FindFillSources(filled.Surface, filled.Holes);
-  WritePointData(filled, sources, input, output);
-  WriteCellData(filled, sources, numbered, begin, input, output);
-  output->GetFieldData()->PassData(input->GetFieldData());
+  const Eigen::Index first = numbered.Surface.Triangles.rows();
+  const vtkIdType begin = WriteCells(filled, first, input, output);
+  const shape::Provenance provenance =
+    FindProvenance(filled, numbered, begin, output->GetNumberOfCells());
+  vtkShapeCarry::Carry({ { input, provenance } }, output);
+  vtkShapeFillValues::Continue(filled.Surface, filled.Holes, begin, output);
+  Eigen::VectorXi isFilled = Eigen::VectorXi::Zero(output->GetNumberOfCells());
+  isFilled.segment(begin, filled.Surface.Triangles.rows() - first).setOnes();
+  output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(isFilled, "Filled"));
 }
 
 void vtkShapeFilledData::AddFacts(

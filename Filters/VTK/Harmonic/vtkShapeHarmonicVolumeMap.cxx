@@ -18,7 +18,7 @@
 
 #include "Base/Errors.h"
 #include "Harmonic/ApplyVolumeMap.h"
-#include "Harmonic/NearSourceSystem.h"
+#include "Harmonic/NearSurfaceCharges.h"
 #include "Mesh/Topology.h"
 
 #include <string>

@@ -80,7 +80,7 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
   }
   for (int i = 0; i < this->GetNumberOfInputConnections(2); ++i)
   {
-    guides.InnerSurfaces.push_back(vtkShapeConvert::ToMesh(
+    guides.InnerSurfaces.emplace_back(vtkShapeConvert::ToMesh(
       this->GetGatheredInput(2, i).Data, "inner surface " + std::to_string(i)));
   }
   return guides;

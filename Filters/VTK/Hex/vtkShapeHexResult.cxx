@@ -1,5 +1,6 @@
 #include "vtkShapeHexResult.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeMeasures.h"
 
@@ -8,7 +9,6 @@
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -127,7 +127,8 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
 
 /// The outer quads first, then those of each interface, with points numbered anew.
 void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
-  const shape::Surface& surface, const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output)
+  const shape::Surface& surface, const std::vector<shape::Surface>& innerSurfaces,
+  vtkPolyData* output)
 {
   const shape::HexFit& fit = result.Fit;
   Eigen::Index count = fit.Quads.rows();
@@ -158,15 +159,11 @@ void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
   {
     point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
   }
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("OriginalPointId");
-  for (const int point : used)
-  {
-    ids->InsertNextValue(point);
-  }
   output->SetPoints(ToVtkPoints(fit.Solid.Points(used, Eigen::all)));
   output->SetPolys(ToCellArray(quads));
-  output->GetPointData()->AddArray(ids);
+  vtkShapeCarry::AddOriginals(
+    Eigen::Map<const Eigen::VectorXi>(used.data(), static_cast<Eigen::Index>(used.size())),
+    "OriginalPointId", output->GetPointData());
   vtkCellData* data = output->GetCellData();
   data->AddArray(vtkShapeConvert::ToIntegers(patchOf, "Patch"));
   data->AddArray(vtkShapeConvert::ToIntegers(interfaceOf, "Interface"));

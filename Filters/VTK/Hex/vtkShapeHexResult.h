@@ -18,7 +18,7 @@ void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
 /// Writes the quads of the boundary, then those of the interfaces. innerSurfaces: one for each
 /// interface.
 void WriteBoundary(const shape::HexRemeshResult& result, const shape::Surface& surface,
-  const std::vector<shape::Mesh>& innerSurfaces, vtkPolyData* output);
+  const std::vector<shape::Surface>& innerSurfaces, vtkPolyData* output);
 
 /// Adds the field data. hexahedra: as written by WriteHexahedra.
 void AddFacts(

@@ -20,7 +20,8 @@
 #include "vtkShapeFiltersModule.h" // for the export macro
 #include "vtkWriter.h"
 
-#include "Base/Progress.h" // for shape::Progress
+#include "Base/Progress.h"         // for shape::Progress
+#include "Geometry/FeatureAngle.h" // for the default
 
 #include <iosfwd> // for the file
 #include <string> // for names
@@ -68,7 +69,7 @@ private:
 
   std::string FileName;
   std::string RegionArray = "RegionId";
-  double FeatureAngle = 40.0;
+  double FeatureAngle = shape::DefaultFeatureAngle;
 };
 
 #endif

@@ -1,17 +1,18 @@
 #include "vtkShapeCutImage.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapePreciseMap.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include "Base/Errors.h"
+#include "Mesh/UsedPoints.h"
 
 #include <algorithm>
 #include <iterator>
@@ -24,6 +25,16 @@ std::array<int, 3> Turned(std::array<int, 3> points)
 {
   std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
   return points;
+}
+
+/// A piece keeps what marks the copies of other processes' points and cells.
+void KeepGhosts(
+  vtkDataSetAttributes* from, const vtkShapeCarry::Weights& weights, vtkDataSetAttributes* to)
+{
+  if (vtkAbstractArray* marks = from->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()))
+  {
+    to->AddArray(vtkShapeCarry::CarryArray(marks, weights));
+  }
 }
 
 } // namespace
@@ -44,7 +55,8 @@ vtkShapeCutImage::vtkShapeCutImage(
 void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtkDataSet* to) const
 {
   auto* block = vtkPolyData::SafeDownCast(from);
-  const shape::Mesh own = vtkShapeConvert::ToMesh(block, "the surface");
+  const shape::NumberedSurface numbered = vtkShapePreciseMap::ToSurface(block, "the surface");
+  const shape::Mesh& own = numbered.Surface;
   // The same triangles with the points of the cut surface.
   shape::Mesh cut{ {}, Eigen::MatrixXi(own.Triangles.rows(), 3) };
   std::map<int, int> ownOf; // the block's points by those of the cut surface
@@ -66,7 +78,7 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
       for (int l = 0; l < 3; ++l)
       {
         const int point = this->Cut.Surface.Triangles(found->second, l);
-        if (this->Cut.Originals[point] == points[k])
+        if (this->Cut.Provenance.Points(point) == points[k])
         {
           cut.Triangles(t, k) = point;
           ownOf[point] = own.Triangles(t, k);
@@ -74,35 +86,24 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
       }
     }
   }
-  std::map<int, int> position;
-  std::vector<int> used;
-  vtkNew<vtkIdTypeArray> originals;
-  originals->SetName("OriginalPointId");
+  std::vector<int> used, originals;
   for (const auto& [point, original] : ownOf)
   {
-    position[point] = static_cast<int>(used.size());
     used.push_back(point);
-    originals->InsertNextValue(original);
+    originals.push_back(original);
   }
-  cut.Triangles = cut.Triangles.unaryExpr([&](int point) { return position[point]; }).eval();
+  cut.Triangles = shape::RenumberPoints(cut.Triangles, used, this->Cut.Surface.Points.rows());
   cut.Points = vtkShapeConvert::Rows(this->Cut.Surface.Points, used);
 
   vtkNew<vtkPolyData> flat;
   vtkShapeConvert::FromMesh(cut, flat);
-  vtkNew<vtkTriangleFilter> triangulated; // passes on the data of the polygons
-  triangulated->SetInputData(block);
-  triangulated->PassVertsOff();
-  triangulated->PassLinesOff();
-  triangulated->Update();
-  flat->GetCellData()->PassData(triangulated->GetOutput()->GetCellData());
-  vtkPointData* fields = flat->GetPointData();
-  fields->CopyAllocate(block->GetPointData(), originals->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < originals->GetNumberOfTuples(); ++i)
-  {
-    fields->CopyData(block->GetPointData(), originals->GetValue(i), i);
-  }
-  flat->GetFieldData()->PassData(block->GetFieldData());
+  const shape::Provenance provenance =
+    shape::TraceCopies(originals, block->GetNumberOfPoints(), numbered.Cells);
+  vtkShapeCarry::Carry({ { block, provenance } }, flat);
+  KeepGhosts(block->GetPointData(), provenance.Weights, flat->GetPointData());
+  KeepGhosts(block->GetCellData(),
+    vtkShapeCarry::ToWeights(provenance.Cells, block->GetNumberOfCells()), flat->GetCellData());
   vtkShapeComposite::Move(flat, vtkShapeConvert::Rows(this->Positions, used), to);
   to->GetPointData()->AddArray(vtkShapeConvert::ToArray(cut.Points, "SourcePosition"));
-  to->GetPointData()->AddArray(originals);
+  vtkShapeCarry::AddOriginals(provenance.Points, "OriginalPointId", to->GetPointData());
 }

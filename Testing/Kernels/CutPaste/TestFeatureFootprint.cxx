@@ -4,7 +4,8 @@
 
 #include "Base/Errors.h"
 #include "CutPaste/FootprintLayout.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -83,13 +84,7 @@ TEST(FeatureFootprint, ASurfaceKnowsTheLoopOfWhatWasCutFromIt)
     EXPECT_LT((base.Normals.row(i) - sphere.Points.row(loop[i])).norm(), 0.02);
     EXPECT_NEAR(base.LoopPositions.row(i).norm(), std::acos(sphere.Points(loop[i], 2)), 0.01);
   }
-  shape::Mesh two = sphere;
-  two.Points.conservativeResize(2 * sphere.Points.rows(), 3);
-  two.Points.bottomRows(sphere.Points.rows()) =
-    sphere.Points.rowwise() + Eigen::RowVector3d(0, 0, 5);
-  two.Triangles.conservativeResize(2 * sphere.Triangles.rows(), 3);
-  two.Triangles.bottomRows(sphere.Triangles.rows()) =
-    sphere.Triangles.array() + static_cast<int>(sphere.Points.rows());
+  const shape::Mesh two = shapetest::Twice(sphere, { 0, 0, 5 });
   EXPECT_THROW(shape::BuildFootprintOnSurface(two, Eigen::RowVector3d(0, 0, 6), numbers, loop),
     shape::InvalidInput);
 }

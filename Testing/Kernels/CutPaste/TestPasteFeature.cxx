@@ -5,9 +5,11 @@
 
 #include "Base/Errors.h"
 #include "CutPaste/PasteFeature.h"
-#include "Mesh/OpenSurface.h"
+#include "Geometry/VertexNormals.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
+#include "Support/Refusals.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -70,7 +72,7 @@ Cut CutOut(const shape::Mesh& base, const Eigen::RowVector3d& seed, double radiu
   const auto size = static_cast<Eigen::Index>(cut.Base.Loop.size());
   cut.Base.LoopPositions.resize(size, 2);
   cut.Base.Normals.resize(size, 3);
-  const Eigen::MatrixXd normals = shape::ComputePointNormals(base);
+  const Eigen::MatrixXd normals = shape::ComputeVertexNormals(base, shape::NormalWeight::Angle);
   for (Eigen::Index i = 0; i < size; ++i)
   {
     const int point = cut.Points[cut.Base.Loop[i]];
@@ -111,9 +113,9 @@ Cut BumpOfSquare()
 /// The points of the result that are the feature's.
 Eigen::MatrixXd FeaturePoints(const shape::PastedFeature& pasted)
 {
-  const auto first = static_cast<Eigen::Index>(pasted.TargetPoints.size());
-  const auto midpoints = static_cast<Eigen::Index>(pasted.Midpoints.size());
-  return pasted.Surface.Points.middleRows(first, pasted.Surface.Points.rows() - first - midpoints);
+  const Eigen::VectorXi& points = pasted.Feature.Points;
+  const auto first = std::find(points.begin(), points.end(), 0) - points.begin();
+  return pasted.Surface.Points.middleRows(first, points.maxCoeff() + 1);
 }
 
 TEST(PasteFeature, DroppedInPlaceNothingHasMoved)
@@ -161,11 +163,18 @@ TEST(PasteFeature, AnywhereElseTheResultIsAClosedManifold)
       EXPECT_LT(shape::ComputePercentile(pasted.AnglesAfter, 0.95), 10.0);
       EXPECT_GT(pasted.BandTriangles, 0);
       // Of the target, what is not covered is as it was.
-      for (std::size_t p = 0; p < pasted.TargetPoints.size(); ++p)
+      for (Eigen::Index p = 0; p < pasted.Target.Points.size(); ++p)
       {
-        ASSERT_EQ(pasted.Surface.Points.row(static_cast<Eigen::Index>(p)),
-          base.Points.row(pasted.TargetPoints[p]));
+        const int original = pasted.Target.Points(p);
+        if (original >= 0)
+        {
+          ASSERT_EQ(pasted.Surface.Points.row(p), base.Points.row(original));
+        }
       }
+      const Eigen::VectorXd sums =
+        pasted.Target.Weights * Eigen::VectorXd::Ones(pasted.Target.Weights.cols()) +
+        pasted.Feature.Weights * Eigen::VectorXd::Ones(pasted.Feature.Weights.cols());
+      EXPECT_TRUE((sums.array() == 1.0).all());
     }
   }
 }
@@ -233,19 +242,6 @@ TEST(PasteFeature, DraggingIsNearToTheFullResult)
   EXPECT_LT(shape::ComputePercentile(full.AnglesAfter, 0.5), 3.0);
 }
 
-std::string Refusal(const std::function<void()>& work)
-{
-  try
-  {
-    work();
-  }
-  catch (const shape::InvalidInput& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
 {
   const Cut cut = BumpOfSquare();
@@ -253,7 +249,7 @@ TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
   shape::PasteTarget target(shapetest::FlatSquare(40, 0.2));
   shape::PastePlacement position;
   position.Seed << 0.8, 0.0, 0.0;
-  const std::string loop = Refusal([&] { feature.PasteOn(target, position); });
+  const std::string loop = shapetest::Refusal([&] { feature.PasteOn(target, position); });
   EXPECT_NE(loop.find("beyond the boundary"), std::string::npos) << loop;
   const auto at = loop.find("Scale to ");
   ASSERT_NE(at, std::string::npos) << loop;
@@ -268,14 +264,13 @@ TEST(PasteFeature, WhatDoesNotFitIsRefusedWithAScaleThatDoes)
   shape::PastePlacement huge;
   huge.Seed << 1.0, 0.0, 0.0;
   huge.Scale = 8.0;
-  EXPECT_NE(Refusal([&] { large.PasteOn(small, huge); }).find("Scale"), std::string::npos);
+  EXPECT_REFUSED(large.PasteOn(small, huge), "Scale");
   huge.Scale = 0.0;
-  EXPECT_NE(Refusal([&] { large.PasteOn(small, huge); }).find("positive"), std::string::npos);
+  EXPECT_REFUSED(large.PasteOn(small, huge), "positive");
 
   shape::FeatureFootprint wrong = cut.Base;
   wrong.LoopPositions.row(3).swap(wrong.LoopPositions.row(20));
-  EXPECT_NE(
-    Refusal([&] { shape::FeatureToPaste(cut.Feature, wrong); }).find("crosses"), std::string::npos);
+  EXPECT_REFUSED(shape::FeatureToPaste(cut.Feature, wrong), "crosses");
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/DeformShapes.h"
+#include "Support/SimpleSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -42,8 +43,8 @@ struct Divided
   {
     shape::ImprintedCurves split;
     split.Surface = this->Joined.Surface;
-    const auto count = static_cast<int>(this->Joined.Triangles.size());
-    split.OriginalTriangles = Eigen::VectorXi::LinSpaced(count, 0, count - 1);
+    split.Provenance =
+      shape::TraceIdentity(split.Surface.Points.rows(), split.Surface.Triangles.rows());
     std::vector<char> flags;
     const Eigen::MatrixXd centres = shape::ComputeCentroids(split.Surface);
     for (const auto& centre : centres.rowwise())
@@ -120,15 +121,15 @@ void ExpectParts(const shape::Mesh& mesh, const std::vector<shape::DividedPart>&
   for (const shape::DividedPart& part : parts)
   {
     const Eigen::MatrixXd own = shape::ComputeAreaVectors(part.Surface);
-    ASSERT_EQ(part.OriginalTriangles.size(), static_cast<std::size_t>(own.rows()));
+    const shape::Provenance& provenance = part.Provenance;
+    ASSERT_EQ(provenance.Cells.size(), own.rows());
     for (Eigen::Index t = 0; t < own.rows(); ++t)
     {
-      EXPECT_GE(
-        own.row(t).dot(shape::ComputeAreaVectors(mesh).row(part.OriginalTriangles[t])), 0.0);
-      areas.row(part.OriginalTriangles[t]) -= own.row(t);
+      EXPECT_GE(own.row(t).dot(shape::ComputeAreaVectors(mesh).row(provenance.Cells(t))), 0.0);
+      areas.row(provenance.Cells(t)) -= own.row(t);
     }
     // Points of the surface in their order, then the others.
-    const std::vector<int>& originals = part.OriginalPoints;
+    const Eigen::VectorXi& originals = provenance.Points;
     const auto added = std::find(originals.begin(), originals.end(), -1);
     EXPECT_TRUE(std::is_sorted(originals.begin(), added));
     EXPECT_EQ(std::count(added, originals.end(), -1), originals.end() - added);
@@ -139,8 +140,7 @@ void ExpectParts(const shape::Mesh& mesh, const std::vector<shape::DividedPart>&
       {
         EXPECT_EQ(position, mesh.Points.row(originals[i]));
       }
-      const Eigen::RowVector3d found =
-        part.Positions.Barycentrics.row(i) * shape::GetCorners(mesh, part.Positions.Triangles(i));
+      const Eigen::RowVector3d found = provenance.Weights.row(i) * mesh.Points;
       EXPECT_LT((found - position).norm(), 1e-15 * (1.0 + position.norm()));
     }
   }
@@ -291,9 +291,16 @@ int AddedOnSeam(const shape::Mesh& tube, const shape::DividedPart& part)
     {
       EXPECT_EQ(position, part.Surface.Points.row(points[1]));
       const auto side = [&](int point)
-      { return shape::GetCorners(tube, part.Positions.Triangles(point)).col(1).sum(); };
+      {
+        int triangle = 0;
+        while ((part.Surface.Triangles.row(triangle).array() != point).all())
+        {
+          ++triangle;
+        }
+        return shape::GetCorners(tube, part.Provenance.Cells(triangle)).col(1).sum();
+      };
       EXPECT_LT(side(points[0]) * side(points[1]), 0.0);
-      added += part.OriginalPoints[points[0]] < 0 ? 1 : 0;
+      added += part.Provenance.Points(points[0]) < 0 ? 1 : 0;
     }
   }
   return added;
@@ -371,9 +378,7 @@ TEST(SurfaceDivision, PinchesOfTheCutArePartedAndNoOthers)
   // Two disks that share their middle; of one, two triangles that meet there alone are cut out.
   const shape::Mesh disk = shapetest::FlatDisk(4);
   const auto points = static_cast<int>(disk.Points.rows());
-  shape::Mesh both{ Eigen::MatrixXd(2 * points, 3), Eigen::MatrixXi(2 * disk.Triangles.rows(), 3) };
-  both.Points << disk.Points, disk.Points.rowwise() + Eigen::RowVector3d(3, 0, 0);
-  both.Triangles << disk.Triangles, disk.Triangles.array() + points;
+  shape::Mesh both = shapetest::Twice(disk, { 3, 0, 0 });
   const int last = both.Triangles.bottomRows(disk.Triangles.rows()).maxCoeff();
   const auto isBowTie = [](const Eigen::RowVector3d& position)
   { return position.norm() < 0.2 && position(0) * position(1) > 1e-3; };
@@ -397,9 +402,9 @@ TEST(SurfaceDivision, PinchesOfTheCutArePartedAndNoOthers)
       EXPECT_EQ(part.Surface.Points.topRows(copy), before.Surface.Points);
       EXPECT_TRUE(part.Surface.Points.row(copy).isZero(0.0));
       EXPECT_EQ(part.Ids.at(copy), 0);
-      EXPECT_EQ(part.OriginalPoints.at(copy), 0);
-      EXPECT_EQ(part.Positions.Triangles(copy), part.Positions.Triangles(0));
-      EXPECT_EQ(part.Positions.Barycentrics.row(copy), part.Positions.Barycentrics.row(0));
+      EXPECT_EQ(part.Provenance.Points(copy), 0);
+      EXPECT_EQ(part.Provenance.Weights.row(copy).sum(), 1.0);
+      EXPECT_EQ(part.Provenance.Weights.coeff(copy, 0), 1.0);
       EXPECT_EQ(shape::ComputeAreaVectors(part.Surface), shape::ComputeAreaVectors(before.Surface));
     }
   }

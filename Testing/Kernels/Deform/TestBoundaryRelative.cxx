@@ -1,6 +1,7 @@
 #include "Deform/Private/BoundaryRelative.h"
 #include "Deform/ShapeDeformation.h"
 #include "Support/DeformShapes.h"
+#include "Support/Deformations.h"
 
 #include <gtest/gtest.h>
 
@@ -151,20 +152,7 @@ TEST(BoundaryRelative, SquashesFarPointsAndTheFrontDoesNot)
 
 TEST(BoundaryRelative, StreamedWeightsAreTheKeptOnes)
 {
-  const shape::Mesh cap = shapetest::Cap(10);
-  shape::NodeProblem problem;
-  problem.Graph = shape::BuildPointGraph(cap);
-  problem.Sources = shape::FindManifoldBoundaryLoops(cap).front();
-  problem.Powers = Eigen::VectorXd::Constant(cap.Points.rows(), 2.0);
-  problem.Scales = Eigen::VectorXd::Ones(cap.Points.rows());
-  const auto sources = static_cast<Eigen::Index>(problem.Sources.size());
-  shape::NodeTransforms motions{ Eigen::MatrixXd::Random(3, sources),
-    std::vector<Eigen::Matrix3d>(sources, shapetest::SomeRotation()) };
-  const shape::BoundaryRelative kept(problem);
-  problem.MaximumWeights = 0;
-  const shape::BoundaryRelative streamed(problem);
-  EXPECT_TRUE(streamed.IsStreamed() && !kept.IsStreamed());
-  EXPECT_EQ(streamed.Move(motions, 1e9).Shifts, kept.Move(motions, 1e9).Shifts);
+  shapetest::ExpectStreamedWeightsAreTheKeptOnes<shape::BoundaryRelative>(2.0);
 }
 
 TEST(BoundaryRelative, SourcesWithoutWeightCountByTheirDistance)

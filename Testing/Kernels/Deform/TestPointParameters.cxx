@@ -1,5 +1,6 @@
 #include "Deform/ShapeDeformation.h"
 #include "Support/DeformShapes.h"
+#include "Support/Deformations.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +13,8 @@ namespace
 using Options = shape::DeformOptions;
 using shapetest::Bent;
 using shapetest::Cap;
+using shapetest::DeformWithBentLoop;
 using shapetest::LoopOf;
-
-Eigen::MatrixXd DeformedPoints(
-  const shape::Mesh& mesh, const Options& options, const shape::DeformFields& fields = {})
-{
-  const shape::BoundaryHandle loop = LoopOf(mesh);
-  return shape::ShapeDeformation(shape::BuildPointGraph(mesh), loop, options, fields)
-    .Deform(shape::PoseHandle(loop, Bent(loop.Positions, 1.0)))
-    .Points;
-}
 
 /// How far the points within `radius` of the z axis are from a rigid motion of their rest.
 double Bending(const Eigen::MatrixXd& rest, const Eigen::MatrixXd& moved, double radius)
@@ -53,13 +46,13 @@ TEST(PointParameters, RigidityKeepsTheInsideStiff)
   {
     Options options;
     options.Rigidity = rigidity;
-    const double bending = Bending(cap.Points, DeformedPoints(cap, options), 0.5);
+    const double bending = Bending(cap.Points, DeformWithBentLoop(cap, options), 0.5);
     EXPECT_LT(bending, before);
     before = bending;
     // The same, painted.
     shape::DeformFields fields;
     fields.Rigidity = Eigen::VectorXd::Constant(cap.Points.rows(), rigidity);
-    EXPECT_EQ(DeformedPoints(cap, {}, fields), DeformedPoints(cap, options));
+    EXPECT_EQ(DeformWithBentLoop(cap, {}, fields), DeformWithBentLoop(cap, options));
   }
   EXPECT_LT(before, 0.01);
   // Stiffer inside only.
@@ -69,7 +62,7 @@ TEST(PointParameters, RigidityKeepsTheInsideStiff)
     Options options;
     options.RigidityBy = Options::RigidityByType::Distance;
     options.RigidityContrast = contrast;
-    const double bending = Bending(cap.Points, DeformedPoints(cap, options), 0.5);
+    const double bending = Bending(cap.Points, DeformWithBentLoop(cap, options), 0.5);
     EXPECT_LT(bending, before);
     before = bending;
   }
@@ -86,13 +79,13 @@ TEST(PointParameters, CurvedPartsAbsorbStretchingWhereRigidityIsByCurvature)
   constexpr double stiff = 2.0, contrast = 8.0;
   Options options;
   options.Rigidity = stiff;
-  const Eigen::MatrixXd allStiff = DeformedPoints(bump, options);
+  const Eigen::MatrixXd allStiff = DeformWithBentLoop(bump, options);
   options.RigidityBy = Options::RigidityByType::Curvature;
   options.RigidityContrast = contrast;
-  const Eigen::MatrixXd byCurvature = DeformedPoints(bump, options);
+  const Eigen::MatrixXd byCurvature = DeformWithBentLoop(bump, options);
   options.RigidityBy = Options::RigidityByType::Uniform;
   options.Rigidity = stiff / contrast;
-  const Eigen::MatrixXd allSoft = DeformedPoints(bump, options);
+  const Eigen::MatrixXd allSoft = DeformWithBentLoop(bump, options);
   // The flank gives way; the plateau keeps its shape better than it would if all gave way.
   EXPECT_GT(Bending(bump.Points, byCurvature, 0.75), 1.5 * Bending(bump.Points, allStiff, 0.75));
   EXPECT_LT(Bending(bump.Points, byCurvature, 0.45), 0.7 * Bending(bump.Points, allSoft, 0.45));

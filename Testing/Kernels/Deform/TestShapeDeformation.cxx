@@ -2,6 +2,8 @@
 #include "Deform/HandleFrames.h"
 #include "Deform/ShapeDeformation.h"
 #include "Support/DeformShapes.h"
+#include "Support/Deformations.h"
+#include "Support/Refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,7 @@ namespace
 using Options = shape::DeformOptions;
 using shapetest::Bent;
 using shapetest::Cap;
+using shapetest::DeformWithBentLoop;
 using shapetest::Largest;
 using shapetest::LoopOf;
 using shapetest::Moved;
@@ -109,15 +112,6 @@ double RelativeError(const shape::DeformedShape& deformed, const Eigen::MatrixXd
 {
   return Largest(deformed.Points - wanted) /
     std::max(shape::ComputeBoxDiagonal(wanted), wanted.cwiseAbs().maxCoeff());
-}
-
-Eigen::MatrixXd DeformedPoints(
-  const shape::Mesh& mesh, const Options& options, const shape::DeformFields& fields = {})
-{
-  const shape::BoundaryHandle rim = LoopOf(mesh);
-  return shape::ShapeDeformation(shape::BuildPointGraph(mesh), rim, options, fields)
-    .Deform(shape::PoseHandle(rim, Bent(rim.Positions, 1.0)))
-    .Points;
 }
 
 } // namespace
@@ -336,7 +330,7 @@ TEST(ShapeDeformation, ExtremesAreDefined)
   isRigid(Eigen::RowVector3d(1e6, 0, 0).replicate(3, 1), rim);
   // A unit of length more or less changes nothing.
   const Eigen::MatrixXd target = Bent(rim.Positions, 1.0);
-  const Eigen::MatrixXd one = DeformedPoints(cap, {});
+  const Eigen::MatrixXd one = DeformWithBentLoop(cap, {});
   for (const double unit : { 1e-12, 1e12 })
   {
     shape::BoundaryHandle scaled = rim;
@@ -351,7 +345,7 @@ TEST(ShapeDeformation, ExtremesAreDefined)
 TEST(ShapeDeformation, TheSameInputGivesTheSameBits)
 {
   const shape::Mesh cap = Cap(40);
-  EXPECT_EQ(DeformedPoints(cap, {}), DeformedPoints(cap, {}));
+  EXPECT_EQ(DeformWithBentLoop(cap, {}), DeformWithBentLoop(cap, {}));
 }
 
 TEST(ShapeDeformation, NamesWhatIsWrong)
@@ -359,19 +353,15 @@ TEST(ShapeDeformation, NamesWhatIsWrong)
   const shape::Mesh cap = Cap(4);
   const shape::PointGraph graph = shape::BuildPointGraph(cap);
   const shape::BoundaryHandle rim = LoopOf(cap);
-  const auto refuses = [&](auto change)
-  {
-    Options options;
-    change(options);
-    EXPECT_THROW(shape::ShapeDeformation(graph, rim, options), shape::InvalidInput);
-  };
-  refuses([](Options& options) { options.Rigidity = 0.0; });
-  refuses([](Options& options) { options.Scale = -1.0; });
-  refuses([](Options& options) { options.InnerScale = 0.0; });
-  refuses(
-    [](Options& options) { options.UpwindRadius = std::numeric_limits<double>::quiet_NaN(); });
-  refuses(
-    [](Options& options) { options.RigidityContrast = std::numeric_limits<double>::infinity(); });
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  shapetest::ExpectRefused<Options>(
+    [&](const Options& options) { shape::ShapeDeformation(graph, rim, options); }, {},
+    { { &Options::Rigidity, 0.0, { "Rigidity is 0" } },
+      { &Options::Scale, -1.0, { "Scale is -1" } },
+      { &Options::InnerScale, 0.0, { "InnerScale is 0" } },
+      { &Options::UpwindRadius, nan, { "UpwindRadius is nan" } },
+      { &Options::RigidityContrast, infinity, { "RigidityContrast is inf" } } });
   const auto refusesFields = [&](const shape::DeformFields& fields)
   { EXPECT_THROW(shape::ShapeDeformation(graph, rim, {}, fields), shape::InvalidInput); };
   refusesFields({ Eigen::VectorXd::Ones(3), {}, {} });

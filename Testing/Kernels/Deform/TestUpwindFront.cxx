@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Deform/UpwindFront.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -212,11 +213,6 @@ TEST(UpwindFront, GeodesicBandsDoNotJumpGaps)
 
 TEST(UpwindFront, ADisconnectedGraphIsRefused)
 {
-  shape::Mesh mesh = shapetest::Icosphere(0);
-  const Eigen::Index n = mesh.Points.rows(), m = mesh.Triangles.rows();
-  mesh.Points.conservativeResize(2 * n, 3);
-  mesh.Triangles.conservativeResize(2 * m, 3);
-  mesh.Points.bottomRows(n) = mesh.Points.topRows(n).array() + 5.0;
-  mesh.Triangles.bottomRows(m) = mesh.Triangles.topRows(m).array() + static_cast<int>(n);
+  const shape::Mesh mesh = shapetest::Twice(shapetest::Icosphere(0));
   EXPECT_THROW(shape::SweepFront(shape::BuildPointGraph(mesh), { 0 }), shape::InvalidInput);
 }

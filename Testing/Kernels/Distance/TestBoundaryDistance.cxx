@@ -1,6 +1,9 @@
 #include "Base/Errors.h"
 #include "Distance/BoundaryDistance.h"
 #include "Solids/Nesting.h"
+#include "Support/RandomPoints.h"
+#include "Support/Refusals.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -8,74 +11,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
+
+using shapetest::Joined;
+using shapetest::Reversed;
 
 namespace
 {
 
-shape::Mesh Turned(shape::Mesh mesh)
-{
-  mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
-  return mesh;
-}
-
 shape::Mesh Sphere(double radius, const Eigen::RowVector3d& centre)
 {
-  shape::Mesh sphere = shapetest::Icosphere(3);
-  sphere.Points = (radius * sphere.Points).rowwise() + centre;
-  return sphere;
+  return shapetest::Sphere(3, radius, centre);
 }
 
-shape::Mesh Joined(const std::vector<shape::Mesh>& parts)
-{
-  shape::Mesh all;
-  for (const shape::Mesh& part : parts)
-  {
-    const Eigen::Index n = all.Points.rows(), m = all.Triangles.rows();
-    all.Points.conservativeResize(n + part.Points.rows(), 3);
-    all.Triangles.conservativeResize(m + part.Triangles.rows(), 3);
-    all.Points.bottomRows(part.Points.rows()) = part.Points;
-    all.Triangles.bottomRows(part.Triangles.rows()) = part.Triangles.array() + static_cast<int>(n);
-  }
-  return all;
-}
-
-/// The cube with corners at `low` and `low` + 1, two triangles a side.
+/// The unit cube with its lowest corner at `low`.
 shape::Mesh Cube(const Eigen::RowVector3d& low)
 {
-  shape::Mesh cube{ Eigen::MatrixXd(8, 3), Eigen::MatrixXi(12, 3) };
-  for (int i = 0; i < 8; ++i)
-  {
-    cube.Points.row(i) = low + Eigen::RowVector3d(i & 1, i >> 1 & 1, i >> 2);
-  }
-  cube.Triangles << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6,
-    0, 6, 2, 1, 3, 7, 1, 7, 5;
-  return cube;
+  return shapetest::Box(low, low.array() + 1.0);
 }
 
-Eigen::MatrixXd RandomPoints(int count, double halfSide)
+Eigen::MatrixXd RandomPoints(int count, double halfEdge)
 {
-  std::mt19937_64 generator(11);
-  Eigen::MatrixXd points(count, 3);
-  for (double& value : points.reshaped())
-  {
-    value = halfSide * (2.0 * static_cast<double>(generator() >> 11) * 0x1p-53 - 1.0);
-  }
-  return points;
-}
-
-std::string ErrorOf(const shape::Mesh& surface)
-{
-  try
-  {
-    shape::BoundaryDistance distance(surface);
-  }
-  catch (const shape::InvalidInput& error)
-  {
-    return error.what();
-  }
-  return "";
+  return shapetest::RandomPointsInCube(count, halfEdge, 11);
 }
 
 const Eigen::RowVector3d Origin = Eigen::RowVector3d::Zero();
@@ -94,12 +51,12 @@ TEST(OrientByNesting, MakesTheVolumeOfTheSolidWhicheverWayItsSurfacesFace)
     std::vector<shape::Mesh> some = parts;
     for (int i = 0; i < 4; ++i)
     {
-      some[i] = turned >> i & 1 ? Turned(parts[i]) : parts[i];
+      some[i] = turned >> i & 1 ? Reversed(parts[i]) : parts[i];
     }
     const shape::Mesh oriented = shape::OrientByNesting(Joined(some), "it");
     EXPECT_NEAR(shape::ComputeEnclosedVolume(oriented), solid, 1e-12) << turned;
     const Eigen::MatrixXi expected =
-      Joined({ parts[0], parts[1], Turned(parts[2]), parts[3] }).Triangles;
+      Joined({ parts[0], parts[1], Reversed(parts[2]), parts[3] }).Triangles;
     for (Eigen::Index t = 0; t < expected.rows(); ++t)
     {
       EXPECT_TRUE((oriented.Triangles.row(t).array() == expected.row(t).array()).all());
@@ -111,7 +68,7 @@ TEST(OrientByNesting, ASurfaceThatFacesTheRightWayIsItself)
 {
   const shape::Surface ball = Sphere(1.0, Origin);
   EXPECT_EQ(&shape::OrientByNesting(ball, "it").Points(), &ball.Points());
-  const shape::Surface inverted = Turned(ball);
+  const shape::Surface inverted = Reversed(ball);
   EXPECT_EQ(shape::OrientByNesting(inverted, "it").Triangles().rows(), ball.Triangles().rows());
   EXPECT_LT(shape::ComputeEnclosedVolume(inverted), 0.0);
   EXPECT_GT(shape::ComputeEnclosedVolume(shape::OrientByNesting(inverted, "it")), 0.0);
@@ -120,7 +77,7 @@ TEST(OrientByNesting, ASurfaceThatFacesTheRightWayIsItself)
 TEST(OrientByNesting, AComponentInTheHoleOfATorusIsNotInside)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.3, 48, 24), ball = Sphere(0.2, Origin);
-  const shape::Mesh oriented = shape::OrientByNesting(Joined({ Turned(ball), torus }), "it");
+  const shape::Mesh oriented = shape::OrientByNesting(Joined({ Reversed(ball), torus }), "it");
   EXPECT_NEAR(shape::ComputeEnclosedVolume(oriented),
     shape::ComputeEnclosedVolume(torus) + shape::ComputeEnclosedVolume(ball), 1e-12);
   const shape::Mesh inTube = Sphere(0.2, { 1, 0, 0 });
@@ -141,17 +98,17 @@ TEST(OrientByNesting, RefusesComponentsThatTouchOrCross)
       << low;
   }
   EXPECT_NO_THROW(shape::OrientByNesting(Joined({ cube, Cube({ 1.001, 0, 0 }) }), "it"));
-  const std::string error = ErrorOf(Joined({ Sphere(1.0, Origin), Sphere(1.0, { 0.5, 0, 0 }) }));
-  EXPECT_NE(error.find("touch or cross (those of points 0 and 642"), std::string::npos) << error;
-  EXPECT_NE(error.find("turn Signed off"), std::string::npos) << error;
+  EXPECT_REFUSED(
+    shape::BoundaryDistance(Joined({ Sphere(1.0, Origin), Sphere(1.0, { 0.5, 0, 0 }) })),
+    "touch or cross (those of points 0 and 642", "turn Signed off");
 }
 
 TEST(BoundaryDistance, OfAShellIsNegativeInTheShellAlone)
 {
   const Eigen::MatrixXd points = RandomPoints(2000, 1.5);
-  for (const shape::Mesh& inner : { Sphere(0.5, Origin), Turned(Sphere(0.5, Origin)) })
+  for (const shape::Mesh& inner : { Sphere(0.5, Origin), Reversed(Sphere(0.5, Origin)) })
   {
-    const shape::BoundaryDistance distance(Joined({ Turned(Sphere(1.0, Origin)), inner }));
+    const shape::BoundaryDistance distance(Joined({ Reversed(Sphere(1.0, Origin)), inner }));
     const Eigen::VectorXd values = distance.Evaluate(points);
     for (Eigen::Index i = 0; i < points.rows(); ++i)
     {
@@ -181,19 +138,18 @@ TEST(BoundaryDistance, OfACubeIsExact)
 
 TEST(BoundaryDistance, AnOpenSurfaceHasNoInside)
 {
-  shape::Mesh open = Sphere(1.0, Origin);
-  open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
-  const std::string error = ErrorOf(open);
-  EXPECT_NE(error.find("1 open loop"), std::string::npos) << error;
-  EXPECT_NE(error.find("turn Signed off"), std::string::npos) << error;
+  shape::Mesh open = shapetest::WithoutLast(Sphere(1.0, Origin));
+  EXPECT_REFUSED(shape::BoundaryDistance{ open }, "1 open loop", "turn Signed off");
   EXPECT_NEAR(
     shape::BoundaryDistance(open, { false }).Evaluate(Eigen::MatrixXd::Zero(1, 3))(0), 1.0, 7e-3);
   open.Triangles.resize(0, 3);
-  EXPECT_NE(ErrorOf(open).find("no polygons"), std::string::npos);
+  EXPECT_REFUSED(shape::BoundaryDistance{ open }, "no polygons");
   shape::Mesh spoiled = Sphere(1.0, Origin);
   spoiled.Points(5, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(ErrorOf(spoiled).find("Signed"), std::string::npos);
-  EXPECT_NE(ErrorOf(spoiled).find("first at point 5"), std::string::npos);
+  const std::string refusal =
+    shapetest::Refusal([&] { shape::BoundaryDistance distance(spoiled); });
+  EXPECT_EQ(refusal.find("Signed"), std::string::npos);
+  EXPECT_NE(refusal.find("first at point 5"), std::string::npos) << refusal;
   EXPECT_THROW(
     shape::BoundaryDistance(Sphere(1.0, Origin)).Evaluate(spoiled.Points), shape::InvalidInput);
 }

@@ -253,7 +253,7 @@ TEST(FillHoles, DataGoOnFromTheRim)
   const shape::FilledHole& hole = filled.Holes[0];
   // Coordinates are harmonic on a minimal surface; on a sphere nearly so.
   const Eigen::MatrixXd own =
-    shape::ExtendValuesOntoFill(filled.Surface, hole, filled.Surface.Points);
+    shape::ExtendValuesOntoFill(filled.Surface, hole, filled.Surface.Points(hole.Loop, Eigen::all));
   const Eigen::MatrixXd positions = filled.Surface.Points.middleRows(hole.FirstPoint, hole.Points);
   EXPECT_LT((own - positions).rowwise().norm().maxCoeff(), 0.3);
   double low = 1.0, high = -1.0;
@@ -264,11 +264,17 @@ TEST(FillHoles, DataGoOnFromTheRim)
   }
   EXPECT_GE(own.col(0).minCoeff(), low);
   EXPECT_LE(own.col(0).maxCoeff(), high);
-  const shape::FillSources sources = shape::FindFillSources(filled.Surface, { hole }).front();
-  for (const int triangle : sources.Triangles)
+  const shape::Provenance& provenance = filled.Provenance;
+  EXPECT_GE(provenance.Cells.minCoeff(), 0);
+  EXPECT_LT(provenance.Cells.maxCoeff(), open.Triangles.rows());
+  EXPECT_TRUE((provenance.Points.tail(hole.Points).array() == -1).all());
+  // No point of the loop is nearer than the one whose data a point has.
+  const Eigen::MatrixXd sources = provenance.Weights.bottomRows(hole.Points) * open.Points;
+  for (Eigen::Index i = 0; i < hole.Points; ++i)
   {
-    EXPECT_GE(triangle, 0);
-    EXPECT_LT(triangle, open.Triangles.rows());
+    EXPECT_NEAR((sources.row(i) - positions.row(i)).norm(),
+      (open.Points(hole.Loop, Eigen::all).rowwise() - positions.row(i)).rowwise().norm().minCoeff(),
+      1e-15);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Geodesics/ExactGeodesics.h"
 #include "Mesh/Topology.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -189,17 +190,10 @@ TEST(ExactGeodesics, BetweenPlacesAreThoseFromThem)
 
 TEST(ExactGeodesics, BetweenComponentsAreInfinite)
 {
-  shape::Mesh two = shapetest::Icosphere(1);
-  const Eigen::Index points = two.Points.rows(), triangles = two.Triangles.rows();
-  two.Points.conservativeResize(2 * points, 3);
-  two.Points.bottomRows(points) =
-    two.Points.topRows(points).rowwise() + Eigen::RowVector3d(3, 0, 0);
-  two.Triangles.conservativeResize(2 * triangles, 3);
-  two.Triangles.bottomRows(triangles) =
-    (two.Triangles.topRows(triangles).array() + static_cast<int>(points)).matrix();
+  const shape::Mesh one = shapetest::Icosphere(1), two = shapetest::Twice(one, { 3, 0, 0 });
   const shape::SurfacePoints from = shape::MakeSurfacePointsAtVertices(Eigen::Vector2i(0, 1), two),
                              to = shape::MakeSurfacePointsAtVertices(
-                               Eigen::Vector2i(static_cast<int>(points), 1), two);
+                               Eigen::Vector2i(static_cast<int>(one.Points.rows()), 1), two);
   const Eigen::VectorXd distances = shape::ComputeExactGeodesicsBetween(two, from, to);
   EXPECT_TRUE(std::isinf(distances(0)));
   EXPECT_EQ(distances(1), 0.0);

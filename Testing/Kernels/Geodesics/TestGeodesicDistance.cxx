@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Geodesics/GeodesicDistance.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -89,12 +90,10 @@ TEST(GeodesicDistance, SaysWhereNoPathLeads)
 {
   // Two spheres, and a point that no triangle uses.
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const Eigen::Index points = sphere.Points.rows(), triangles = sphere.Triangles.rows();
-  shape::Mesh two{ Eigen::MatrixXd::Zero(2 * points + 1, 3), Eigen::MatrixXi(2 * triangles, 3) };
-  two.Points.topRows(points) = sphere.Points;
-  two.Points.middleRows(points, points) = sphere.Points.rowwise() + Eigen::RowVector3d(5, 0, 0);
-  two.Triangles.topRows(triangles) = sphere.Triangles;
-  two.Triangles.bottomRows(triangles) = sphere.Triangles.array() + static_cast<int>(points);
+  const Eigen::Index points = sphere.Points.rows();
+  shape::Mesh two = shapetest::Twice(sphere, { 5, 0, 0 });
+  two.Points.conservativeResize(2 * points + 1, 3);
+  two.Points.bottomRows(1).setZero();
   for (const Method method : { Method::Exact, Method::Dijkstra, Method::Heat })
   {
     shape::GeodesicDistanceOptions options;

@@ -3,6 +3,7 @@
 #include "Geodesics/SurfacePath.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/SurfacePoints.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -244,9 +245,7 @@ TEST(SurfacePath, WithinATriangleAndAlongAnEdge)
 TEST(SurfacePath, PartsThatAreNotConnected)
 {
   const shape::Mesh sphere = shapetest::Icosphere(1);
-  shape::Mesh both{ Eigen::MatrixXd(84, 3), Eigen::MatrixXi(160, 3) };
-  both.Points << sphere.Points, sphere.Points.array() + 3.0;
-  both.Triangles << sphere.Triangles, sphere.Triangles.array() + 42;
+  const shape::Mesh both = shapetest::Twice(sphere);
   const Eigen::RowVector3d middle = Eigen::RowVector3d::Constant(1.0 / 3.0);
   EXPECT_THROW(shape::SurfacePaths(both).Find({ 0, middle }, { 100, middle }), shape::InvalidInput);
   bool isAsked = false;

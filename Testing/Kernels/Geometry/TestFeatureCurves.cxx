@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Geometry/FeatureCurves.h"
+#include "Support/Refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -65,31 +66,18 @@ TEST(FeatureCurves, AClosedCurveHasEachPointOnce)
 
 TEST(FeatureCurves, RefusesWhatCannotBePaired)
 {
-  const auto refusal =
-    [](const std::vector<shape::Curve>& sources, const std::vector<shape::Curve>& targets)
-  {
-    try
-    {
-      shape::MatchCurves(sources, targets, 1.0, "feature 2");
-    }
-    catch (const shape::InvalidInput& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
+  using Curves = std::vector<shape::Curve>;
+  const auto match = [](const Curves& sources, const Curves& targets)
+  { return shape::MatchCurves(sources, targets, 1.0, "feature 2"); };
   const shape::Curve arc = Arc(1.0, 9);
-  EXPECT_NE(refusal({ arc, arc }, { arc }).find("feature 2 has 2 curves and its target has 1"),
-    std::string::npos);
-  EXPECT_NE(refusal({ arc }, { shape::Curve::Ones(4, 3) })
-              .find("curve 0 of the target of feature 2 has no length"),
-    std::string::npos);
+  EXPECT_REFUSED(match({ arc, arc }, { arc }), "feature 2 has 2 curves and its target has 1");
+  EXPECT_REFUSED(match({ arc }, { shape::Curve::Ones(4, 3) }),
+    "curve 0 of the target of feature 2 has no length");
   shape::Curve broken = arc;
   broken(3, 0) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(refusal({ broken }, { arc }).find("curve 0 of feature 2"), std::string::npos);
+  EXPECT_REFUSED(match({ broken }, { arc }), "curve 0 of feature 2");
   const shape::Curve large = 1e12 * arc;
-  EXPECT_NE(refusal({ arc, large }, { arc, arc })
-              .find("curve 1 of feature 2 is far longer than the shape it belongs to"),
-    std::string::npos);
-  EXPECT_EQ(refusal({ arc }, { large }), "");
+  EXPECT_REFUSED(match({ arc, large }, { arc, arc }),
+    "curve 1 of feature 2 is far longer than the shape it belongs to");
+  EXPECT_NO_THROW(match({ arc }, { large }));
 }

@@ -4,6 +4,7 @@
 #include "Harmonic/Private/OffsetSurface.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -109,12 +110,7 @@ TEST(Sampling, AdaptivePutsMorePointsWhereTheSurfaceBends)
 TEST(Sampling, AdaptiveLeavesNoFlatPartEmpty)
 {
   // A cube: the whole of its bending is at the edges.
-  shape::Mesh cube;
-  cube.Points.resize(8, 3);
-  cube.Points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1;
-  cube.Triangles.resize(12, 3);
-  cube.Triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,
-    2, 4, 6, 1, 3, 5, 3, 7, 5;
+  const shape::Mesh cube = shapetest::Box({ 0, 0, 0 }, { 1, 1, 1 });
   constexpr int count = 600;
   const Eigen::MatrixXd points =
     shape::SampleSurface(cube, count, shape::SamplingMode::GeometryAdaptive);
@@ -201,12 +197,7 @@ TEST(OutsideDomain, SparesWhatAMeshOfTheSmoothSurfaceSticksOut)
 TEST(OutsideDomain, TheToleranceStaysWellWithinTheCharges)
 {
   // The cube's triangles are so large that a quarter of their edges reaches past charges at 0.1.
-  shape::Mesh cube;
-  cube.Points.resize(8, 3);
-  cube.Points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1;
-  cube.Triangles.resize(12, 3);
-  cube.Triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,
-    2, 4, 6, 1, 3, 5, 3, 7, 5;
+  const shape::Mesh cube = shapetest::Box({ 0, 0, 0 }, { 1, 1, 1 });
   const shape::SignedDistance field(cube);
   Eigen::MatrixXd points(3, 3);
   points << 1.04, 0.5, 0.5, 1.06, 0.5, 0.5, 0.5, 0.5, 0.5;

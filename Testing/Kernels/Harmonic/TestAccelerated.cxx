@@ -2,11 +2,12 @@
 #include "Distance/SignedDistance.h"
 #include "Fmm/DirectSummation.h"
 #include "Harmonic/HarmonicVolumeMap.h"
-#include "Harmonic/NearSourceSystem.h"
+#include "Harmonic/NearSurfaceCharges.h"
 #include "Linear/Gmres.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Remesh/LongestEdgeBisection.h"
+#include "Support/HarmonicShapes.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Dense>
@@ -139,7 +140,7 @@ TEST(LongestEdgeBisection, KeepsTheSurfaceAndItsTopology)
   EXPECT_GE(sharpest(mesh), 0.5 * angle);
 }
 
-TEST(NearSources, KeepTheirDistanceInAGap)
+TEST(NearSurfaceCharges, KeepTheirDistanceInAGap)
 {
   // A sphere with a void of 0.96 of its size around its middle: the gap is the solid; outside and
   // in the void there is room. Turned inside out the gap is where the charges go.
@@ -154,7 +155,8 @@ TEST(NearSources, KeepTheirDistanceInAGap)
     (sphere.Triangles.array() + static_cast<int>(n)).rowwise().reverse();
   const shape::SignedDistance field(shells);
   const Eigen::VectorXd offsets = Eigen::VectorXd::Constant(n, 0.1);
-  const auto sources = shape::InsertNearSources(field, sphere.Points, sphere.Points, offsets);
+  const auto sources =
+    shape::InsertNearSurfaceCharges(field, sphere.Points, sphere.Points, offsets);
   ASSERT_EQ(sources.Sites.size(), n);
   EXPECT_LT(sources.Offsets.maxCoeff(), 0.04);
   const Eigen::VectorXd distances = field.Evaluate(sources.Points).Distances;
@@ -165,8 +167,9 @@ TEST(NearSources, KeepTheirDistanceInAGap)
     EXPECT_GT(sources.Offsets(i), 0.01); // no nearer than it takes
   }
   // Where that would be too near, there is none.
-  EXPECT_EQ(
-    shape::InsertNearSources(field, sphere.Points, sphere.Points, 2.0 * offsets).Sites.size(), 0);
+  EXPECT_EQ(shape::InsertNearSurfaceCharges(field, sphere.Points, sphere.Points, 2.0 * offsets)
+              .Sites.size(),
+    0);
 }
 
 TEST(Accelerated, TheInteriorErrorIsOfSecondOrderInTheEdges)
@@ -186,15 +189,7 @@ TEST(Accelerated, TheInteriorErrorIsOfSecondOrderInTheEdges)
 
 TEST(Accelerated, AffineMapsAreExact)
 {
-  shape::Mesh boundary = Egg(3);
-  boundary.Points.rowwise() += Eigen::RowVector3d(10, -20, 5);
-  Eigen::Matrix3d matrix;
-  matrix << 2, 0.3, 0, -0.5, 1, 0.2, 0, 0.1, 3;
-  const Eigen::MatrixXd targets =
-    (boundary.Points * matrix.transpose()).rowwise() + Eigen::RowVector3d(7, 8, 9);
-  const auto result = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, Accelerated());
-  const Eigen::MatrixXd error = shape::Evaluate(result.Map, boundary.Points) - targets;
-  EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-12 * shape::ComputeLongestBoxEdge(targets));
+  shapetest::ExpectAffineMapIsExact(Egg(3), Accelerated());
 }
 
 TEST(Accelerated, RefinesWhereTheBoundaryMapBendsSharply)
@@ -244,7 +239,7 @@ TEST(Accelerated, TheSetupServesOtherTargets)
   const auto solve = [&](const shape::Mesh& mesh, const Eigen::MatrixXd& targets)
   { return shape::ComputeHarmonicVolumeMap(mesh, targets, {}, Accelerated(), {}, &setup).Map; };
   solve(boundary, first);
-  const shape::NearSourceSystem* kept = setup.System.get();
+  const shape::NearSurfaceChargeSystem* kept = setup.System.get();
   const shape::ChargeSet again = solve(boundary, second);
   EXPECT_EQ(setup.System.get(), kept);
   const auto fresh = shape::ComputeHarmonicVolumeMap(boundary, second, {}, Accelerated()).Map;

@@ -1,6 +1,9 @@
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
 #include "Harmonic/HarmonicVolumeMap.h"
+#include "Support/HarmonicShapes.h"
+#include "Support/Refusals.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -14,20 +17,8 @@ namespace
 {
 
 using Method = shape::HarmonicVolumeMapOptions::MethodType;
+using shapetest::DentedSphere;
 using Stop = shape::HarmonicVolumeMapResult::Stop;
-
-/// A sphere with soft bumps and a dent.
-shape::Mesh Bumpy(int level)
-{
-  shape::Mesh mesh = shapetest::Icosphere(level);
-  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
-  {
-    const Eigen::RowVector3d p = mesh.Points.row(i);
-    mesh.Points.row(i) *= 1.3 - 0.4 * std::exp(-6.0 * (1.0 - p(0))) +
-      0.08 * std::sin(3.0 * p(1)) * std::cos(2.0 * p(2));
-  }
-  return mesh;
-}
 
 /// A map that is harmonic inside the bumpy sphere: polynomials and charges outside.
 Eigen::MatrixXd Harmonic(const Eigen::MatrixXd& points)
@@ -67,24 +58,11 @@ shape::HarmonicVolumeMapOptions With(Method method, double collocations, double 
   return options;
 }
 
-std::string Refusal(const std::function<void()>& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const shape::InvalidInput& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
 } // namespace
 
 TEST(HarmonicVolumeMap, TheInteriorErrorFallsAsSourcesAreAdded)
 {
-  const shape::Mesh boundary = Bumpy(4);
+  const shape::Mesh boundary = DentedSphere(4);
   const Eigen::MatrixXd targets = Harmonic(boundary.Points);
   double errors[3];
   const double ratios[3] = { 0.01, 0.03, 0.09 };
@@ -105,7 +83,7 @@ TEST(HarmonicVolumeMap, TheInteriorErrorIsOfSecondOrderInTheBoundarysEdges)
   double errors[2];
   for (int i = 0; i < 2; ++i)
   {
-    const shape::Mesh boundary = Bumpy(2 + i);
+    const shape::Mesh boundary = DentedSphere(2 + i);
     const auto options = With(Method::SingleShot, i == 0 ? 4.0 : 1.0, i == 0 ? 1.6 : 0.4);
     const auto result =
       shape::ComputeHarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, options);
@@ -116,24 +94,15 @@ TEST(HarmonicVolumeMap, TheInteriorErrorIsOfSecondOrderInTheBoundarysEdges)
 
 TEST(HarmonicVolumeMap, AffineMapsAreExact)
 {
-  shape::Mesh boundary = Bumpy(3);
-  boundary.Points.rowwise() += Eigen::RowVector3d(10, -20, 5);
-  Eigen::Matrix3d matrix;
-  matrix << 2, 0.3, 0, -0.5, 1, 0.2, 0, 0.1, 3;
-  const Eigen::MatrixXd targets =
-    (boundary.Points * matrix.transpose()).rowwise() + Eigen::RowVector3d(7, 8, 9);
   for (const Method method : { Method::MultiLevel, Method::SingleShot })
   {
-    const auto result =
-      shape::ComputeHarmonicVolumeMap(boundary, targets, {}, With(method, 0.2, 0.2));
-    const Eigen::MatrixXd error = shape::Evaluate(result.Map, boundary.Points) - targets;
-    EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-12 * shape::ComputeLongestBoxEdge(targets));
+    shapetest::ExpectAffineMapIsExact(DentedSphere(3), With(method, 0.2, 0.2));
   }
 }
 
 TEST(HarmonicVolumeMap, EachKeptLevelLowersTheResidual)
 {
-  const shape::Mesh boundary = Bumpy(3);
+  const shape::Mesh boundary = DentedSphere(3);
   auto options = With(Method::MultiLevel, 0.8, 0.8);
   options.MaximumLevels = 8;
   const auto result =
@@ -156,7 +125,7 @@ TEST(HarmonicVolumeMap, EachKeptLevelLowersTheResidual)
 
 TEST(HarmonicVolumeMap, TheReportedErrorsAreThoseOfTheMap)
 {
-  const shape::Mesh boundary = Bumpy(3);
+  const shape::Mesh boundary = DentedSphere(3);
   const Eigen::MatrixXd targets = 5.0 * shapetest::Icosphere(3).Points;
   for (const Method method : { Method::MultiLevel, Method::SingleShot })
   {
@@ -179,7 +148,7 @@ TEST(HarmonicVolumeMap, TheReportedErrorsAreThoseOfTheMap)
 
 TEST(HarmonicVolumeMap, StopsAtTheTolerance)
 {
-  const shape::Mesh boundary = Bumpy(3);
+  const shape::Mesh boundary = DentedSphere(3);
   auto options = With(Method::MultiLevel, 0.8, 0.4);
   options.Tolerance = 5e-3;
   const auto result =
@@ -191,7 +160,7 @@ TEST(HarmonicVolumeMap, StopsAtTheTolerance)
 
 TEST(HarmonicVolumeMap, ALargeThresholdDeletesSources)
 {
-  const shape::Mesh boundary = Bumpy(3);
+  const shape::Mesh boundary = DentedSphere(3);
   auto options = With(Method::MultiLevel, 0.8, 0.8);
   options.SingularValueThreshold = 0.1;
   options.MaximumLevels = 6;
@@ -205,7 +174,7 @@ TEST(HarmonicVolumeMap, ALargeThresholdDeletesSources)
 
 TEST(HarmonicVolumeMap, ASoftFeatureIsMetBetterTheMoreItWeighs)
 {
-  const shape::Mesh boundary = Bumpy(2);
+  const shape::Mesh boundary = DentedSphere(2);
   shape::VolumeFeatures features;
   features.Points = Eigen::RowVector3d(0.1, 0.2, -0.1);
   features.Targets = Eigen::RowVector3d(0.3, 0.2, -0.1);
@@ -223,7 +192,7 @@ TEST(HarmonicVolumeMap, ASoftFeatureIsMetBetterTheMoreItWeighs)
 
 TEST(HarmonicVolumeMap, AWeightCountsAsSoManyRows)
 {
-  const shape::Mesh boundary = Bumpy(2);
+  const shape::Mesh boundary = DentedSphere(2);
   shape::VolumeFeatures once, thrice;
   once.Points = Eigen::RowVector3d(0.1, 0.2, -0.1);
   once.Targets = Eigen::RowVector3d(0.2, 0.2, -0.1);
@@ -243,7 +212,7 @@ TEST(HarmonicVolumeMap, AWeightCountsAsSoManyRows)
 
 TEST(HarmonicVolumeMap, AnInwardFacingBoundaryAndUnusedPointsChangeNothing)
 {
-  const shape::Mesh boundary = Bumpy(2);
+  const shape::Mesh boundary = DentedSphere(2);
   const Eigen::MatrixXd targets = shapetest::Icosphere(2).Points;
   const auto options = With(Method::MultiLevel, 2.0, 1.0);
   const auto expected = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
@@ -261,7 +230,7 @@ TEST(HarmonicVolumeMap, AnInwardFacingBoundaryAndUnusedPointsChangeNothing)
 
 TEST(HarmonicVolumeMap, RepeatsItselfForAnyNumberOfThreads)
 {
-  const shape::Mesh boundary = Bumpy(3);
+  const shape::Mesh boundary = DentedSphere(3);
   const Eigen::MatrixXd targets = shapetest::Icosphere(3).Points;
   for (const auto mode : { shape::SamplingMode::Uniform, shape::SamplingMode::GeometryAdaptive })
   {
@@ -285,57 +254,48 @@ TEST(HarmonicVolumeMap, RepeatsItselfForAnyNumberOfThreads)
 TEST(HarmonicVolumeMap, RefusesWithTheFactAndTheRemedy)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const auto map = [&](const shape::Mesh& boundary, const Eigen::MatrixXd& targets,
+  const auto map = [](const shape::Mesh& boundary, const Eigen::MatrixXd& targets,
                      const shape::VolumeFeatures& features = {},
-                     const shape::HarmonicVolumeMapOptions& options = {}) {
-    return Refusal([&] { shape::ComputeHarmonicVolumeMap(boundary, targets, features, options); });
-  };
+                     const shape::HarmonicVolumeMapOptions& options = {})
+  { return shape::ComputeHarmonicVolumeMap(boundary, targets, features, options); };
 
-  shape::Mesh open = sphere;
-  open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
-  EXPECT_NE(map(open, sphere.Points).find("1 open loop"), std::string::npos);
+  const shape::Mesh open = shapetest::WithoutLast(sphere);
+  EXPECT_REFUSED(map(open, sphere.Points), "1 open loop");
 
-  shape::Mesh two{ Eigen::MatrixXd(2 * 162, 3), Eigen::MatrixXi(2 * 320, 3) };
-  two.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(3, 0, 0);
-  two.Triangles << sphere.Triangles, sphere.Triangles.array() + 162;
-  EXPECT_NE(map(two, two.Points).find("2 solids"), std::string::npos);
+  shape::Mesh two = shapetest::Twice(sphere, { 3, 0, 0 });
+  EXPECT_REFUSED(map(two, two.Points), "2 solids");
   two.Points.bottomRows(162).rowwise() -= Eigen::RowVector3d(2, 0, 0);
-  EXPECT_NE(map(two, two.Points).find("touch or cross"), std::string::npos);
+  EXPECT_REFUSED(map(two, two.Points), "touch or cross");
 
-  EXPECT_NE(map(sphere, sphere.Points.topRows(7)).find("7 rows"), std::string::npos);
+  EXPECT_REFUSED(map(sphere, sphere.Points.topRows(7)), "7 rows");
   Eigen::MatrixXd broken = sphere.Points;
   broken(11, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(map(sphere, broken).find("first at point 11"), std::string::npos);
+  EXPECT_REFUSED(map(sphere, broken), "first at point 11");
 
   shape::VolumeFeatures features;
   features.Points.resize(2, 3);
   features.Points << 0, 0, 0, 3, 0, 0;
   features.Targets = features.Points;
-  EXPECT_NE(
-    map(sphere, sphere.Points, features).find("first at feature point 1"), std::string::npos);
+  EXPECT_REFUSED(map(sphere, sphere.Points, features), "first at feature point 1");
   features.Points(1, 0) = 0.5;
   // What lies in a void lies outside the solid.
   two.Points.bottomRows(162) = (0.3 * sphere.Points).rowwise() + Eigen::RowVector3d(0.5, 0.0, 0.0);
-  EXPECT_NE(map(two, two.Points, features).find("first at feature point 1"), std::string::npos);
+  EXPECT_REFUSED(map(two, two.Points, features), "first at feature point 1");
   features.Weights = Eigen::Vector2d(1.0, -1.0);
-  EXPECT_NE(
-    map(sphere, sphere.Points, features).find("first at feature point 1"), std::string::npos);
+  EXPECT_REFUSED(map(sphere, sphere.Points, features), "first at feature point 1");
 
-  shape::HarmonicVolumeMapOptions options;
-  options.OffsetDistance = -0.1;
-  EXPECT_NE(map(sphere, sphere.Points, {}, options).find("OffsetDistance"), std::string::npos);
-  options = {};
-  options.SourceRatio = -1.0;
-  EXPECT_NE(map(sphere, sphere.Points, {}, options).find("SourceRatio"), std::string::npos);
-  options = With(Method::SingleShot, 200.0, 200.0);
-  const std::string large = map(sphere, Harmonic(sphere.Points), {}, options);
-  EXPECT_NE(large.find("32400 x 32400"), std::string::npos) << large;
-  EXPECT_NE(large.find("GiB"), std::string::npos) << large;
+  using Options = shape::HarmonicVolumeMapOptions;
+  shapetest::ExpectRefused<Options>(
+    [&](const Options& options) { map(sphere, sphere.Points, {}, options); }, {},
+    { { &Options::OffsetDistance, -0.1, { "OffsetDistance" } },
+      { &Options::SourceRatio, -1.0, { "SourceRatio" } } });
+  EXPECT_REFUSED(map(sphere, Harmonic(sphere.Points), {}, With(Method::SingleShot, 200.0, 200.0)),
+    "32400 x 32400", "GiB");
 }
 
 TEST(HarmonicVolumeMap, StopsWhereverItIsToldTo)
 {
-  const shape::Mesh boundary = Bumpy(2);
+  const shape::Mesh boundary = DentedSphere(2);
   const Eigen::MatrixXd targets = shapetest::Icosphere(2).Points;
   const auto options = With(Method::MultiLevel, 1.0, 0.5);
   int calls = 0;
@@ -363,7 +323,7 @@ TEST(HarmonicVolumeMap, StopsWhereverItIsToldTo)
 
 TEST(HarmonicVolumeMap, TheAutomaticOffsetFollowsTheSpacingOfTheCollocationPoints)
 {
-  const shape::Mesh boundary = Bumpy(3);
+  const shape::Mesh boundary = DentedSphere(3);
   const Eigen::MatrixXd targets = Harmonic(boundary.Points);
   shape::HarmonicVolumeMapOptions options;
   options.Method = Method::MultiLevel;
@@ -388,7 +348,7 @@ TEST(HarmonicVolumeMap, TheAutomaticOffsetFollowsTheSpacingOfTheCollocationPoint
 TEST(HarmonicVolumeMap, EachChargeSitsAtAPlaceOfItsOwn)
 {
   // Several levels use the same sources: their charges are added up.
-  const shape::Mesh boundary = Bumpy(3);
+  const shape::Mesh boundary = DentedSphere(3);
   shape::HarmonicVolumeMapOptions options = With(Method::MultiLevel, 0.4, 0.4);
   options.SourceSubsets = 2;
   options.MaximumLevels = 6;
@@ -412,7 +372,7 @@ TEST(HarmonicVolumeMap, EachChargeSitsAtAPlaceOfItsOwn)
 
 TEST(HarmonicVolumeMap, DoesNotDependOnHowTheBoundaryIsNumbered)
 {
-  const shape::Mesh boundary = Bumpy(3);
+  const shape::Mesh boundary = DentedSphere(3);
   const int n = static_cast<int>(boundary.Points.rows());
   // 5 and the number of points, 642, have no common factor: every point gets a number.
   Eigen::VectorXi newId(n);

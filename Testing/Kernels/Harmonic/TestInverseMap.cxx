@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Harmonic/InverseMap.h"
+#include "Support/HarmonicShapes.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -12,32 +13,20 @@
 namespace
 {
 
+using shapetest::DentedSphere;
 using State = shape::InverseMap::State;
-
-/// A sphere with soft bumps and a dent.
-shape::Mesh Dented(int level)
-{
-  shape::Mesh mesh = shapetest::Icosphere(level);
-  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
-  {
-    const Eigen::RowVector3d p = mesh.Points.row(i);
-    mesh.Points.row(i) *= 1.3 - 0.4 * std::exp(-6.0 * (1.0 - p(0))) +
-      0.08 * std::sin(3.0 * p(1)) * std::cos(2.0 * p(2));
-  }
-  return mesh;
-}
 
 /// The dented ball onto the ball.
 const shape::HarmonicVolumeMapResult& DentedToBall()
 {
   static const auto result =
-    shape::ComputeHarmonicVolumeMap(Dented(3), shapetest::Icosphere(3).Points);
+    shape::ComputeHarmonicVolumeMap(DentedSphere(3), shapetest::Icosphere(3).Points);
   return result;
 }
 
 double Farthest()
 {
-  return 0.5 * DentedToBall().OffsetDistance * shape::ComputeLongestBoxEdge(Dented(3).Points);
+  return 0.5 * DentedToBall().OffsetDistance * shape::ComputeLongestBoxEdge(DentedSphere(3).Points);
 }
 
 /// Shrunken copies of a surface around the origin.
@@ -74,7 +63,7 @@ shape::ChargeSet Folding()
 TEST(InverseMap, TheDerivativeIsThatOfTheMap)
 {
   const shape::ChargeSet& map = DentedToBall().Map;
-  const Eigen::MatrixXd points = Shells(0.9 * Dented(1).Points);
+  const Eigen::MatrixXd points = Shells(0.9 * DentedSphere(1).Points);
   const Eigen::MatrixXd jacobians = shape::EvaluateJacobians(map, points);
   const double h = 1e-5;
   for (int c = 0; c < 3; ++c)
@@ -101,7 +90,7 @@ TEST(InverseMap, OfAnAffineMapIsExact)
 {
   shape::ChargeSet map;
   map.Affine << 1.2, 0.3, 0.0, 3.0, -0.1, 0.9, 0.2, -2.0, 0.0, 0.4, -1.1, 1.0;
-  const shape::Mesh domain = Dented(3);
+  const shape::Mesh domain = DentedSphere(3);
   const Eigen::MatrixXd positions = Shells(domain.Points);
   const shape::InverseMap inverse(map, domain, 0.1);
   EXPECT_FALSE(inverse.Folds()) << "it turns orientation, which is no fold";
@@ -113,9 +102,9 @@ TEST(InverseMap, OfAnAffineMapIsExact)
 TEST(InverseMap, FindsWhereAHarmonicMapTookThePointsFrom)
 {
   const shape::ChargeSet& map = DentedToBall().Map;
-  const Eigen::MatrixXd positions = Shells(Dented(3).Points);
+  const Eigen::MatrixXd positions = Shells(DentedSphere(3).Points);
   const Eigen::MatrixXd images = shape::Evaluate(map, positions);
-  const shape::InverseMap inverse(map, Dented(3), Farthest());
+  const shape::InverseMap inverse(map, DentedSphere(3), Farthest());
   EXPECT_FALSE(inverse.Folds());
   const auto found = inverse.Find(images);
   ASSERT_EQ(Count(found, State::Found), positions.rows());
@@ -126,7 +115,7 @@ TEST(InverseMap, FindsWhereAHarmonicMapTookThePointsFrom)
 TEST(InverseMap, EveryPointOfTheImageHasAPreimageAndNoneBeyond)
 {
   const shape::ChargeSet& map = DentedToBall().Map;
-  const shape::InverseMap inverse(map, Dented(3), Farthest());
+  const shape::InverseMap inverse(map, DentedSphere(3), Farthest());
   const auto inside = inverse.Find(Shells(shapetest::Icosphere(4).Points));
   EXPECT_EQ(Count(inside, State::Found), inside.States.size());
 
@@ -143,7 +132,7 @@ TEST(InverseMap, OneSeedIsEnoughWhereTheWayIsWalked)
   poor.SeedsAcross = 1;
   poor.MaximumIterations = 4;
   const Eigen::MatrixXd images = Shells(shapetest::Icosphere(3).Points);
-  const auto found = shape::InverseMap(map, Dented(3), Farthest(), poor).Find(images);
+  const auto found = shape::InverseMap(map, DentedSphere(3), Farthest(), poor).Find(images);
   ASSERT_EQ(Count(found, State::Found), images.rows());
   EXPECT_LT((shape::Evaluate(map, found.Points) - images).rowwise().norm().maxCoeff(), 2e-10);
 }
@@ -195,7 +184,7 @@ TEST(InverseMap, AgreesBitForBitForAnyNumberOfThreads)
 {
   const shape::ChargeSet& map = DentedToBall().Map;
   const Eigen::MatrixXd images = Shells(shapetest::Icosphere(3).Points);
-  const shape::InverseMap inverse(map, Dented(3), Farthest());
+  const shape::InverseMap inverse(map, DentedSphere(3), Farthest());
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
   const auto one = inverse.Find(images);
   setenv("VTK_SMP_MAX_THREADS", "2", 1);

@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Harmonic/ApplyVolumeMap.h"
 #include "Harmonic/PiecewiseInverseMap.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -11,20 +12,9 @@
 namespace
 {
 
-shape::Mesh Joined(const shape::Mesh& a, const shape::Mesh& b)
-{
-  shape::Mesh all{ Eigen::MatrixXd(a.Points.rows() + b.Points.rows(), 3),
-    Eigen::MatrixXi(a.Triangles.rows() + b.Triangles.rows(), 3) };
-  all.Points << a.Points, b.Points;
-  all.Triangles << a.Triangles, b.Triangles.array() + static_cast<int>(a.Points.rows());
-  return all;
-}
-
 shape::Mesh Sphere(double radius, int level)
 {
-  shape::Mesh sphere = shapetest::Icosphere(level);
-  sphere.Points *= radius;
-  return sphere;
+  return shapetest::Sphere(level, radius);
 }
 
 /// A ball of radius 2 in which a ball of radius 1 has a map of its own: outside it, a charge at the
@@ -38,7 +28,7 @@ shape::PiecewiseCharges Nested(double push, double skin)
   charges.Maps[0].Charges = 4.0 * M_PI * push * Eigen::RowVector3d::UnitX();
   charges.Maps[1].Affine(0, 3) = push;
   const shape::Mesh outer = Sphere(2.0, 3), inner = Sphere(1.0, 3);
-  charges.Surface = Joined(outer, inner);
+  charges.Surface = shapetest::Joined({ outer, inner });
   charges.Regions.resize(charges.Surface.Triangles().rows());
   charges.Regions << Eigen::VectorXi::Zero(outer.Triangles.rows()),
     Eigen::VectorXi::Ones(inner.Triangles.rows());
@@ -132,7 +122,7 @@ TEST(PiecewiseHarmonicMap, AVoidBelongsToTheRegionAroundIt)
 {
   shape::PiecewiseCharges charges = Nested(0.1, 0.0);
   const shape::Mesh hole = Sphere(0.4, 2);
-  charges.Surface = Joined(charges.Surface, hole);
+  charges.Surface = shapetest::Joined({ charges.Surface, hole });
   const Eigen::VectorXi before = charges.Regions;
   charges.Regions.resize(charges.Surface.Triangles().rows());
   charges.Regions << before,

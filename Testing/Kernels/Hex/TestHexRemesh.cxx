@@ -1,8 +1,10 @@
 #include "Hex/HexRemesh.h"
 #include "Mesh/Surface.h"
+#include "Mesh/SurfaceWork.h"
 #include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
 #include "Support/Refusals.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -27,12 +29,16 @@ TEST(HexRemesh, EveryMethodFillsATorus)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.45, 60, 30);
   shape::HexRemeshOptions options;
-  options.CellSize = 0.14;
+  options.CellSize = 0.18;
   std::map<MethodType, Eigen::MatrixXd> points;
   for (const MethodType method : { MethodType::Grid, MethodType::Polycube, MethodType::Automatic })
   {
     options.Method = method;
+    const shape::SurfaceWork work(torus.Points);
     const shape::HexRemeshResult result = shape::RemeshHexahedra(torus, options);
+    // The surface goes through all kernels as it is: none checks or indexes a copy.
+    EXPECT_EQ(work.Count(shape::SurfaceWork::Kind::Topology), 1);
+    EXPECT_EQ(work.Count(shape::SurfaceWork::Kind::SearchTree), 1);
     // Automatic gives the same bits as the method that it has chosen.
     const auto first = points.emplace(result.Method, result.Fit.Solid.Points).first;
     EXPECT_EQ(result.Fit.Solid.Points, first->second);
@@ -50,13 +56,9 @@ TEST(HexRemesh, EveryMethodFillsATorus)
 
 TEST(HexRemesh, ASurfaceThatCrossesItselfIsFilledByAGrid)
 {
-  const shape::Mesh sphere = shapetest::Icosphere(3);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh surface{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  surface.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(1.01, 0.02, 0.03);
-  surface.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  const shape::Mesh surface = shapetest::Twice(shapetest::Icosphere(3), { 1.01, 0.02, 0.03 });
   shape::HexRemeshOptions options;
-  options.CellSize = 0.2;
+  options.CellSize = 0.28;
   const shape::HexRemeshResult result = shape::RemeshHexahedra(surface, options);
   EXPECT_EQ(result.Method, MethodType::Grid);
   EXPECT_GT(result.Crossings, 0);

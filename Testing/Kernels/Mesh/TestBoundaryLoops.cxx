@@ -1,7 +1,6 @@
 #include "Mesh/BoundaryLoops.h"
 
 #include "Base/Errors.h"
-#include "Mesh/OpenSurface.h"
 #include "Mesh/Topology.h"
 #include "Support/TestShapes.h"
 

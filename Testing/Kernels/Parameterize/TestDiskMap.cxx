@@ -2,6 +2,10 @@
 #include "Geometry/Orientation.h"
 #include "Parameterize/DiskMap.h"
 #include "Quality/ConformalDistortion.h"
+#include "Support/FlatMaps.h"
+#include "Support/ProgressChecks.h"
+#include "Support/Refusals.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -76,32 +80,6 @@ void ExpectNoFlip(const shape::Mesh& mesh, const DiskMapResult& map, const std::
     polygon += 0.5 * (a(0) * b(1) - a(1) * b(0));
   }
   EXPECT_NEAR(areas, polygon, 1e-10) << what;
-}
-
-double MeanDistortion(const shape::Mesh& mesh, const DiskMapResult& map)
-{
-  const Eigen::VectorXd areas = shape::ComputeAreaVectors(mesh).rowwise().norm();
-  return areas.dot(shape::ComputeConformalDistortion(mesh, map.Points)) / areas.sum();
-}
-
-std::string Refusal(const shape::Mesh& mesh, const DiskMapOptions& options = {})
-{
-  try
-  {
-    shape::MapToDisk(mesh, options);
-  }
-  catch (const shape::InvalidInput& error)
-  {
-    return error.what();
-  }
-  return "";
-}
-
-void ExpectRefused(
-  const shape::Mesh& mesh, const std::string& words, const DiskMapOptions& options = {})
-{
-  const std::string message = Refusal(mesh, options);
-  EXPECT_NE(message.find(words), std::string::npos) << message;
 }
 
 /// The mesh without its first triangle that has the corner `point`.
@@ -232,7 +210,7 @@ TEST(DiskMap, HemispheresBecomeMoreConformalWithTheMesh)
     const shape::Mesh flat = FlatDisk(rings);
     const double error = (map.Points - flat.Points).cwiseAbs().maxCoeff();
     EXPECT_LT(error, 0.35 * before) << rings;
-    EXPECT_LT(MeanDistortion(mesh, map) - 1.0, 0.3 / (rings * rings)) << rings;
+    EXPECT_LT(shapetest::MeanDistortion(mesh, map.Points) - 1.0, 0.3 / (rings * rings)) << rings;
     before = error;
   }
 }
@@ -265,18 +243,8 @@ TEST(DiskMap, FlipsOfCotangentWeightsAreAnErrorWithTheirNumberAndTheRemedy)
   // Squeezed until most triangles are obtuse.
   shape::Mesh mesh = Bumps(10);
   mesh.Points.col(1) *= 0.02;
-  try
-  {
-    shape::MapToDisk(mesh, { CombinationWeights::Cotangent, DiskOutline::Circle });
-    FAIL() << "no flip";
-  }
-  catch (const shape::SolveFailure& error)
-  {
-    const std::string message = error.what();
-    EXPECT_NE(message.find("Cotangent weights flip "), std::string::npos) << message;
-    EXPECT_NE(message.find(" of 600 triangles (first triangle "), std::string::npos) << message;
-    EXPECT_NE(message.find("use MeanValue weights"), std::string::npos) << message;
-  }
+  EXPECT_UNSOLVED(shape::MapToDisk(mesh, { CombinationWeights::Cotangent, DiskOutline::Circle }),
+    "Cotangent weights flip ", " of 600 triangles (first triangle ", "use MeanValue weights");
 }
 
 TEST(DiskMap, ALimbThatShrinksBelowDoublePrecisionIsAnError)
@@ -310,17 +278,8 @@ TEST(DiskMap, ALimbThatShrinksBelowDoublePrecisionIsAnError)
   for (const CombinationWeights weights :
     { CombinationWeights::Uniform, CombinationWeights::MeanValue })
   {
-    try
-    {
-      shape::MapToDisk(tube, { weights, DiskOutline::Circle });
-      FAIL() << "triangles below double precision were called sound";
-    }
-    catch (const shape::SolveFailure& error)
-    {
-      EXPECT_NE(
-        std::string(error.what()).find("an extremity shrinks exponentially"), std::string::npos)
-        << error.what();
-    }
+    EXPECT_UNSOLVED(shape::MapToDisk(tube, { weights, DiskOutline::Circle }),
+      "an extremity shrinks exponentially");
   }
 }
 
@@ -337,9 +296,8 @@ TEST(DiskMap, AnEdgeAcrossOneSideOfTheSquareIsRefusedAndTakenByTheCircle)
   {
     mesh.Triangles.row(m) << 5, 4, static_cast<int>(n);
   }
-  ExpectRefused(mesh,
-    "1 inner edge that joins two points of one side of the square (first from point 4 to 5)",
-    { CombinationWeights::MeanValue, DiskOutline::Square });
+  EXPECT_REFUSED(shape::MapToDisk(mesh, { CombinationWeights::MeanValue, DiskOutline::Square }),
+    "1 inner edge that joins two points of one side of the square (first from point 4 to 5)");
   ExpectNoFlip(mesh, shape::MapToDisk(mesh), "ear");
 }
 
@@ -388,55 +346,43 @@ TEST(DiskMap, DoesNotDependOnTheNumberingNorOnPlaceAndScale)
 TEST(DiskMap, RefusesWhatIsNoDiskAndSaysWhy)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  EXPECT_EQ(Refusal(sphere), "the surface is closed; cut it first with Shape Cut Feature");
+  EXPECT_EQ(shapetest::Refusal([&] { shape::MapToDisk(sphere); }),
+    "the surface is closed; cut it first with Shape Cut Feature");
   const shape::Mesh twoHoles = WithoutTriangleAt(WithoutTriangleAt(sphere, 0), 3);
-  ExpectRefused(twoHoles,
+  EXPECT_REFUSED(shape::MapToDisk(twoHoles),
     "the surface has 2 open loops (first at point 0); "
     "fill all but the outer one with Shape Fill Holes");
-  ExpectRefused(WithoutTriangleAt(shapetest::Torus(1.0, 0.3, 20, 10), 7),
+  EXPECT_REFUSED(shape::MapToDisk(WithoutTriangleAt(shapetest::Torus(1.0, 0.3, 20, 10), 7)),
     "the surface has Euler number -1 (genus 1)");
   const shape::Mesh disk = FlatDisk(3);
-  const Eigen::Index n = disk.Points.rows(), m = disk.Triangles.rows();
-  shape::Mesh two{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  two.Points << disk.Points, disk.Points.array() + 5.0;
-  two.Triangles << disk.Triangles, disk.Triangles.array() + static_cast<int>(n);
-  ExpectRefused(two, "2 components");
+  const Eigen::Index n = disk.Points.rows();
+  EXPECT_REFUSED(shape::MapToDisk(shapetest::Twice(disk)), "2 components");
   shape::Mesh unused = disk;
   unused.Points.conservativeResize(n + 1, 3);
   unused.Points.row(n).setZero();
-  ExpectRefused(unused, "1 point that no triangle uses (first at point ");
+  EXPECT_REFUSED(shape::MapToDisk(unused), "1 point that no triangle uses (first at point ");
   shape::Mesh turned = disk;
   turned.Triangles.row(0).reverseInPlace();
-  ExpectRefused(turned, "edges between triangles of opposite orientation");
+  EXPECT_REFUSED(shape::MapToDisk(turned), "edges between triangles of opposite orientation");
   shape::Mesh doubled = disk;
   doubled.Points.row(n - 2) = doubled.Points.row(n - 3);
-  ExpectRefused(doubled, "open loop has 1 edge without length");
+  EXPECT_REFUSED(shape::MapToDisk(doubled), "open loop has 1 edge without length");
   shape::Mesh infinite = disk;
   infinite.Points(4, 1) = INFINITY;
-  ExpectRefused(infinite, "first at point 4");
-  ExpectRefused({ disk.Points, Eigen::MatrixXi(0, 3) }, "no triangles");
-  ExpectRefused({ disk.Points.topRows(3), (Eigen::MatrixXi(1, 3) << 0, 1, 2).finished() },
-    "use the outline Circle", { CombinationWeights::MeanValue, DiskOutline::Square });
+  EXPECT_REFUSED(shape::MapToDisk(infinite), "first at point 4");
+  EXPECT_REFUSED(shape::MapToDisk({ disk.Points, Eigen::MatrixXi(0, 3) }), "no triangles");
+  EXPECT_REFUSED(
+    shape::MapToDisk({ disk.Points.topRows(3), (Eigen::MatrixXi(1, 3) << 0, 1, 2).finished() },
+      { CombinationWeights::MeanValue, DiskOutline::Square }),
+    "use the outline Circle");
 }
 
 TEST(DiskMap, ProgressRisesAndCanStop)
 {
   const shape::Mesh mesh = Bumps(6);
-  double last = 0.0;
-  int calls = 0;
-  shape::MapToDisk(mesh, {},
-    shape::Progress(
-      [&](double fraction)
-      {
-        EXPECT_GE(fraction, last);
-        last = fraction;
-        return ++calls > 0;
-      }));
-  EXPECT_EQ(last, 1.0);
-  EXPECT_GT(calls, 4);
-  int left = 3;
-  EXPECT_THROW(shape::MapToDisk(mesh, {}, shape::Progress([&](double) { return --left > 0; })),
-    shape::Aborted);
+  const auto call = [&](const shape::Progress& progress) { shape::MapToDisk(mesh, {}, progress); };
+  EXPECT_GT(shapetest::ExpectProgressRises(call), 4);
+  shapetest::ExpectStopsAt(3, call);
 }
 
 TEST(DiskMap, ModelsWithOneLoopMapOneToOne)

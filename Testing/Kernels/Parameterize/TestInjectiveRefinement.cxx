@@ -1,9 +1,11 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Parameterize/ConvexCombination.h"
 #include "Parameterize/InjectiveRefinement.h"
 #include "Parameterize/Private/PlanarElements.h"
+#include "Support/FlatMaps.h"
+#include "Support/ProgressChecks.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -20,19 +22,6 @@ constexpr Distortion AllMeasures[] = { Distortion::SymmetricDirichlet,
   Distortion::ExponentialSymmetricDirichlet, Distortion::AMIPS, Distortion::ConformalAMIPS,
   Distortion::LogARAP, Distortion::ARAP };
 
-/// A bumpy cap of no symmetry.
-shape::Mesh Bumps(int rings)
-{
-  shape::Mesh mesh = shapetest::FlatDisk(rings);
-  for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
-  {
-    const double x = mesh.Points(i, 0), y = mesh.Points(i, 1);
-    mesh.Points(i, 2) = 0.5 * std::sin(4.0 * x + 1.0) * std::cos(3.0 * y);
-    mesh.Points(i, 0) *= 1.4 + 0.5 * std::sin(3.0 * y);
-  }
-  return mesh;
-}
-
 /// Tutte's map onto the unit circle.
 Eigen::MatrixXd Tutte(const shape::Mesh& mesh)
 {
@@ -45,17 +34,6 @@ Eigen::MatrixXd Tutte(const shape::Mesh& mesh)
     positions.row(i) << std::cos(angle), std::sin(angle);
   }
   return shape::SolveConvexCombination(mesh, shape::CombinationWeights::Uniform, loop, positions);
-}
-
-int Flips(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
-{
-  int flips = 0;
-  for (const auto& corners : mesh.Triangles.rowwise())
-  {
-    flips += shape::EvaluateOrientation(
-               image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <= 0;
-  }
-  return flips;
 }
 
 } // namespace
@@ -76,7 +54,7 @@ TEST(InjectiveRefinement, LaysAFlatSurfaceOutAsItIs)
 
 TEST(InjectiveRefinement, EveryMeasureFallsToAStationaryPointWithoutAFlip)
 {
-  const shape::Mesh mesh = Bumps(8);
+  const shape::Mesh mesh = shapetest::BumpyDisk(8, 0.5);
   const Eigen::MatrixXd start = Tutte(mesh);
   const shape::PlanarElements elements(mesh, 1.0);
   for (const Distortion measure : AllMeasures)
@@ -88,7 +66,7 @@ TEST(InjectiveRefinement, EveryMeasureFallsToAStationaryPointWithoutAFlip)
     options.Exponent = 0.5;
     const auto map = shape::RefineInjectively(mesh, start, {}, options);
     const std::string name = "measure " + std::to_string(static_cast<int>(measure));
-    EXPECT_EQ(Flips(mesh, map.Points), 0) << name;
+    EXPECT_EQ(shapetest::CountFlips(mesh.Triangles, map.Points), 0) << name;
     // The exponential ones start where SymmetricDirichlet has ended.
     EXPECT_LT(map.Energy, (shape::IsExponential(measure) ? 1.0 : 0.9) * map.StartEnergy) << name;
     EXPECT_DOUBLE_EQ(map.Energy, elements.Energy(map.Points, measure, options.Exponent)) << name;
@@ -138,13 +116,13 @@ TEST(InjectiveRefinement, ConformalMeasureReachesTheStereographicProjectionOfACa
 
 TEST(InjectiveRefinement, FixedPointsStayToTheBitAndScaleCounts)
 {
-  const shape::Mesh mesh = Bumps(6);
+  const shape::Mesh mesh = shapetest::BumpyDisk(6, 0.5);
   const Eigen::MatrixXd start = Tutte(mesh);
   const std::vector<int> loop = shape::FindManifoldBoundaryLoops(mesh).front();
   const auto map = shape::RefineInjectively(mesh, start, loop);
   EXPECT_EQ(map.Points(loop, Eigen::all), start(loop, Eigen::all));
   EXPECT_LT(map.Energy, map.StartEnergy);
-  EXPECT_EQ(Flips(mesh, map.Points), 0);
+  EXPECT_EQ(shapetest::CountFlips(mesh.Triangles, map.Points), 0);
   // Twice as large an image of a surface that counts as twice as large.
   shape::InjectiveRefinementOptions options;
   options.Scale = 2.0;
@@ -154,12 +132,12 @@ TEST(InjectiveRefinement, FixedPointsStayToTheBitAndScaleCounts)
 
 TEST(InjectiveRefinement, DegenerateTrianglesStayFinite)
 {
-  shape::Mesh mesh = Bumps(6);
+  shape::Mesh mesh = shapetest::BumpyDisk(6, 0.5);
   mesh.Points.row(0) = mesh.Points.row(1);
   mesh.Points.row(20) = 0.5 * (mesh.Points.row(21) + mesh.Points.row(19));
   const auto map = shape::RefineInjectively(mesh, Tutte(mesh));
   EXPECT_TRUE(map.Points.allFinite());
-  EXPECT_EQ(Flips(mesh, map.Points), 0);
+  EXPECT_EQ(shapetest::CountFlips(mesh.Triangles, map.Points), 0);
   EXPECT_LT(map.Energy, map.StartEnergy);
 }
 
@@ -182,7 +160,7 @@ TEST(InjectiveRefinement, TheStepToTheFirstFlipIsExact)
 
 TEST(InjectiveRefinement, RefusesAFlippedStartAndBadOptions)
 {
-  const shape::Mesh mesh = Bumps(3);
+  const shape::Mesh mesh = shapetest::BumpyDisk(3, 0.5);
   Eigen::MatrixXd start = Tutte(mesh);
   start.col(0) *= -1.0;
   EXPECT_THROW(shape::RefineInjectively(mesh, start), shape::InvalidInput);
@@ -197,20 +175,10 @@ TEST(InjectiveRefinement, RefusesAFlippedStartAndBadOptions)
 
 TEST(InjectiveRefinement, ProgressRisesAndCanStop)
 {
-  const shape::Mesh mesh = Bumps(6);
+  const shape::Mesh mesh = shapetest::BumpyDisk(6, 0.5);
   const Eigen::MatrixXd start = Tutte(mesh);
-  double last = 0.0;
-  bool rises = true;
-  shape::RefineInjectively(mesh, start, {}, {},
-    shape::Progress(
-      [&](double fraction)
-      {
-        rises = rises && fraction >= last;
-        last = fraction;
-        return true;
-      }));
-  EXPECT_TRUE(rises);
-  EXPECT_EQ(last, 1.0);
+  shapetest::ExpectProgressRises([&](const shape::Progress& progress)
+    { shape::RefineInjectively(mesh, start, {}, {}, progress); });
   EXPECT_THROW(shape::RefineInjectively(mesh, start, {}, {},
                  shape::Progress([](double fraction) { return fraction < 0.3; })),
     shape::Aborted);

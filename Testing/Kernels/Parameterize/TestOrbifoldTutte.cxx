@@ -2,7 +2,10 @@
 #include "Geometry/Orientation.h"
 #include "Parameterize/OrbifoldTutte.h"
 #include "Quality/ConformalDistortion.h"
+#include "Support/FlatMaps.h"
 #include "Support/MatchingShapes.h"
+#include "Support/Orbifolds.h"
+#include "Support/Refusals.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -13,29 +16,14 @@
 #include <vector>
 
 using shape::OrbifoldType;
+using shapetest::ConesOnIcosphere;
 
 namespace
 {
 
-constexpr OrbifoldType AllTypes[] = { OrbifoldType::Square, OrbifoldType::Rhombus,
-  OrbifoldType::Triangle, OrbifoldType::Rectangle };
-
-std::vector<int> Cones(OrbifoldType type)
-{
-  // Corners of the icosahedron, none beside another but the last.
-  return shape::GetConeCount(type) == 3 ? std::vector<int>{ 0, 4, 8 }
-                                        : std::vector<int>{ 0, 4, 8, 2 };
-}
-
 int Flips(const shape::OrbifoldImage& image)
 {
-  int flips = 0;
-  for (const auto& corners : image.Cut.Surface.Triangles.rowwise())
-  {
-    flips += shape::EvaluateOrientation(image.Points.row(corners(0)), image.Points.row(corners(1)),
-               image.Points.row(corners(2))) <= 0;
-  }
-  return flips;
+  return shapetest::CountFlips(image.Cut.Surface.Triangles, image.Points);
 }
 
 double ImageArea(const shape::Mesh& cut, const Eigen::MatrixXd& points)
@@ -55,8 +43,7 @@ double MeanDistortion(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
 {
   Eigen::MatrixXd flat = Eigen::MatrixXd::Zero(image.rows(), 3);
   flat.leftCols(2) = image;
-  const Eigen::VectorXd areas = shape::ComputeAreaVectors(mesh).rowwise().norm();
-  return areas.dot(shape::ComputeConformalDistortion(mesh, flat)) / areas.sum();
+  return shapetest::MeanDistortion(mesh, flat);
 }
 
 } // namespace
@@ -64,26 +51,26 @@ double MeanDistortion(const shape::Mesh& mesh, const Eigen::MatrixXd& image)
 TEST(OrbifoldTutte, CoversTheTileOnceWithoutAFlip)
 {
   const double areas[] = { 1.0, std::sqrt(0.75), std::sqrt(3.0) / 4.0, 1.0 };
-  for (const OrbifoldType type : AllTypes)
+  for (const OrbifoldType type : shapetest::AllOrbifolds)
   {
     const shape::Mesh mesh = shapetest::Pebble(shapetest::Icosphere(3));
-    const auto image = shape::MapToOrbifold(mesh, Cones(type), type);
+    const auto image = shape::MapToOrbifold(mesh, ConesOnIcosphere(type), type);
     EXPECT_EQ(Flips(image), 0);
     // The cut is curved, but what it takes on one side it gives on the other.
     EXPECT_NEAR(ImageArea(image.Cut.Surface, image.Points), areas[static_cast<int>(type)], 1e-12);
     // The cut surface is a disk whose points know where they come from.
     EXPECT_GT(image.Cut.Surface.Points.rows(), mesh.Points.rows());
-    EXPECT_EQ(image.Cut.Surface.Points, mesh.Points(image.Cut.Originals, Eigen::all));
+    EXPECT_EQ(image.Cut.Surface.Points, mesh.Points(image.Cut.Provenance.Points, Eigen::all));
   }
 }
 
 TEST(OrbifoldTutte, TheAnglesAroundConesAddUpToTheirOrders)
 {
   const double orders[][4] = { { 4, 2, 4, 0 }, { 3, 3, 3, 0 }, { 6, 3, 2, 0 }, { 2, 2, 2, 2 } };
-  for (const OrbifoldType type : AllTypes)
+  for (const OrbifoldType type : shapetest::AllOrbifolds)
   {
-    const auto image =
-      shape::MapToOrbifold(shapetest::Pebble(shapetest::Icosphere(3)), Cones(type), type);
+    const auto image = shape::MapToOrbifold(
+      shapetest::Pebble(shapetest::Icosphere(3)), ConesOnIcosphere(type), type);
     Eigen::VectorXd angles = Eigen::VectorXd::Zero(642);
     for (const auto& corners : image.Cut.Surface.Triangles.rowwise())
     {
@@ -93,7 +80,8 @@ TEST(OrbifoldTutte, TheAnglesAroundConesAddUpToTheirOrders)
           image.Points.row(corners((k + 1) % 3)) - image.Points.row(corners(k));
         const Eigen::RowVector2d v =
           image.Points.row(corners((k + 2) % 3)) - image.Points.row(corners(k));
-        angles(image.Cut.Originals[corners(k)]) += std::atan2(u(0) * v(1) - u(1) * v(0), u.dot(v));
+        angles(image.Cut.Provenance.Points(corners(k))) +=
+          std::atan2(u(0) * v(1) - u(1) * v(0), u.dot(v));
       }
     }
     Eigen::VectorXd expected = Eigen::VectorXd::Constant(642, 2.0 * M_PI);
@@ -107,7 +95,7 @@ TEST(OrbifoldTutte, TheAnglesAroundConesAddUpToTheirOrders)
 
 TEST(OrbifoldTutte, TheMotionsOfTheTileFormItsGroup)
 {
-  for (const OrbifoldType type : AllTypes)
+  for (const OrbifoldType type : shapetest::AllOrbifolds)
   {
     const shape::OrbifoldTile tile = shape::BuildOrbifoldTile(type);
     for (std::size_t leg = 0; leg < tile.Legs.size(); ++leg)
@@ -128,13 +116,13 @@ TEST(OrbifoldTutte, BecomesConformalWithTheMeshAwayFromTheCones)
 {
   // Near a cone of order k the image grows with the k-th root of the distance: errors fall slowly.
   const double limits[] = { 0.04, 0.02, 0.09, 0.02 };
-  for (const OrbifoldType type : AllTypes)
+  for (const OrbifoldType type : shapetest::AllOrbifolds)
   {
     double before = 10.0;
     for (const int level : { 2, 3, 4 })
     {
-      const auto image =
-        shape::MapToOrbifold(shapetest::Pebble(shapetest::Icosphere(level)), Cones(type), type);
+      const auto image = shape::MapToOrbifold(
+        shapetest::Pebble(shapetest::Icosphere(level)), ConesOnIcosphere(type), type);
       const Eigen::MatrixXd positions =
         type == OrbifoldType::Rectangle ? shape::FitToBestParallelogram(image) : image.Points;
       const double above = MeanDistortion(image.Cut.Surface, positions) - 1.0;
@@ -199,29 +187,15 @@ TEST(OrbifoldTutte, FindsAPathWhereTheShortestWouldWallAConeIn)
 
 TEST(OrbifoldTutte, WhatItCannotMapIsRefusedWithTheFact)
 {
-  const auto refusal = [](const shape::Mesh& mesh, const std::vector<int>& cones, OrbifoldType type)
-  {
-    try
-    {
-      shape::MapToOrbifold(mesh, cones, type);
-    }
-    catch (const shape::InvalidInput& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
   const shape::Mesh mesh = shapetest::Pebble(shapetest::Icosphere(2));
-  EXPECT_NE(refusal(mesh, { 0, 1 }, OrbifoldType::Square).find("has 3 cones, but 2 are given"),
-    std::string::npos);
-  EXPECT_NE(
-    refusal(mesh, { 0, 7, 0 }, OrbifoldType::Square).find("cones 0 and 2 are the same point, 0"),
-    std::string::npos);
-  EXPECT_NE(
-    refusal(mesh, { 0, 7, 999 }, OrbifoldType::Square).find("is point 999"), std::string::npos);
-  EXPECT_NE(refusal(shapetest::Torus(1.0, 0.3, 20, 10), { 0, 50, 100 }, OrbifoldType::Square)
-              .find("(genus 1)"),
-    std::string::npos);
-  EXPECT_NE(refusal(shapetest::FlatDisk(4), { 0, 1, 2 }, OrbifoldType::Square).find("open loop"),
-    std::string::npos);
+  EXPECT_REFUSED(
+    shape::MapToOrbifold(mesh, { 0, 1 }, OrbifoldType::Square), "has 3 cones, but 2 are given");
+  EXPECT_REFUSED(shape::MapToOrbifold(mesh, { 0, 7, 0 }, OrbifoldType::Square),
+    "cones 0 and 2 are the same point, 0");
+  EXPECT_REFUSED(shape::MapToOrbifold(mesh, { 0, 7, 999 }, OrbifoldType::Square), "is point 999");
+  EXPECT_REFUSED(
+    shape::MapToOrbifold(shapetest::Torus(1.0, 0.3, 20, 10), { 0, 50, 100 }, OrbifoldType::Square),
+    "(genus 1)");
+  EXPECT_REFUSED(
+    shape::MapToOrbifold(shapetest::FlatDisk(4), { 0, 1, 2 }, OrbifoldType::Square), "open loop");
 }

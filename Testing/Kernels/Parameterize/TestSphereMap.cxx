@@ -1,6 +1,9 @@
 #include "Base/Errors.h"
 #include "Parameterize/SphereMap.h"
 #include "Parameterize/SphericalTriangles.h"
+#include "Support/ProgressChecks.h"
+#include "Support/Refusals.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -115,19 +118,6 @@ void ExpectOneToOneAndCentred(const shape::Mesh& mesh, const shape::SphereMapRes
   EXPECT_LT((map.Points.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
   EXPECT_LT(MeanOf(mesh, map.Points).norm(), 1e-9);
   EXPECT_GT(map.SmallestArea, 0.0);
-}
-
-std::string Refusal(const shape::Mesh& mesh)
-{
-  try
-  {
-    shape::MapToSphere(mesh);
-  }
-  catch (const shape::InvalidInput& error)
-  {
-    return error.what();
-  }
-  return "";
 }
 
 } // namespace
@@ -278,23 +268,18 @@ TEST(SphereMap, GivesTheSameBitsTwice)
 
 TEST(SphereMap, RefusesWhatIsNoSphereAndSaysWhy)
 {
-  const std::string torus = Refusal(shapetest::Torus(1.0, 0.3, 20, 10));
-  EXPECT_NE(torus.find("Euler number 0 (genus 1)"), std::string::npos) << torus;
+  EXPECT_REFUSED(
+    shape::MapToSphere(shapetest::Torus(1.0, 0.3, 20, 10)), "Euler number 0 (genus 1)");
 
   const shape::Mesh one = shapetest::Icosphere(1);
-  const Eigen::Index n = one.Points.rows(), m = one.Triangles.rows();
-  shape::Mesh two{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  two.Points << one.Points, one.Points.array() + 5.0;
-  two.Triangles << one.Triangles, one.Triangles.array() + static_cast<int>(n);
-  EXPECT_NE(Refusal(two).find("2 components"), std::string::npos) << Refusal(two);
+  EXPECT_REFUSED(shape::MapToSphere(shapetest::Twice(one)), "2 components");
 
+  const Eigen::Index n = one.Points.rows();
   shape::Mesh unused = one;
   unused.Points.conservativeResize(n + 2, 3);
   unused.Points.bottomRows(2).setZero();
-  EXPECT_NE(Refusal(unused).find(
-              "2 points that no triangle uses (first at point " + std::to_string(n) + ")"),
-    std::string::npos)
-    << Refusal(unused);
+  EXPECT_REFUSED(shape::MapToSphere(unused),
+    "2 points that no triangle uses (first at point " + std::to_string(n) + ")");
 
   shape::SphereMapOptions options;
   options.MaximumIterations = 0;
@@ -302,27 +287,16 @@ TEST(SphereMap, RefusesWhatIsNoSphereAndSaysWhy)
 
   shape::Mesh point = one;
   point.Points.setConstant(7.0);
-  EXPECT_NE(Refusal(point).find("no area"), std::string::npos) << Refusal(point);
+  EXPECT_REFUSED(shape::MapToSphere(point), "no area");
 }
 
 TEST(SphereMap, ProgressRisesAndCanStop)
 {
   const shape::Mesh mesh = Bumpy(3);
-  double last = 0.0;
-  int calls = 0;
-  shape::MapToSphere(mesh, {},
-    shape::Progress(
-      [&](double fraction)
-      {
-        EXPECT_GE(fraction, last);
-        last = fraction;
-        return ++calls > 0;
-      }));
-  EXPECT_EQ(last, 1.0);
-  EXPECT_GT(calls, 5);
-  int left = 4;
-  EXPECT_THROW(shape::MapToSphere(mesh, {}, shape::Progress([&](double) { return --left > 0; })),
-    shape::Aborted);
+  const auto call = [&](const shape::Progress& progress)
+  { shape::MapToSphere(mesh, {}, progress); };
+  EXPECT_GT(shapetest::ExpectProgressRises(call), 5);
+  shapetest::ExpectStopsAt(4, call);
 }
 
 TEST(SphereMap, ScannedModelsMapOneToOne)
@@ -339,6 +313,6 @@ TEST(SphereMap, ScannedModelsMapOneToOne)
     ExpectOneToOneAndCentred(mesh, map);
     EXPECT_EQ(map.Method, shape::SphereMapMethod::ConformalFlow) << name;
   }
-  const std::string elephant = Refusal(shapetest::ReadOff(folder + "/elephant.off"));
-  EXPECT_NE(elephant.find("Euler number -4 (genus 3)"), std::string::npos) << elephant;
+  EXPECT_REFUSED(
+    shape::MapToSphere(shapetest::ReadOff(folder + "/elephant.off")), "Euler number -4 (genus 3)");
 }

@@ -2,6 +2,8 @@
 #include "Geometry/Orientation.h"
 #include "Mesh/HalfEdges.h"
 #include "Planar/PlanarDelaunay.h"
+#include "Support/RandomPoints.h"
+#include "Support/Refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -25,17 +27,6 @@ shape::PlanarDelaunayOptions Kept(Keep keep, bool addCrossings = false)
   options.Keep = keep;
   options.AddCrossings = addCrossings;
   return options;
-}
-
-Eigen::MatrixXd RandomPoints(int count, unsigned int seed)
-{
-  std::mt19937 random(seed);
-  Eigen::MatrixXd points(count, 2);
-  for (double& value : points.reshaped())
-  {
-    value = static_cast<double>(random()) / 4294967296.0;
-  }
-  return points;
 }
 
 /// Whole numbers up to side - 1.
@@ -200,7 +191,7 @@ Eigen::MatrixXi RandomSegments(const Eigen::MatrixXd& points, int tries, unsigne
 
 TEST(PlanarDelaunay, CirclesAreEmpty)
 {
-  const Eigen::MatrixXd points = RandomPoints(300, 1);
+  const Eigen::MatrixXd points = shapetest::RandomPointsInSquare(300, 1);
   const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points);
   EXPECT_EQ(ExpectDelaunay(plane).Euler, 1);
   for (const auto& t : plane.Triangles.rowwise())
@@ -261,7 +252,7 @@ TEST(PlanarDelaunay, PointsOnOneLineHaveNoTriangle)
 
 TEST(PlanarDelaunay, DuplicatesAreMergedIntoTheFirst)
 {
-  const Eigen::MatrixXd once = RandomPoints(200, 2);
+  const Eigen::MatrixXd once = shapetest::RandomPointsInSquare(200, 2);
   Eigen::MatrixXd points(600, 2);
   points << once, once.colwise().reverse(), once;
   const shape::PlanarTriangulation plane = shape::TriangulateInPlane(points);
@@ -280,7 +271,7 @@ TEST(PlanarDelaunay, SegmentsBecomeEdges)
 {
   for (unsigned int seed = 0; seed < 60; ++seed)
   {
-    Eigen::MatrixXd points = RandomPoints(400, 10 + seed);
+    Eigen::MatrixXd points = shapetest::RandomPointsInSquare(400, 10 + seed);
     if (seed % 3 == 1)
     {
       points = (20.0 * points).array().round(); // many on one line, on one circle, or the same
@@ -302,7 +293,7 @@ TEST(PlanarDelaunay, ALongSegmentCrossesEverything)
 {
   // Two rows of points, each near the segment, and a cloud.
   Eigen::MatrixXd points(4002, 2);
-  points.topRows(3000) = RandomPoints(3000, 3);
+  points.topRows(3000) = shapetest::RandomPointsInSquare(3000, 3);
   for (int i = 0; i < 1000; ++i)
   {
     points.row(3000 + i) << 0.001 * i, 0.5 + (i % 2 == 0 ? 1e-9 : -1e-9) * (i + 1);
@@ -329,7 +320,7 @@ TEST(PlanarDelaunay, AnOutlineWithAHole)
     points.row(i) << radius * std::cos(angle), radius * std::sin(angle);
     points.row(count + i) = 0.5 * points.row(i);
   }
-  points.bottomRows(500) = 2.4 * (RandomPoints(500, 4).array() - 0.5);
+  points.bottomRows(500) = 2.4 * (shapetest::RandomPointsInSquare(500, 4).array() - 0.5);
   Eigen::MatrixXi segments(2 * count, 2);
   segments << ClosedOutline(0, count), ClosedOutline(count, count);
   const double outer = OutlineArea(points, segments.topRows(count));
@@ -388,16 +379,7 @@ TEST(PlanarDelaunay, CrossingsAreNamedOrAdded)
   points << 0, 0, 4, 4, 0, 4, 4, 0;
   Eigen::MatrixXi segments(3, 2);
   segments << 0, 2, 0, 1, 2, 3;
-  try
-  {
-    shape::TriangulateInPlane(points, segments);
-    FAIL();
-  }
-  catch (const shape::InvalidInput& error)
-  {
-    EXPECT_NE(std::string(error.what()).find("segments 1 and 2 cross at (2, 2)"), std::string::npos)
-      << error.what();
-  }
+  EXPECT_REFUSED(shape::TriangulateInPlane(points, segments), "segments 1 and 2 cross at (2, 2)");
   const shape::PlanarTriangulation plane =
     shape::TriangulateInPlane(points, segments, Kept(Keep::All, true));
   EXPECT_EQ(plane.Points.row(4), Eigen::RowVector2d(2, 2));
@@ -407,8 +389,9 @@ TEST(PlanarDelaunay, CrossingsAreNamedOrAdded)
   // Many of them, also where three meet.
   for (unsigned int seed = 0; seed < 10; ++seed)
   {
-    const Eigen::MatrixXd positions =
-      seed % 2 == 0 ? RandomPoints(60, seed) : (8.0 * RandomPoints(60, seed)).array().round();
+    const Eigen::MatrixXd positions = seed % 2 == 0
+      ? shapetest::RandomPointsInSquare(60, seed)
+      : (8.0 * shapetest::RandomPointsInSquare(60, seed)).array().round();
     const shape::PlanarTriangulation star =
       shape::TriangulateInPlane(positions, ClosedOutline(0, 60), Kept(Keep::Oddly, true));
     ExpectDelaunay(star);
@@ -436,7 +419,7 @@ TEST(PlanarDelaunay, APentagramIsWoundTwiceInside)
 TEST(PlanarDelaunay, CirclesOfAnotherMetric)
 {
   // Whatever the coordinates, the triangles are those of the places that they stand for.
-  const Eigen::MatrixXd points = RandomPoints(300, 6);
+  const Eigen::MatrixXd points = shapetest::RandomPointsInSquare(300, 6);
   shape::PlanarDelaunayOptions options;
   options.Metric << 5.0, 2.0, -1.0, 0.25;
   const shape::PlanarTriangulation sheared = shape::TriangulateInPlane(points, {}, options);
@@ -453,7 +436,7 @@ TEST(PlanarDelaunay, CirclesOfAnotherMetric)
 
 TEST(PlanarDelaunay, NamesWhatIsWrong)
 {
-  Eigen::MatrixXd points = RandomPoints(10, 5);
+  Eigen::MatrixXd points = shapetest::RandomPointsInSquare(10, 5);
   EXPECT_THROW(shape::TriangulateInPlane(points, ClosedOutline(0, 11)), shape::InvalidInput);
   EXPECT_THROW(shape::TriangulateInPlane(points, ClosedOutline(0, 3).topRows(2), Kept(Keep::Oddly)),
     shape::InvalidInput);

@@ -46,7 +46,7 @@ TEST(PlanarLocator, FindsTheTriangleOfAPlace)
     int inside = 0;
     const auto check = [&](const RowVector2d& position)
     {
-      const shape::PlanarPoint found = locator.Find(position);
+      const shape::SurfacePoint found = locator.Find(position);
       ASSERT_EQ(found.Triangle, Lowest(points, mesh.Triangles, position));
       if (found.Triangle >= 0)
       {

@@ -67,8 +67,9 @@ std::map<std::pair<int, int>, int> EdgesOf(const shape::Mesh& mesh)
 /// That it is the same surface, and each loop a closed way along its edges.
 void ExpectSameShape(const shape::Mesh& mesh, const shape::ImprintedCurves& inserted)
 {
-  const Eigen::Index given = mesh.Points.rows(), added = inserted.NewPoints.Triangles.size();
-  ASSERT_EQ(inserted.Surface.Points.rows(), given + added);
+  const Eigen::Index given = mesh.Points.rows();
+  const shape::Provenance& provenance = inserted.Provenance;
+  ASSERT_EQ(inserted.Surface.Points.rows(), provenance.Points.size());
   EXPECT_EQ(inserted.Surface.Points.topRows(given), mesh.Points);
   const shape::Topology before = shape::ComputeTopology(mesh);
   const shape::Topology after = shape::ComputeTopology(inserted.Surface);
@@ -86,20 +87,32 @@ void ExpectSameShape(const shape::Mesh& mesh, const shape::ImprintedCurves& inse
   const double size = std::pow(shape::ComputeBoxDiagonal(mesh.Points), 2);
   for (Eigen::Index i = 0; i < parts.rows(); ++i)
   {
-    const int original = inserted.OriginalTriangles(i);
+    const int original = provenance.Cells(i);
     sums.row(original) += parts.row(i);
     EXPECT_GE(parts.row(i).dot(whole.row(original)), -1e-14 * size * whole.row(original).norm());
   }
   EXPECT_LT((sums - whole).cwiseAbs().maxCoeff(), 1e-14 * size);
-  for (Eigen::Index i = 0; i < added; ++i)
+  EXPECT_EQ(provenance.Points.head(given),
+    Eigen::VectorXi::LinSpaced(given, 0, static_cast<int>(given) - 1));
+  EXPECT_TRUE((provenance.Points.tail(provenance.Points.size() - given).array() == -1).all());
+  EXPECT_GE(provenance.Weights.coeffs().minCoeff(), 0.0);
+  EXPECT_LT(
+    (provenance.Weights * Eigen::VectorXd::Ones(given)).array().abs().maxCoeff(), 1 + 1e-15);
+  EXPECT_LT((provenance.Weights * mesh.Points - inserted.Surface.Points).cwiseAbs().maxCoeff(),
+    1e-15 * (1.0 + mesh.Points.cwiseAbs().maxCoeff()));
+  // Each new point lies in the triangles whose parts have it.
+  for (Eigen::Index i = 0; i < parts.rows(); ++i)
   {
-    const Eigen::RowVector3d position = inserted.NewPoints.Barycentrics.row(i);
-    EXPECT_GE(position.minCoeff(), 0.0);
-    EXPECT_NEAR(position.sum(), 1.0, 1e-15);
-    EXPECT_LT((position * shape::GetCorners(mesh, inserted.NewPoints.Triangles(i)) -
-                inserted.Surface.Points.row(given + i))
-                .norm(),
-      1e-15 * (1.0 + mesh.Points.cwiseAbs().maxCoeff()));
+    const Eigen::RowVector3i corners = mesh.Triangles.row(provenance.Cells(i));
+    for (const int point : inserted.Surface.Triangles.row(i))
+    {
+      double sum = 0.0;
+      for (const int corner : corners)
+      {
+        sum += provenance.Weights.coeff(point, corner);
+      }
+      EXPECT_NEAR(sum, 1.0, 1e-15);
+    }
   }
   const auto edges = EdgesOf(inserted.Surface);
   for (const std::vector<int>& loop : inserted.Loops)

@@ -3,6 +3,7 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/IsoSurface.h"
+#include "Support/RandomPoints.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -17,15 +18,9 @@
 namespace
 {
 
-Eigen::MatrixXd RandomPoints(int count, double halfSide)
+Eigen::MatrixXd RandomPoints(int count, double halfEdge)
 {
-  std::mt19937_64 generator(7);
-  Eigen::MatrixXd points(count, 3);
-  for (double& value : points.reshaped())
-  {
-    value = halfSide * (2.0 * static_cast<double>(generator() >> 11) * 0x1p-53 - 1.0);
-  }
-  return points;
+  return shapetest::RandomPointsInCube(count, halfEdge, 7);
 }
 
 /// The least distance to any edge, and to the plane of any triangle that lies below the point.
@@ -55,6 +50,15 @@ double BruteForceDistance(const shape::Mesh& mesh, const Eigen::RowVector3d& p)
     }
   }
   return best;
+}
+
+/// Of a wedge whose sharp edge is on the z axis.
+void ExpectPositiveBehindTheSharpEdge(const shape::Mesh& wedge)
+{
+  Eigen::MatrixXd outside = RandomPoints(300, 0.9);
+  outside.col(0).array() -= 0.9;
+  const shape::SignedDistance field(shape::OrientOutwards(wedge));
+  EXPECT_GT(field.Evaluate(outside).Distances.minCoeff(), 0.0);
 }
 
 } // namespace
@@ -150,16 +154,10 @@ TEST(SignedDistance, HasTheRightSignWhereTheClosestPointIsAnEdgeOrACorner)
   shape::Mesh wedge{ Eigen::MatrixXd(4, 3), Eigen::MatrixXi(4, 3) };
   wedge.Points << 0, 0, -1, 0, 0, 1, 4, 0.1, 0, 4, -0.1, 0;
   wedge.Triangles << 0, 1, 2, 1, 0, 3, 0, 2, 3, 1, 3, 2;
-  if (shape::ComputeEnclosedVolume(wedge) < 0.0)
-  {
-    wedge.Triangles.col(1).swap(wedge.Triangles.col(2));
-  }
-  Eigen::MatrixXd outside = RandomPoints(300, 0.9);
-  outside.col(0).array() -= 0.9;
-  EXPECT_GT(shape::SignedDistance(wedge).Evaluate(outside).Distances.minCoeff(), 0.0);
+  ExpectPositiveBehindTheSharpEdge(wedge);
   Eigen::MatrixXd inside(1, 3);
   inside << 3.0, 0.0, 0.0;
-  EXPECT_LT(shape::SignedDistance(wedge).Evaluate(inside).Distances(0), 0.0);
+  EXPECT_LT(shape::SignedDistance(shape::OrientOutwards(wedge)).Evaluate(inside).Distances(0), 0.0);
 }
 
 TEST(SignedDistance, HasTheRightSignBesideFlatTriangles)
@@ -168,16 +166,11 @@ TEST(SignedDistance, HasTheRightSignBesideFlatTriangles)
   shape::Mesh wedge{ Eigen::MatrixXd(5, 3), Eigen::MatrixXi(6, 3) };
   wedge.Points << 0, 0, -1, 0, 0, 1, 4, 0.1, 0, 4, -0.1, 0, 0, 0, 0;
   wedge.Triangles << 0, 1, 2, 1, 4, 3, 4, 0, 3, 0, 2, 3, 1, 3, 2, 1, 0, 4;
-  if (shape::ComputeEnclosedVolume(wedge) < 0.0)
-  {
-    wedge.Triangles.col(1).swap(wedge.Triangles.col(2));
-  }
-  Eigen::MatrixXd outside = RandomPoints(300, 0.9);
-  outside.col(0).array() -= 0.9;
-  EXPECT_GT(shape::SignedDistance(wedge).Evaluate(outside).Distances.minCoeff(), 0.0);
+  ExpectPositiveBehindTheSharpEdge(wedge);
   Eigen::MatrixXd inside(2, 3);
   inside << 3.0, 0.0, 0.0, 0.02, 0.0, 0.1;
-  EXPECT_LT(shape::SignedDistance(wedge).Evaluate(inside).Distances.maxCoeff(), 0.0);
+  EXPECT_LT(
+    shape::SignedDistance(shape::OrientOutwards(wedge)).Evaluate(inside).Distances.maxCoeff(), 0.0);
 }
 
 TEST(ClosestPoint, ADistanceThatOverflowsIsRefused)

@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Spectrum/Private/ClassicalMds.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Core>
@@ -52,10 +53,7 @@ TEST(ClassicalScaling, UnbendsAPlate)
 TEST(ClassicalScaling, RefusesWhatIsNotOneComponent)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh both{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  both.Points << sphere.Points, sphere.Points.array() + 5.0;
-  both.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  const shape::Mesh both = shapetest::Twice(sphere);
   EXPECT_THROW(shape::EmbedByClassicalMds(both, 3, 50), shape::InvalidInput);
 }
 

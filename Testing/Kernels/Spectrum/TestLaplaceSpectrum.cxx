@@ -1,7 +1,7 @@
 #include "Base/Errors.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Laplacian/IntrinsicDelaunay.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace
 {
 
 /// How far the pairs are from solving L f = lambda M f, relative to (lambda + 1 / area) M f.
-double Residual(const shape::Mesh& mesh, const shape::LaplaceSpectrum& spectrum)
+double Residual(const shape::Mesh& mesh, const shape::LaplaceEigenpairs& spectrum)
 {
   const shape::IntrinsicTriangles flat = shape::BuildIntrinsicDelaunay(mesh);
   const Eigen::SparseMatrix<double> stiffness = shape::BuildCotangentStiffness(
@@ -43,7 +43,7 @@ TEST(LaplaceSpectrum, OfASphereIsThatOfSphericalHarmonics)
   }
   double error = 1.0;
   shape::Mesh sphere;
-  shape::LaplaceSpectrum spectrum;
+  shape::LaplaceEigenpairs spectrum;
   for (const int level : { 3, 4, 5 })
   {
     sphere = shapetest::Icosphere(level);
@@ -74,7 +74,7 @@ TEST(LaplaceSpectrum, OfAPlateIsThatOfCosines)
     }
   }
   std::sort(exact.begin(), exact.end());
-  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(plate, 20);
+  const shape::LaplaceEigenpairs spectrum = shape::SolveLaplaceEigenproblem(plate, 20);
   for (int k = 0; k < 20; ++k)
   {
     EXPECT_NEAR(spectrum.Eigenvalues(k), exact[k], 0.01 * exact[k] + 1e-9);
@@ -93,7 +93,7 @@ TEST(LaplaceSpectrum, EachComponentHasAConstant)
     many.Points.middleRows(c * n, n) = sphere.Points.rowwise() + Eigen::RowVector3d(3.0 * c, 0, 0);
     many.Triangles.middleRows(c * m, m) = sphere.Triangles.array() + static_cast<int>(c * n);
   }
-  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(many, 4 * copies);
+  const shape::LaplaceEigenpairs spectrum = shape::SolveLaplaceEigenproblem(many, 4 * copies);
   EXPECT_EQ(spectrum.Eigenvalues.head(copies), Eigen::VectorXd::Zero(copies));
   // Three of each sphere follow: more equal ones than a block has columns.
   EXPECT_GT(spectrum.Eigenvalues(copies), 1.9);
@@ -112,7 +112,7 @@ TEST(LaplaceSpectrum, ComponentsMixTheirEigenvaluesInOrder)
   both.Triangles << small.Triangles, small.Triangles.array() + static_cast<int>(n), first,
     first + 2, first + 1, first, first + 1, first + 3, first, first + 3, first + 2, first + 1,
     first + 2, first + 3;
-  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(both, 3 + 24 + 3);
+  const shape::LaplaceEigenpairs spectrum = shape::SolveLaplaceEigenproblem(both, 3 + 24 + 3);
   EXPECT_EQ(spectrum.Eigenvalues.head(3), Eigen::Vector3d::Zero());
   std::vector<double> exact = { 2, 2, 2 };
   for (int degree = 1; degree < 5; ++degree)

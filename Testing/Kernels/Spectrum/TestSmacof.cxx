@@ -2,6 +2,7 @@
 #include "Geodesics/HeatGeodesics.h"
 #include "Spectrum/Private/ClassicalMds.h"
 #include "Spectrum/Smacof.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -71,14 +72,8 @@ TEST(StressScaling, HasLessStressThanClassicalScaling)
 
 TEST(StressScaling, RefusesSeveralComponents)
 {
-  shape::Mesh two = shapetest::Icosphere(1);
-  const Eigen::Index points = two.Points.rows(), triangles = two.Triangles.rows();
-  two.Points.conservativeResize(2 * points, 3);
-  two.Points.bottomRows(points) = two.Points.topRows(points).array() + 5.0;
-  two.Triangles.conservativeResize(2 * triangles, 3);
-  two.Triangles.bottomRows(triangles) =
-    two.Triangles.topRows(triangles).array() + static_cast<int>(points);
-  EXPECT_THROW(shape::EmbedBySmacof(two), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::EmbedBySmacof(shapetest::Twice(shapetest::Icosphere(1))), shape::InvalidInput);
 }
 
 } // namespace

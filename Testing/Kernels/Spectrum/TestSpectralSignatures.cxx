@@ -1,5 +1,5 @@
 #include "Base/Errors.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 #include "Spectrum/SpectralSignatures.h"
 #include "Support/TestShapes.h"
 
@@ -18,14 +18,14 @@ shape::Mesh Ellipsoid()
   return mesh;
 }
 
-using Signature = Eigen::MatrixXd (*)(const shape::LaplaceSpectrum&, int);
+using Signature = Eigen::MatrixXd (*)(const shape::LaplaceEigenpairs&, int);
 
 } // namespace
 
 TEST(SpectralSignatures, AreOneEverywhereOnASphere)
 {
   // 49: whole degrees of spherical harmonics.
-  const shape::LaplaceSpectrum spectrum =
+  const shape::LaplaceEigenpairs spectrum =
     shape::SolveLaplaceEigenproblem(shapetest::Icosphere(5), 49);
   for (const Signature signature :
     { shape::ComputeHeatKernelSignature, shape::ComputeWaveKernelSignature })
@@ -43,9 +43,9 @@ TEST(SpectralSignatures, AreOneEverywhereOnASphere)
 TEST(SpectralSignatures, HaveAMeanOfOneAndNoUnit)
 {
   shape::Mesh mesh = Ellipsoid();
-  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(mesh, 60);
+  const shape::LaplaceEigenpairs spectrum = shape::SolveLaplaceEigenproblem(mesh, 60);
   mesh.Points *= 1000.0;
-  const shape::LaplaceSpectrum large = shape::SolveLaplaceEigenproblem(mesh, 60);
+  const shape::LaplaceEigenpairs large = shape::SolveLaplaceEigenproblem(mesh, 60);
   const Eigen::VectorXd shares = spectrum.Masses / spectrum.Masses.sum();
   for (const Signature signature :
     { shape::ComputeHeatKernelSignature, shape::ComputeWaveKernelSignature })
@@ -62,7 +62,7 @@ TEST(SpectralSignatures, HeatStaysWhereASurfaceIsCurved)
   // After a short time it is 1 / (4 pi t) + K / (12 pi), with the curvature K; times the area over
   // the mean, 1 + (K - 4 pi / area) t / 3.
   const shape::Mesh mesh = Ellipsoid();
-  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(mesh, 150);
+  const shape::LaplaceEigenpairs spectrum = shape::SolveLaplaceEigenproblem(mesh, 150);
   const Eigen::VectorXd early = shape::ComputeHeatKernelSignature(spectrum, 100).col(10);
   Eigen::Index top = 0, low = 0;
   mesh.Points.col(2).maxCoeff(&top);
@@ -73,11 +73,11 @@ TEST(SpectralSignatures, HeatStaysWhereASurfaceIsCurved)
 
 TEST(SpectralSignatures, SayHowManyEigenpairsAreNeeded)
 {
-  const shape::LaplaceSpectrum constant =
+  const shape::LaplaceEigenpairs constant =
     shape::SolveLaplaceEigenproblem(shapetest::Icosphere(2), 1);
   EXPECT_THROW(shape::ComputeHeatKernelSignature(constant, 10), shape::InvalidInput);
   EXPECT_THROW(shape::ComputeWaveKernelSignature(constant, 10), shape::InvalidInput);
-  const shape::LaplaceSpectrum few = shape::SolveLaplaceEigenproblem(shapetest::Icosphere(2), 3);
+  const shape::LaplaceEigenpairs few = shape::SolveLaplaceEigenproblem(shapetest::Icosphere(2), 3);
   EXPECT_THROW(shape::ComputeSpectralEmbedding(few, 3), shape::InvalidInput);
   EXPECT_EQ(shape::ComputeSpectralEmbedding(few, 2).cols(), 2);
   // All energies are the same then.

@@ -2,8 +2,8 @@
 
 #include "Deform/BoundaryHandle.h"
 #include "Geometry/PointGraph.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Mesh/Mesh.h"
-#include "Mesh/OpenSurface.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>

@@ -92,12 +92,18 @@ inline shape::Mesh Mirrored(shape::Mesh mesh)
   return mesh;
 }
 
+/// Positions on a surface to which a map takes points.
+inline Eigen::MatrixXd PositionsOn(const shape::SurfacePoints& map, const shape::Mesh& target)
+{
+  return shape::PullBack(map, target.Triangles, target.Points);
+}
+
 /// Returns the distance in space of each point's image from `wanted` (n x 3), divided by the
 /// longest edge of the bounding box of `other`.
 inline Eigen::VectorXd MapErrors(
   const shape::SurfacePoints& map, const shape::Mesh& other, const Eigen::MatrixXd& wanted)
 {
-  return (shape::PullBack(map, other.Triangles, other.Points) - wanted).rowwise().norm() /
+  return (PositionsOn(map, other) - wanted).rowwise().norm() /
     shape::ComputeLongestBoxEdge(other.Points);
 }
 

@@ -52,6 +52,12 @@ inline testing::AssertionResult HasWords(
   EXPECT_TRUE(shapetest::HasWords(                                                                 \
     shapetest::Refusal([&] { static_cast<void>(statement); }), { __VA_ARGS__ }))
 
+/// EXPECT_UNSOLVED(statement, word, ...): it throws SolveFailure with all of the words.
+#define EXPECT_UNSOLVED(statement, ...)                                                            \
+  EXPECT_TRUE(shapetest::HasWords(                                                                 \
+    shapetest::Refusal<shape::SolveFailure>([&] { static_cast<void>(statement); }),                \
+    { __VA_ARGS__ }))
+
 /// A row of a table of refusals: an option, an invalid value of it, and words of the message.
 template <class Options>
 struct RefusedOption

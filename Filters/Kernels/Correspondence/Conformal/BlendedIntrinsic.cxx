@@ -5,7 +5,7 @@
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"
-#include "Mesh/OpenSurface.h"
+#include "Mesh/BoundaryLoops.h"
 #include "Parameterize/SphereMap.h"
 #include "Parameterize/SphericalTriangles.h"
 #include "Search/ClosestPoint.h"

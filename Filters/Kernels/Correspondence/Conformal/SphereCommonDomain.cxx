@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Geometry/FitRotation.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Mesh/HalfEdges.h"
 #include "Parameterize/SphereMap.h"
@@ -11,7 +12,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
@@ -62,15 +62,6 @@ Eigen::MatrixXd OnSphere(const Surface& surface, const std::string& name, const 
   {
     throw SolveFailure("Surface " + name + ": " + problem.what());
   }
-}
-
-/// The rotation R that minimises the sum of |R from_i - to_i|^2 (Kabsch 1976).
-Eigen::Matrix3d BestRotation(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
-{
-  const Eigen::Matrix3d products = to.transpose() * from;
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-  return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
 /// The minimum distance between two of them; 2 for one.
@@ -262,7 +253,8 @@ SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<in
   result.SphereA = OnSphere(a, "A", progress.Part(0.0, 0.2));
   result.SphereB = OnSphere(b, "B", progress.Part(0.2, 0.4));
   const Eigen::MatrixXd goals = result.SphereB(landmarksB, Eigen::all);
-  const Eigen::Matrix3d turn = BestRotation(result.SphereA(landmarksA, Eigen::all), goals);
+  const Eigen::Matrix3d turn =
+    FitRotation(goals.transpose() * result.SphereA(landmarksA, Eigen::all));
   result.SphereA = (result.SphereA * turn.transpose()).rowwise().normalized().eval();
   Warp(a, landmarksA, goals, options, result.SphereA, progress.Part(0.4, 0.8));
 

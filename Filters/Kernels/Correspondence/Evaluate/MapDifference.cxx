@@ -6,7 +6,7 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -126,8 +126,8 @@ DifferenceOperator AreaDifference(const Eigen::MatrixXd& functions, const Eigen:
 /// constants: how many of the first eigenvalues are 0.
 /// Rustamov et al.: the conformal difference compares Dirichlet energies, L1^-1 F' L2 F. Constants
 /// have no energy and are left out.
-DifferenceOperator ConformalDifference(const LaplaceSpectrum& first, const LaplaceSpectrum& second,
-  const Eigen::MatrixXd& f, Eigen::Index constants)
+DifferenceOperator ConformalDifference(const LaplaceEigenpairs& first,
+  const LaplaceEigenpairs& second, const Eigen::MatrixXd& f, Eigen::Index constants)
 {
   const Eigen::Index count = first.Eigenvalues.size(), others = count - constants;
   const Eigen::MatrixXd energies =
@@ -172,8 +172,8 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
   const int there = std::min({ 2 * count, used, usedThere });
 
   const EdgeSamples samples(first, second, map, progress.Part(0.0, 0.1));
-  const LaplaceSpectrum here = SolveLaplaceEigenproblem(first, count, progress.Part(0.1, 0.3)),
-                        beyond = SolveLaplaceEigenproblem(second, there, progress.Part(0.3, 0.9));
+  const LaplaceEigenpairs here = SolveLaplaceEigenproblem(first, count, progress.Part(0.1, 0.3)),
+                          beyond = SolveLaplaceEigenproblem(second, there, progress.Part(0.3, 0.9));
   const Eigen::VectorXd roots = samples.Areas.cwiseSqrt();
   // Where the map covers little of B, the system is nearly singular: small singular values are cut
   // off.

@@ -98,7 +98,7 @@ private:
 Operators OperatorsOf(
   const SurfaceDescriptors& given, const FunctionalMapFitOptions& options, const Progress& progress)
 {
-  const LaplaceSpectrum& spectrum = given.Spectrum;
+  const LaplaceEigenpairs& spectrum = given.Spectrum;
   const Eigen::MatrixXd functions = spectrum.Eigenfunctions.leftCols(options.Size);
   const Eigen::MatrixXd weighted = spectrum.Masses.asDiagonal() * functions;
   Eigen::MatrixXd descriptors = given.Descriptors;
@@ -249,7 +249,7 @@ namespace
 struct Side
 {
   shape::Surface Surface;
-  LaplaceSpectrum Spectrum;
+  LaplaceEigenpairs Spectrum;
   Eigen::MatrixXd Descriptors;
   std::vector<int> Samples;
 

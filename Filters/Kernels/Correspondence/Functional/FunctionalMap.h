@@ -4,7 +4,7 @@
 #include "Correspondence/Functional/ZoomOut.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Mesh/Surface.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Core>
 
@@ -26,7 +26,7 @@ struct FunctionalMapFitOptions
 struct SurfaceDescriptors
 {
   shape::Surface Surface;
-  const LaplaceSpectrum& Spectrum;
+  const LaplaceEigenpairs& Spectrum;
   const Eigen::MatrixXd& Descriptors; ///< n x q
 };
 

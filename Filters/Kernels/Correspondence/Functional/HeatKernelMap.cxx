@@ -5,7 +5,7 @@
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Mesh/Topology.h"
 #include "Search/NearestSurfacePoints.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ void RequireReached(
 }
 
 /// The spectrum of a surface scaled to area 1.
-LaplaceSpectrum UnitSpectrum(const Surface& surface, int pairs, const Progress& progress)
+LaplaceEigenpairs UnitSpectrum(const Surface& surface, int pairs, const Progress& progress)
 {
   const double length = std::sqrt(ComputePointAreas(surface).sum());
   return SolveLaplaceEigenproblem({ surface.Points() / length, surface.Triangles() },
@@ -47,7 +47,7 @@ LaplaceSpectrum UnitSpectrum(const Surface& surface, int pairs, const Progress& 
 
 /// The largest and the smallest non-zero eigenvalue.
 /// One eigenvalue is 0 for each component.
-std::array<double, 2> Range(const LaplaceSpectrum& spectrum, const std::string& name)
+std::array<double, 2> Range(const LaplaceEigenpairs& spectrum, const std::string& name)
 {
   const Eigen::Index last = spectrum.Eigenvalues.size() - 1;
   const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
@@ -61,7 +61,7 @@ std::array<double, 2> Range(const LaplaceSpectrum& spectrum, const std::string& 
 
 /// n x (points * times): the heat received from each of `points` at each time.
 Eigen::MatrixXd Heat(
-  const LaplaceSpectrum& spectrum, const std::vector<int>& points, const Eigen::VectorXd& times)
+  const LaplaceEigenpairs& spectrum, const std::vector<int>& points, const Eigen::VectorXd& times)
 {
   const Eigen::ArrayXd& values = spectrum.Eigenvalues;
   const Eigen::MatrixXd& functions = spectrum.Eigenfunctions;
@@ -96,8 +96,8 @@ SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landm
   const std::vector<int> onA = PointsOf(used, 0), onB = PointsOf(used, 1);
   RequireReached(topologyA, onA, "surface A");
   RequireReached(topologyB, onB, "surface B");
-  const LaplaceSpectrum spectrumA = UnitSpectrum(a, options.Eigenpairs, progress.Part(0.3, 0.45)),
-                        spectrumB = UnitSpectrum(b, options.Eigenpairs, progress.Part(0.45, 0.6));
+  const LaplaceEigenpairs spectrumA = UnitSpectrum(a, options.Eigenpairs, progress.Part(0.3, 0.45)),
+                          spectrumB = UnitSpectrum(b, options.Eigenpairs, progress.Part(0.45, 0.6));
   const auto [largestA, minimumA] = Range(spectrumA, "surface A");
   const auto [largestB, minimumB] = Range(spectrumB, "surface B");
   // At the first time the highest eigenfunction has decayed to 1e-4; at the last one even the

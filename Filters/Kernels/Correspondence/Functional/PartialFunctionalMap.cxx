@@ -6,7 +6,7 @@
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Search/NearestSurfacePoints.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 #include "Spectrum/SpectralSignatures.h"
 
 #include <Eigen/Cholesky>
@@ -37,7 +37,7 @@ Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
 /// Two spectra at one scale, and samples of the part.
 struct Refinement
 {
-  const LaplaceSpectrum &OfPart, &OfWhole;
+  const LaplaceEigenpairs &OfPart, &OfWhole;
   const Eigen::MatrixXi& Triangles; ///< of the full surface
   std::vector<int> Samples, PartLandmarks, WholeLandmarks;
   double Weight; ///< of each landmark; the weight of a sample is 1
@@ -98,10 +98,10 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
     two(whole.Points() / length, whole.Triangles());
   const auto pairsOf = [&](const Surface& surface)
   { return std::min<int>(options.Eigenpairs, static_cast<int>(surface.Points().rows())); };
-  const LaplaceSpectrum spectrumOne =
-                          SolveLaplaceEigenproblem(one, pairsOf(one), progress.Part(0.0, 0.2)),
-                        spectrumTwo =
-                          SolveLaplaceEigenproblem(two, pairsOf(two), progress.Part(0.2, 0.4));
+  const LaplaceEigenpairs spectrumOne =
+                            SolveLaplaceEigenproblem(one, pairsOf(one), progress.Part(0.0, 0.2)),
+                          spectrumTwo =
+                            SolveLaplaceEigenproblem(two, pairsOf(two), progress.Part(0.2, 0.4));
   // As in RefineByZoomOut: landmarks decide where samples are ambiguous, and yield where these
   // agree.
   constexpr double share = 0.001; // of the samples, for each landmark

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Core>
 
@@ -21,7 +21,7 @@ struct ZoomOutOptions
 struct SampledSpectrum
 {
   const Eigen::MatrixXi& Triangles;
-  const LaplaceSpectrum& Spectrum;
+  const LaplaceEigenpairs& Spectrum;
   const std::vector<int>& Samples; ///< indices of points
 };
 

@@ -6,7 +6,7 @@
 #include "Correspondence/Landmarks/SampledSurface.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Search/NearestSurfacePoints.h"
-#include "Spectrum/LaplaceSpectrum.h"
+#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/QR>
 
@@ -76,8 +76,8 @@ Eigen::MatrixXd Likeness(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 /// The image of each point of `from`, given the masses from its samples to those of `to`.
 /// The soft functional map of section 4 of the paper: least squares weighted by the mass of each
 /// sample.
-SurfacePoints Spread(const LaplaceSpectrum& from, const std::vector<int>& samples,
-  const Surface& target, const LaplaceSpectrum& to, const std::vector<int>& targetSamples,
+SurfacePoints Spread(const LaplaceEigenpairs& from, const std::vector<int>& samples,
+  const Surface& target, const LaplaceEigenpairs& to, const std::vector<int>& targetSamples,
   const Eigen::MatrixXd& masses, const Progress& progress)
 {
   const Eigen::VectorXd weights = masses.rowwise().sum(), roots = weights.cwiseSqrt();
@@ -181,10 +181,10 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   }
   result.Distortion = coupling.Distortion * Longest(onA, onB);
   result.Error = coupling.Error;
-  const LaplaceSpectrum spectrumA = SolveLaplaceEigenproblem(
-                          a, std::min<int>(options.Eigenpairs, onA.Points.size())),
-                        spectrumB = SolveLaplaceEigenproblem(
-                          b, std::min<int>(options.Eigenpairs, onB.Points.size()));
+  const LaplaceEigenpairs spectrumA = SolveLaplaceEigenproblem(
+                            a, std::min<int>(options.Eigenpairs, onA.Points.size())),
+                          spectrumB = SolveLaplaceEigenproblem(
+                            b, std::min<int>(options.Eigenpairs, onB.Points.size()));
   result.Maps = { Spread(spectrumA, onA.Points, b, spectrumB, onB.Points, coupling.Masses,
                     progress.Part(0.94, 0.97)),
     Spread(spectrumB, onB.Points, a, spectrumA, onA.Points, coupling.Masses.transpose(),

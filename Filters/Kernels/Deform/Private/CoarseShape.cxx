@@ -9,7 +9,8 @@ namespace shape
 namespace
 {
 
-/// The remaining nodes and their links.
+/// The remaining nodes and their links. Order of calls: Round and Smooth, until few nodes remain,
+/// then Finish.
 class Merging
 {
 public:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace shape
 {
@@ -165,7 +166,8 @@ std::vector<Crossing> FindPatchSelfIntersections(
   near.Triangles.conservativeResize(static_cast<Eigen::Index>(kept.size()), 3);
   const auto begin =
     static_cast<int>(std::lower_bound(kept.begin(), kept.end(), first) - kept.begin());
-  std::vector<Crossing> found = FindSelfIntersectionsFrom(near, begin, maximum, progress);
+  std::vector<Crossing> found =
+    FindSelfIntersectionsFrom(std::move(near), begin, maximum, progress);
   for (Crossing& crossing : found)
   {
     crossing.First = kept[crossing.First];

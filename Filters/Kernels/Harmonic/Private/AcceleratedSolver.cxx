@@ -1,6 +1,6 @@
 #include "Harmonic/Private/AcceleratedSolver.h"
 
-#include "Harmonic/NearSourceSystem.h"
+#include "Harmonic/NearSurfaceCharges.h"
 #include "Harmonic/Private/FundamentalSolutionSolvers.h"
 #include "Remesh/LongestEdgeBisection.h"
 
@@ -36,7 +36,8 @@ struct RefinedBoundary
   Eigen::MatrixXd Targets;
 };
 
-/// Returns the squared residual integrated over each triangle, by the rule of NearSourceSystem.
+/// Returns the squared residual integrated over each triangle, by the rule of
+/// NearSurfaceChargeSystem.
 Eigen::VectorXd SquaresLeft(const Mesh& surface, const Eigen::MatrixXd& left)
 {
   const Eigen::VectorXd squares = left.rowwise().squaredNorm();
@@ -108,11 +109,11 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   // 5. Unless a criterion stops the levels, triangles with the largest residual are bisected.
   auto start = std::chrono::steady_clock::now();
   const Surface& boundary = problem.Boundary();
-  auto effort = NearSourceSystem::Effort::Little;
+  auto effort = NearSurfaceChargeSystem::Effort::Little;
   if (!setup.System || !AreEqual(setup.Boundary, boundary))
   {
     setup.Boundary = boundary;
-    setup.System = std::make_unique<NearSourceSystem>(
+    setup.System = std::make_unique<NearSurfaceChargeSystem>(
       problem.Distance(), boundary, effort, progress.Part(0.0, 0.3));
   }
   result.OffsetDistance = setup.System->Offset();
@@ -126,13 +127,13 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     const double done = 0.3 + 0.7 * (1.0 - 1.0 / number);
     const Progress part = progress.Part(done, 0.3 + 0.7 * (1.0 - 1.0 / (number + 1)));
     // Step 1: the system.
-    std::unique_ptr<NearSourceSystem> finer;
+    std::unique_ptr<NearSurfaceChargeSystem> finer;
     if (number > 1)
     {
-      finer = std::make_unique<NearSourceSystem>(
+      finer = std::make_unique<NearSurfaceChargeSystem>(
         problem.Distance(), refined.Surface, effort, part.Part(0.0, 0.3));
     }
-    const NearSourceSystem& system = finer ? *finer : *setup.System;
+    const NearSurfaceChargeSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());
     // Step 2. The boundary map is linear on triangles: a centroid's image is the mean of the
     // corners' images.
@@ -169,8 +170,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
       return;
     }
     effort = level.RMSEInside > ToughTolerances * options.Tolerance
-      ? NearSourceSystem::Effort::More
-      : NearSourceSystem::Effort::Little;
+      ? NearSurfaceChargeSystem::Effort::More
+      : NearSurfaceChargeSystem::Effort::Little;
     Refine(refined, fit.Left);
     if (static_cast<double>(refined.Surface.Points.rows()) > maximum)
     {

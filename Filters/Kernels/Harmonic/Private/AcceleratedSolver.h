@@ -8,10 +8,10 @@ namespace shape
 struct AcceleratedSetup;
 
 /**
- * Fits a map with charges close to the boundary (NearSourceSystem). While the residual is above the
- * tolerance, the triangles with the largest residual are bisected and a further map is fitted with
- * the charges of the refined boundary. Appends its levels to `result`. `setup` keeps what further
- * targets on the same boundary can reuse.
+ * Fits a map with charges close to the boundary (NearSurfaceChargeSystem). While the residual is
+ * above the tolerance, the triangles with the largest residual are bisected and a further map is
+ * fitted with the charges of the refined boundary. Appends its levels to `result`. `setup` keeps
+ * what further targets on the same boundary can reuse.
  */
 void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOptions& options,
   AcceleratedSetup& setup, HarmonicVolumeMapResult& result, const Progress& progress);

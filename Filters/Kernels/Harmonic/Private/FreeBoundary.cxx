@@ -7,7 +7,7 @@
 #include "Quality/MapQuality.h"
 #include "Search/ClosestPoint.h"
 #include "Tetrahedra/Tetrahedralize.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 #include "Untangle/Untangle.h"
 
 #include <Eigen/Geometry>
@@ -91,26 +91,8 @@ Solid Untangled(
       " tetrahedra of the solid stay inverted, so the boundary map folds; correct it, or turn "
       "FreeBoundary off");
   }
-  Solid solid{ std::move(result.Solid), Eigen::MatrixXd(0, 3) };
-  const Eigen::Index given = tetrahedra.Points.rows();
   // Points added by untangling have the mean of their parents' rest positions.
-  solid.Rest.resize(solid.Moved.Points.rows(), 3);
-  solid.Rest.topRows(given) = tetrahedra.Points;
-  for (std::size_t i = 0; i < result.Parents.size(); ++i)
-  {
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    int count = 0;
-    for (const int parent : result.Parents[i])
-    {
-      if (parent >= 0)
-      {
-        sum += solid.Rest.row(parent);
-        ++count;
-      }
-    }
-    solid.Rest.row(given + static_cast<Eigen::Index>(i)) = sum / count;
-  }
-  return solid;
+  return { std::move(result.Solid), result.Provenance.Weights * tetrahedra.Points };
 }
 
 /// Returns the mean symmetric Dirichlet energy of a map of the tetrahedra; images are scaled
@@ -180,9 +162,9 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
     Eigen::MatrixXd images = Evaluate(charges, tetrahedra.Points, progress.Part(0.1, 0.15));
     for (Eigen::Index i = 0; i < images.rows(); ++i)
     {
-      if (tetrahedra.OriginalPoint(i) >= 0)
+      if (tetrahedra.Provenance.Points(i) >= 0)
       {
-        images.row(i) = values.row(tetrahedra.OriginalPoint(i));
+        images.row(i) = values.row(tetrahedra.Provenance.Points(i));
       }
     }
     return images;
@@ -198,9 +180,9 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   // Step 2: untangling.
   Solid solid = Untangled(tetrahedra, images, progress.Part(0.15, 0.3));
   std::vector<char> held(solid.Rest.rows(), 0);
-  for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
+  for (Eigen::Index i = 0; i < tetrahedra.Provenance.Points.size(); ++i)
   {
-    held[i] = tetrahedra.OriginalPoint(i) >= 0;
+    held[i] = tetrahedra.Provenance.Points(i) >= 0;
   }
   // Step 3: sliding.
   const OnSurface constraint(target, held);
@@ -211,11 +193,11 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
 
   // Step 4: the new harmonic map.
   Eigen::MatrixXd freed = targets;
-  for (Eigen::Index i = 0; i < tetrahedra.OriginalPoint.size(); ++i)
+  for (Eigen::Index i = 0; i < tetrahedra.Provenance.Points.size(); ++i)
   {
     if (held[i])
     {
-      freed.row(tetrahedra.OriginalPoint(i)) = solid.Moved.Points.row(i);
+      freed.row(tetrahedra.Provenance.Points(i)) = solid.Moved.Points.row(i);
     }
   }
   HarmonicVolumeMapResult again =

@@ -1,6 +1,6 @@
 #include "Harmonic/Private/FundamentalSolutionSolvers.h"
+#include "Harmonic/Private/ChargeShells.h"
 #include "Harmonic/Private/OffsetSurface.h"
-#include "Harmonic/Private/SourceShells.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ Eigen::MatrixXd Concatenate(const std::vector<Eigen::MatrixXd>& parts)
 Eigen::MatrixXd SampleBoundary(const FundamentalSolutionFit& problem,
   const HarmonicVolumeMapOptions& options, const Progress& progress)
 {
-  // Twice the minimum number of sources of a shell (SourceShells::Fewest).
+  // Twice the minimum number of sources of a shell (ChargeShells::Fewest).
   constexpr int minimum = 48;
   return Concatenate(SampleSurfaces(SplitComponents(problem.Boundary()),
     ComputeSampleCount(problem.Boundary(), options.CollocationRatio), minimum,
@@ -74,7 +74,7 @@ std::vector<Eigen::MatrixXd> DivideIntoSubsets(
   for (const Eigen::MatrixXd& sources : shells)
   {
     const bool divided =
-      sources.rows() == largest || sources.rows() >= subsets * SourceShells::Fewest;
+      sources.rows() == largest || sources.rows() >= subsets * ChargeShells::Fewest;
     const Eigen::VectorXi order = FindSpatialOrder(sources);
     for (int s = 0; s < subsets; ++s)
     {
@@ -185,7 +185,7 @@ void SolveSingleShot(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   const int rows = ComputeSampleCount(problem.Boundary(), options.CollocationRatio);
   const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
   problem.RequireMemory(rows, sourceCount);
-  const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
+  const ChargeShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
   const Eigen::MatrixXd sources = Concatenate(
     shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)));
@@ -216,7 +216,7 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
   const int subsets = ComputeSubsetCount(problem.Boundary(), options);
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
-  const SourceShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
+  const ChargeShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
   result.OffsetDistance = shells.Nearest();
   // Step 1: sources.
   std::vector<Eigen::MatrixXd> sources = DivideIntoSubsets(

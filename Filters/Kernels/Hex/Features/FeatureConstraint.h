@@ -3,7 +3,7 @@
 #include "Hex/Features/PatchedBoundary.h"
 #include "Remesh/SurfaceFeatures.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/Core>
 

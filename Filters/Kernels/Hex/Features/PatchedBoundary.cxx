@@ -73,220 +73,198 @@ struct Chain
   std::array<int, 2> Corners; ///< its end corners, ascending; -1 if it is closed
 };
 
-class Matcher
+using IndexPair = std::pair<int, int>;
+
+/// Chooses pairs from the candidates, in ascending order of their distances. No two chosen pairs
+/// have the same first index or the same second index.
+std::vector<IndexPair> PairNearestFirst(std::vector<std::pair<double, IndexPair>> candidates)
 {
-public:
-  Matcher(const HexMesh& mesh, const shape::Surface& surface, const SurfaceFeatures& features,
-    PatchedBoundary& boundary)
-    : Points(mesh.Points)
-    , Surface(surface)
-    , Features(features)
-    , Boundary(boundary)
-    , Around(PatchesAround(boundary, mesh.Points.rows()))
+  std::sort(candidates.begin(), candidates.end());
+  std::set<int> firstTaken, secondTaken;
+  std::vector<IndexPair> pairs;
+  for (const auto& [distance, pair] : candidates)
   {
-    boundary.CurveOf.assign(mesh.Points.rows(), -1);
-    boundary.CornerOf.assign(mesh.Points.rows(), -1);
-  }
-
-  bool Run() { return this->MatchCorners() && this->FindChains() && this->MatchCurves(); }
-
-private:
-  /// Pairs corners with points of the quads between the same patches, the nearest first. Their
-  /// numbers must agree.
-  bool MatchCorners()
-  {
-    const auto corners = PatchesAroundCorners(this->Surface, this->Features);
-    std::vector<std::pair<double, std::pair<int, int>>> pairs;
-    std::size_t junctions = 0;
-    for (int point = 0; point < static_cast<int>(this->Around.size()); ++point)
+    if (firstTaken.count(pair.first) == 0 && secondTaken.count(pair.second) == 0)
     {
-      if (this->Around[point].size() < 3)
+      firstTaken.insert(pair.first);
+      secondTaken.insert(pair.second);
+      pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
+/// Pairs corners with points of the quads between the same patches, the nearest first. Returns the
+/// corner of each point, or -1; nothing unless every corner, and every point where three or more
+/// patches meet, is in a pair.
+std::optional<std::vector<int>> MatchCorners(const Eigen::MatrixXd& points, const Surface& surface,
+  const SurfaceFeatures& features, const PatchedBoundary& boundary)
+{
+  const auto corners = PatchesAroundCorners(surface, features);
+  const auto around = PatchesAround(boundary, points.rows());
+  std::vector<std::pair<double, IndexPair>> candidates;
+  std::size_t junctions = 0;
+  for (int point = 0; point < static_cast<int>(around.size()); ++point)
+  {
+    if (around[point].size() < 3)
+    {
+      continue;
+    }
+    ++junctions;
+    for (int corner = 0; corner < static_cast<int>(corners.size()); ++corner)
+    {
+      if (corners[corner] == around[point])
       {
-        continue;
+        candidates.push_back(
+          { (points.row(point) - surface.Points().row(features.Corners[corner])).norm(),
+            { point, corner } });
       }
-      ++junctions;
-      for (int corner = 0; corner < static_cast<int>(corners.size()); ++corner)
+    }
+  }
+  const std::vector<IndexPair> pairs = PairNearestFirst(std::move(candidates));
+  if (pairs.size() != corners.size() || pairs.size() != junctions)
+  {
+    return std::nullopt;
+  }
+  std::vector<int> cornerOf(around.size(), -1);
+  for (const auto& [point, corner] : pairs)
+  {
+    cornerOf[point] = corner;
+  }
+  return cornerOf;
+}
+
+/// Finds the chains between the patches of the quads: first those that end at corners, then closed
+/// ones. cornerOf: the corner of each point, or -1.
+std::vector<Chain> FindChains(const PatchedBoundary& boundary, const std::vector<int>& cornerOf)
+{
+  const QuadSurface quads(boundary.Quads);
+  const auto patchAt = [&](int a, int b) { return boundary.PatchOf(quads.QuadAt({ a, b })); };
+  std::map<int, std::vector<int>> neighbours; // along edges between two patches
+  for (const auto& [edge, quad] : quads.Edges())
+  {
+    if (patchAt(edge.second, edge.first) != boundary.PatchOf(quad))
+    {
+      neighbours[edge.first].push_back(edge.second);
+    }
+  }
+  std::set<QuadEdge> taken;
+  const auto isCorner = [&](int point) { return cornerOf[point] >= 0; };
+  const auto follow = [&](int first, int second)
+  {
+    const int a = patchAt(first, second), b = patchAt(second, first);
+    Chain chain{ { first }, { std::min(a, b), std::max(a, b) }, { -1, -1 } };
+    for (int before = first, point = second;;)
+    {
+      taken.insert({ before, point });
+      taken.insert({ point, before });
+      if (point == first && !isCorner(point))
       {
-        if (corners[corner] == this->Around[point])
+        return chain;
+      }
+      chain.Points.push_back(point);
+      if (isCorner(point))
+      {
+        chain.Corners = { cornerOf[first], cornerOf[point] };
+        std::sort(chain.Corners.begin(), chain.Corners.end());
+        return chain;
+      }
+      const std::vector<int>& next = neighbours.at(point);
+      const int after = next[0] == before ? next[1] : next[0];
+      before = point;
+      point = after;
+    }
+  };
+  std::vector<Chain> chains;
+  for (const bool corners : { true, false })
+  {
+    for (const auto& [point, next] : neighbours)
+    {
+      for (const int end : next)
+      {
+        if (isCorner(point) == corners && taken.count({ point, end }) == 0)
         {
-          const double distance =
-            (this->Points.row(point) - this->Surface.Points().row(this->Features.Corners[corner]))
-              .norm();
-          pairs.push_back({ distance, { point, corner } });
+          chains.push_back(follow(point, end));
         }
       }
     }
-    std::sort(pairs.begin(), pairs.end());
-    std::vector<char> taken(corners.size(), 0);
-    std::size_t matched = 0;
-    for (const auto& [distance, pair] : pairs)
-    {
-      if (this->Boundary.CornerOf[pair.first] < 0 && !taken[pair.second])
-      {
-        this->Boundary.CornerOf[pair.first] = pair.second;
-        taken[pair.second] = 1;
-        ++matched;
-      }
-    }
-    return matched == corners.size() && matched == junctions;
   }
+  return chains;
+}
 
-  bool FindChains()
+/// Returns the mean distance of the chain's points from a curve.
+double MeasureDistance(const Eigen::MatrixXd& points, const Chain& chain, const Surface& surface,
+  const FeatureCurve& curve)
+{
+  double sum = 0.0;
+  for (const int point : chain.Points)
   {
-    const QuadSurface quads(this->Boundary.Quads);
-    std::map<QuadEdge, int> patches;
-    for (const auto& [edge, quad] : quads.Edges())
-    {
-      patches[edge] = this->Boundary.PatchOf(quad);
-    }
-    std::map<int, std::vector<int>> neighbours;
-    for (const auto& [edge, patch] : patches)
-    {
-      const auto other = patches.find({ edge.second, edge.first });
-      if (other->second != patch)
-      {
-        neighbours[edge.first].push_back(edge.second);
-      }
-    }
-    std::set<QuadEdge> taken;
-    const auto isCorner = [&](int point) { return this->Boundary.CornerOf[point] >= 0; };
-    const auto follow = [&](int first, int second)
-    {
-      if (taken.count({ first, second }) > 0)
-      {
-        return;
-      }
-      const int a = patches.at({ first, second }), b = patches.at({ second, first });
-      Chain chain{ { first }, { std::min(a, b), std::max(a, b) }, { -1, -1 } };
-      for (int before = first, point = second;;)
-      {
-        taken.insert({ before, point });
-        taken.insert({ point, before });
-        if (point == first && !isCorner(point))
-        {
-          break;
-        }
-        chain.Points.push_back(point);
-        if (isCorner(point))
-        {
-          chain.Corners = { this->Boundary.CornerOf[first], this->Boundary.CornerOf[point] };
-          std::sort(chain.Corners.begin(), chain.Corners.end());
-          break;
-        }
-        const std::vector<int>& next = neighbours.at(point);
-        const int after = next[0] == before ? next[1] : next[0];
-        before = point;
-        point = after;
-      }
-      this->Chains.push_back(std::move(chain));
-    };
-    for (const bool corners : { true, false })
-    {
-      for (const auto& [point, next] : neighbours)
-      {
-        if (isCorner(point) == corners)
-        {
-          for (const int end : next)
-          {
-            follow(point, end);
-          }
-        }
-      }
-    }
-    return true;
+    sum += (surface.Points()(curve.Points, Eigen::all).rowwise() - points.row(point))
+             .rowwise()
+             .norm()
+             .minCoeff();
   }
+  return sum / static_cast<double>(chain.Points.size());
+}
 
-  /// Returns the mean distance of the chain's points from a curve.
-  double Distance(const Chain& chain, const FeatureCurve& curve) const
+/// Pairs chains with curves between the same patches and corners, the nearest first. Returns the
+/// chain and the curve of each pair; nothing unless every chain and every curve is in a pair.
+std::optional<std::vector<IndexPair>> PairChainsWithCurves(const Eigen::MatrixXd& points,
+  const std::vector<Chain>& chains, const Surface& surface, const SurfaceFeatures& features)
+{
+  if (chains.size() != features.Curves.size())
   {
-    double sum = 0.0;
-    for (const int point : chain.Points)
-    {
-      sum += (this->Surface.Points()(curve.Points, Eigen::all).rowwise() - this->Points.row(point))
-               .rowwise()
-               .norm()
-               .minCoeff();
-    }
-    return sum / static_cast<double>(chain.Points.size());
+    return std::nullopt;
   }
-
-  void PutOnCurve(const Chain& chain, int id)
+  std::map<int, int> cornerOf;
+  for (std::size_t i = 0; i < features.Corners.size(); ++i)
   {
-    const FeatureCurve& curve = this->Features.Curves[id];
-    const CurvePositions positions =
-      DistributeAlongCurve(this->Points(chain.Points, Eigen::all), this->Surface, curve);
-    for (std::size_t i = 0; i < chain.Points.size(); ++i)
-    {
-      const int point = chain.Points[i];
-      const int corner = this->Boundary.CornerOf[point];
-      if (corner < 0)
-      {
-        this->Boundary.CurveOf[point] = id;
-        this->Boundary.Starts.emplace_back(
-          point, positions.Positions.row(static_cast<Eigen::Index>(i)));
-        this->Boundary.Spans[point] = positions.Spans[i];
-      }
-      else
-      {
-        this->Boundary.Starts.emplace_back(
-          point, this->Surface.Points().row(this->Features.Corners[corner]));
-      }
-    }
+    cornerOf[features.Corners[i]] = static_cast<int>(i);
   }
-
-  bool MatchCurves()
+  std::vector<std::pair<double, IndexPair>> candidates;
+  for (int j = 0; j < static_cast<int>(features.Curves.size()); ++j)
   {
-    this->Boundary.Starts.clear();
-    this->Boundary.Spans.clear();
-    if (this->Chains.size() != this->Features.Curves.size())
+    const FeatureCurve& curve = features.Curves[j];
+    std::array<int, 2> ends = { -1, -1 };
+    if (!curve.Closed)
     {
-      return false;
+      ends = { cornerOf.at(curve.Points.front()), cornerOf.at(curve.Points.back()) };
+      std::sort(ends.begin(), ends.end());
     }
-    std::map<int, int> cornerOf;
-    for (std::size_t i = 0; i < this->Features.Corners.size(); ++i)
+    for (int i = 0; i < static_cast<int>(chains.size()); ++i)
     {
-      cornerOf[this->Features.Corners[i]] = static_cast<int>(i);
-    }
-    std::vector<std::pair<double, std::pair<int, int>>> pairs;
-    for (int j = 0; j < static_cast<int>(this->Features.Curves.size()); ++j)
-    {
-      const FeatureCurve& curve = this->Features.Curves[j];
-      std::array<int, 2> ends = { -1, -1 };
-      if (!curve.Closed)
+      if (chains[i].Patches == curve.Patches && chains[i].Corners == ends)
       {
-        ends = { cornerOf.at(curve.Points.front()), cornerOf.at(curve.Points.back()) };
-        std::sort(ends.begin(), ends.end());
-      }
-      for (int i = 0; i < static_cast<int>(this->Chains.size()); ++i)
-      {
-        if (this->Chains[i].Patches == curve.Patches && this->Chains[i].Corners == ends)
-        {
-          pairs.push_back({ this->Distance(this->Chains[i], curve), { i, j } });
-        }
+        candidates.push_back({ MeasureDistance(points, chains[i], surface, curve), { i, j } });
       }
     }
-    std::sort(pairs.begin(), pairs.end());
-    std::vector<char> chainTaken(this->Chains.size(), 0), curveTaken(this->Chains.size(), 0);
-    std::size_t matched = 0;
-    for (const auto& [distance, pair] : pairs)
-    {
-      if (!chainTaken[pair.first] && !curveTaken[pair.second])
-      {
-        chainTaken[pair.first] = curveTaken[pair.second] = 1;
-        ++matched;
-        this->PutOnCurve(this->Chains[pair.first], pair.second);
-      }
-    }
-    return matched == this->Chains.size();
   }
+  std::vector<IndexPair> pairs = PairNearestFirst(std::move(candidates));
+  return pairs.size() == chains.size() ? std::optional(std::move(pairs)) : std::nullopt;
+}
 
-  const Eigen::MatrixXd& Points;
-  const shape::Surface& Surface;
-  const SurfaceFeatures& Features;
-  PatchedBoundary& Boundary;
-  const std::vector<std::set<int>> Around;
-  std::vector<Chain> Chains;
-};
+/// Distributes the points of a chain along its curve; a corner's point goes to the corner.
+void PutOnCurve(const Eigen::MatrixXd& points, const Chain& chain, const Surface& surface,
+  const SurfaceFeatures& features, int id, PatchedBoundary& boundary)
+{
+  const CurvePositions positions =
+    DistributeAlongCurve(points(chain.Points, Eigen::all), surface, features.Curves[id]);
+  for (std::size_t i = 0; i < chain.Points.size(); ++i)
+  {
+    const int point = chain.Points[i];
+    const int corner = boundary.CornerOf[point];
+    if (corner < 0)
+    {
+      boundary.CurveOf[point] = id;
+      boundary.Starts.emplace_back(point, positions.Positions.row(static_cast<Eigen::Index>(i)));
+      boundary.Spans[point] = positions.Spans[i];
+    }
+    else
+    {
+      boundary.Starts.emplace_back(point, surface.Points().row(features.Corners[corner]));
+    }
+  }
+}
 
 } // namespace
 
@@ -298,7 +276,7 @@ std::optional<PatchedBoundary> MatchFeatures(
   boundary.Patches = PatchesOf(surface, features);
   boundary.PatchOf = AssignQuadsToPatches(
     mesh.Points, QuadSurface(boundary.Quads), surface, features, boundary.Patches);
-  if (boundary.PatchOf.size() == 0 || !Matcher(mesh, surface, features, boundary).Run())
+  if (boundary.PatchOf.size() == 0 || !MatchCurves(mesh, surface, features, boundary))
   {
     return std::nullopt;
   }
@@ -308,7 +286,26 @@ std::optional<PatchedBoundary> MatchFeatures(
 bool MatchCurves(const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features,
   PatchedBoundary& boundary)
 {
-  return Matcher(mesh, surface, features, boundary).Run();
+  const auto cornerOf = MatchCorners(mesh.Points, surface, features, boundary);
+  if (!cornerOf)
+  {
+    return false;
+  }
+  const std::vector<Chain> chains = FindChains(boundary, *cornerOf);
+  const auto pairs = PairChainsWithCurves(mesh.Points, chains, surface, features);
+  if (!pairs)
+  {
+    return false;
+  }
+  boundary.CornerOf = *cornerOf;
+  boundary.CurveOf.assign(mesh.Points.rows(), -1);
+  boundary.Starts.clear();
+  boundary.Spans.clear();
+  for (const auto& [chain, curve] : *pairs)
+  {
+    PutOnCurve(mesh.Points, chains[chain], surface, features, curve, boundary);
+  }
+  return true;
 }
 
 } // namespace shape

@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Distance/HausdorffDistance.h"
+#include "Geometry/FeatureAngle.h"
 #include "Hex/Fit/InnerInterfaces.h"
 #include "Hex/Fit/Snapping.h"
 #include "Mesh/HexMesh.h"
@@ -46,7 +47,8 @@ struct HexMeshOptions
   double CellSize = 0.0;
   int MaximumHexahedra = 200000; ///< the largest number of hexahedra that cells may give
   int PaddingLayers = 1;         ///< layers of hexahedra along the surface; >= 1
-  double FeatureAngle = 40.0;    ///< angle between normals above which an edge is a crease; degrees
+  /// Angle between normals above which an edge is a crease; degrees.
+  double FeatureAngle = DefaultFeatureAngle;
 };
 
 /// Throws InvalidInput if one of the options is out of its range.

@@ -5,7 +5,7 @@
 #include "Hex/Voxels/MultiMaterialVoxels.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Surface.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/Core>
 

@@ -25,6 +25,8 @@ struct FarPosition
   double Distance = 0.0;
 };
 
+/// The boundary on its way to the surface. Order of calls: Round, until it gains nothing or Distance
+/// is as wanted.
 class Snapper
 {
 public:

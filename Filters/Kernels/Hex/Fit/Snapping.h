@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Surface.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <array>
 

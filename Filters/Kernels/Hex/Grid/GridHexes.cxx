@@ -38,28 +38,218 @@ constexpr double LeastGain = 0.02;
 /// The search ends after this many rounds without such a gain.
 constexpr int MaximumIdleSteps = 2;
 
+/// The quality that hexahedra should reach; distances in the surface's units.
+struct GridGoals
+{
+  GridGoals(const GridHexesOptions& options, double diagonal)
+    : ScaledJacobian(options.WantedScaledJacobian)
+    , Distance(options.WantedDistance * diagonal)
+    , CreaseDistance(options.WantedCreaseDistance * diagonal)
+    , AcceptedDistance(shape::AcceptedDistance * diagonal)
+    , SnapFrom(options.Snap ? this->Distance : std::numeric_limits<double>::infinity())
+  {
+  }
+
+  double ScaledJacobian, Distance, CreaseDistance;
+  double AcceptedDistance;
+  double SnapFrom; ///< the boundary is snapped if it is farther than this
+};
+
+/// Returns the distance that the search reduces.
+double DistanceThatCounts(const GridHexesResult& result)
+{
+  return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
+                                 : result.Fit.Distance;
+}
+
+bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance)
+{
+  return result.Fit.MinimumScaledJacobian >= scaledJacobian &&
+    DistanceThatCounts(result) <= distance;
+}
+
+bool IsAsWanted(const GridHexesResult& result, const GridGoals& goals)
+{
+  return Reaches(result, goals.ScaledJacobian, goals.Distance) &&
+    result.Fit.Creases.Distance <= goals.CreaseDistance;
+}
+
+/// Whether the result is good enough not to make cells smaller everywhere: all of it, or everything
+/// except hexahedra at preserved corners, which other grids have as well.
+bool IsAccepted(const GridHexesResult& result, const GridGoals& goals)
+{
+  return Reaches(result, AcceptedScaledJacobian, goals.AcceptedDistance) ||
+    (Reaches(result, 0.0, goals.AcceptedDistance) &&
+      result.Fit.Creases.Distance <= goals.CreaseDistance &&
+      FindMinimumScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
+        AcceptedScaledJacobian);
+}
+
+/// Whether snapping is likely to reach the accepted distance.
+bool IsNear(const GridHexesResult& result, const GridGoals& goals)
+{
+  return Reaches(result, 0.0, SnappedFrom * goals.AcceptedDistance);
+}
+
+/// Greater is better. Without inverted hexahedra, preserved creases and acceptance add 1 each.
+double Score(const GridHexesResult& result, const GridGoals& goals)
+{
+  const HexFit& fit = result.Fit;
+  if (fit.Inverted > 0)
+  {
+    return -fit.Inverted;
+  }
+  const bool accepted = Reaches(result, AcceptedScaledJacobian, goals.AcceptedDistance);
+  return std::min(fit.MinimumScaledJacobian / goals.ScaledJacobian, 1.0) +
+    std::min(goals.Distance / DistanceThatCounts(result), 1.0) +
+    std::min(goals.CreaseDistance / fit.Creases.Distance, 1.0) + (accepted ? 1.0 : 0.0) +
+    (fit.CreasesKept ? 1.0 : 0.0);
+}
+
+/// The surfaces that bound the solid and its regions.
+struct GridBoundary
+{
+  Surface Outer;
+  std::vector<Surface> Inner;
+};
+
+/// Updates the distance of the interfaces, whose points may have moved with the boundary's.
+void MeasureInner(HexFit& fit, const GridBoundary& boundary)
+{
+  fit.InnerDistance = ComputeInterfaceDistance(fit.Solid.Points, fit.Interfaces, boundary.Inner);
+}
+
+/// Snaps the boundary to parts of the surface that are farther than wanted. minimum: of the scaled
+/// Jacobian.
+void Snap(GridHexesResult& result, const GridBoundary& boundary, const GridGoals& goals,
+  const Progress& progress, double minimum = AcceptedScaledJacobian)
+{
+  if (result.Fit.Inverted == 0 && result.Fit.Distance > goals.SnapFrom)
+  {
+    SnappingOptions options;
+    options.WantedDistance = goals.Distance;
+    options.ScaledJacobians = { goals.ScaledJacobian, minimum };
+    SnapToSurface(result.Fit, boundary.Outer, options, progress);
+    MeasureInner(result.Fit, boundary);
+  }
+}
+
+/// Lets points leave the surface at bad hexahedra. With creases, whose corners may be the reason,
+/// or with inner surfaces, which points would leave too, it does so only at inverted ones.
+void Release(GridHexesResult& result, const GridBoundary& boundary, const GridGoals& goals,
+  const Progress& progress)
+{
+  const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
+  const bool isSmooth = !hasCreases && boundary.Inner.empty();
+  if (result.Fit.Inverted > 0 ||
+    (isSmooth && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian))
+  {
+    RelaxBoundaryAroundBad(
+      result.Fit, boundary.Outer, goals.AcceptedDistance, progress.Part(0.0, 0.9));
+    MeasureInner(result.Fit, boundary);
+  }
+}
+
+/// Applies `change` to the result. Undone unless the score rises.
+template <typename Change>
+void ChangeIfBetter(GridHexesResult& result, const GridGoals& goals, const Change& change)
+{
+  GridHexesResult changed = result;
+  change(changed);
+  if (Score(changed, goals) > Score(result, goals))
+  {
+    result = std::move(changed);
+  }
+}
+
+/// Adds seeds where the surfaces or their creases are far from each other, at corners of patches
+/// that are too small for the cells, and at bad hexahedra. Returns whether the seeds cover most of
+/// the solid. features: include patches of any size.
+bool AddSeeds(const GridHexesResult& result, const GridBoundary& boundary,
+  const SurfaceFeatures& features, const GridGoals& goals, std::vector<RefinementSeed>& seeds)
+{
+  const HexMesh& solid = result.Fit.Solid;
+  RefinementSeeds positions(result.CellSize);
+  const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
+  {
+    positions.AddDistant(
+      ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
+      goals.Distance);
+  };
+  addFarOnSurface(boundary.Outer, result.Fit.Quads);
+  for (std::size_t i = 0; result.InnerCreasesKept && i < boundary.Inner.size(); ++i)
+  {
+    addFarOnSurface(boundary.Inner[i], result.Fit.Interfaces[i]);
+  }
+  if (result.Fit.CreasesKept)
+  {
+    positions.AddDistant(ComputeDistancesToCurves(boundary.Outer, result.Features, solid.Points,
+                           result.Fit.Quads, result.Fit.PatchOf),
+      goals.CreaseDistance);
+  }
+  for (const int corner : features.Corners)
+  {
+    if (!result.Features.Curves.empty() &&
+      !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
+    {
+      positions.Add(boundary.Outer.Points().row(corner));
+    }
+  }
+  positions.AddBad(solid, AcceptedScaledJacobian);
+  seeds.insert(seeds.end(), positions.Seeds().begin(), positions.Seeds().end());
+  return positions.AreMostOf(solid.Hexahedra.rows());
+}
+
+/// Returns the hexahedra for cells of this size, or of a smaller one that has the topology; nothing
+/// if there would be more than MaximumHexahedra.
+std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const GridBoundary& boundary,
+  const GridHexesOptions& options, double size, const GridDensity& warp, const Progress& progress)
+{
+  HexFitOptions fitting;
+  fitting.PaddingLayers = options.PaddingLayers;
+  fitting.MaximumHexahedra = options.MaximumHexahedra;
+  fitting.RaisedFrom = RaisedFrom;
+  const double minimum = regions.Outer().CellSizeFor(options.MaximumHexahedra, warp);
+  for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
+  {
+    if (const std::optional<RegionCells> cells = regions.Fill(size, warp, progress.Part(0.0, 0.1)))
+    {
+      GridHexesResult result;
+      result.CellSize = size;
+      result.Crossings = regions.Outer().Boundary().Crossings;
+      result.Features = FindFeatures(boundary.Outer, options, size);
+      result.InnerCreasesKept = std::all_of(boundary.Inner.begin(), boundary.Inner.end(),
+        [&](const Surface& inner) { return FindFeatures(inner, options, size).Curves.empty(); });
+      result.Fit = FitHexahedra(cells->Solid, boundary.Outer, result.Features, fitting,
+        progress.Part(0.1, 1.0), { &*cells, &boundary.Inner });
+      return result;
+    }
+  }
+  return std::nullopt;
+}
+
+/**
+ * A search for the best hexahedra of several grids. Order of calls: Refine, once for each size to
+ * try, with BestScore and HasAccepted in between; TakeAnyTopology; Result, once.
+ */
 class GridSearch
 {
 public:
-  GridSearch(const Surface& surface, const std::vector<Mesh>& innerSurfaces,
+  GridSearch(const Surface& surface, const std::vector<Surface>& innerSurfaces,
     const GridHexesOptions& options, const Progress& progress)
     : Options(options)
     , Regions(surface, innerSurfaces, progress)
-    , Cubes(this->Regions.Outer())
-    , Bounding(this->Cubes.Boundary().Surface)
-    , Diagonal(options.Diagonal > 0.0 ? options.Diagonal
-                                      : ComputeBoxDiagonal(this->Cubes.GetSurface().Points()))
-    , AllFeatures(FindFeatures(this->Bounding, options.FeatureAngle, 0.0))
+    , Boundary{ this->Regions.Outer().Boundary().Surface, this->Regions.InnerSurfaces() }
+    , Goals(options,
+        options.Diagonal > 0.0 ? options.Diagonal
+                               : ComputeBoxDiagonal(this->Regions.Outer().GetSurface().Points()))
+    , AllFeatures(FindFeatures(this->Boundary.Outer, options.FeatureAngle, 0.0))
   {
-    for (const TopologyPreservingVoxels& inner : this->Regions.Inner())
-    {
-      this->InnerBounding.emplace_back(inner.GetSurface());
-    }
   }
 
-  double MinimumSize(const GridDensity& warp = GridDensity()) const
+  double CellSizeFor(double hexahedra, const GridDensity& warp) const
   {
-    return this->Cubes.CellSizeFor(this->Options.MaximumHexahedra, warp);
+    return this->Regions.Outer().CellSizeFor(hexahedra, warp);
   }
 
   /// Makes grids in rounds, each finer where the previous one was not good enough. size: of the
@@ -76,32 +266,33 @@ public:
       const GridDensity warp(seeds);
       const Progress part =
         progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
-      const double first = size > 0.0 ? size : this->Cubes.CellSizeFor(hexahedra, warp);
-      std::optional<GridHexesResult> result =
-        this->Fill(std::min(first, this->LargestSize), warp, part.Part(0.0, 0.8));
+      const double first = size > 0.0 ? size : this->CellSizeFor(hexahedra, warp);
+      std::optional<GridHexesResult> result = FillGrid(this->Regions, this->Boundary, this->Options,
+        std::min(first, this->LargestSize), warp, part.Part(0.0, 0.8));
       if (!result)
       {
         break;
       }
       this->LargestSize = result->CellSize / Shrinkage;
       const std::size_t before = seeds.size();
-      bool isSnapped = this->IsAsWanted(*result);
+      bool isSnapped = IsAsWanted(*result, this->Goals);
       if (!isSnapped)
       {
-        if (this->AddSeeds(*result, seeds))
+        if (AddSeeds(*result, this->Boundary, this->AllFeatures, this->Goals, seeds))
         {
           growth = LargeGrowth;
         }
         isSnapped = this->IsWorthSnapping(*result);
         if (isSnapped)
         {
-          this->Snap(*result, part.Part(0.8, 1.0));
+          Snap(*result, this->Boundary, this->Goals, part.Part(0.8, 1.0));
         }
       }
       // If nothing is magnified, the next grid would be the same.
-      const bool isLast = seeds.size() == before || this->IsAsWanted(*result) || growth > Growth;
+      const bool isLast =
+        seeds.size() == before || IsAsWanted(*result, this->Goals) || growth > Growth;
       ++this->Rounds;
-      const double score = this->Score(*result);
+      const double score = Score(*result, this->Goals);
       idle = score < reached + LeastGain ? idle + 1 : 0;
       reached = std::max(reached, score);
       if (score > this->BestScore())
@@ -114,9 +305,9 @@ public:
         break;
       }
     }
-    if (this->Best && !this->BestIsSnapped && (size > 0.0 || this->IsNear(*this->Best)))
+    if (this->Best && !this->BestIsSnapped && (size > 0.0 || IsNear(*this->Best, this->Goals)))
     {
-      this->Snap(*this->Best, progress.Part(0.9, 1.0));
+      Snap(*this->Best, this->Boundary, this->Goals, progress.Part(0.9, 1.0));
       this->BestIsSnapped = true;
     }
     return growth;
@@ -126,7 +317,7 @@ public:
   /// of components.
   void TakeAnyTopology(const Progress& progress)
   {
-    if (!this->Best && this->Cubes.Boundary().Crossings > 0)
+    if (!this->Best && this->Regions.Outer().Boundary().Crossings > 0)
     {
       constexpr double share = 0.25; // fraction of MaximumHexahedra
       this->Regions.Outer().TakeAnyTopology();
@@ -138,252 +329,73 @@ public:
     }
   }
 
-  bool IsAccepted() const
-  {
-    return this->Best &&
-      (this->Reaches(*this->Best, AcceptedScaledJacobian, AcceptedDistance) ||
-        this->AreOnlyCornersBad(*this->Best));
-  }
+  bool HasAccepted() const { return this->Best && IsAccepted(*this->Best, this->Goals); }
 
   /// Minus infinity if there is no result yet.
   double BestScore() const
   {
-    return this->Best ? this->Score(*this->Best) : -std::numeric_limits<double>::infinity();
+    return this->Best ? Score(*this->Best, this->Goals) : -std::numeric_limits<double>::infinity();
   }
 
+  /// Returns the best result, after further sweeps on its worst hexahedra and on its distance.
   GridHexesResult Result(const Progress& progress)
   {
     if (!this->Best)
     {
-      const Topology& topology = this->Cubes.SurfaceTopology();
-      throw SolveFailure("no grid of at most " + std::to_string(this->Options.MaximumHexahedra) +
-        " hexahedra has the topology of the surface: Euler number " +
-        std::to_string(topology.EulerNumber) + ", " + std::to_string(topology.Components) +
-        (topology.Components == 1 ? " component" : " components") +
-        (this->InnerBounding.empty() ? "" : ", and the inner surfaces separate from each other") +
-        "; a part or gap is thinner than its cells: raise MaximumHexahedra, or thicken it");
+      this->ThrowNoGrid();
     }
-    const HexFit& fit = this->Best->Fit;
-    if (fit.Inverted == 0 && fit.MinimumScaledJacobian < AcceptedScaledJacobian)
+    GridHexesResult result = std::move(*this->Best);
+    if (result.Fit.Inverted == 0 && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian)
     {
-      this->Raise(*this->Best, progress.Part(0.0, 0.3));
+      ChangeIfBetter(result, this->Goals,
+        [&](GridHexesResult& raised)
+        {
+          ImproveWorst(raised.Fit, this->Boundary.Outer, progress.Part(0.0, 0.3));
+          MeasureInner(raised.Fit, this->Boundary);
+        });
     }
-    this->Release(*this->Best, progress.Part(0.3, 0.5));
-    if (!this->Reaches(*this->Best, 0.0, AcceptedDistance) && this->IsNear(*this->Best))
+    Release(result, this->Boundary, this->Goals, progress.Part(0.3, 0.5));
+    if (!Reaches(result, 0.0, this->Goals.AcceptedDistance) && IsNear(result, this->Goals))
     {
-      this->SnapAndRelease(*this->Best, progress.Part(0.5, 1.0));
+      // At the expense of hexahedra, whose points may then leave the surface.
+      constexpr double minimum = 0.2;
+      ChangeIfBetter(result, this->Goals,
+        [&](GridHexesResult& snapped)
+        {
+          Snap(snapped, this->Boundary, this->Goals, progress.Part(0.5, 0.85), minimum);
+          Release(snapped, this->Boundary, this->Goals, progress.Part(0.85, 1.0));
+        });
     }
-    this->Best->Rounds = this->Rounds;
+    result.Rounds = this->Rounds;
     progress(1.0);
-    return std::move(*this->Best);
+    return result;
   }
 
 private:
-  /// Returns the hexahedra for cells of this size, or of a smaller one that has the topology.
-  std::optional<GridHexesResult> Fill(
-    double size, const GridDensity& warp, const Progress& progress)
+  [[noreturn]] void ThrowNoGrid() const
   {
-    const double minimum = this->MinimumSize(warp);
-    for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
-    {
-      if (const std::optional<RegionCells> cells =
-            this->Regions.Fill(size, warp, progress.Part(0.0, 0.1)))
-      {
-        GridHexesResult result;
-        result.CellSize = size;
-        result.Crossings = this->Cubes.Boundary().Crossings;
-        result.Features = FindFeatures(this->Bounding, this->Options, size);
-        result.InnerCreasesKept =
-          std::all_of(this->InnerBounding.begin(), this->InnerBounding.end(),
-            [&](const Surface& inner)
-            { return FindFeatures(inner, this->Options, size).Curves.empty(); });
-        result.Fit = FitHexahedra(cells->Solid, this->Bounding, result.Features, this->FitOptions(),
-          progress.Part(0.1, 1.0), { &*cells, &this->InnerBounding });
-        return result;
-      }
-    }
-    return std::nullopt;
-  }
-
-  HexFitOptions FitOptions() const
-  {
-    HexFitOptions options;
-    options.PaddingLayers = this->Options.PaddingLayers;
-    options.MaximumHexahedra = this->Options.MaximumHexahedra;
-    options.RaisedFrom = RaisedFrom;
-    return options;
-  }
-
-  bool IsAsWanted(const GridHexesResult& result) const
-  {
-    return this->Reaches(
-             result, this->Options.WantedScaledJacobian, this->Options.WantedDistance) &&
-      this->HasWantedCreases(result);
-  }
-
-  bool HasWantedCreases(const GridHexesResult& result) const
-  {
-    return result.Fit.Creases.Distance <= this->Options.WantedCreaseDistance * this->Diagonal;
-  }
-
-  /// Whether everything is good enough except hexahedra at preserved corners, which other grids
-  /// have as well.
-  bool AreOnlyCornersBad(const GridHexesResult& result) const
-  {
-    return this->Reaches(result, 0.0, AcceptedDistance) && this->HasWantedCreases(result) &&
-      FindMinimumScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
-      AcceptedScaledJacobian;
-  }
-
-  /// Updates the distance of the interfaces, whose points may have moved with the boundary's.
-  void MeasureInner(HexFit& fit) const
-  {
-    fit.InnerDistance =
-      ComputeInterfaceDistance(fit.Solid.Points, fit.Interfaces, this->InnerBounding);
-  }
-
-  /// Snaps the boundary to parts of the surface that are farther than wanted.
-  void Snap(GridHexesResult& result, const Progress& progress,
-    double minimum = AcceptedScaledJacobian) const
-  {
-    SnappingOptions options;
-    options.WantedDistance = this->Options.WantedDistance * this->Diagonal;
-    options.ScaledJacobians = { this->Options.WantedScaledJacobian, minimum };
-    if (this->Options.Snap && result.Fit.Inverted == 0 &&
-      result.Fit.Distance > options.WantedDistance)
-    {
-      SnapToSurface(result.Fit, this->Bounding, options, progress);
-      this->MeasureInner(result.Fit);
-    }
-  }
-
-  /// Lets points leave the surface at bad hexahedra. With creases, whose corners may be the reason,
-  /// or with inner surfaces, which points would leave too, it does so only at inverted ones.
-  void Release(GridHexesResult& result, const Progress& progress) const
-  {
-    const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
-    const bool isSmooth = !hasCreases && this->InnerBounding.empty();
-    if (result.Fit.Inverted > 0 ||
-      (isSmooth && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian))
-    {
-      RelaxBoundaryAroundBad(
-        result.Fit, this->Bounding, AcceptedDistance * this->Diagonal, progress.Part(0.0, 0.9));
-      this->MeasureInner(result.Fit);
-    }
-  }
-
-  /// Snaps at the expense of hexahedra, whose points may then leave the surface. Undone if the
-  /// score falls.
-  void SnapAndRelease(GridHexesResult& result, const Progress& progress) const
-  {
-    constexpr double minimum = 0.2;
-    GridHexesResult snapped = result;
-    this->Snap(snapped, progress.Part(0.0, 0.7), minimum);
-    this->Release(snapped, progress.Part(0.7, 1.0));
-    if (this->Score(snapped) > this->Score(result))
-    {
-      result = std::move(snapped);
-    }
-  }
-
-  /// Spends more sweeps on the worst hexahedra. Undone if the score falls.
-  void Raise(GridHexesResult& result, const Progress& progress) const
-  {
-    GridHexesResult raised = result;
-    ImproveWorst(raised.Fit, this->Bounding, progress);
-    this->MeasureInner(raised.Fit);
-    if (this->Score(raised) > this->Score(result))
-    {
-      result = std::move(raised);
-    }
+    const Topology& topology = this->Regions.Outer().SurfaceTopology();
+    throw SolveFailure("no grid of at most " + std::to_string(this->Options.MaximumHexahedra) +
+      " hexahedra has the topology of the surface: Euler number " +
+      std::to_string(topology.EulerNumber) + ", " + std::to_string(topology.Components) +
+      (topology.Components == 1 ? " component" : " components") +
+      (this->Boundary.Inner.empty() ? "" : ", and the inner surfaces separate from each other") +
+      "; a part or gap is thinner than its cells: set a smaller CellSize, or thicken it");
   }
 
   /// Whether snapping is likely to reach the wanted quality, or the accepted quality if no result
   /// is accepted yet.
   bool IsWorthSnapping(const GridHexesResult& result) const
   {
-    return this->Reaches(result,
-      this->IsAccepted() ? this->Options.WantedScaledJacobian : AcceptedScaledJacobian,
-      SnappedFrom * AcceptedDistance);
-  }
-
-  /// Returns the distance that the search reduces.
-  static double Distance(const GridHexesResult& result)
-  {
-    return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
-                                   : result.Fit.Distance;
-  }
-
-  bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance) const
-  {
-    return result.Fit.MinimumScaledJacobian >= scaledJacobian &&
-      Distance(result) <= distance * this->Diagonal;
-  }
-
-  /// Whether snapping is likely to reach the accepted distance.
-  bool IsNear(const GridHexesResult& result) const
-  {
-    return this->Reaches(result, 0.0, SnappedFrom * AcceptedDistance);
-  }
-
-  /// Greater is better. Without inverted hexahedra, preserved creases and acceptance add 1 each.
-  double Score(const GridHexesResult& result) const
-  {
-    const HexFit& fit = result.Fit;
-    if (fit.Inverted > 0)
-    {
-      return -fit.Inverted;
-    }
-    const bool accepted = this->Reaches(result, AcceptedScaledJacobian, AcceptedDistance);
-    return std::min(fit.MinimumScaledJacobian / this->Options.WantedScaledJacobian, 1.0) +
-      std::min(this->Options.WantedDistance * this->Diagonal / Distance(result), 1.0) +
-      std::min(this->Options.WantedCreaseDistance * this->Diagonal / fit.Creases.Distance, 1.0) +
-      (accepted ? 1.0 : 0.0) + (fit.CreasesKept ? 1.0 : 0.0);
-  }
-
-  /// Adds seeds where the surfaces or their creases are far from each other, at corners of patches
-  /// that are too small for the cells, and at bad hexahedra. Returns whether the seeds cover most
-  /// of the solid.
-  bool AddSeeds(const GridHexesResult& result, std::vector<RefinementSeed>& seeds) const
-  {
-    const HexMesh& solid = result.Fit.Solid;
-    RefinementSeeds positions(result.CellSize);
-    const auto addFarOnSurface = [&](const Mesh& surface, const Eigen::MatrixXi& quads)
-    {
-      positions.AddDistant(
-        ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
-        this->Options.WantedDistance * this->Diagonal);
-    };
-    addFarOnSurface(this->Bounding, result.Fit.Quads);
-    for (std::size_t i = 0; result.InnerCreasesKept && i < this->InnerBounding.size(); ++i)
-    {
-      addFarOnSurface(this->InnerBounding[i], result.Fit.Interfaces[i]);
-    }
-    if (result.Fit.CreasesKept)
-    {
-      positions.AddDistant(ComputeDistancesToCurves(this->Bounding, result.Features, solid.Points,
-                             result.Fit.Quads, result.Fit.PatchOf),
-        this->Options.WantedCreaseDistance * this->Diagonal);
-    }
-    for (const int corner : this->AllFeatures.Corners)
-    {
-      if (!result.Features.Curves.empty() &&
-        !std::binary_search(result.Features.Corners.begin(), result.Features.Corners.end(), corner))
-      {
-        positions.Add(this->Bounding.Points().row(corner));
-      }
-    }
-    positions.AddBad(solid, AcceptedScaledJacobian);
-    seeds.insert(seeds.end(), positions.Seeds().begin(), positions.Seeds().end());
-    return positions.AreMostOf(solid.Hexahedra.rows());
+    return Reaches(result,
+      this->HasAccepted() ? this->Goals.ScaledJacobian : AcceptedScaledJacobian,
+      SnappedFrom * this->Goals.AcceptedDistance);
   }
 
   const GridHexesOptions& Options;
   MultiMaterialVoxels Regions;
-  const TopologyPreservingVoxels& Cubes; ///< cells of the whole solid
-  const Surface Bounding;                ///< the surface that bounds it
-  std::vector<Surface> InnerBounding;
-  const double Diagonal;
+  const GridBoundary Boundary;
+  const GridGoals Goals;
   const SurfaceFeatures AllFeatures; ///< includes patches of any size
   /// Larger cells did not have the topology.
   double LargestSize = std::numeric_limits<double>::infinity();
@@ -402,17 +414,17 @@ void RequireGridInRange(const GridHexesOptions& options)
 }
 
 GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& options,
-  const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+  const Progress& progress, const std::vector<Surface>& innerSurfaces)
 {
   GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
   if (options.CellSize > 0.0)
   {
-    const double minimum = search.MinimumSize(GridDensity(options.Seeds));
+    const double minimum = search.CellSizeFor(options.MaximumHexahedra, GridDensity(options.Seeds));
     if (options.CellSize < minimum)
     {
       throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
         ", which gives more than " + std::to_string(options.MaximumHexahedra) +
-        " hexahedra; use at least " + std::to_string(minimum) + ", or raise MaximumHexahedra");
+        " hexahedra; use at least " + std::to_string(minimum));
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
     return search.Result(progress.Part(0.95, 1.0));
@@ -425,7 +437,7 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
     const double end = 0.5 * (begin + 0.95);
     const double growth = search.Refine(0.0, hexahedra, rounds, progress.Part(begin, end));
     hexahedra *= growth;
-    if (search.IsAccepted())
+    if (search.HasAccepted())
     {
       break;
     }
@@ -439,7 +451,7 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
   return search.Result(progress.Part(0.95, 1.0));
 }
 
-GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Mesh>& solids,
+GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Surface>& solids,
   const GridHexesOptions& options, const Progress& progress)
 {
   const std::vector<double> shares = ComputeVolumeShares(solids);
@@ -468,12 +480,12 @@ GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Mesh>& 
 } // namespace
 
 GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOptions& options,
-  const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+  const Progress& progress, const std::vector<Surface>& innerSurfaces)
 {
   RequireGridInRange(options);
   if (innerSurfaces.empty())
   {
-    const std::vector<Mesh> solids = SplitSolids(surface, progress.Part(0.0, 0.02));
+    const std::vector<Surface> solids = SplitSolids(surface, progress.Part(0.0, 0.02));
     if (!solids.empty())
     {
       return OfSeveralGrids(surface, solids, options, progress.Part(0.02, 1.0));

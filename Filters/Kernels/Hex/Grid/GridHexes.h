@@ -73,6 +73,6 @@ struct GridHexesResult
  * SolveFailure if no grid within MaximumHexahedra has the topology of the surface; Aborted.
  */
 GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOptions& options = {},
-  const Progress& progress = {}, const std::vector<Mesh>& innerSurfaces = {});
+  const Progress& progress = {}, const std::vector<Surface>& innerSurfaces = {});
 
 } // namespace shape

@@ -24,6 +24,8 @@ constexpr double MinimumRadius = 3.0;
 /// The normal equations of the fit are dense: this bounds their cost.
 constexpr int MaximumSeeds = 400;
 
+/// Seeds whose flow stretches cells to the sizes wanted: a least-squares fit. Order of calls: Add,
+/// then Step a few times, again and again; then take the Result.
 class SizeFit
 {
 public:
@@ -274,7 +276,7 @@ Eigen::VectorXd Corrected(const Surface& surface, const Eigen::VectorXd& sizes,
 } // namespace
 
 SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::VectorXd& sizes,
-  GridHexesOptions options, const Progress& progress, const std::vector<Mesh>& innerSurfaces)
+  GridHexesOptions options, const Progress& progress, const std::vector<Surface>& innerSurfaces)
 {
   RequireSizes(surface, sizes);
   const int rounds = options.Rounds;

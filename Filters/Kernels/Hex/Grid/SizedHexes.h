@@ -65,6 +65,6 @@ struct SizedHexesResult
  */
 SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::VectorXd& sizes,
   GridHexesOptions options = {}, const Progress& progress = {},
-  const std::vector<Mesh>& innerSurfaces = {});
+  const std::vector<Surface>& innerSurfaces = {});
 
 } // namespace shape

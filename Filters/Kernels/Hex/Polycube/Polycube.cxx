@@ -6,7 +6,7 @@
 #include "Hex/Polycube/Private/PolycubeMap.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/SolidBoundary.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/Geometry>
 
@@ -300,10 +300,10 @@ PolycubeResult BuildPolycube(
 {
   const Surface surface = OrientOutwards(given);
   PolycubeMapOptions mapOptions;
-  mapOptions.Compactness = options.Compactness;
   mapOptions.CellSize = options.TargetEdgeLength;
   mapOptions.Facing = true;
-  const PolycubeMap map = FindPolycubeMap(surface, mapOptions, progress.Part(0.0, 0.8));
+  const PolycubeMap map =
+    FindPolycubeMap(surface, options.Compactness, mapOptions, progress.Part(0.0, 0.8));
   const SurfaceLocator coarse(map.Solid.Surface());
   Mesh scaled = surface;
   // In cells, as the positions are: triangles are compared with those of the undeformed surface.

@@ -96,9 +96,9 @@ std::optional<Cubes> CubesOfCharts(const Surface& surface, const PolycubeHexesOp
   try
   {
     PolycubeMapOptions mapOptions;
-    mapOptions.Compactness = options.Compactness;
     mapOptions.CellSize = options.CellSize;
-    const PolycubeMap map = FindPolycubeMap(surface, mapOptions, progress.Part(0.0, 0.8));
+    const PolycubeMap map =
+      FindPolycubeMap(surface, options.Compactness, mapOptions, progress.Part(0.0, 0.8));
     Cubes cubes = CubesOfMap(map, progress.Part(0.8, 1.0));
     if (HasBoundaryTopology(cubes.Solid, wanted) &&
       cubes.Solid.Hexahedra.rows() <= options.MaximumHexahedra)

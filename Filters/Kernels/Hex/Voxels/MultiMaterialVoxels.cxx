@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -18,7 +19,7 @@ namespace
 
 /// Throws if surfaces are not closed, cross each other, or are not nested inside the outer one.
 void RequireNested(
-  const Mesh& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress)
+  const Surface& surface, const std::vector<Surface>& innerSurfaces, const Progress& progress)
 {
   std::vector<Surface> surfaces = { surface };
   std::vector<std::string> names = { "the Surface" };
@@ -95,7 +96,7 @@ std::vector<int> PartSizes(const SampledGrid& grid, const std::vector<char>& ins
 } // namespace
 
 MultiMaterialVoxels::MultiMaterialVoxels(
-  const Surface& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress)
+  const Surface& surface, const std::vector<Surface>& innerSurfaces, const Progress& progress)
   : Whole(surface, progress.Part(0.0, 0.3))
 {
   if (innerSurfaces.empty())
@@ -108,6 +109,14 @@ MultiMaterialVoxels::MultiMaterialVoxels(
     this->Parts.emplace_back(
       OrientByNesting(innerSurfaces[i], "inner surface " + std::to_string(i)));
   }
+}
+
+std::vector<Surface> MultiMaterialVoxels::InnerSurfaces() const
+{
+  std::vector<Surface> surfaces;
+  std::transform(this->Parts.begin(), this->Parts.end(), std::back_inserter(surfaces),
+    [](const TopologyPreservingVoxels& part) { return part.GetSurface(); });
+  return surfaces;
 }
 
 std::optional<RegionCells> MultiMaterialVoxels::Fill(

@@ -35,12 +35,12 @@ class MultiMaterialVoxels
 public:
   /// innerSurfaces: closed, inside the solid; they may be nested. Throws InvalidInput if one is not
   /// closed, is not inside, crosses or touches another, or has degenerate triangles; Aborted.
-  MultiMaterialVoxels(
-    const Surface& surface, const std::vector<Mesh>& innerSurfaces, const Progress& progress = {});
+  MultiMaterialVoxels(const Surface& surface, const std::vector<Surface>& innerSurfaces,
+    const Progress& progress = {});
 
   TopologyPreservingVoxels& Outer() { return this->Whole; }
   const TopologyPreservingVoxels& Outer() const { return this->Whole; }
-  const std::vector<TopologyPreservingVoxels>& Inner() const { return this->Parts; }
+  std::vector<Surface> InnerSurfaces() const; ///< facing outwards
 
   /// Returns the cells of a uniform grid in the warped space, mapped back; nothing if they are too
   /// coarse for the surfaces. Throws what TopologyPreservingVoxels::Fill throws.

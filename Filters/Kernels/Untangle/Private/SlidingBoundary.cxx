@@ -1,5 +1,7 @@
 #include "Untangle/Private/SlidingBoundary.h"
 
+#include "Geometry/FeatureAngle.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -49,7 +51,7 @@ SlidingBoundary::SlidingBoundary(
 void SlidingBoundary::FindCreases(const std::vector<std::array<int, 3>>& triangles)
 {
   // Absolute values: a fold in a smooth part is no crease.
-  const double flattest = std::cos(40.0 * M_PI / 180.0);
+  const double flattest = std::cos(DefaultFeatureAngle * M_PI / 180.0);
   const Eigen::MatrixXd areas = ComputeAreaVectors(this->Locator.GetSurface());
   std::map<std::array<int, 2>, std::vector<int>> edges;
   for (std::size_t t = 0; t < triangles.size(); ++t)

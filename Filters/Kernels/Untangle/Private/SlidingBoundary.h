@@ -2,7 +2,7 @@
 
 #include "Mesh/Mesh.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/Core>
 
@@ -14,8 +14,8 @@ namespace shape
 
 /**
  * Lets points slide along a surface: points in its smooth parts in two directions, points on its
- * creases (edges whose triangles' normals differ by more than 40 degrees) along the crease, and
- * corners not at all.
+ * creases (edges whose triangles' normals differ by more than DefaultFeatureAngle) along the
+ * crease, and corners not at all.
  */
 class SlidingBoundary : public PointConstraint
 {

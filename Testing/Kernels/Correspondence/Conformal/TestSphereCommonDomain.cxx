@@ -2,6 +2,7 @@
 #include "Correspondence/Conformal/SphereCommonDomain.h"
 #include "Parameterize/SphericalTriangles.h"
 #include "Support/MatchingShapes.h"
+#include "Support/Refusals.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -12,11 +13,6 @@
 
 namespace
 {
-
-Eigen::MatrixXd Positions(const shape::SurfacePoints& map, const shape::Mesh& target)
-{
-  return shape::PullBack(map, target.Triangles, target.Points);
-}
 
 const std::vector<int> Landmarks = { 0, 3, 4, 7, 8, 10, 25 };
 
@@ -32,8 +28,8 @@ TEST(SphereCommonDomain, ASurfaceAndItsRotatedCopyGiveTheIdentity)
   shape::SphereCommonDomainOptions options;
   options.RelaxationSweeps = 0; // which lowers another energy than the sphere maps do
   const auto map = shape::MapThroughSphere(a, Landmarks, b, Landmarks, options);
-  EXPECT_LT((Positions(map.AToB, b) - b.Points).cwiseAbs().maxCoeff(), 1e-4);
-  EXPECT_LT((Positions(map.BToA, a) - a.Points).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((shapetest::PositionsOn(map.AToB, b) - b.Points).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((shapetest::PositionsOn(map.BToA, a) - a.Points).cwiseAbs().maxCoeff(), 1e-4);
 }
 
 TEST(SphereCommonDomain, MeetsManyLandmarksWithoutAFlip)
@@ -59,9 +55,9 @@ TEST(SphereCommonDomain, MeetsManyLandmarksWithoutAFlip)
     shape::PullBack(map.AToB, b.Triangles, map.SphereB).rowwise().normalized();
   EXPECT_LT((onSphereB - map.SphereA).cwiseAbs().maxCoeff(), 1e-10);
   const auto back = shape::LocateDirections({ map.SphereA, a.Triangles }, onSphereB);
-  EXPECT_LT((Positions(back, a) - a.Points).cwiseAbs().maxCoeff(), 1e-8);
-  EXPECT_NEAR(shape::ComputeWindingNumber(
-                Positions(map.AToB, b), a.Triangles, Eigen::RowVector3d(0.01, 0.02, 0.03)),
+  EXPECT_LT((shapetest::PositionsOn(back, a) - a.Points).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_NEAR(shape::ComputeWindingNumber(shapetest::PositionsOn(map.AToB, b), a.Triangles,
+                Eigen::RowVector3d(0.01, 0.02, 0.03)),
     1.0, 1e-9);
 }
 
@@ -70,33 +66,17 @@ TEST(SphereCommonDomain, DirectionsAreFoundWhereTheyPass)
   const shape::Mesh sphere = shapetest::Icosphere(2);
   const Eigen::MatrixXd directions = 7.0 * shape::SampleRandomly(sphere, 500, 3);
   const shape::SurfacePoints map = shape::LocateDirections(sphere, directions);
-  EXPECT_LT((7.0 * Positions(map, sphere) - directions).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((7.0 * shapetest::PositionsOn(map, sphere) - directions).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(SphereCommonDomain, WhatCannotBeMetIsRefusedWithTheFact)
 {
   const shape::Mesh a = shapetest::Pebble(shapetest::Icosphere(2));
-  const auto refusal = [&](const std::vector<int>& one, const std::vector<int>& other)
-  {
-    try
-    {
-      shape::MapThroughSphere(a, one, a, other);
-    }
-    catch (const shape::InvalidInput& error)
-    {
-      return std::string(error.what());
-    }
-    catch (const shape::SolveFailure& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_NE(
-    refusal({ 0, 1 }, { 0 }).find("surface A has 2 landmarks, surface B 1"), std::string::npos);
-  EXPECT_NE(refusal({ 0, 1, 0 }, { 0, 1, 2 }).find("two landmarks of surface A are the same"),
-    std::string::npos);
-  EXPECT_NE(refusal({ 0, 1 }, { 0, 999 }).find("surface B is point 999"), std::string::npos);
+  EXPECT_REFUSED(
+    shape::MapThroughSphere(a, { 0, 1 }, a, { 0 }), "surface A has 2 landmarks, surface B 1");
+  EXPECT_REFUSED(shape::MapThroughSphere(a, { 0, 1, 0 }, a, { 0, 1, 2 }),
+    "two landmarks of surface A are the same");
+  EXPECT_REFUSED(shape::MapThroughSphere(a, { 0, 1 }, a, { 0, 999 }), "surface B is point 999");
   shape::Mesh inside = a;
   inside.Triangles = inside.Triangles.rowwise().reverse().eval();
   EXPECT_THROW(shape::MapThroughSphere(a, { 0 }, inside, { 0 }), shape::InvalidInput);

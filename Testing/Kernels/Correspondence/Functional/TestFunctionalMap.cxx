@@ -83,7 +83,7 @@ TEST(FitFunctionalMap, OfTheSameDescriptorsIsTheIdentityAndOrientationTellsTheMi
   const shape::Mesh mesh = Model("elk");
   shape::Mesh unit = mesh;
   unit.Points /= std::sqrt(shape::ComputePointAreas(unit).sum());
-  const shape::LaplaceSpectrum spectrum = shape::SolveLaplaceEigenproblem(unit, 30);
+  const shape::LaplaceEigenpairs spectrum = shape::SolveLaplaceEigenproblem(unit, 30);
   Eigen::MatrixXd descriptors(unit.Points.rows(), 40);
   descriptors << shape::ComputeWaveKernelSignature(spectrum, 20),
     shape::ComputeWaveKernelFrom(spectrum, 5, 20);

@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Correspondence/Functional/HeatKernelMap.h"
 #include "Support/MatchingShapes.h"
+#include "Support/SimpleSurfaces.h"
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>
@@ -16,18 +17,6 @@ int PointAt(const shape::Mesh& mesh, const Eigen::RowVector3d& position)
   Eigen::Index at = 0;
   (mesh.Points.rowwise() - position).rowwise().squaredNorm().minCoeff(&at);
   return static_cast<int>(at);
-}
-
-/// Two surfaces in one mesh, the second one moved along x.
-shape::Mesh Both(const shape::Mesh& one, const shape::Mesh& other, double along)
-{
-  const Eigen::Index n = one.Points.rows(), m = one.Triangles.rows();
-  shape::Mesh both{ Eigen::MatrixXd(n + other.Points.rows(), 3),
-    Eigen::MatrixXi(m + other.Triangles.rows(), 3) };
-  both.Points << one.Points, other.Points;
-  both.Points.bottomRows(other.Points.rows()).col(0).array() += along;
-  both.Triangles << one.Triangles, other.Triangles.array() + static_cast<int>(n);
-  return both;
 }
 
 } // namespace
@@ -105,7 +94,8 @@ TEST(HeatKernelMap, EachComponentNeedsALandmark)
 {
   const shape::Mesh one = shapetest::BumpySphere(2, Eigen::Matrix3d::Identity());
   const shape::Mesh other = shapetest::Torus(2.0, 0.7, 24, 12);
-  const shape::Mesh a = Both(one, other, 10.0), b = Both(other, one, -10.0);
+  const shape::Mesh a = shapetest::Joined({ one, shapetest::Shifted(other, { 10, 0, 0 }) }),
+                    b = shapetest::Joined({ other, shapetest::Shifted(one, { -10, 0, 0 }) });
   const auto n = static_cast<int>(one.Points.rows()), m = static_cast<int>(other.Points.rows());
   const shape::SurfaceMaps maps = shape::ComputeHeatKernelMap(a, b, { { 5, m + 5 }, { n + 9, 9 } });
   const Eigen::VectorXi targets = shape::FindNearestCorners(maps.AToB, b.Triangles);
@@ -120,7 +110,7 @@ TEST(HeatKernelMap, EachComponentNeedsALandmark)
 TEST(HeatKernelMap, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const shape::Mesh both = Both(sphere, sphere, 5.0);
+  const shape::Mesh both = shapetest::Twice(sphere);
   EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, both, { { 0, 0 } }), shape::InvalidInput);
   EXPECT_THROW(shape::ComputeHeatKernelMap(both, sphere, { { 0, 0 } }), shape::InvalidInput);
   EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 162 } }), shape::InvalidInput);

@@ -3,6 +3,7 @@
 #include "Correspondence/Landmarks/Private/FeatureAssignment.h"
 #include "Correspondence/Landmarks/Private/PersistentMaxima.h"
 #include "Support/MatchingShapes.h"
+#include "Support/SimpleSurfaces.h"
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>
@@ -170,10 +171,8 @@ TEST(AutomaticLandmarks, FindsAPartInTheWholeAndHowLargeItIs)
 TEST(AutomaticLandmarks, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh both{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  both.Points << sphere.Points, sphere.Points.array() + 5.0;
-  both.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  const Eigen::Index n = sphere.Points.rows();
+  const shape::Mesh both = shapetest::Twice(sphere);
   EXPECT_THROW(shape::FindLandmarks(sphere, both), shape::InvalidInput);
   EXPECT_THROW(shape::FindLandmarks(both, sphere), shape::InvalidInput);
   shape::Mesh loose = sphere;

@@ -2,6 +2,7 @@
 #include "Correspondence/Transport/GromovWasserstein.h"
 #include "Correspondence/Transport/Private/Sinkhorn.h"
 #include "Support/MatchingShapes.h"
+#include "Support/SimpleSurfaces.h"
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>
@@ -159,11 +160,14 @@ TEST(GromovWasserstein, FindsTheSameSurfaceInOtherTriangles)
   onA.col(0).maxCoeff(&tipB);
   a.Points.col(1).maxCoeff(&other);
   onA.col(1).maxCoeff(&otherB);
+  shape::GromovWassersteinOptions options;
+  options.Samples = 300;
   for (const shape::Landmarks& landmarks :
     { shape::Landmarks{ { int(tip), int(tipB) }, { int(other), int(otherB) } },
       shape::Landmarks{} })
   {
-    const shape::SurfaceMaps maps = shape::ComputeGromovWassersteinMap(a, b, landmarks).Maps;
+    const shape::SurfaceMaps maps =
+      shape::ComputeGromovWassersteinMap(a, b, landmarks, options).Maps;
     EXPECT_LT(shapetest::MapErrors(maps.AToB, b, onB).mean(), 0.03); // entropy blurs
     EXPECT_LT(shapetest::MapErrors(maps.BToA, a, onA).mean(), 0.03);
   }
@@ -199,22 +203,22 @@ TEST(GromovWasserstein, WorksWithBordersAndHandles)
   {
     landmarks.push_back({ corner, copy.NewOf(corner) });
   }
+  shape::GromovWassersteinOptions options;
+  options.Samples = 300;
   const shape::SurfaceMaps maps =
-    shape::ComputeGromovWassersteinMap(plate, copy.Mesh, landmarks).Maps;
+    shape::ComputeGromovWassersteinMap(plate, copy.Mesh, landmarks, options).Maps;
   EXPECT_LT(shapetest::MapErrors(maps.AToB, copy.Mesh, plate.Points).mean(), 0.1);
   const shape::Mesh torus = shapetest::Torus(2.0, 0.7, 40, 20);
-  const shape::SurfaceMaps round =
-    shape::ComputeGromovWassersteinMap(torus, torus, { { 0, 0 }, { 105, 105 }, { 450, 450 } }).Maps;
+  const shape::SurfaceMaps round = shape::ComputeGromovWassersteinMap(
+    torus, torus, { { 0, 0 }, { 105, 105 }, { 450, 450 } }, options)
+                                     .Maps;
   EXPECT_LT(shapetest::MapErrors(round.AToB, torus, torus.Points).mean(), 0.11);
 }
 
 TEST(GromovWasserstein, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh both{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  both.Points << sphere.Points, sphere.Points.array() + 5.0;
-  both.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  const shape::Mesh both = shapetest::Twice(sphere);
   EXPECT_THROW(shape::ComputeGromovWassersteinMap(sphere, both, {}), shape::InvalidInput);
   EXPECT_THROW(
     shape::ComputeGromovWassersteinMap(sphere, sphere, { { 0, 999 } }), shape::InvalidInput);

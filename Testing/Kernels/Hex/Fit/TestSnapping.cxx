@@ -40,7 +40,7 @@ shape::Mesh EllipticDisk()
   return shapetest::Prism(outline);
 }
 
-constexpr double CellSize = 0.09;
+constexpr double CellSize = 0.12;
 
 shape::HexFit Fit(const shape::Surface& box)
 {

@@ -6,6 +6,7 @@
 #include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
 #include "Search/ClosestPoint.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -29,19 +30,6 @@ shape::SampledGrid Outside(int n)
 {
   return { Eigen::RowVector3d::Zero(), 1.0, Eigen::RowVector3i::Constant(n),
     Eigen::VectorXd::Constant(n * n * n, 1.0) };
-}
-
-/// A box of these sides with a corner at the origin, in 12 triangles.
-shape::Mesh Box(const Eigen::RowVector3d& sides)
-{
-  shape::Mesh box{ Eigen::MatrixXd(8, 3), Eigen::MatrixXi(12, 3) };
-  for (int k = 0; k < 8; ++k)
-  {
-    box.Points.row(k) << (k & 1) * sides(0), (k >> 1 & 1) * sides(1), (k >> 2) * sides(2);
-  }
-  box.Triangles << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6,
-    0, 6, 2, 1, 3, 7, 1, 7, 5;
-  return box;
 }
 
 /// A block 4 x 4 x 1 with a round hole of radius 1 through its middle.
@@ -253,13 +241,8 @@ TEST(GridHexes, FillASphereAndATorusWithGoodHexahedraOnTheirSurface)
 TEST(GridHexes, FillSeveralSolidsAndLeaveVoids)
 {
   const shape::Mesh sphere = shapetest::Icosphere(3);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh surface{ Eigen::MatrixXd(3 * n, 3), Eigen::MatrixXi(3 * m, 3) };
-  surface.Points << sphere.Points, 0.4 * sphere.Points,
-    (0.5 * sphere.Points).rowwise() + Eigen::RowVector3d(2.0, 0.0, 0.0);
-  surface.Triangles << sphere.Triangles,
-    (sphere.Triangles.array() + static_cast<int>(n)).rowwise().reverse(),
-    sphere.Triangles.array() + static_cast<int>(2 * n);
+  const shape::Mesh surface = shapetest::Joined({ sphere,
+    shapetest::Reversed(shapetest::Sphere(3, 0.4)), shapetest::Sphere(3, 0.5, { 2, 0, 0 }) });
   shape::GridHexesOptions options;
   options.CellSize = 0.2;
   options.Rounds = 1;
@@ -274,11 +257,7 @@ TEST(GridHexes, FillSeveralSolidsAndLeaveVoids)
 
 TEST(GridHexes, SolidsAreApartHoweverNarrowTheGapIs)
 {
-  const shape::Mesh sphere = shapetest::Icosphere(3);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh surface{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  surface.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(2.01, 0.0, 0.0);
-  surface.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  const shape::Mesh surface = shapetest::Twice(shapetest::Icosphere(3), { 2.01, 0.0, 0.0 });
   shape::GridHexesOptions options;
   options.CellSize = 0.2;
   options.Rounds = 1;
@@ -320,7 +299,7 @@ TEST(GridHexes, MoreLayersAreMoreHexahedra)
 
 TEST(GridHexes, ACubeIsItsOwnGrid)
 {
-  const shape::Mesh cube = Box({ 1.0, 1.0, 1.0 });
+  const shape::Mesh cube = shapetest::Box({ 0, 0, 0 }, { 1, 1, 1 });
   shape::GridHexesOptions options;
   options.CellSize = 0.24;
   const shape::GridHexesResult result = shape::BuildGridHexahedra(cube, options);
@@ -340,7 +319,7 @@ TEST(GridHexes, ACubeIsItsOwnGrid)
 TEST(GridHexes, CreasesAcrossTheGridAreKept)
 {
   // No side of the turned box follows the grid.
-  shape::Mesh box = Box({ 1.0, 0.7, 0.5 });
+  shape::Mesh box = shapetest::Box({ 0, 0, 0 }, { 1.0, 0.7, 0.5 });
   box.Points *=
     Eigen::AngleAxisd(0.5, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
   shape::GridHexesOptions options;
@@ -415,13 +394,9 @@ TEST(GridHexes, CreasesOfABracketAndOfARoundHoleAreNear)
 
 TEST(GridHexes, TheSolidOfASurfaceThatCrossesItselfIsWhatItWindsAround)
 {
-  const shape::Mesh sphere = shapetest::Icosphere(3);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh surface{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  surface.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(1.01, 0.02, 0.03);
-  surface.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
+  const shape::Mesh surface = shapetest::Twice(shapetest::Icosphere(3), { 1.01, 0.02, 0.03 });
   shape::GridHexesOptions options;
-  options.CellSize = 0.12;
+  options.CellSize = 0.15;
   options.Rounds = 1;
   const shape::GridHexesResult result = shape::BuildGridHexahedra(surface, options);
   EXPECT_GT(result.Crossings, 0);
@@ -450,9 +425,7 @@ TEST(GridHexes, NamesWhatIsWrong)
   refused(sphere, std::numeric_limits<double>::quiet_NaN(), 1000);
   refused(sphere, 0.01, 1000);
   refused(sphere, 0.5, 0);
-  shape::Mesh open = sphere;
-  open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
-  refused(open, 0.5, 1000);
+  refused(shapetest::WithoutLast(sphere), 0.5, 1000);
   EXPECT_THROW(shape::BuildGridHexahedra(
                  sphere, {}, shape::Progress([](double fraction) { return fraction < 0.5; })),
     shape::Aborted);

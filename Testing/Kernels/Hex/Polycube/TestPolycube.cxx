@@ -70,7 +70,8 @@ TEST(Polycube, ABallBecomesACube)
 TEST(Polycube, ATorusBecomesARing)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 60, 30);
-  const shape::PolycubeMap map = shape::FindPolycubeMap(torus);
+  const shape::PolycubeMap map =
+    shape::FindPolycubeMap(torus, shape::PolycubeOptions().Compactness);
   ExpectPositive(map);
   EXPECT_EQ(map.Charts.Count(), 10);
   // The cells are as many as the polycube's volume.

@@ -7,6 +7,7 @@
 #include "Solids/GridWinding.h"
 #include "Solids/Nesting.h"
 #include "Solids/SolidBoundary.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Dense>
@@ -29,12 +30,7 @@ shape::SampledGrid GridAround(double half, int count)
 /// Two unit spheres, the second one moved along x.
 shape::Mesh TwoSpheres(double apart)
 {
-  const shape::Mesh sphere = shapetest::Icosphere(3);
-  const Eigen::Index n = sphere.Points.rows(), m = sphere.Triangles.rows();
-  shape::Mesh both{ Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXi(2 * m, 3) };
-  both.Points << sphere.Points, sphere.Points.rowwise() + Eigen::RowVector3d(apart, 0.0, 0.0);
-  both.Triangles << sphere.Triangles, sphere.Triangles.array() + static_cast<int>(n);
-  return both;
+  return shapetest::Twice(shapetest::Icosphere(3), { apart, 0, 0 });
 }
 
 } // namespace

@@ -1,13 +1,9 @@
 #include "Hex/Features/Private/CornerValenceMatching.h"
 
 #include "Hex/Features/PatchRings.h"
-
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/successive_shortest_path_nonnegative_weights.hpp>
-#include <boost/range/iterator_range.hpp>
+#include "Hex/Features/Private/DisjointPaths.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -21,433 +17,345 @@ namespace shape
 namespace
 {
 
-struct FlowArc;
-using FlowTraits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
-using FlowGraph =
-  boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, FlowArc>;
-
-struct FlowArc
+/// Quads with positions, and the quads at each point.
+struct PlacedQuads
 {
-  int Capacity = 0, Residual = 0;
-  double Cost = 0.0;
-  FlowTraits::edge_descriptor Reverse;
-};
-
-/// Finds paths of minimum total cost from one node to each of several others; no other node is on
-/// two paths. A minimum-cost flow (Boost.Graph: successive shortest paths) in the graph whose nodes
-/// are split into an entry (2 i) and an exit (2 i + 1).
-class DisjointPaths
-{
-public:
-  /// nodes: their number. largest: an upper bound of the costs.
-  DisjointPaths(int nodes, double largest)
-    : Graph(2 * static_cast<std::size_t>(nodes) + 1)
-    , Unit(std::ldexp(largest, -32))
-  {
-  }
-
-  void AddNode(int node, double cost) { this->AddArc(2 * node, 2 * node + 1, cost); }
-  void AddEdge(int a, int b, double cost)
-  {
-    this->AddArc(2 * a + 1, 2 * b, cost);
-    this->AddArc(2 * b + 1, 2 * a, cost);
-  }
-  void AddEnd(int node) { this->AddArc(2 * node + 1, this->Sink(), 0.0); }
-
-  /// Returns the successor of each node on the paths; nothing if an end is not reached.
-  std::optional<std::vector<std::pair<int, int>>> Find(int from)
-  {
-    boost::successive_shortest_path_nonnegative_weights(this->Graph, 2 * from + 1, this->Sink(),
-      boost::capacity_map(get(&FlowArc::Capacity, this->Graph))
-        .residual_capacity_map(get(&FlowArc::Residual, this->Graph))
-        .weight_map(get(&FlowArc::Cost, this->Graph))
-        .reverse_edge_map(get(&FlowArc::Reverse, this->Graph)));
-    std::vector<std::pair<int, int>> steps;
-    for (const auto arc : boost::make_iterator_range(edges(this->Graph)))
-    {
-      const auto begin = static_cast<int>(source(arc, this->Graph)),
-                 end = static_cast<int>(target(arc, this->Graph));
-      const bool isUsed = this->Graph[arc].Capacity > this->Graph[arc].Residual;
-      if (end == this->Sink() && !isUsed)
-      {
-        return std::nullopt;
-      }
-      if (end != this->Sink() && begin % 2 == 1 && isUsed)
-      {
-        steps.emplace_back(begin / 2, end / 2);
-      }
-    }
-    return steps;
-  }
-
-private:
-  int Sink() const { return static_cast<int>(num_vertices(this->Graph)) - 1; }
-
-  void AddArc(int from, int to, double cost)
-  {
-    // Integers: rounding must not make the reduced cost of an arc negative.
-    const double whole = this->Unit > 0.0 ? std::round(cost / this->Unit) : 0.0;
-    const auto ahead = add_edge(from, to, this->Graph).first;
-    const auto back = add_edge(to, from, this->Graph).first;
-    this->Graph[ahead] = { 1, 0, whole, back };
-    this->Graph[back] = { 0, 0, -whole, ahead };
-  }
-
-  FlowGraph Graph;
-  const double Unit; ///< the unit of integer costs
-};
-
-class Gathering
-{
-public:
-  Gathering(const Eigen::MatrixXd& points, const QuadSurface& quads, const Mesh& surface,
-    const SurfaceFeatures& features, Eigen::VectorXi& patchOf)
+  PlacedQuads(const Eigen::MatrixXd& points, const QuadSurface& quads)
     : Points(points)
-    , Boundary(quads)
-    , Quads(quads.Quads())
-    , Surface(surface)
-    , Features(features)
+    , Quads(quads)
     , QuadsAt(points.rows())
-    , PatchOf(patchOf)
-    , Taken(points.rows(), 0)
   {
-    for (int q = 0; q < static_cast<int>(this->Quads.rows()); ++q)
+    for (int q = 0; q < static_cast<int>(quads.Quads().rows()); ++q)
     {
-      for (const int point : this->Quads.row(q))
+      for (const int point : quads.Quads().row(q))
       {
         this->QuadsAt[point].push_back(q);
       }
     }
   }
 
-  void Run()
+  Eigen::RowVector4i PointsOf(int quad) const { return this->Quads.Quads().row(quad); }
+
+  const Eigen::MatrixXd& Points; ///< n x 3
+  const QuadSurface& Quads;
+  std::vector<std::vector<int>> QuadsAt; ///< of each point
+};
+
+/// Returns the points of the quads, those closest to a position first.
+std::vector<int> FindNearestPoints(const PlacedQuads& quads, const Eigen::RowVector3d& position)
+{
+  std::vector<std::pair<double, int>> order;
+  for (int point = 0; point < static_cast<int>(quads.QuadsAt.size()); ++point)
   {
-    const std::vector<PatchRing> rings = FindCornerRings(this->Surface, this->Features);
-    std::vector<int> missing;
-    for (int corner = 0; corner < static_cast<int>(rings.size()); ++corner)
+    if (!quads.QuadsAt[point].empty())
     {
-      if (!this->FindPoint(corner, rings[corner]))
-      {
-        missing.push_back(corner);
-      }
-    }
-    for (const int corner : missing)
-    {
-      this->Gather(corner, rings[corner]);
+      order.emplace_back((quads.Points.row(point) - position).norm(), point);
     }
   }
+  constexpr std::size_t maximum = 200;
+  const auto last = order.begin() + static_cast<std::ptrdiff_t>(std::min(maximum, order.size()));
+  std::partial_sort(order.begin(), last, order.end());
+  std::vector<int> nearest;
+  std::transform(order.begin(), last, std::back_inserter(nearest),
+    [](const auto& entry) { return entry.second; });
+  return nearest;
+}
 
-private:
-  Eigen::RowVector3d Position(int corner) const
+/// Returns the patches around a point of the quads.
+PatchRing FindRing(const PlacedQuads& quads, const Eigen::VectorXi& patchOf, int point)
+{
+  std::vector<int> labels;
+  for (const int quad : quads.Quads.QuadsAround(point, quads.QuadsAt[point].front()))
   {
-    return this->Surface.Points.row(this->Features.Corners[corner]);
+    labels.push_back(patchOf(quad));
   }
+  return BuildPatchRing(labels);
+}
 
-  /// Returns the points of the quads, those closest to a corner first.
-  std::vector<int> Nearest(int corner) const
+/// Adds to a disk the quads that share a point with it.
+void GrowDisc(const PlacedQuads& quads, std::set<int>& disc)
+{
+  const std::set<int> before = disc;
+  for (const int quad : before)
   {
-    std::vector<std::pair<double, int>> order;
-    for (int point = 0; point < static_cast<int>(this->QuadsAt.size()); ++point)
+    for (const int point : quads.PointsOf(quad))
     {
-      if (!this->QuadsAt[point].empty())
-      {
-        order.emplace_back((this->Points.row(point) - this->Position(corner)).norm(), point);
-      }
+      disc.insert(quads.QuadsAt[point].begin(), quads.QuadsAt[point].end());
     }
-    constexpr std::size_t maximum = 200;
-    const auto last = order.begin() + static_cast<std::ptrdiff_t>(std::min(maximum, order.size()));
-    std::partial_sort(order.begin(), last, order.end());
-    std::vector<int> nearest;
-    std::transform(order.begin(), last, std::back_inserter(nearest),
-      [](const auto& entry) { return entry.second; });
-    return nearest;
   }
+}
 
-  PatchRing RingAt(int point) const
+/// Returns the boundary loop of a disk, counter-clockwise; empty if it is not one simple closed
+/// chain, or if a point of the disk belongs to a corner already.
+std::vector<int> FindDiscLoop(
+  const PlacedQuads& quads, const std::set<int>& disc, const std::vector<char>& isCorner)
+{
+  std::map<int, int> next;
+  std::size_t edges = 0;
+  for (const int quad : disc)
   {
-    std::vector<int> labels;
-    for (const int quad : this->Boundary.QuadsAround(point, this->QuadsAt[point].front()))
+    const Eigen::RowVector4i points = quads.PointsOf(quad);
+    for (int k = 0; k < 4; ++k)
     {
-      labels.push_back(this->PatchOf(quad));
-    }
-    return BuildPatchRing(labels);
-  }
-
-  bool FindPoint(int corner, const PatchRing& ring)
-  {
-    for (const int point : this->Nearest(corner))
-    {
-      if (!this->Taken[point] && this->RingAt(point) == ring)
+      const int a = points(k), b = points((k + 1) % 4);
+      if (isCorner[a])
       {
-        this->Taken[point] = 1;
-        return true;
+        return {};
       }
-    }
-    return false;
-  }
-
-  void Gather(int corner, const PatchRing& ring)
-  {
-    constexpr int tries = 40, largest = 6; // points, rings of quads
-    int tried = 0;
-    for (const int point : this->Nearest(corner))
-    {
-      if (this->QuadsAt[point].size() < ring.size() || this->Taken[point])
+      if (disc.count(quads.Quads.QuadAt({ b, a })) == 0)
       {
-        continue;
-      }
-      std::set<int> disc(this->QuadsAt[point].begin(), this->QuadsAt[point].end());
-      for (int radius = 1; radius <= largest; ++radius)
-      {
-        this->Grow(disc);
-        if (this->Gather(point, disc, ring))
-        {
-          this->Taken[point] = 1;
-          return;
-        }
-      }
-      if (++tried == tries)
-      {
-        return;
+        next[a] = b;
+        ++edges;
       }
     }
   }
-
-  void Grow(std::set<int>& disc) const
+  if (next.empty() || next.size() != edges)
   {
-    const std::set<int> before = disc;
-    for (const int quad : before)
-    {
-      for (const int point : this->Quads.row(quad))
-      {
-        disc.insert(this->QuadsAt[point].begin(), this->QuadsAt[point].end());
-      }
-    }
+    return {};
   }
-
-  /// Returns the boundary loop of a disk, counter-clockwise; empty if it is not one simple closed
-  /// chain, or if a point inside belongs to a corner.
-  std::vector<int> LoopOf(const std::set<int>& disc) const
+  std::vector<int> loop = { next.begin()->first };
+  while (next.at(loop.back()) != loop.front())
   {
-    std::map<int, int> next;
-    std::size_t edges = 0;
-    for (const int quad : disc)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        const int a = this->Quads(quad, k), b = this->Quads(quad, (k + 1) % 4);
-        if (this->Taken[a])
-        {
-          return {};
-        }
-        if (disc.count(this->Boundary.QuadAt({ b, a })) == 0)
-        {
-          next[a] = b;
-          ++edges;
-        }
-      }
-    }
-    if (next.empty() || next.size() != edges)
-    {
-      return {};
-    }
-    std::vector<int> loop = { next.begin()->first };
-    while (next.at(loop.back()) != loop.front())
-    {
-      loop.push_back(next.at(loop.back()));
-    }
-    return loop.size() == edges ? loop : std::vector<int>();
+    loop.push_back(next.at(loop.back()));
   }
+  return loop.size() == edges ? loop : std::vector<int>();
+}
 
-  /// Returns the points of the loop at which the patches outside the disk change; nothing if the
-  /// patches outside are not those of the ring.
-  std::optional<std::vector<int>> Ends(const std::vector<int>& loop, const PatchRing& ring) const
+/// Returns the points of the loop at which the patches outside the disk change; nothing if the
+/// patches outside are not those of the ring, each once.
+std::optional<std::vector<int>> FindChainEnds(const PlacedQuads& quads,
+  const Eigen::VectorXi& patchOf, const std::vector<int>& loop, const PatchRing& ring)
+{
+  std::vector<int> ends, labels;
+  for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    std::vector<int> ends, labels;
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    const int before = loop[(i + loop.size() - 1) % loop.size()], point = loop[i];
+    const int after = loop[(i + 1) % loop.size()];
+    const int last = quads.Quads.QuadAt({ after, point });
+    int quad = quads.Quads.QuadAt({ point, before }), changes = 0;
+    labels.push_back(patchOf(quad));
+    while (quad != last)
     {
-      const int before = loop[(i + loop.size() - 1) % loop.size()], point = loop[i];
-      const int after = loop[(i + 1) % loop.size()];
-      const int last = this->Boundary.QuadAt({ after, point });
-      int quad = this->Boundary.QuadAt({ point, before }), changes = 0;
-      labels.push_back(this->PatchOf(quad));
-      while (quad != last)
-      {
-        const int following = this->Boundary.NextAround(point, quad);
-        changes += this->PatchOf(following) != this->PatchOf(quad);
-        quad = following;
-      }
-      if (changes > 1)
-      {
-        return std::nullopt;
-      }
-      if (changes == 1)
-      {
-        ends.push_back(point);
-      }
+      const int following = quads.Quads.NextAround(point, quad);
+      changes += patchOf(following) != patchOf(quad);
+      quad = following;
     }
-    return BuildPatchRing(labels) == ring ? std::optional(ends) : std::nullopt;
-  }
-
-  /// Routes chains from the point to the loop and assigns the quads between them.
-  bool Gather(int point, const std::set<int>& disc, const PatchRing& ring)
-  {
-    const std::vector<int> loop = this->LoopOf(disc);
-    if (loop.empty())
-    {
-      return false;
-    }
-    const auto ends = this->Ends(loop, ring);
-    if (!ends || ends->size() != ring.size())
-    {
-      return false;
-    }
-    const auto chains = this->Chains(point, disc, loop, *ends);
-    if (!chains)
-    {
-      return false;
-    }
-    this->Fill(disc, *chains);
-    return true;
-  }
-
-  std::optional<std::set<QuadEdge>> Chains(int point, const std::set<int>& disc,
-    const std::vector<int>& loop, const std::vector<int>& ends) const
-  {
-    std::map<int, int> number;
-    std::vector<int> points;
-    for (const int quad : disc)
-    {
-      for (const int own : this->Quads.row(quad))
-      {
-        if (number.emplace(own, static_cast<int>(points.size())).second)
-        {
-          points.push_back(own);
-        }
-      }
-    }
-    const std::set<int> onLoop(loop.begin(), loop.end());
-    std::vector<double> nodeCosts;
-    std::transform(points.begin(), points.end(), std::back_inserter(nodeCosts),
-      [&](int own) { return this->DistanceToCurves(own); });
-    std::map<QuadEdge, double> edgeCosts;
-    for (const int quad : disc)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        const int a = this->Quads(quad, k), b = this->Quads(quad, (k + 1) % 4);
-        if (a < b && disc.count(this->Boundary.QuadAt({ b, a })) > 0 &&
-          (onLoop.count(a) == 0 || onLoop.count(b) == 0))
-        {
-          edgeCosts[{ number.at(a), number.at(b) }] =
-            (this->Points.row(a) - this->Points.row(b)).norm();
-        }
-      }
-    }
-    double largest = *std::max_element(nodeCosts.begin(), nodeCosts.end());
-    for (const auto& [edge, cost] : edgeCosts)
-    {
-      largest = std::max(largest, cost);
-    }
-    DisjointPaths paths(static_cast<int>(points.size()), largest);
-    for (std::size_t node = 0; node < nodeCosts.size(); ++node)
-    {
-      paths.AddNode(static_cast<int>(node), nodeCosts[node]);
-    }
-    for (const auto& [edge, cost] : edgeCosts)
-    {
-      paths.AddEdge(edge.first, edge.second, cost);
-    }
-    for (const int end : ends)
-    {
-      paths.AddEnd(number.at(end));
-    }
-    const auto steps = paths.Find(number.at(point));
-    if (!steps)
+    if (changes > 1)
     {
       return std::nullopt;
     }
-    std::set<QuadEdge> chains;
-    for (const auto& [a, b] : *steps)
+    if (changes == 1)
     {
-      chains.insert({ points[a], points[b] });
-      chains.insert({ points[b], points[a] });
+      ends.push_back(point);
     }
-    return chains;
   }
+  return BuildPatchRing(labels) == ring && ends.size() == ring.size() ? std::optional(ends)
+                                                                      : std::nullopt;
+}
 
-  double DistanceToCurves(int point) const
+/// Returns the distance of a position from the nearest curve.
+double ComputeDistanceToCurves(
+  const Eigen::RowVector3d& position, const Mesh& surface, const SurfaceFeatures& features)
+{
+  double minimum = std::numeric_limits<double>::infinity();
+  for (const FeatureCurve& curve : features.Curves)
   {
-    double minimum = std::numeric_limits<double>::infinity();
-    for (const FeatureCurve& curve : this->Features.Curves)
+    const std::size_t count = curve.Points.size();
+    for (std::size_t i = 0; i + (curve.Closed ? 0 : 1) < count; ++i)
     {
-      const std::size_t count = curve.Points.size();
-      for (std::size_t i = 0; i + (curve.Closed ? 0 : 1) < count; ++i)
-      {
-        const Eigen::RowVector3d a = this->Surface.Points.row(curve.Points[i]);
-        const Eigen::RowVector3d along =
-          this->Surface.Points.row(curve.Points[(i + 1) % count]) - a;
-        const Eigen::RowVector3d from = this->Points.row(point) - a;
-        const double share =
-          std::clamp(from.dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
-        minimum = std::min(minimum, (from - share * along).norm());
-      }
+      const Eigen::RowVector3d a = surface.Points.row(curve.Points[i]);
+      const Eigen::RowVector3d along = surface.Points.row(curve.Points[(i + 1) % count]) - a;
+      const Eigen::RowVector3d from = position - a;
+      const double share =
+        std::clamp(from.dot(along) / std::max(along.squaredNorm(), 1e-300), 0.0, 1.0);
+      minimum = std::min(minimum, (from - share * along).norm());
     }
-    return minimum;
   }
+  return minimum;
+}
 
-  void Fill(const std::set<int>& disc, const std::set<QuadEdge>& chains)
+/// Finds a chain of edges of the disk from a point to each of the ends. The chains share no other
+/// point and are as short and as close to the curves as possible. Returns their edges in both
+/// directions; nothing if there are no such chains.
+std::optional<std::set<QuadEdge>> FindGatheringChains(const PlacedQuads& quads,
+  const std::set<int>& disc, const std::vector<int>& loop, const std::vector<int>& ends, int point,
+  const Mesh& surface, const SurfaceFeatures& features)
+{
+  CostGraph graph;
+  std::map<int, int> nodeOf;
+  std::vector<int> points; // of the nodes
+  for (const int quad : disc)
   {
-    std::map<int, int> label;
-    std::vector<int> open;
-    for (const int quad : disc)
+    for (const int own : quads.PointsOf(quad))
     {
-      for (int k = 0; k < 4; ++k)
+      if (nodeOf.emplace(own, static_cast<int>(points.size())).second)
       {
-        const int beyond =
-          this->Boundary.QuadAt({ this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) });
-        if (disc.count(beyond) == 0 && label.emplace(quad, this->PatchOf(beyond)).second)
-        {
-          open.push_back(quad);
-        }
+        points.push_back(own);
+        graph.NodeCosts.push_back(
+          ComputeDistanceToCurves(quads.Points.row(own), surface, features));
       }
-    }
-    for (std::size_t i = 0; i < open.size(); ++i)
-    {
-      const int quad = open[i];
-      for (int k = 0; k < 4; ++k)
-      {
-        const QuadEdge edge = { this->Quads(quad, (k + 1) % 4), this->Quads(quad, k) };
-        const int beyond = this->Boundary.QuadAt(edge);
-        if (disc.count(beyond) > 0 && chains.count(edge) == 0 &&
-          label.emplace(beyond, label.at(quad)).second)
-        {
-          open.push_back(beyond);
-        }
-      }
-    }
-    for (const auto& [quad, patch] : label)
-    {
-      this->PatchOf(quad) = patch;
     }
   }
+  const std::set<int> onLoop(loop.begin(), loop.end());
+  for (const int quad : disc)
+  {
+    const Eigen::RowVector4i own = quads.PointsOf(quad);
+    for (int k = 0; k < 4; ++k)
+    {
+      const int a = own(k), b = own((k + 1) % 4);
+      if (a < b && disc.count(quads.Quads.QuadAt({ b, a })) > 0 &&
+        (onLoop.count(a) == 0 || onLoop.count(b) == 0))
+      {
+        graph.EdgeCosts[{ nodeOf.at(a), nodeOf.at(b) }] =
+          (quads.Points.row(a) - quads.Points.row(b)).norm();
+      }
+    }
+  }
+  std::vector<int> endNodes;
+  std::transform(ends.begin(), ends.end(), std::back_inserter(endNodes),
+    [&](int end) { return nodeOf.at(end); });
+  const auto steps = FindDisjointPaths(graph, nodeOf.at(point), endNodes);
+  if (!steps)
+  {
+    return std::nullopt;
+  }
+  std::set<QuadEdge> chains;
+  for (const auto& [a, b] : *steps)
+  {
+    chains.insert({ points[a], points[b] });
+    chains.insert({ points[b], points[a] });
+  }
+  return chains;
+}
 
-  const Eigen::MatrixXd& Points;
-  const QuadSurface& Boundary;
-  const Eigen::MatrixXi& Quads;
-  const Mesh& Surface;
-  const SurfaceFeatures& Features;
-  std::vector<std::vector<int>> QuadsAt;
-  Eigen::VectorXi& PatchOf;
-  std::vector<char> Taken; ///< marks points that belong to corners
-};
+/// Extends the patches outside the disk's loop into the disk, up to the chains.
+void FillDisc(const PlacedQuads& quads, const std::set<int>& disc, const std::set<QuadEdge>& chains,
+  Eigen::VectorXi& patchOf)
+{
+  std::map<int, int> label;
+  std::vector<int> open;
+  for (const int quad : disc)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const int beyond = quads.Quads.Across(quad, k);
+      if (disc.count(beyond) == 0 && label.emplace(quad, patchOf(beyond)).second)
+      {
+        open.push_back(quad);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < open.size(); ++i)
+  {
+    const Eigen::RowVector4i points = quads.PointsOf(open[i]);
+    for (int k = 0; k < 4; ++k)
+    {
+      const int beyond = quads.Quads.Across(open[i], k);
+      if (disc.count(beyond) > 0 && chains.count({ points(k), points((k + 1) % 4) }) == 0 &&
+        label.emplace(beyond, label.at(open[i])).second)
+      {
+        open.push_back(beyond);
+      }
+    }
+  }
+  for (const auto& [quad, patch] : label)
+  {
+    patchOf(quad) = patch;
+  }
+}
+
+/// Routes chains from a point to the loop of a disk around it and assigns the quads between them.
+/// Returns false if the patches outside the disk are not those of the ring, or if there are no such
+/// chains.
+bool GatherInDisc(const PlacedQuads& quads, const std::set<int>& disc, int point,
+  const PatchRing& ring, const Mesh& surface, const SurfaceFeatures& features,
+  const std::vector<char>& isCorner, Eigen::VectorXi& patchOf)
+{
+  const std::vector<int> loop = FindDiscLoop(quads, disc, isCorner);
+  if (loop.empty())
+  {
+    return false;
+  }
+  const auto ends = FindChainEnds(quads, patchOf, loop, ring);
+  if (!ends)
+  {
+    return false;
+  }
+  const auto chains = FindGatheringChains(quads, disc, loop, *ends, point, surface, features);
+  if (!chains)
+  {
+    return false;
+  }
+  FillDisc(quads, disc, *chains, patchOf);
+  return true;
+}
+
+/// Gathers the patches of a corner around one of the points nearest to it. Returns the point, or
+/// -1 if no disk around any of them is suitable.
+int GatherPatches(const PlacedQuads& quads, int corner, const PatchRing& ring, const Mesh& surface,
+  const SurfaceFeatures& features, const std::vector<char>& isCorner, Eigen::VectorXi& patchOf)
+{
+  constexpr int tries = 40, largest = 6; // points, rings of quads
+  int tried = 0;
+  for (const int point : FindNearestPoints(quads, surface.Points.row(features.Corners[corner])))
+  {
+    const std::vector<int>& around = quads.QuadsAt[point];
+    if (around.size() < ring.size() || isCorner[point])
+    {
+      continue;
+    }
+    std::set<int> disc(around.begin(), around.end());
+    for (int radius = 1; radius <= largest; ++radius)
+    {
+      GrowDisc(quads, disc);
+      if (GatherInDisc(quads, disc, point, ring, surface, features, isCorner, patchOf))
+      {
+        return point;
+      }
+    }
+    if (++tried == tries)
+    {
+      break;
+    }
+  }
+  return -1;
+}
 
 } // namespace
 
 void MatchCornerValences(const Eigen::MatrixXd& points, const QuadSurface& quads,
   const Mesh& surface, const SurfaceFeatures& features, Eigen::VectorXi& patchOf)
 {
-  Gathering(points, quads, surface, features, patchOf).Run();
+  const PlacedQuads placed(points, quads);
+  const std::vector<PatchRing> rings = FindCornerRings(surface, features);
+  std::vector<char> isCorner(points.rows(), 0);
+  // First the corners that already have a point with their ring: no disk may reach these points.
+  std::vector<int> missing;
+  for (int corner = 0; corner < static_cast<int>(rings.size()); ++corner)
+  {
+    const std::vector<int> nearest =
+      FindNearestPoints(placed, surface.Points.row(features.Corners[corner]));
+    const auto found = std::find_if(nearest.begin(), nearest.end(),
+      [&](int point)
+      { return !isCorner[point] && FindRing(placed, patchOf, point) == rings[corner]; });
+    if (found != nearest.end())
+    {
+      isCorner[*found] = 1;
+    }
+    else
+    {
+      missing.push_back(corner);
+    }
+  }
+  for (const int corner : missing)
+  {
+    if (const int point =
+          GatherPatches(placed, corner, rings[corner], surface, features, isCorner, patchOf);
+        point >= 0)
+    {
+      isCorner[point] = 1;
+    }
+  }
 }
 
 } // namespace shape

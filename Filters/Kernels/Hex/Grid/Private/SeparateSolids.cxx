@@ -40,7 +40,7 @@ void Append(Eigen::VectorXi& numbers, const Eigen::VectorXi& others, Eigen::Inde
 
 } // namespace
 
-std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress)
+std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progress)
 {
   const Surface outward = OrientOutwards(surface);
   if (RequireClosedSurface(outward, "the surface").Components == 1 ||
@@ -75,7 +75,7 @@ std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress)
       });
     Append(solids[around - outer.begin()], hole);
   }
-  return solids;
+  return { std::make_move_iterator(solids.begin()), std::make_move_iterator(solids.end()) };
 }
 
 HexFit JoinFits(const std::vector<HexFit>& fits)
@@ -112,7 +112,7 @@ HexFit JoinFits(const std::vector<HexFit>& fits)
 }
 
 SurfaceFeatures JoinFeatures(
-  const std::vector<SurfaceFeatures>& features, const std::vector<Mesh>& solids)
+  const std::vector<SurfaceFeatures>& features, const std::vector<Surface>& solids)
 {
   SurfaceFeatures joined;
   int points = 0;
@@ -138,18 +138,18 @@ SurfaceFeatures JoinFeatures(
     joined.CreaseLength += features[i].CreaseLength;
     joined.CurveLength += features[i].CurveLength;
     joined.Patches += features[i].Patches;
-    points += static_cast<int>(solids[i].Points.rows());
+    points += static_cast<int>(solids[i].Points().rows());
   }
   return joined;
 }
 
-std::vector<double> ComputeVolumeShares(const std::vector<Mesh>& solids)
+std::vector<double> ComputeVolumeShares(const std::vector<Surface>& solids)
 {
   // The total for all solids that are small.
   constexpr double small = 0.25;
   std::vector<double> shares;
   double sum = 0.0;
-  for (const Mesh& solid : solids)
+  for (const Surface& solid : solids)
   {
     shares.push_back(ComputeEnclosedVolume(solid));
     sum += shares.back();

@@ -17,7 +17,7 @@ namespace shape
  *
  * surface: as for RequireClosedSurface. Throws InvalidInput if it is not closed; Aborted.
  */
-std::vector<Mesh> SplitSolids(const Surface& surface, const Progress& progress = {});
+std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progress = {});
 
 /// Concatenates the hexahedra of several solids. PatchOf is offset accordingly; there are no
 /// interfaces.
@@ -26,9 +26,9 @@ HexFit JoinFits(const std::vector<HexFit>& fits);
 /// Concatenates the features of several surfaces; indices refer to their concatenated points and
 /// triangles. solids: the surface that belongs to each of the features.
 SurfaceFeatures JoinFeatures(
-  const std::vector<SurfaceFeatures>& features, const std::vector<Mesh>& solids);
+  const std::vector<SurfaceFeatures>& features, const std::vector<Surface>& solids);
 
 /// Returns the fraction of the hexahedra that each solid may have: by its volume, with a minimum.
-std::vector<double> ComputeVolumeShares(const std::vector<Mesh>& solids);
+std::vector<double> ComputeVolumeShares(const std::vector<Surface>& solids);
 
 } // namespace shape

@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/HexMesh.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/Core>
 #include <boost/container/small_vector.hpp>

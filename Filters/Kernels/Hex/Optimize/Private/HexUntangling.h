@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/HexMesh.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 namespace shape
 {

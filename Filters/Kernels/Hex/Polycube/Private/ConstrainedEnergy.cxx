@@ -3,7 +3,7 @@
 #include "Base/Parallel.h"
 #include "Geometry/Orientation.h"
 #include "Linear/NewtonSystem.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/LU>
 

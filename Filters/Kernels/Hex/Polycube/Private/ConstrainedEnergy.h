@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Hex/Polycube/Private/WorkingSolid.h"
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <Eigen/Core>
 

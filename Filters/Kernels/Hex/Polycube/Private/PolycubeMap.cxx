@@ -302,10 +302,10 @@ std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::Vecto
   return turned;
 }
 
-PolycubeMap FindPolycubeMap(
-  const Surface& surface, const PolycubeMapOptions& options, const Progress& progress)
+PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
+  const PolycubeMapOptions& options, const Progress& progress)
 {
-  if (!(options.Compactness > 0.0) || !std::isfinite(options.Compactness))
+  if (!(compactness > 0.0) || !std::isfinite(compactness))
   {
     throw InvalidInput("Compactness must be positive");
   }
@@ -339,8 +339,8 @@ PolycubeMap FindPolycubeMap(
       {
         continue;
       }
-      Attempt attempt = TryCompactness(solid, aligned, trial.Factor * options.Compactness,
-        options.Facing, work, progress.Part(0.2, 0.8));
+      Attempt attempt = TryCompactness(
+        solid, aligned, trial.Factor * compactness, options.Facing, work, progress.Part(0.2, 0.8));
       attempt.Rotation = rotation;
       if (attempt.Result.Negative < best.Result.Negative)
       {

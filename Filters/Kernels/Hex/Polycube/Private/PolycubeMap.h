@@ -18,9 +18,8 @@ constexpr double AutomaticCells = 12000.0;
 
 struct PolycubeMapOptions
 {
-  double Compactness = 3.0; ///< greater: fewer charts; smaller: normals closer to the axes; > 0
-  double CellSize = 0.0;    ///< the polycube's unit, in the surface's units; 0: about 12,000 cells
-  int Triangles = 3000;     ///< approximate number of triangles of the coarse surface
+  double CellSize = 0.0; ///< the polycube's unit, in the surface's units; 0: about 12,000 cells
+  int Triangles = 3000;  ///< approximate number of triangles of the coarse surface
   /// Whether to reject a polycube if more than a tenth of one of its charts faces away from the
   /// chart's label. A chart may fold over itself without any negative tetrahedron, for example
   /// around a thin hole. Hexahedra tolerate that, but it is not the boundary of a polycube.
@@ -52,10 +51,10 @@ struct PolycubeMap
  * the compactness are tried. Finally the coordinates of the charts are rounded to integers
  * (RoundCharts), with smaller cells if they leave no room.
  *
- * Throws what Tetrahedralize throws; InvalidInput if an option is out of range; SolveFailure with
- * the faults of the best attempt if no polycube is found; Aborted.
+ * compactness: see PolycubeOptions. Throws what Tetrahedralize throws; InvalidInput if an option is
+ * out of range; SolveFailure with the faults of the best attempt if no polycube is found; Aborted.
  */
-PolycubeMap FindPolycubeMap(
-  const Surface& surface, const PolycubeMapOptions& options = {}, const Progress& progress = {});
+PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
+  const PolycubeMapOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

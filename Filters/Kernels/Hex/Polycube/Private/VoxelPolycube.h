@@ -21,8 +21,8 @@ struct VoxelPolycube
 /**
  * Takes the cells of a grid inside a solid that was deformed towards the axes (AlignWithAxes,
  * FlattenAlongAxes) and maps them back. Their union is a polycube by construction and has the
- * surface's topology. It has a step wherever the deformed solid is not quite flat (Yu, Zhang, Li
- * and Zhao, "Optimizing polycube domain construction for hexahedral remeshing", 2014).
+ * surface's topology. It has a step wherever the deformed solid is not quite flat (Yu, Zhang, Wan
+ * and Li, "Optimizing polycube domain construction for hexahedral remeshing", 2014).
  *
  * surface: closed, facing outwards. compactness: see FindAxisLabels. cells: their approximate
  * number; more are tried, up to `maximum`, until the topology agrees. Throws what Tetrahedralize

@@ -25,7 +25,7 @@ double RegularVolume(double edge)
   return edge * edge * edge / (6.0 * std::sqrt(2.0));
 }
 
-Mesh CoarseSurface(const Surface& surface, double length, const Progress& progress)
+Surface CoarseSurface(const Surface& surface, double length, const Progress& progress)
 {
   // Triangles become smaller while the remeshed surface crosses itself; if that does not end, the
   // surface itself is taken.
@@ -33,7 +33,7 @@ Mesh CoarseSurface(const Surface& surface, double length, const Progress& progre
   {
     IsotropicRemeshOptions options;
     options.EdgeLength = length;
-    Mesh coarse = RemeshIsotropically(surface, options, progress);
+    const Surface coarse = RemeshIsotropically(surface, options, progress);
     if (FindDegenerateTriangles(coarse).empty() && FindSelfIntersections(coarse, progress).empty())
     {
       return coarse;
@@ -207,7 +207,7 @@ WorkingSolid BuildWorkingSolid(const Surface& surface, int triangles, const Prog
   const double area = ComputeArea(surface);
   // The area of an equilateral triangle is sqrt(3) / 4 of its edge squared.
   const double length = std::sqrt(area / triangles * 4.0 / std::sqrt(3.0));
-  const Mesh coarse = CoarseSurface(surface, length, progress.Part(0.0, 0.5));
+  const Surface coarse = CoarseSurface(surface, length, progress.Part(0.0, 0.5));
   TetrahedralizeOptions options;
   // Inner tetrahedra may be larger than those at the surface: only the surface is labelled.
   options.MaximumVolume = 10.0 * RegularVolume(length);
@@ -216,8 +216,8 @@ WorkingSolid BuildWorkingSolid(const Surface& surface, int triangles, const Prog
   WorkingSolid solid;
   solid.Points = tetrahedra.Points;
   solid.Tetrahedra = tetrahedra.Tetrahedra;
-  solid.Triangles = coarse.Triangles;
-  solid.SurfacePointCount = static_cast<int>(coarse.Points.rows());
+  solid.Triangles = coarse.Triangles();
+  solid.SurfacePointCount = static_cast<int>(coarse.Points().rows());
   AddInnerPoints(solid);
   return solid;
 }

@@ -1,4 +1,4 @@
-#include "Harmonic/Private/SourceShells.h"
+#include "Harmonic/Private/ChargeShells.h"
 
 #include "Harmonic/Private/OffsetSurface.h"
 #include "Mesh/Topology.h"
@@ -43,7 +43,7 @@ std::vector<Surface> Components(const Surface& boundary)
 
 } // namespace
 
-SourceShells::SourceShells(const Surface& boundary, double offset, const Progress& progress)
+ChargeShells::ChargeShells(const Surface& boundary, double offset, const Progress& progress)
   : Offset(offset)
 {
   const std::vector<Surface> components = Components(boundary);
@@ -65,7 +65,7 @@ SourceShells::SourceShells(const Surface& boundary, double offset, const Progres
   }
 }
 
-double SourceShells::Area() const
+double ChargeShells::Area() const
 {
   double area = 0.0;
   for (const Mesh& shell : this->Shells)
@@ -75,14 +75,14 @@ double SourceShells::Area() const
   return area;
 }
 
-std::vector<Eigen::MatrixXd> SourceShells::Sample(
+std::vector<Eigen::MatrixXd> ChargeShells::Sample(
   int count, SamplingMode mode, unsigned int seed, const Progress& progress) const
 {
   // Li et al. 2010, section 4.1.2: geometry-adaptive or uniform samples.
   return SampleSurfaces(this->Shells, count, Fewest, mode, seed, progress);
 }
 
-Mesh SourceShells::Joined() const
+Mesh ChargeShells::Joined() const
 {
   return JoinMeshes(this->Shells);
 }

@@ -1,4 +1,4 @@
-#include "Untangle/FoldoverFree.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include "Base/Parallel.h"
 #include "Geometry/Orientation.h"

@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
 #include "Harmonic/HarmonicVolumeMap.h"
-#include "Harmonic/Private/SourceShells.h"
+#include "Harmonic/Private/ChargeShells.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -39,13 +39,13 @@ Eigen::MatrixXd OfAChargeAt(const Eigen::RowVector3d& centre, const Eigen::Matri
 
 } // namespace
 
-TEST(SourceShells, SitAroundTheSolidAndInsideItsVoids)
+TEST(ChargeShells, SitAroundTheSolidAndInsideItsVoids)
 {
   const Eigen::RowVector3d centre(0.3, 0, 0);
   for (const auto& [radius, depth] : { std::pair(0.4, 0.1), std::pair(0.08, 0.04) })
   {
     const shape::Mesh ball = FacingOut(BallWithVoid(centre, radius));
-    const shape::SourceShells shells(ball, 0.1);
+    const shape::ChargeShells shells(ball, 0.1);
     EXPECT_NEAR(shells.Nearest(), depth, 0.15 * depth);
     const auto samples = shells.Sample(800, shape::SamplingMode::Uniform, 1);
     ASSERT_EQ(samples.size(), 2u);
@@ -63,7 +63,7 @@ TEST(SourceShells, SitAroundTheSolidAndInsideItsVoids)
   }
 }
 
-TEST(SourceShells, ChargesInAVoidMakeWhatNoneOutsideCan)
+TEST(ChargeShells, ChargesInAVoidMakeWhatNoneOutsideCan)
 {
   const Eigen::RowVector3d centre(0.3, 0, 0);
   for (const double radius : { 0.4, 0.08 })
@@ -94,7 +94,7 @@ TEST(SourceShells, ChargesInAVoidMakeWhatNoneOutsideCan)
   }
 }
 
-TEST(SourceShells, TheFirstLevelHasAsManyRowsAsThereArePoints)
+TEST(ChargeShells, TheFirstLevelHasAsManyRowsAsThereArePoints)
 {
   // Two components share the points out by area and round: at some ratio one is missing.
   const Eigen::RowVector3d centre(0.2, 0, 0);
@@ -115,7 +115,7 @@ TEST(SourceShells, TheFirstLevelHasAsManyRowsAsThereArePoints)
   }
 }
 
-TEST(SourceShells, AVoidMayFaceAnyWay)
+TEST(ChargeShells, AVoidMayFaceAnyWay)
 {
   const shape::Mesh ball = BallWithVoid(Eigen::RowVector3d(0.3, 0, 0), 0.4);
   const Eigen::MatrixXd targets = OfAChargeAt(Eigen::RowVector3d(0.3, 0, 0), ball.Points);

@@ -13,12 +13,12 @@ namespace shape
  * distance. One lies in each void, at the same distance or at half the void's depth if that is
  * smaller.
  */
-class SourceShells
+class ChargeShells
 {
 public:
   /// boundary: closed, facing out of the solid; one component around it, any number around voids.
   /// offset: > 0, in its units. Throws InvalidInput if the offset is too small to sample; Aborted.
-  SourceShells(const Surface& boundary, double offset, const Progress& progress = {});
+  ChargeShells(const Surface& boundary, double offset, const Progress& progress = {});
 
   double Area() const;                            ///< total area of all shells
   double Nearest() const { return this->Offset; } ///< minimum distance of a shell; > 0

@@ -11,7 +11,7 @@ namespace shape
 {
 
 /// Charges close to a surface. Each lies outside a position on the surface, called its site.
-struct NearSources
+struct NearSurfaceCharges
 {
   Eigen::MatrixXd Points;  ///< k x 3
   Eigen::VectorXi Sites;   ///< k, ascending: the row of each charge's site
@@ -28,15 +28,16 @@ struct NearSources
  * boundary: closed, facing out of the solid. sites: n x 3, on or near it. normals: n x 3, unit, or
  * zero. offsets: n, >= 0. Throws Aborted.
  */
-NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
-  const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress = {});
+NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
+  const Eigen::MatrixXd& sites, const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
+  const Progress& progress = {});
 
 /**
  * The linear system for charges close to a surface: one outside each surface point, at about the
  * distance of the neighbouring points, and a few coarse ones farther out. It is set up once for a
  * surface and solves for any number of boundary values.
  */
-class NearSourceSystem
+class NearSurfaceChargeSystem
 {
 public:
   /// More takes three times the time and memory of Little. It also converges if the surface's
@@ -48,7 +49,7 @@ public:
   };
   /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
   /// refinement of it. Throws SolveFailure if no charge has room; Aborted.
-  NearSourceSystem(const SignedDistance& boundary, const Surface& surface,
+  NearSurfaceChargeSystem(const SignedDistance& boundary, const Surface& surface,
     Effort effort = Effort::Little, const Progress& progress = {});
 
   /// Positions where values are prescribed: m x 3, the surface's points and then its centroids.
@@ -81,7 +82,7 @@ private:
 struct AcceleratedSetup
 {
   Surface Boundary;
-  std::unique_ptr<NearSourceSystem> System;
+  std::unique_ptr<NearSurfaceChargeSystem> System;
 };
 
 } // namespace shape

@@ -1,4 +1,4 @@
-#include "Harmonic/NearSourceSystem.h"
+#include "Harmonic/NearSurfaceCharges.h"
 
 #include "Base/Errors.h"
 #include "Geometry/VertexNormals.h"
@@ -58,7 +58,8 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
     level.Clusters(parts[p]).setConstant(static_cast<int>(p));
   }
   // The offset is half the spacing of the clusters, from the area of each.
-  const NearSources placed = InsertNearSources(boundary, centres, directions, offsets, progress);
+  const NearSurfaceCharges placed =
+    InsertNearSurfaceCharges(boundary, centres, directions, offsets, progress);
   level.Sources = placed.Points;
   // A cluster without room for a charge joins the nearest cluster that has one.
   Eigen::VectorXi number = Eigen::VectorXi::Constant(count, -1);
@@ -118,8 +119,9 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
 
 } // namespace
 
-NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
-  const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress)
+NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
+  const Eigen::MatrixXd& sites, const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
+  const Progress& progress)
 {
   // The offset is multiplied by `nearer` up to `steps` times: 0.7^4 = 0.24 is the limit of the
   // header.
@@ -167,7 +169,7 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
   }
 
   std::vector<int> placed;
-  NearSources sources;
+  NearSurfaceCharges sources;
   for (int i = 0; i < n; ++i)
   {
     if (reached(i) > 0.0)
@@ -181,7 +183,7 @@ NearSources InsertNearSources(const SignedDistance& boundary, const Eigen::Matri
   return sources;
 }
 
-NearSourceSystem::NearSourceSystem(
+NearSurfaceChargeSystem::NearSurfaceChargeSystem(
   const SignedDistance& boundary, const Surface& surface, Effort effort, const Progress& progress)
 {
   // Outline:
@@ -193,7 +195,7 @@ NearSourceSystem::NearSourceSystem(
   const Eigen::MatrixXd normals = ComputeVertexNormals(surface, NormalWeight::Area);
   const Eigen::VectorXd areas = ComputePointAreas(surface);
   // Step 1: charges.
-  const NearSources near = InsertNearSources(boundary, surface.Points(), normals,
+  const NearSurfaceCharges near = InsertNearSurfaceCharges(boundary, surface.Points(), normals,
     NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(), progress.Part(0.0, 0.3));
   if (near.Sites.size() == 0)
   {
@@ -238,13 +240,13 @@ NearSourceSystem::NearSourceSystem(
     this->AllSources, this->System.Rows, FmmSummationOptions(), progress.Part(0.9, 1.0));
 }
 
-Eigen::MatrixXd NearSourceSystem::Values(
+Eigen::MatrixXd NearSurfaceChargeSystem::Values(
   const Eigen::MatrixXd& charges, const Progress& progress) const
 {
   return this->Sums->Potentials(charges, progress);
 }
 
-GmresResult NearSourceSystem::Solve(
+GmresResult NearSurfaceChargeSystem::Solve(
   const Eigen::MatrixXd& values, const GmresOptions& options, const Progress& progress) const
 {
   // Right-preconditioned GMRES in the weighted norm of the rows (Gmres.h).
