@@ -74,7 +74,8 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest = {},
  *
  * domain: the solid's cells before the map. moved (n x 3): the images of their points. boundary:
  * the map's boundary surface, in the space of the domain. targets: the images of the points of
- * `boundary`. Throws whatever Untangle throws.
+ * `boundary`. In the result, InvertedBefore counts the cells that the map inverts. Throws whatever
+ * Untangle throws.
  */
 UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
   const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress = {});
